@@ -1,0 +1,33 @@
+/// Boxes, spheres and planes: the values that everything else is made of.
+#pragma once
+
+#include <array>
+
+namespace shaftcull {
+
+/// A point or a vector: x, y, z.
+using Vec3 = std::array<float, 3>;
+
+/// An axis-aligned box: all p with lo ≤ p ≤ hi on every axis (closed, so touching boxes meet).
+/// Infinite extents are legal. The *empty* box has lo = +∞ and hi = −∞ on all axes and meets nothing.
+struct Box {
+  Vec3 lo;
+  Vec3 hi;
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// A ball: all p with |p − centre| ≤ radius. A radius of 0 is a point.
+struct Sphere {
+  Vec3 centre;
+  float radius;
+  friend bool operator==(const Sphere&, const Sphere&) = default;
+};
+
+/// A half-space: normal·p ≤ offset is its inside. The normal need not have unit length.
+struct Plane {
+  Vec3 normal;
+  float offset;
+  friend bool operator==(const Plane&, const Plane&) = default;
+};
+
+}  // namespace shaftcull

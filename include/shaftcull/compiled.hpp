@@ -1,0 +1,94 @@
+/// A shaft made ready for testing: coefficients and corner selectors in the order in which kernels read them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/shaft.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull {
+
+/// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
+///
+/// The members are the kernels' own format: read them out of interest, do not depend on them.
+/// Arrays are plain so that kernels touch no inline function of the standard library (kernel/test/README.md).
+///
+/// *Slab form.* The shaft is the union over t in [t_begin, t_end] of box(t) = a + t (b − a). A bound meets it
+/// iff some t satisfies six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below
+/// that depends on a single coordinate of the bound.
+///
+/// *Plane form.* v = n0·x + n1·y + minus_offset at the corner that the selectors name; v > 0 is beyond the plane.
+/// The near corner has the smallest v (outside iff v > 0 there), the far corner the largest (inside iff v ≤ 0).
+/// A selector is the number of a stream of BoxView.
+///
+/// A computed value within its margin of 0 is undecided, and the kernel asks the exact predicates, which
+/// start again from the boxes a and b.
+struct alignas(64) CompiledShaft {
+  /// How the slab constraints are evaluated.
+  enum class SlabForm : std::uint8_t {
+    fused,       ///< t = x · scale + shift; shift = −p · scale
+    difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where −p · scale is too large
+  };
+
+  // First cache line: the slab constraints, bounds on t from above first.
+  float slab_scale[6];           ///< 1 / slope; ±∞ for a purple face
+  float slab_shift[6];           ///< see SlabForm
+  float slab_margin;             ///< bound on the error of (largest lower − smallest upper); +∞ if none holds
+  std::uint8_t slab_near[6];     ///< stream that the constraint reads
+  std::uint8_t slab_uppers;      ///< how many of the six bound t from above
+  SlabForm slab_form;
+
+  // Second cache line: what the shaft is.
+  Box a;
+  Box b;
+  float t_begin;
+  float t_end;
+  std::uint8_t joining_count;    ///< planes_pending until completed
+  std::uint8_t added_count;
+  bool answers_outside;
+  bool answers_inside;
+  bool answers_spheres;
+
+  // Planes.
+  Box box;                        ///< the shaft box
+  float joining_normal0[max_joining_planes];
+  float joining_normal1[max_joining_planes];
+  float joining_minus_offset[max_joining_planes];
+  float joining_margin[max_joining_planes];
+  std::uint8_t joining_near0[max_joining_planes];
+  std::uint8_t joining_near1[max_joining_planes];
+  std::uint8_t joining_far0[max_joining_planes];
+  std::uint8_t joining_far1[max_joining_planes];
+
+  float added_normal[3][max_added_planes];
+  float added_minus_offset[max_added_planes];
+  float added_margin[max_added_planes];
+  float added_length[max_added_planes];    ///< length of the normal, for spheres
+  std::uint8_t added_near[3][max_added_planes];
+  std::uint8_t added_far[3][max_added_planes];
+
+  /// Value of joining_count in a shaft from compile_batch(), whose planes nobody has asked for yet.
+  static constexpr std::uint8_t planes_pending = 0xff;
+  [[nodiscard]] bool has_planes() const noexcept { return joining_count != planes_pending; }
+};
+static_assert(sizeof(CompiledShaft) <= 1024);
+
+/// Compiles a formed shaft. Never fails; about 0.1 µs.
+[[nodiscard]] CompiledShaft compile(const Shaft& shaft) noexcept;
+
+/// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
+///
+/// The shafts answer everything and equal compile(Shaft(a[i], b[i])), but for joining planes, which are left pending:
+/// only tests in plane form and classify() need them, and compute them on the fly when they are pending.
+/// complete() them once if a shaft is to be classified against many small views.
+/// Throws InvalidArgument if the three sizes differ, BadBound for the first pair with a box that is not
+/// finite or has lo > hi (nothing is written then). O(pairs); safe to call from many threads.
+void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out);
+
+/// Computes pending joining planes; does nothing to a shaft that has them.
+void complete(CompiledShaft& shaft) noexcept;
+
+}  // namespace shaftcull

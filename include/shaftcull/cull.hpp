@@ -1,0 +1,41 @@
+/// One shaft against many bounds.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull {
+
+/// Which form of the shaft decides *outside*. Answers are the same; speed is not.
+enum class Form : std::uint8_t {
+  fastest,  ///< slab, by measurement (see docs/measurements.md)
+  slab,     ///< the shaft as a moving box
+  planes,   ///< the paper's planes with near corners
+};
+
+/// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft. Bits past
+/// bounds.count in the last word are zero.
+///
+/// `kept` must have exactly words_for(bounds.count) words, else InvalidArgument; likewise if the shaft was formed
+/// without the answer asked for. O(count); no allocation; safe to call from many threads.
+void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form = Form::fastest);
+void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form = Form::fastest);
+
+/// Classifies: `kept` as in cull(), and bit i of `inside` set iff bound i is fully inside the shaft (and of
+/// every added plane). The three answers are outside = not kept, inside, and overlap = kept and not inside.
+/// Inside is always decided by planes. Sizes, errors and guarantees as cull(), for both spans.
+void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, std::span<std::uint64_t> inside,
+              Form form = Form::fastest);
+void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
+              std::span<std::uint64_t> inside, Form form = Form::fastest);
+
+/// The answer for a single bound.
+enum class Answer : std::uint8_t { outside, overlap, inside };
+
+[[nodiscard]] Answer classify(const CompiledShaft& shaft, const Box& box);
+[[nodiscard]] Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
+
+}  // namespace shaftcull

@@ -1,0 +1,27 @@
+/// What the library throws. Every message says what is wrong, where, and what would be right.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace shaftcull {
+
+/// An argument broke a rule of the function that was called; nothing was changed.
+class InvalidArgument : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A bound in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent.
+class BadBound : public InvalidArgument {
+ public:
+  BadBound(std::size_t index, const std::string& what) : InvalidArgument(what), index_(index) {}
+  /// Position of the first bad bound in the input it came from, counted from 0.
+  [[nodiscard]] std::size_t index() const noexcept { return index_; }
+
+ private:
+  std::size_t index_;
+};
+
+}  // namespace shaftcull

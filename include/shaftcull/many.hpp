@@ -1,0 +1,81 @@
+/// Many shafts against many bounds, in parallel.
+///
+/// Work is cut into tiles: a run of bounds small enough for the cache, against a group of shafts. The cut depends only on
+/// the sizes, never on the number of threads, and so do all results and their order. Calls run on oneTBB
+/// inside the caller's task_arena (in a build without oneTBB, serially), and are safe to make from many threads.
+/// Errors are those of cull() and classify(), found before anything is written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull {
+
+/// Bits: row s (words_for(bounds.count) words, rows one behind the other) gets what cull(shafts[s], …) gives.
+/// No allocation into anything but oneTBB's own task memory.
+void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
+               Form form = Form::fastest);
+void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
+               Form form = Form::fastest);
+
+/// Bits of both kinds, as classify().
+void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
+                   std::span<std::uint64_t> inside_rows, Form form = Form::fastest);
+void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
+                   std::span<std::uint64_t> inside_rows, Form form = Form::fastest);
+
+/// Counts: kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
+void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_counts,
+                Form form = Form::fastest);
+void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
+                Form form = Form::fastest);
+
+/// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
+struct IndexLists {
+  std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
+  std::vector<std::uint32_t> indices;
+
+  [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t shaft) const noexcept {
+    return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
+  }
+};
+
+/// Lists what each shaft keeps. Reuses the memory of `lists`. Throws InvalidArgument if there are more than 2³² bounds.
+void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists, Form form = Form::fastest);
+void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists, Form form = Form::fastest);
+
+/// What one shaft answers for one tile of bounds, [first, first + count); first is a multiple of 64.
+/// Memory is the library's and is valid during the callback only.
+struct TileAnswers {
+  std::size_t shaft;
+  std::size_t first;
+  std::size_t count;
+  std::span<const std::uint64_t> kept;    ///< bit i is bound first + i
+  std::span<const std::uint64_t> inside;  ///< likewise; empty for cull_tiles()
+};
+
+/// Called once for every tile and shaft, one call at a time, ordered by tile and then by shaft. An exception ends the
+/// run and reaches the caller; tiles after it are not delivered.
+using TileCallback = std::function<void(const TileAnswers&)>;
+
+void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback,
+                Form form = Form::fastest);
+void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+                Form form = Form::fastest);
+void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback,
+                    Form form = Form::fastest);
+void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+                    Form form = Form::fastest);
+
+/// How many threads a call from here would use (1 in a build without oneTBB).
+[[nodiscard]] int concurrency() noexcept;
+
+}  // namespace shaftcull

@@ -1,0 +1,11 @@
+/// Everything: two boxes → Shaft → CompiledShaft → cull / classify against views → bits, counts, lists.
+#pragma once
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/shaft.hpp"
+#include "shaftcull/streams.hpp"

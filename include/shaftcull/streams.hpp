@@ -1,0 +1,173 @@
+/// Bounds in memory: views of the user's own streams, and streams that own theirs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/error.hpp"
+
+namespace shaftcull {
+
+/// Number of 64-bit words that hold one bit for each of `bounds` bounds: word w, bit i is bound 64 w + i.
+[[nodiscard]] constexpr std::size_t words_for(std::size_t bounds) noexcept { return bounds / 64 + (bounds % 64 != 0); }
+
+/// `count` boxes in the user's memory as six separate streams of floats: lo x, lo y, lo z, hi x, hi y, hi z.
+///
+/// Any alignment of a float, any count from 0 up (streams of an empty view may be null); nothing past
+/// `count` is read. The memory is the user's and must outlive the call it is passed to.
+/// Values are not checked: a NaN coordinate never culls and never makes a box inside; a box with lo > hi that
+/// is not the empty box gets an unspecified answer, the same on every instruction set.
+struct BoxView {
+  std::array<const float*, 6> stream{};
+  std::size_t count = 0;
+
+  /// The boxes [first, first + size); the caller keeps that range within `count`.
+  [[nodiscard]] BoxView slice(std::size_t first, std::size_t size) const noexcept {
+    BoxView part{stream, size};
+    for (const float*& s : part.stream) s += first;
+    return part;
+  }
+  [[nodiscard]] Box operator[](std::size_t i) const noexcept {
+    return {{stream[0][i], stream[1][i], stream[2][i]}, {stream[3][i], stream[4][i], stream[5][i]}};
+  }
+};
+
+/// `count` spheres in the user's memory as four streams of floats: centre x, y, z and radius. As BoxView.
+/// Values are not checked: a sphere with a NaN anywhere is never culled by that value and never inside; a negative radius
+/// gets an unspecified answer, the same on every instruction set.
+struct SphereView {
+  std::array<const float*, 4> stream{};
+  std::size_t count = 0;
+
+  /// The spheres [first, first + size); the caller keeps that range within `count`.
+  [[nodiscard]] SphereView slice(std::size_t first, std::size_t size) const noexcept {
+    SphereView part{stream, size};
+    for (const float*& s : part.stream) s += first;
+    return part;
+  }
+  [[nodiscard]] Sphere operator[](std::size_t i) const noexcept {
+    return {{stream[0][i], stream[1][i], stream[2][i]}, stream[3][i]};
+  }
+};
+
+/// Boxes as min and max corners in an array of structs: record i has its three floats of lo at byte
+/// `lo + i * stride` and its three floats of hi at `hi + i * stride`. Any stride, any alignment.
+struct MinMaxRecords {
+  const void* lo = nullptr;
+  const void* hi = nullptr;
+  std::size_t stride = sizeof(Box);  ///< bytes from one record to the next
+  std::size_t count = 0;
+};
+
+/// Boxes as centre and half extent, laid out as MinMaxRecords. Corners that are not floats are rounded
+/// outwards, so that the packed box always contains the given one.
+struct CentreExtentRecords {
+  const void* centre = nullptr;
+  const void* half_extent = nullptr;
+  std::size_t stride = 6 * sizeof(float);  ///< bytes from one record to the next
+  std::size_t count = 0;
+};
+
+/// Spheres as three floats of centre and one of radius, laid out as MinMaxRecords.
+struct SphereRecords {
+  const void* centre = nullptr;
+  const void* radius = nullptr;
+  std::size_t stride = sizeof(Sphere);  ///< bytes from one record to the next
+  std::size_t count = 0;
+};
+
+/// Records of an array of Box or Sphere.
+[[nodiscard]] MinMaxRecords records(std::span<const Box> boxes) noexcept;
+[[nodiscard]] SphereRecords records(std::span<const Sphere> spheres) noexcept;
+
+/// Cache-line aligned floats in equally long rows: the memory under the owning streams.
+class StreamMemory {
+ public:
+  /// `rows` rows of `row_length` floats, not initialised; row_length is a multiple of 64.
+  StreamMemory(std::size_t rows, std::size_t row_length);
+  StreamMemory() noexcept = default;
+  [[nodiscard]] float* row(std::size_t i) const noexcept { return floats_.get() + i * row_length_; }
+  [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
+  [[nodiscard]] std::size_t row_length() const noexcept { return row_length_; }
+
+ private:
+  struct Free {
+    void operator()(float* floats) const noexcept;
+  };
+  std::unique_ptr<float[], Free> floats_;
+  std::size_t row_length_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+/// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box and at most 64
+/// boxes of padding. Copies are deep; moves are O(1) and leave an empty stream.
+///
+/// Packing checks its input: a NaN, lo > hi (but for the empty box) or a negative half extent throws
+/// BadBound, which names the first bad record and what is wrong with it, and leaves the stream unchanged.
+/// Const members are safe to call from many threads; update() of disjoint ranges too.
+class BoxStream {
+ public:
+  BoxStream() noexcept = default;
+  /// `count` empty boxes.
+  explicit BoxStream(std::size_t count);
+  explicit BoxStream(std::span<const Box> boxes);
+  explicit BoxStream(const MinMaxRecords& boxes);
+  explicit BoxStream(const CentreExtentRecords& boxes);
+  BoxStream(const BoxStream& other);
+  BoxStream& operator=(const BoxStream& other);
+  BoxStream(BoxStream&& other) noexcept;
+  BoxStream& operator=(BoxStream&& other) noexcept;
+  ~BoxStream() = default;
+
+  /// Replaces the boxes [first, first + records.count) in place, without allocation; O(records.count).
+  /// Throws InvalidArgument if the range does not lie within size(), BadBound as above.
+  void update(std::size_t first, std::span<const Box> boxes);
+  void update(std::size_t first, const MinMaxRecords& boxes);
+  void update(std::size_t first, const CentreExtentRecords& boxes);
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  /// Bytes that the stream holds, padding included.
+  [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
+  /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
+  [[nodiscard]] BoxView view() const noexcept;
+  [[nodiscard]] Box operator[](std::size_t i) const noexcept { return view()[i]; }
+
+ private:
+  StreamMemory memory_;
+  std::size_t size_ = 0;
+};
+
+/// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and at most 64 spheres of padding.
+/// As BoxStream; packing rejects NaN and negative radii.
+class SphereStream {
+ public:
+  SphereStream() noexcept = default;
+  /// `count` spheres of radius 0 at the origin.
+  explicit SphereStream(std::size_t count);
+  explicit SphereStream(std::span<const Sphere> spheres);
+  explicit SphereStream(const SphereRecords& spheres);
+  SphereStream(const SphereStream& other);
+  SphereStream& operator=(const SphereStream& other);
+  SphereStream(SphereStream&& other) noexcept;
+  SphereStream& operator=(SphereStream&& other) noexcept;
+  ~SphereStream() = default;
+
+  /// As BoxStream::update.
+  void update(std::size_t first, std::span<const Sphere> spheres);
+  void update(std::size_t first, const SphereRecords& spheres);
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
+  [[nodiscard]] SphereView view() const noexcept;
+  [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view()[i]; }
+
+ private:
+  StreamMemory memory_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace shaftcull
