@@ -1,0 +1,69 @@
+/// A checked request: shafts, bounds and the kernel that tests them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "run/cut.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/streams.hpp"
+#include "test/kernels.hpp"
+
+namespace shaftcull::kernel {
+
+/// Rows of words in which tasks leave their bits: the row of shaft s, from the word of bound 0 on, is at words + s * stride.
+struct Rows {
+  std::uint64_t* words = nullptr;
+  std::size_t stride = 0;
+
+  [[nodiscard]] std::uint64_t* at(std::size_t shaft, std::size_t word) const noexcept {
+    return words == nullptr ? nullptr : words + shaft * stride + word;
+  }
+};
+
+template <class View>
+class Job {
+ public:
+  /// Throws InvalidArgument, naming the first shaft that does not answer what is asked.
+  Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
+      : shafts_(shafts), bounds_(bounds), test_(active_kernels().test(bounds, form)) {
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      require_answers(shafts[s], inside, std::is_same_v<View, SphereView>, s);
+    }
+  }
+
+  [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
+  [[nodiscard]] std::size_t bounds() const noexcept { return bounds_.count; }
+  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(bounds_.count); }
+
+  /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
+  /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
+  void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
+    for (std::size_t tile = 0; tile < block.size; tile += tile_bounds) {
+      const View part = bounds_.slice(block.first + tile, std::min(tile_bounds, block.size - tile));
+      for (std::size_t s = 0; s != group.size; ++s) {
+        test_(shafts_[group.first + s], part.stream.data(), part.count, kept.at(s, tile / 64), inside.at(s, tile / 64));
+      }
+    }
+  }
+
+ private:
+  std::span<const CompiledShaft> shafts_;
+  View bounds_;
+  Test* test_;
+};
+
+/// Throws InvalidArgument unless the span called `what` has `rows` rows of `row_words` words.
+inline void require_rows(const char* what, std::size_t size, std::size_t rows, std::size_t row_words) {
+  if (size == rows * row_words) return;
+  throw InvalidArgument(std::string(what) + " has " + std::to_string(size) + " words; " + std::to_string(rows) +
+                        " shafts times words_for(bounds.count) = " + std::to_string(row_words) + " words need " +
+                        std::to_string(rows * row_words));
+}
+
+}  // namespace shaftcull::kernel

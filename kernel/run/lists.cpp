@@ -1,0 +1,94 @@
+/// list_many(): one pass over the bounds. Tasks list what they keep in memory of their own, and once
+/// all counts are known the pieces are copied to their places.
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "run/job.hpp"
+#include "run/parallel.hpp"
+#include "run/set_bits.hpp"
+#include "shaftcull/many.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// What a task lists: indices of its first shaft, then of the second, …
+using Piece = std::unique_ptr<std::uint32_t[]>;
+
+/// Turns counts, one row of shafts for every block, into the places in `indices` where they go; fills `offsets`.
+void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts, std::vector<std::uint64_t>& offsets) {
+  offsets.assign(shafts + 1, 0);
+  for (std::size_t b = 0; b != blocks; ++b) {
+    for (std::size_t s = 0; s != shafts; ++s) offsets[s + 1] += counts[b * shafts + s];
+  }
+  for (std::size_t s = 0; s != shafts; ++s) offsets[s + 1] += offsets[s];
+  std::vector<std::uint64_t> next(offsets.begin(), offsets.end() - 1);
+  for (std::size_t b = 0; b != blocks; ++b) {
+    for (std::size_t s = 0; s != shafts; ++s) next[s] += std::exchange(counts[b * shafts + s], next[s]);
+  }
+}
+
+/// Makes `indices` that long without copying what it holds.
+void resize_unkept(std::vector<std::uint32_t>& indices, std::uint64_t size) {
+  if (indices.capacity() < size) indices.clear();
+  indices.resize(static_cast<std::size_t>(size));
+}
+
+template <class View>
+void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexLists& lists, Form form) {
+  const kernel::Job<View> job(shafts, bounds, false, form);
+  constexpr std::uint64_t most_bounds = std::uint64_t{std::numeric_limits<std::uint32_t>::max()} + 1;
+  if (bounds.count > most_bounds) {
+    throw InvalidArgument("list_many() got " + std::to_string(bounds.count) + " bounds, but its 32-bit indices reach " +
+                          std::to_string(most_bounds) + "; split the view with slice()");
+  }
+
+  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
+  std::vector<Piece> pieces(cut.blocks() * cut.groups());
+  std::vector<std::uint64_t> places(cut.blocks() * job.shafts());  // counts at first
+  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::Run block = cut.block(b);
+    const kernel::Run group = cut.group(g);
+    const std::size_t words = words_for(block.size);
+    std::uint64_t kept[kernel::task_words];
+    job.test(block, group, {kept, words});
+    const std::size_t total = kernel::count_set_bits(kept, group.size * words);
+    if (total == 0) return;
+    Piece piece = std::make_unique_for_overwrite<std::uint32_t[]>(total + kernel::set_bits_slack);
+    std::uint32_t* end = piece.get();
+    for (std::size_t s = 0; s != group.size; ++s) {
+      std::uint32_t* const begin = end;
+      end = kernel::write_set_bits(kept + s * words, words, static_cast<std::uint32_t>(block.first), begin);
+      places[b * job.shafts() + group.first + s] = static_cast<std::uint64_t>(end - begin);
+    }
+    pieces[b * cut.groups() + g] = std::move(piece);
+  });
+
+  place(places, cut.blocks(), job.shafts(), lists.offsets);
+  resize_unkept(lists.indices, lists.offsets.back());
+  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
+    Piece& piece = pieces[b * cut.groups() + g];
+    const std::uint32_t* from = piece.get();
+    const std::uint64_t* const here = places.data() + b * job.shafts();
+    const std::uint64_t* const next = b + 1 == cut.blocks() ? lists.offsets.data() + 1 : here + job.shafts();
+    for (std::size_t s = cut.group(g).first; s != cut.group(g).end(); ++s) {
+      std::copy(from, from + (next[s] - here[s]), lists.indices.data() + here[s]);
+      from += next[s] - here[s];
+    }
+    piece.reset();
+  });
+}
+
+}  // namespace
+
+void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists, Form form) {
+  list_rows(shafts, boxes, lists, form);
+}
+
+void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists, Form form) {
+  list_rows(shafts, spheres, lists, form);
+}
+
+}  // namespace shaftcull

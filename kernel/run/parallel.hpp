@@ -1,0 +1,78 @@
+/// Parallel loops and pipelines: the only place that knows oneTBB, which SHAFTCULL_WITH_TBB turns on.
+///
+/// Everything runs inside the caller's task_arena, and exceptions reach the caller. Without oneTBB the same
+/// calls are made one after the other.
+#pragma once
+
+#include <cstddef>
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+#include <oneapi/tbb/blocked_range2d.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace shaftcull::kernel {
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+
+/// Threads that a loop started here may use.
+[[nodiscard]] inline int threads_here() noexcept { return tbb::this_task_arena::max_concurrency(); }
+
+/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order.
+template <class Body>
+void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range2d<std::size_t>(0, rows, 1, 0, columns, 1), [&body](const auto& range) {
+    for (std::size_t row = range.rows().begin(); row != range.rows().end(); ++row) {
+      for (std::size_t column = range.cols().begin(); column != range.cols().end(); ++column) body(row, column);
+    }
+  });
+}
+
+/// Calls work(i, slot) in parallel and then deliver(i, slot) one at a time in ascending order, for i from 0 to count.
+/// A slot, less than `slots`, belongs to i alone from its work to its delivery.
+template <class Work, class Deliver>
+void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, const Deliver& deliver) {
+  // At most `slots` items are under way, and they leave in order: so i % slots is free when i enters.
+  std::size_t next = 0;
+  tbb::parallel_pipeline(
+      slots, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                 [&next, count](tbb::flow_control& flow) -> std::size_t {
+                                                   if (next == count) {
+                                                     flow.stop();
+                                                     return 0;
+                                                   }
+                                                   return next++;
+                                                 }) &
+                 tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel,
+                                                            [&work, slots](std::size_t i) {
+                                                              work(i, i % slots);
+                                                              return i;
+                                                            }) &
+                 tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order,
+                                                     [&deliver, slots](std::size_t i) { deliver(i, i % slots); }));
+}
+
+#else
+
+[[nodiscard]] inline int threads_here() noexcept { return 1; }
+
+template <class Body>
+void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
+  for (std::size_t row = 0; row != rows; ++row) {
+    for (std::size_t column = 0; column != columns; ++column) body(row, column);
+  }
+}
+
+template <class Work, class Deliver>
+void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, const Deliver& deliver) {
+  for (std::size_t i = 0; i != count; ++i) {
+    work(i, i % slots);
+    deliver(i, i % slots);
+  }
+}
+
+#endif
+
+}  // namespace shaftcull::kernel
