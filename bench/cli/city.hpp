@@ -1,0 +1,42 @@
+/// A city: blocks of buildings on a square grid of streets, and cars that drive along them.
+#pragma once
+
+#include <vector>
+
+#include "moving_scene.hpp"
+
+namespace shaftcull::cli {
+
+/// A quarter of the bounds are cars; buildings stay where they are. Lengths are metres. Shafts are, in turn, the space
+/// that a helicopter sweeps in the next five seconds, and the view from it to a car.
+class City : public MovingScene {
+ public:
+  static constexpr std::size_t full_size = 1'000'000;
+
+  explicit City(std::size_t count);
+
+  [[nodiscard]] std::string_view name() const override { return "city"; }
+  [[nodiscard]] std::size_t bounds() const override { return stream_.size(); }
+  [[nodiscard]] std::size_t moving() const override { return cars_.size(); }
+  void move_to(double time) override;
+  void place_shafts(double time, std::span<Box> a, std::span<Box> b) const override;
+  void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const override;
+
+ private:
+  /// Drives up and down no lane but its own, and comes in again at the other end of the city.
+  struct Car {
+    float across;       ///< where its lane is, across the street
+    float start;        ///< where it is along the street at time 0
+    float speed;        ///< metres a second, negative in the opposite lane
+    bool along_x;
+  };
+
+  [[nodiscard]] Box car_at(const Car& car, double time) const;
+
+  std::size_t buildings_;
+  std::size_t blocks_;  ///< along each side of the city
+  std::vector<Car> cars_;
+  BoxStream stream_;    ///< buildings, then cars
+};
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,117 @@
+#include "cull_report.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "box_text.hpp"
+#include "table.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* answer_name(bool inside) { return inside ? "inside" : "overlap"; }
+
+const char* grain_name(Grain grain) { return grain == Grain::object ? "object" : "triangle"; }
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
+}
+
+std::string as_text(const CullReport& report) {
+  std::string text = fmt::format("{}: {}, {}, {}\n", report.path, plural(report.scene.names.size(), "object"),
+                                 plural(report.scene.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
+  for (const PairResult& pair : report.pairs) {
+    const auto inside = static_cast<std::size_t>(
+        std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
+    text += fmt::format("\n{} -> {}: {} may lie between ({} inside, {} overlap)\n", pair.from.label, pair.to.label,
+                        plural(pair.candidates.size(), grain_name(report.grain)), grouped(inside),
+                        grouped(pair.candidates.size() - inside));
+    for (const Candidate& candidate : pair.candidates) {
+      const MeshBound& bound = report.scene.bounds[candidate.bound];
+      const std::string triangle = report.grain == Grain::triangle ? fmt::format(" triangle {}", bound.triangle) : "";
+      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate.inside), report.scene.names[bound.object], triangle,
+                          to_text(bound.box));
+    }
+  }
+  return text;
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + '"';
+}
+
+std::string as_csv(const CullReport& report) {
+  std::string text = "pair,from,to,object,triangle,answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z\n";
+  for (std::size_t p = 0; p < report.pairs.size(); ++p) {
+    const PairResult& pair = report.pairs[p];
+    for (const Candidate& candidate : pair.candidates) {
+      const MeshBound& bound = report.scene.bounds[candidate.bound];
+      const std::string triangle = report.grain == Grain::triangle ? fmt::format("{}", bound.triangle) : "";
+      text += fmt::format("{},{},{},{},{},{},{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
+                          csv_cell(report.scene.names[bound.object]), triangle, answer_name(candidate.inside), to_text(bound.box));
+    }
+  }
+  return text;
+}
+
+/// The number with the fewest digits that is `value` as a float: 0.1, not 0.10000000149.
+double shortest(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
+
+Json as_json(const Box& box) {
+  Json lo = Json::array();
+  Json hi = Json::array();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lo.push_back(shortest(box.lo[axis]));
+    hi.push_back(shortest(box.hi[axis]));
+  }
+  return Json{{"lo", std::move(lo)}, {"hi", std::move(hi)}};
+}
+
+Json as_json(const ShaftEnd& end) {
+  return Json{{"object", end.object == ShaftEnd::no_object ? Json(nullptr) : Json(end.label)}, {"box", as_json(end.box)}};
+}
+
+std::string as_json(const CullReport& report) {
+  Json pairs = Json::array();
+  for (const PairResult& pair : report.pairs) {
+    Json candidates = Json::array();
+    for (const Candidate& candidate : pair.candidates) {
+      const MeshBound& bound = report.scene.bounds[candidate.bound];
+      Json entry{{"object", report.scene.names[bound.object]}};
+      if (report.grain == Grain::triangle) entry["triangle"] = bound.triangle;
+      entry["answer"] = answer_name(candidate.inside);
+      entry["box"] = as_json(bound.box);
+      candidates.push_back(std::move(entry));
+    }
+    pairs.push_back(Json{{"from", as_json(pair.from)}, {"to", as_json(pair.to)}, {"candidates", std::move(candidates)}});
+  }
+  const Json root{{"scene", report.path},
+                  {"bounds", grain_name(report.grain)},
+                  {"objects", report.scene.names.size()},
+                  {"count", report.scene.bounds.size()},
+                  {"isa", report.isa},
+                  {"pairs", std::move(pairs)}};
+  // Names come from files: bytes that are not UTF-8 are replaced, not an error.
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+std::string format_report(const CullReport& report, ReportFormat format) {
+  switch (format) {
+    case ReportFormat::json: return as_json(report);
+    case ReportFormat::csv: return as_csv(report);
+    case ReportFormat::text: break;
+  }
+  return as_text(report);
+}
+
+}  // namespace shaftcull::cli

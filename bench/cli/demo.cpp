@@ -1,0 +1,188 @@
+/// `shaftcull demo`: millions of bounds that move, culled against moving shafts in every frame.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "city.hpp"
+#include "instruction_set.hpp"
+#include "moving_scene.hpp"
+#include "progress.hpp"
+#include "shaftcull/shaftcull.hpp"
+#include "sphereflake.hpp"
+#include "subcommand.hpp"
+#include "table.hpp"
+#include "workers.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+struct DemoOptions {
+  std::string scene = "both";
+  std::size_t bounds = 0;  ///< 0: as many as the scene has
+  std::size_t shafts = 64;
+  std::size_t frames = 100;
+  double seconds = 6;      ///< a scene; 0: no limit
+  int threads = 0;
+  InstructionSet isa;
+};
+
+constexpr double frames_per_second = 30;
+/// A median needs a few frames, however slow they are.
+constexpr std::size_t fewest_frames = 3;
+
+/// Milliseconds that a frame took.
+struct FrameTime {
+  double move;
+  double cull;
+};
+
+struct SceneResult {
+  std::vector<FrameTime> frames;
+  std::uint64_t kept = 0;  ///< over all frames and shafts
+};
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double tests(const MovingScene& scene, std::size_t shafts) {
+  return static_cast<double>(scene.bounds()) * static_cast<double>(shafts);
+}
+
+/// Runs the frames of one scene. Everything that a frame needs is allocated before the first.
+class FrameLoop {
+ public:
+  FrameLoop(MovingScene& scene, std::size_t shafts)
+      : scene_(scene), ends_a_(shafts), ends_b_(shafts), stream_a_(shafts), stream_b_(shafts), shafts_(shafts), kept_(shafts) {}
+
+  FrameTime run_frame(std::size_t number) {
+    const double time = static_cast<double>(number) / frames_per_second;
+    const auto begin = std::chrono::steady_clock::now();
+    scene_.move_to(time);
+    const double move = milliseconds_since(begin);
+    const auto moved = std::chrono::steady_clock::now();
+    scene_.place_shafts(time, ends_a_, ends_b_);
+    stream_a_.update(0, ends_a_);
+    stream_b_.update(0, ends_b_);
+    compile_batch(stream_a_.view(), stream_b_.view(), shafts_);
+    scene_.count(shafts_, kept_);
+    return {move, milliseconds_since(moved)};
+  }
+
+  /// What all shafts kept in the last frame.
+  std::uint64_t kept() const { return std::accumulate(kept_.begin(), kept_.end(), std::uint64_t{0}); }
+
+ private:
+  MovingScene& scene_;
+  std::vector<Box> ends_a_;
+  std::vector<Box> ends_b_;
+  BoxStream stream_a_;
+  BoxStream stream_b_;
+  std::vector<CompiledShaft> shafts_;
+  std::vector<std::uint64_t> kept_;
+};
+
+SceneResult run_scene(MovingScene& scene, const DemoOptions& options, Progress& progress) {
+  FrameLoop loop(scene, options.shafts);
+  // The first frame meets cold caches and threads that are not started yet; it is not counted.
+  loop.run_frame(0);
+  SceneResult result;
+  const auto begin = std::chrono::steady_clock::now();
+  for (std::size_t frame = 1; frame <= options.frames; ++frame) {
+    const double seconds = milliseconds_since(begin) / 1000;
+    if (options.seconds > 0 && seconds > options.seconds && frame > fewest_frames) break;
+    const FrameTime time = loop.run_frame(frame);
+    result.frames.push_back(time);
+    result.kept += loop.kept();
+    progress.update(fmt::format("{}: frame {} of {}, {:.1f} s: move {:.1f} ms, cull {:.1f} ms, {}tests/s, {} kept", scene.name(),
+                                frame, options.frames, seconds, time.move, time.cull,
+                                prefixed(tests(scene, options.shafts) / (time.cull / 1000)), grouped(loop.kept())));
+  }
+  return result;
+}
+
+void add_row(Table& table, const MovingScene& scene, const SceneResult& result, const DemoOptions& options, int threads) {
+  std::vector<double> total;
+  std::vector<double> move;
+  std::vector<double> cull;
+  for (const FrameTime& frame : result.frames) {
+    total.push_back(frame.move + frame.cull);
+    move.push_back(frame.move);
+    cull.push_back(frame.cull);
+  }
+  const double all_tests = tests(scene, options.shafts) * static_cast<double>(result.frames.size());
+  const double cull_seconds = std::accumulate(cull.begin(), cull.end(), 0.0) / 1000;
+  table.add_row({std::string(scene.name()), fmt::format("{}", result.frames.size()), grouped(scene.bounds()),
+                 fmt::format("{}", options.shafts), fmt::format("{:.2f}", median(total)),
+                 fmt::format("{:.2f}", *std::max_element(total.begin(), total.end())), fmt::format("{:.2f}", median(move)),
+                 fmt::format("{:.2f}", median(cull)), prefixed(all_tests / cull_seconds),
+                 grouped(result.kept / result.frames.size()),
+                 fmt::format("{:.3f} %", 100 * static_cast<double>(result.kept) / all_tests), std::string(name(active_isa())),
+                 fmt::format("{}", threads)});
+}
+
+std::unique_ptr<MovingScene> make_scene(std::string_view name, std::size_t bounds) {
+  if (name == "city") return std::make_unique<City>(bounds > 0 ? bounds : City::full_size);
+  return std::make_unique<Sphereflake>(bounds > 0 ? bounds : Sphereflake::full_size);
+}
+
+void run(const DemoOptions& options) {
+  options.isa.select();
+  const Workers workers(options.threads);
+  Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame", "kept", "isa",
+               "threads"});
+  Progress progress;
+  for (const std::string_view name : {"sphereflake", "city"}) {
+    if (options.scene != "both" && options.scene != name) continue;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto scene = make_scene(name, options.bounds);
+    progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
+                                   grouped(scene->bounds()), grouped(scene->moving()), options.shafts,
+                                   milliseconds_since(begin) / 1000));
+    workers.run([&] { add_row(table, *scene, run_scene(*scene, options, progress), options, concurrency()); });
+  }
+  progress.milestone("");
+  fmt::print("{}", table.text());
+  fmt::print("\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): medians.\n"
+             "tests/s: bounds x shafts per second of cull. kept: what the shafts do not cull.\n");
+}
+
+}  // namespace
+
+void add_demo(CLI::App& program) {
+  const auto options = std::make_shared<DemoOptions>();
+  CLI::App& demo = *program.add_subcommand("demo", "Move millions of bounds and cull them, frame by frame");
+  demo.add_option("--scene", options->scene, "sphereflake, city or both (default: both)")
+      ->check(CLI::IsMember({"sphereflake", "city", "both"}))
+      ->type_name("SCENE");
+  demo.add_option("--bounds", options->bounds, "Bounds in a scene (default: 5,380,840 spheres and 1,000,000 boxes)")
+      ->check(CLI::Range(1, 100'000'000))
+      ->type_name("N");
+  demo.add_option("--shafts", options->shafts, "Shafts (default: 64)")->check(CLI::Range(1, 100'000))->type_name("N");
+  CLI::Option* frames = demo.add_option("--frames", options->frames, "Frames of each scene (default: 100, or what --seconds allows)")
+                            ->check(CLI::Range(1, 1'000'000))
+                            ->type_name("N");
+  CLI::Option* seconds = demo.add_option("--seconds", options->seconds, "Begins no frame of a scene later than this (default: 6; none if --frames is given)")
+                             ->check(CLI::Range(0.001, 86'400.0))
+                             ->type_name("S");
+  demo.add_option("--threads", options->threads, "Threads (default: 0, all that the machine has)")->type_name("N");
+  options->isa.add_option(demo);
+  demo.callback([options, frames, seconds] {
+    if (frames->count() > 0 && seconds->count() == 0) options->seconds = 0;
+    run(*options);
+  });
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,29 @@
+#include "instruction_set.hpp"
+
+#include <fmt/format.h>
+
+#include "shaftcull/error.hpp"
+#include "shaftcull/isa.hpp"
+
+namespace shaftcull::cli {
+
+void InstructionSet::add_option(CLI::App& subcommand) {
+  subcommand.add_option("--isa", name_, "Instruction set: scalar, sse4_2, avx2 or avx512 (default: the best there is)")
+      ->type_name("NAME");
+}
+
+void InstructionSet::select() const {
+  if (name_.empty()) {
+    (void)active_isa();
+    return;
+  }
+  const auto isa = isa_from_name(name_);
+  if (!isa) {
+    std::string available;
+    for (const Isa each : available_isas()) available += fmt::format("{}{}", available.empty() ? "" : ", ", name(each));
+    throw InvalidArgument(fmt::format("--isa {}: no such instruction set; available here: {}", name_, available));
+  }
+  select_isa(*isa);
+}
+
+}  // namespace shaftcull::cli

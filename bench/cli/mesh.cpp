@@ -1,0 +1,142 @@
+#include "mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr Box empty_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+
+void grow(Box& box, const Box& other) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.lo[axis] = std::min(box.lo[axis], other.lo[axis]);
+    box.hi[axis] = std::max(box.hi[axis], other.hi[axis]);
+  }
+}
+
+void require_readable(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) {
+    throw InvalidArgument(fmt::format("{}: there is no such file; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+  }
+  if (std::filesystem::is_directory(status)) {
+    throw InvalidArgument(fmt::format("{}: is a directory; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+  }
+  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0 && !error) {
+    throw InvalidArgument(fmt::format("{}: the file is empty; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+  }
+}
+
+/// Walks a file's nodes and collects what has faces.
+class Collector {
+ public:
+  Collector(const std::string& path, const aiScene& file, Grain grain) : path_(path), file_(file), grain_(grain) {}
+
+  MeshScene collect() {
+    split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
+    visit(*file_.mRootNode, aiMatrix4x4{});
+    if (scene_.bounds.empty()) throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to cull", path_));
+    return std::move(scene_);
+  }
+
+ private:
+  static std::size_t count_nodes_with_meshes(const aiNode& node) {
+    std::size_t count = node.mNumMeshes > 0 ? 1 : 0;
+    for (unsigned i = 0; i < node.mNumChildren; ++i) count += count_nodes_with_meshes(*node.mChildren[i]);
+    return count;
+  }
+
+  void visit(const aiNode& node, const aiMatrix4x4& parent_to_world) {
+    const aiMatrix4x4 to_world = parent_to_world * node.mTransformation;
+    if (split_meshes_) {
+      for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        const aiMesh& mesh = *file_.mMeshes[node.mMeshes[i]];
+        const bool mesh_names_it = mesh.mName.length > 0 && node.mNumMeshes > 1;
+        add_object(mesh_names_it ? mesh.mName : node.mName, {node.mMeshes + i, 1}, to_world);
+      }
+    } else if (node.mNumMeshes > 0) {
+      add_object(node.mName, {node.mMeshes, node.mNumMeshes}, to_world);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_world);
+  }
+
+  void add_object(const aiString& name, std::span<const unsigned> meshes, const aiMatrix4x4& to_world) {
+    const auto object = static_cast<std::uint32_t>(scene_.boxes.size());
+    const std::string unique = unique_name(name.C_Str());
+    Box whole = empty_box;
+    std::uint32_t triangle = 0;
+    for (const unsigned m : meshes) {
+      const aiMesh& mesh = *file_.mMeshes[m];
+      for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        const Box box = face_box(mesh, mesh.mFaces[f], to_world, unique);
+        grow(whole, box);
+        if (grain_ == Grain::triangle) scene_.bounds.push_back({box, object, triangle});
+        ++triangle;
+      }
+    }
+    if (triangle == 0) return;
+    if (grain_ == Grain::object) scene_.bounds.push_back({whole, object, 0});
+    taken_.insert(unique);
+    scene_.boxes.push_back(whole);
+    scene_.names.push_back(unique);
+  }
+
+  Box face_box(const aiMesh& mesh, const aiFace& face, const aiMatrix4x4& to_world, const std::string& object) const {
+    Box box = empty_box;
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      const aiVector3D vertex = to_world * mesh.mVertices[face.mIndices[i]];
+      const Vec3 p{vertex.x, vertex.y, vertex.z};
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+        throw InvalidArgument(fmt::format("{}: a vertex of '{}' is ({}, {}, {}); coordinates must be finite", path_, object,
+                                          p[0], p[1], p[2]));
+      }
+      grow(box, {p, p});
+    }
+    return box;
+  }
+
+  std::string unique_name(std::string name) const {
+    if (name.empty()) name = fmt::format("object {}", scene_.boxes.size() + 1);
+    std::string unique = name;
+    for (int copy = 2; taken_.contains(unique); ++copy) unique = fmt::format("{} #{}", name, copy);
+    return unique;
+  }
+
+  const std::string& path_;
+  const aiScene& file_;
+  Grain grain_;
+  bool split_meshes_ = false;
+  std::set<std::string> taken_;  ///< names given
+  MeshScene scene_;
+};
+
+}  // namespace
+
+MeshScene load_mesh(const std::string& path, Grain grain) {
+  require_readable(path);
+  Assimp::Importer importer;
+  const aiScene* file = importer.ReadFile(path, aiProcess_Triangulate);
+  if (file == nullptr) {
+    throw InvalidArgument(fmt::format("{}: not a mesh file that can be read: {}", path, importer.GetErrorString()));
+  }
+  if (file->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", path));
+  return Collector(path, *file, grain).collect();
+}
+
+}  // namespace shaftcull::cli

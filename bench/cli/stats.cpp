@@ -1,0 +1,181 @@
+/// `shaftcull stats`: the paper's statistics over random shafts.
+///
+/// The distribution is that of the test harness that the paper describes. A shaft joins two boxes whose corners are
+/// uniform in the unit cube; both are then stretched so that the shaft box is the unit cube. Every shaft meets
+/// cubes of half extent `radius` centred on a grid of 21³ points that spans the unit cube, shifted by 0.001 so that no centre is on a
+/// face. With a shaft box that fills the grid no cube is trivially outside; the same shafts before stretching tell what the
+/// shaft box culls.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "instruction_set.hpp"
+#include "plane_count.hpp"
+#include "shaftcull/shaft.hpp"
+#include "subcommand.hpp"
+#include "table.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+struct StatsOptions {
+  std::uint32_t shafts = 10'000;
+  std::uint64_t seed = 12345;
+  double box_radius = 0.125;
+  InstructionSet isa;
+};
+
+constexpr int grid_points = 21;
+constexpr double grid_shift = 0.001;
+
+std::vector<Box> grid_of_cubes(double radius) {
+  std::vector<Box> cubes;
+  cubes.reserve(grid_points * grid_points * grid_points);
+  const auto at = [](int i) { return i / (grid_points - 1.0) + grid_shift; };
+  for (int z = 0; z < grid_points; ++z) {
+    for (int y = 0; y < grid_points; ++y) {
+      for (int x = 0; x < grid_points; ++x) {
+        const std::array centre{at(x), at(y), at(z)};
+        Box cube{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          cube.lo[axis] = static_cast<float>(centre[axis] - radius);
+          cube.hi[axis] = static_cast<float>(centre[axis] + radius);
+        }
+        cubes.push_back(cube);
+      }
+    }
+  }
+  return cubes;
+}
+
+struct BoxPair {
+  Box a;
+  Box b;
+};
+
+/// Uniform in [0, 1), with 24 bits: the same numbers with every standard library.
+float uniform(std::mt19937_64& random) { return static_cast<float>(random() >> 40) * 0x1p-24F; }
+
+BoxPair random_pair(std::mt19937_64& random) {
+  BoxPair pair{};
+  for (Box* box : {&pair.a, &pair.b}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float p = uniform(random);
+      const float q = uniform(random);
+      box->lo[axis] = std::min(p, q);
+      box->hi[axis] = std::max(p, q);
+    }
+  }
+  return pair;
+}
+
+/// The pair with its shaft box stretched to the unit cube. Equal coordinates stay equal.
+BoxPair stretched(BoxPair pair) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float lo = std::min(pair.a.lo[axis], pair.b.lo[axis]);
+    const float length = std::max(pair.a.hi[axis], pair.b.hi[axis]) - lo;
+    if (length == 0) continue;
+    for (float* x : {&pair.a.lo[axis], &pair.a.hi[axis], &pair.b.lo[axis], &pair.b.hi[axis]}) *x = (*x - lo) / length;
+  }
+  return pair;
+}
+
+struct Statistics {
+  std::array<std::uint64_t, max_joining_planes + 1> histogram{};
+  PlaneCount stretched;
+  PlaneCount as_drawn;
+};
+
+Statistics gather(const StatsOptions& options) {
+  const std::vector<Box> cubes = grid_of_cubes(options.box_radius);
+  std::mt19937_64 random(options.seed);
+  Statistics statistics;
+  for (std::uint32_t i = 0; i < options.shafts; ++i) {
+    const BoxPair drawn = random_pair(random);
+    const BoxPair filling = stretched(drawn);
+    statistics.as_drawn.add(drawn.a, drawn.b, cubes);
+    ++statistics.histogram[statistics.stretched.add(filling.a, filling.b, cubes)];
+  }
+  return statistics;
+}
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? "-" : fmt::format("{:.1f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::string mean(std::uint64_t sum, std::uint64_t count) {
+  return count == 0 ? "-" : fmt::format("{:.2f}", static_cast<double>(sum) / static_cast<double>(count));
+}
+
+void print_histogram(const Statistics& statistics, std::uint32_t shafts) {
+  std::uint64_t planes = 0;
+  for (std::size_t n = 0; n < statistics.histogram.size(); ++n) planes += n * statistics.histogram[n];
+  fmt::print("Joining planes per shaft: {} on average\n\n", mean(planes, shafts));
+  Table table({"planes", "shafts", "share"});
+  for (std::size_t n = 0; n < statistics.histogram.size(); ++n) {
+    table.add_row({fmt::format("{}", n), grouped(statistics.histogram[n]), percent(statistics.histogram[n], shafts)});
+  }
+  fmt::print("{}\n", table.text());
+}
+
+void print_plane_tests(const PlaneCount& count) {
+  fmt::print("Plane tests per bound, of bounds that the shaft box does not decide\n\n");
+  Table table({"order of planes", "outside", "inside"});
+  constexpr std::array<const char*, plane_orders.size()> names{"unsorted", "by volume", "by added volume"};
+  for (std::size_t order = 0; order < plane_orders.size(); ++order) {
+    table.add_row({names[order], mean(count.outside_plane_tests[order], count.outside_tests),
+                   mean(count.inside_plane_tests[order], count.inside_tests)});
+  }
+  fmt::print("{}\n", table.text());
+}
+
+void print_answers(const Statistics& statistics) {
+  fmt::print("What becomes of the bounds\n\n");
+  Table table({"shafts", "culled by box", "culled by planes", "kept", "of these inside"});
+  const auto add = [&](const char* what, const PlaneCount& count) {
+    table.add_row({what, percent(count.bounds - count.outside_tests, count.bounds), percent(count.culled_by_planes, count.bounds),
+                   percent(count.outside_tests - count.culled_by_planes, count.bounds),
+                   percent(count.inside, count.outside_tests - count.culled_by_planes)});
+  };
+  add("stretched to the cube", statistics.stretched);
+  add("as drawn", statistics.as_drawn);
+  fmt::print("{}", table.text());
+}
+
+void run(const StatsOptions& options) {
+  options.isa.select();
+  const Statistics statistics = gather(options);
+  fmt::print("{} random shafts, each against {} cubes of half extent {} (seed {})\n\n", grouped(options.shafts),
+             grouped(grid_points * grid_points * grid_points), options.box_radius, options.seed);
+  print_histogram(statistics, options.shafts);
+  print_plane_tests(statistics.stretched);
+  print_answers(statistics);
+}
+
+}  // namespace
+
+void add_stats(CLI::App& program) {
+  const auto options = std::make_shared<StatsOptions>();
+  CLI::App& stats = *program.add_subcommand("stats", "Gather the paper's statistics over random shafts");
+  stats.add_option("--shafts", options->shafts, "How many random shafts (default: 10000)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000'000));
+  stats.add_option("--seed", options->seed, "Seed of the random shafts (default: 12345)")->type_name("S");
+  stats.add_option("--box-radius", options->box_radius, "Half extent of the cubes that are tested (default: 0.125)")
+      ->type_name("R")
+      ->check(CLI::Range(0.0, 10.0));
+  stats.footer("A shaft joins two boxes whose corners are uniform in the unit cube, stretched so that the shaft box is the\n"
+               "unit cube; it meets cubes on a grid of 21 x 21 x 21 points over the unit cube. \"outside\" counts the plane\n"
+               "tests until a bound is found outside, for all bounds that meet the shaft box; \"inside\" those until a bound is\n"
+               "found not inside, for all bounds inside the shaft box that are not outside the shaft.");
+  stats.callback([options] { run(*options); });
+}
+
+}  // namespace shaftcull::cli

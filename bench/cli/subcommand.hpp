@@ -1,0 +1,20 @@
+/// The program's subcommands: each adds itself to the command line, and runs when it is named there.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace shaftcull::cli {
+
+void add_demo(CLI::App& program);
+void add_cull(CLI::App& program);
+void add_stats(CLI::App& program);
+void add_draw(CLI::App& program);
+
+/// Exit codes of the program.
+enum ExitCode : int {
+  exit_ok = 0,
+  exit_failure = 1,    ///< the machine let us down: memory, output
+  exit_bad_input = 2,  ///< an option, the environment or a file cannot be used
+};
+
+}  // namespace shaftcull::cli
