@@ -53,11 +53,12 @@ struct alignas(64) CompiledShaft {
   bool answers_spheres;
 
   // Planes.
-  Box box;                        ///< the shaft box
+  float face[6];                  ///< the shaft box, in the order of a BoxView's streams
+  float joining_margin;           ///< for all joining planes
+  float joining_reach;            ///< largest magnitude of a coordinate of the shaft box
   float joining_normal0[max_joining_planes];
   float joining_normal1[max_joining_planes];
   float joining_minus_offset[max_joining_planes];
-  float joining_margin[max_joining_planes];
   std::uint8_t joining_near0[max_joining_planes];
   std::uint8_t joining_near1[max_joining_planes];
   std::uint8_t joining_far0[max_joining_planes];
@@ -67,6 +68,7 @@ struct alignas(64) CompiledShaft {
   float added_minus_offset[max_added_planes];
   float added_margin[max_added_planes];
   float added_length[max_added_planes];    ///< length of the normal, for spheres
+  float added_slack[max_added_planes];     ///< growth of the margin with a sphere's radius
   std::uint8_t added_near[3][max_added_planes];
   std::uint8_t added_far[3][max_added_planes];
 

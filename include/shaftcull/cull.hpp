@@ -32,6 +32,11 @@ void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::u
 void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form = Form::fastest);
 
+/// Sets bit i of `inside` as classify() does, without deciding which of the others are outside: the only question that a
+/// shaft formed for inside alone answers. Sizes, errors and guarantees as cull().
+void contain(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside);
+void contain(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
+
 /// The answer for a single bound.
 enum class Answer : std::uint8_t { outside, overlap, inside };
 

@@ -35,8 +35,8 @@ enum class PlaneOrder : std::uint8_t {
 struct ShaftOptions {
   Formation formation = Formation::table729;
   PlaneOrder order = PlaneOrder::unsorted;
-  bool outside = true;  ///< cull() and classify() may be called
-  bool inside = true;   ///< classify() may be called
+  bool outside = true;  ///< cull() may be called
+  bool inside = true;   ///< contain() and, with outside, classify() may be called
   bool spheres = true;  ///< spheres may be tested; joining planes then get unit normals
 };
 

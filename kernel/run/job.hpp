@@ -33,7 +33,7 @@ class Job {
   Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
       : shafts_(shafts), bounds_(bounds), test_(active_kernels().test(bounds, form)) {
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      require_answers(shafts[s], inside, std::is_same_v<View, SphereView>, s);
+      require_answers(shafts[s], true, inside, std::is_same_v<View, SphereView>, s);
     }
   }
 

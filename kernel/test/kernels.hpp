@@ -11,7 +11,7 @@
 namespace shaftcull::kernel {
 
 /// Tests `count` bounds, any count, in separate streams (6 for boxes, 4 for spheres). Writes words_for(count)
-/// words of kept bits and, unless `inside` is null, as many of inside bits; bits past count are zero.
+/// words of kept bits and as many of inside bits, each unless it is null; bits past count are zero.
 /// The shaft must answer what is asked; pending planes are completed on the fly.
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
@@ -37,8 +37,8 @@ struct Kernels {
 /// The kernels of active_isa(); throws as it does.
 [[nodiscard]] const Kernels& active_kernels();
 
-/// Throws InvalidArgument unless the shaft was formed to answer `inside` (or only outside), for spheres or boxes.
+/// Throws InvalidArgument unless the shaft was formed to answer `outside` and `inside`, where asked, for spheres or boxes.
 /// `position` is the shaft's index among many, named in the message.
-void require_answers(const CompiledShaft& shaft, bool inside, bool spheres, std::size_t position);
+void require_answers(const CompiledShaft& shaft, bool outside, bool inside, bool spheres, std::size_t position);
 
 }  // namespace shaftcull::kernel

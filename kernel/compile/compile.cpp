@@ -1,0 +1,68 @@
+#include <cmath>
+#include <string>
+
+#include "compile/planes.hpp"
+#include "compile/slab.hpp"
+#include "shaftcull/compiled.hpp"
+#include "simd/float_environment.hpp"
+#include "simd/scalar.hpp"
+#include "test/kernels.hpp"
+
+namespace shaftcull {
+namespace {
+
+struct CompileEnvironment {};
+
+/// Throws unless every box is finite with lo ≤ hi.
+void require_finite(const BoxView& boxes, const char* which) {
+  for (std::size_t i = 0; i < boxes.count; ++i) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const float lo = boxes.stream[k][i];
+      const float hi = boxes.stream[k + 3][i];
+      if (std::isfinite(lo) && std::isfinite(hi) && lo <= hi) continue;
+      const std::string axis(1, "xyz"[k]);
+      throw BadBound(i, std::string("shaft ") + std::to_string(i) + ": box " + which + " spans " + std::to_string(lo) +
+                            " to " + std::to_string(hi) + " in " + axis + "; it must be finite with lo <= hi");
+    }
+  }
+}
+
+}  // namespace
+
+CompiledShaft compile(const Shaft& shaft) noexcept {
+  const kernel::FloatEnvironment<CompileEnvironment> environment;
+  CompiledShaft compiled{};
+  const float* a[6];
+  const float* b[6];
+  for (unsigned k = 0; k < 3; ++k) {
+    a[k] = &shaft.a().lo[k];
+    a[k + 3] = &shaft.a().hi[k];
+    b[k] = &shaft.b().lo[k];
+    b[k + 3] = &shaft.b().hi[k];
+  }
+  kernel::compile_slabs<kernel::ScalarLanes>(a, b, 1, &compiled);
+  kernel::compile_joining_planes(shaft.joining_planes(), shaft.options().spheres, compiled);
+  kernel::compile_added_planes(shaft.added_planes(), compiled);
+  compiled.answers_outside = shaft.options().outside;
+  compiled.answers_inside = shaft.options().inside;
+  compiled.answers_spheres = shaft.options().spheres;
+  return compiled;
+}
+
+void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out) {
+  if (a.count != b.count || a.count != out.size()) {
+    throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
+                          std::to_string(a.count) + ", " + std::to_string(b.count) + " and " + std::to_string(out.size()));
+  }
+  require_finite(a, "a");
+  require_finite(b, "b");
+  kernel::active_kernels().compile_batch(a.stream.data(), b.stream.data(), a.count, out.data());
+}
+
+void complete(CompiledShaft& shaft) noexcept {
+  if (shaft.has_planes()) return;
+  const kernel::FloatEnvironment<CompileEnvironment> environment;
+  kernel::compile_joining_planes(Shaft(shaft.a, shaft.b).joining_planes(), true, shaft);
+}
+
+}  // namespace shaftcull

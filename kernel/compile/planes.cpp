@@ -1,0 +1,116 @@
+#include "compile/planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compile/slab.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+constexpr double unit = 0x1p-24;        // of a float
+constexpr double slack = 1 + 0x1p-10;   // terms of second order
+constexpr double denormals = 0x1p-140;  // what underflow may take away, and more
+constexpr double smallest_normal = 0x1p-100;
+
+/// The smallest float not below `margin`; +∞ if that is so large that arithmetic with it could overflow.
+float margin_of(double margin) noexcept {
+  if (!(margin < 0x1p100)) return std::numeric_limits<float>::infinity();
+  const auto rounded = static_cast<float>(margin);
+  return rounded < margin ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+float position(const Box& box, Face f) noexcept { return f < 3 ? box.lo[f] : box.hi[f - 3]; }
+
+float largest_magnitude(const CompiledShaft& shaft) noexcept {
+  float largest = 0;
+  for (const float f : shaft.face) largest = std::max(largest, std::fabs(f));
+  return largest;
+}
+
+}  // namespace
+
+void compile_joining_planes(std::span<const JoiningPlane> planes, bool unit_normals, CompiledShaft& out) noexcept {
+  out.joining_reach = largest_magnitude(out);
+  bool regular = out.joining_reach <= regular_limit;
+  double margin = 0;
+  std::uint8_t count = 0;
+  for (const JoiningPlane& plane : planes) {
+    const Face red = plane.red;
+    const Face blue = plane.blue;
+    const double red_p = position(out.a, red);
+    const double blue_p = position(out.a, blue);
+    const double red_q = position(out.b, red) - red_p;
+    const double blue_q = position(out.b, blue) - blue_p;
+    const double orientation = (red_q > 0) == (blue_q > 0) ? 1 : -1;
+    double red_normal = -orientation * blue_q;
+    double blue_normal = orientation * red_q;
+    const double length = unit_normals ? std::sqrt(red_normal * red_normal + blue_normal * blue_normal)
+                                       : std::max(std::fabs(red_normal), std::fabs(blue_normal));
+    red_normal /= length;
+    blue_normal /= length;
+    const double offset = red_normal * red_p + blue_normal * blue_p;
+
+    out.joining_normal0[count] = static_cast<float>(red_normal);
+    out.joining_normal1[count] = static_cast<float>(blue_normal);
+    out.joining_minus_offset[count] = static_cast<float>(-offset);
+    out.joining_near0[count] = near_stream[red];
+    out.joining_near1[count] = near_stream[blue];
+    out.joining_far0[count] = red;
+    out.joining_far1[count] = blue;
+    ++count;
+
+    // Where it matters, coordinates are within the shaft box, or deeper inside the plane than the box is wide.
+    const auto reach = [&](unsigned axis) {
+      const double lo = out.face[axis];
+      const double hi = out.face[axis + 3];
+      return std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
+    };
+    margin = std::max(margin, std::fabs(red_normal) * reach(red % 3) + std::fabs(blue_normal) * reach(blue % 3) +
+                                  std::fabs(offset));
+    regular = regular && std::min(std::fabs(red_normal), std::fabs(blue_normal)) >= smallest_normal;
+  }
+  out.joining_count = count;
+  out.joining_margin = regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
+}
+
+void compile_added_planes(std::span<const Plane> planes, CompiledShaft& out) noexcept {
+  out.added_count = static_cast<std::uint8_t>(planes.size());
+  for (unsigned i = 0; i < planes.size(); ++i) {
+    const Plane& plane = planes[i];
+    const double offset = plane.offset;
+    double most[3];   // of each term of n · p, at the near corner of a bound that meets the shaft box
+    double least[3];  // likewise, at a corner within the shaft box
+    double length_square = 0;
+    double length_sum = 0;
+    unsigned any = 0;  // an axis with a component that is not zero
+    for (unsigned k = 0; k < 3; ++k) {
+      const double n = plane.normal[k];
+      if (n != 0) any = k;
+      most[k] = std::max(n * out.face[k], n * out.face[k + 3]);
+      least[k] = std::min(n * out.face[k], n * out.face[k + 3]);
+      length_square += n * n;
+      length_sum += std::fabs(n);
+    }
+    double sum = std::fabs(offset);
+    for (unsigned k = 0; k < 3; ++k) {
+      // Below this a term alone decides that the bound is not beyond the plane.
+      const double decisive = offset - (most[0] + most[1] + most[2] - most[k]);
+      sum += std::max({std::fabs(most[k]), std::fabs(least[k]), std::fabs(decisive)});
+      // A zero component reads a stream that is read anyway: 0 · x of an infinite extent would be NaN otherwise.
+      const unsigned axis = plane.normal[k] == 0 ? any : k;
+      const bool positive = plane.normal[axis] > 0;
+      out.added_normal[k][i] = plane.normal[k];
+      out.added_near[k][i] = static_cast<std::uint8_t>(positive ? axis : axis + 3);
+      out.added_far[k][i] = static_cast<std::uint8_t>(positive ? axis + 3 : axis);
+    }
+    out.added_minus_offset[i] = -plane.offset;
+    out.added_margin[i] = margin_of(6 * unit * slack * sum + denormals);
+    out.added_length[i] = static_cast<float>(std::sqrt(length_square));
+    out.added_slack[i] = margin_of(10 * unit * slack * length_sum + denormals);
+    if (!(length_sum < 0x1p100)) out.added_margin[i] = std::numeric_limits<float>::infinity();
+  }
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,15 @@
+/// Joining and added planes of a compiled shaft, with their error margins.
+#pragma once
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull::kernel {
+
+/// Writes the joining planes of `planes`, in their order, into `out`, whose boxes are there already.
+void compile_joining_planes(std::span<const JoiningPlane> planes, bool unit_normals, CompiledShaft& out) noexcept;
+
+/// Writes the added planes of `planes` into `out`, whose boxes are there already.
+void compile_added_planes(std::span<const Plane> planes, CompiledShaft& out) noexcept;
+
+}  // namespace shaftcull::kernel

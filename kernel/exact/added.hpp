@@ -1,0 +1,29 @@
+/// Added planes: the exact value of n · p − d.
+#pragma once
+
+#include <cmath>
+
+#include "exact/expansion.hpp"
+#include "shaftcull/compiled.hpp"
+
+namespace shaftcull::kernel {
+
+/// n · p − d of added plane `i`, exactly; axes with a zero normal component or a coordinate that is not finite
+/// are left out.
+inline Expansion<7> added_side(const CompiledShaft& shaft, unsigned i, const double (&point)[3]) noexcept {
+  Expansion<7> sum(shaft.added_minus_offset[i]);
+  for (unsigned k = 0; k < 3; ++k) {
+    const double n = shaft.added_normal[k][i];
+    if (n != 0 && std::isfinite(point[k])) sum.grow(n * point[k]);  // two 24-bit factors: exact in a double
+  }
+  return sum;
+}
+
+/// The squared length of the normal, exactly.
+inline Expansion<3> added_squared_length(const CompiledShaft& shaft, unsigned i) noexcept {
+  Expansion<3> sum;
+  for (const auto& normal : shaft.added_normal) sum.grow(static_cast<double>(normal[i]) * normal[i]);
+  return sum;
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,78 @@
+/// The edge between a red and a blue face of the shaft box, as a side test in the plane of the two axes.
+#pragma once
+
+#include <cmath>
+
+#include "exact/expansion.hpp"
+#include "shaftcull/compiled.hpp"
+
+namespace shaftcull::kernel {
+
+/// Position of face `f` (0 … 5) of a box.
+inline float face_of(const Box& box, unsigned f) noexcept { return f < 3 ? box.lo[f] : box.hi[f - 3]; }
+
+/// The faces of a shaft that are not purple, as positions on both boxes, split by colour.
+struct Faces {
+  unsigned red[6];
+  unsigned blue[6];
+  unsigned reds = 0;
+  unsigned blues = 0;
+
+  Faces(const Box& a, const Box& b) noexcept {
+    for (unsigned f = 0; f < 6; ++f) {
+      const float on_a = face_of(a, f);
+      const float on_b = face_of(b, f);
+      if (on_a == on_b) continue;
+      if ((on_a < on_b) == (f < 3)) {
+        red[reds++] = f;
+      } else {
+        blue[blues++] = f;
+      }
+    }
+  }
+};
+
+/// The joining plane of a red face (axis i) and a blue face (axis j), as the orientation predicate
+///   side(x, y) = s · ((y − p_j) · q_i − (x − p_i) · q_j),   p = a's face, q = b's face − a's face, s = sign(q_i q_j):
+/// positive outside, 0 on the plane. It is |(q_i, q_j)| times the signed distance of (x, y) from the plane.
+class Edge {
+ public:
+  Edge(const Box& a, const Box& b, unsigned red, unsigned blue) noexcept
+      : red_a_(face_of(a, red)), red_b_(face_of(b, red)), blue_a_(face_of(a, blue)), blue_b_(face_of(b, blue)) {}
+
+  /// Sign of side(x, y), exactly; x is on the red face's axis, y on the blue face's. Both finite.
+  [[nodiscard]] int side(double x, double y) const noexcept {
+    constexpr double unit = 0x1p-53;
+    const double left = (y - blue_a_) * (red_b_ - red_a_);
+    const double right = (x - red_a_) * (blue_b_ - blue_a_);
+    const double det = left - right;
+    // Two rounded differences and a rounded product on each side, one rounded difference of both: < 4 units of each.
+    // Products of differences of floats neither over- nor underflow.
+    if (std::fabs(det) > 8 * unit * (std::fabs(left) + std::fabs(right))) return det > 0 ? orientation() : -orientation();
+    return exact_side(x, y).sign();
+  }
+
+  [[nodiscard]] Expansion<16> exact_side(double x, double y) const noexcept {
+    using Difference = Expansion<2>;
+    const auto det = Difference::difference(y, blue_a_) * Difference::difference(red_b_, red_a_) -
+                     Difference::difference(x, red_a_) * Difference::difference(blue_b_, blue_a_);
+    return orientation() > 0 ? det : -det;
+  }
+
+  /// |(q_i, q_j)|², exactly.
+  [[nodiscard]] Expansion<16> squared_length() const noexcept {
+    const auto red = Expansion<2>::difference(red_b_, red_a_);
+    const auto blue = Expansion<2>::difference(blue_b_, blue_a_);
+    return red * red + blue * blue;
+  }
+
+ private:
+  [[nodiscard]] int orientation() const noexcept { return (red_b_ > red_a_) == (blue_b_ > blue_a_) ? 1 : -1; }
+
+  double red_a_;
+  double red_b_;
+  double blue_a_;
+  double blue_b_;
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,106 @@
+#include "shaftcull/isa.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <string>
+
+#include "isa/table.hpp"
+#include "shaftcull/error.hpp"
+#include "test/kernels.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::array<std::string_view, 4> names = {"scalar", "sse4_2", "avx2", "avx512"};
+
+/// Whether the processor has the instructions and the operating system saves the registers.
+bool machine_runs(Isa isa) noexcept {
+  switch (isa) {
+    case Isa::scalar: return true;
+#ifdef __x86_64__
+    case Isa::sse4_2: return __builtin_cpu_supports("sse4.2");
+    case Isa::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case Isa::avx512:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+#endif
+    default: return false;
+  }
+}
+
+bool available(Isa isa) noexcept { return kernel::kernels_of(isa) != nullptr && machine_runs(isa); }
+
+std::string list_of_available() {
+  std::string list;
+  for (const Isa isa : available_isas()) list += (list.empty() ? "" : ", ") + std::string(name(isa));
+  return list;
+}
+
+/// The choice of the environment, or the best there is.
+Isa initial_isa() {
+  const char* text = std::getenv("SHAFTCULL_ISA");
+  if (text == nullptr || *text == '\0') return available_isas().back();
+  const std::optional<Isa> wanted = isa_from_name(text);
+  if (!wanted) {
+    throw InvalidArgument("SHAFTCULL_ISA=" + std::string(text) + " is not an instruction set; this machine has " +
+                          list_of_available());
+  }
+  if (!available(*wanted)) {
+    throw InvalidArgument("SHAFTCULL_ISA=" + std::string(text) + " is not available here; this machine has " +
+                          list_of_available());
+  }
+  return *wanted;
+}
+
+constexpr int not_chosen = -1;
+std::atomic<int> chosen = not_chosen;
+
+}  // namespace
+
+std::string_view name(Isa isa) noexcept { return names[static_cast<std::size_t>(isa)]; }
+
+std::optional<Isa> isa_from_name(std::string_view text) noexcept {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == text) return static_cast<Isa>(i);
+  }
+  return std::nullopt;
+}
+
+std::vector<Isa> available_isas() {
+  std::vector<Isa> isas;
+  for (const Isa isa : {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512}) {
+    if (available(isa)) isas.push_back(isa);
+  }
+  return isas;
+}
+
+Isa active_isa() {
+  int isa = chosen.load(std::memory_order_relaxed);
+  if (isa == not_chosen) {
+    const int first = static_cast<int>(initial_isa());
+    // A select_isa() that came in between wins.
+    isa = chosen.compare_exchange_strong(isa, first, std::memory_order_relaxed) ? first : isa;
+  }
+  return static_cast<Isa>(isa);
+}
+
+void select_isa(Isa isa) {
+  if (static_cast<std::size_t>(isa) >= names.size()) {
+    throw InvalidArgument("there is no instruction set number " + std::to_string(static_cast<int>(isa)) +
+                          "; this machine has " + list_of_available());
+  }
+  if (!available(isa)) {
+    throw InvalidArgument("instruction set " + std::string(name(isa)) + " is not available here; this machine has " +
+                          list_of_available());
+  }
+  chosen.store(static_cast<int>(isa), std::memory_order_relaxed);
+}
+
+namespace kernel {
+
+const Kernels& active_kernels() { return *kernels_of(active_isa()); }
+
+}  // namespace kernel
+}  // namespace shaftcull

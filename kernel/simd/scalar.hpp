@@ -1,0 +1,31 @@
+/// One float as a vector of width 1, with the interface of Lanes: the scalar path, on any processor.
+#pragma once
+
+#include <cstdint>
+
+namespace shaftcull::kernel {
+
+struct ScalarLanes {
+  using Vector = float;
+  using Mask = bool;
+  static constexpr unsigned width = 1;
+
+  static Vector load(const float* p) noexcept { return *p; }
+  static void store(float* p, Vector a) noexcept { *p = a; }
+  static Vector all(float a) noexcept { return a; }
+  static Vector add(Vector a, Vector b) noexcept { return a + b; }
+  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
+  static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
+  static Vector divide(Vector a, Vector b) noexcept { return a / b; }
+  static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
+  static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
+  static Vector magnitude(Vector a) noexcept { return __builtin_fabsf(a); }
+  static Mask less(Vector a, Vector b) noexcept { return a < b; }
+  static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
+  static Mask both(Mask a, Mask b) noexcept { return a && b; }
+  static Mask either(Mask a, Mask b) noexcept { return a || b; }
+  static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
+  static std::uint64_t bits(Mask mask) noexcept { return mask; }
+};
+
+}  // namespace shaftcull::kernel

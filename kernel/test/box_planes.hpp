@@ -1,0 +1,139 @@
+/// Boxes against planes: outside by near corners, inside by far corners, and added planes.
+#pragma once
+
+#include "exact/predicates.hpp"
+#include "test/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Largest value of all joining planes at the corners that the selectors name: positive if beyond any. −∞ without planes.
+template <class L>
+typename L::Vector largest_joining_value(const CompiledShaft& shaft, const std::uint8_t* corner0,
+                                         const std::uint8_t* corner1, const float* const* stream,
+                                         std::size_t at) noexcept {
+  auto largest = L::all(-__builtin_inff());
+  for (unsigned i = 0; i < shaft.joining_count; ++i) {
+    const auto partial = L::multiply_add(L::load(stream[corner1[i]] + at), L::all(shaft.joining_normal1[i]),
+                                         L::all(shaft.joining_minus_offset[i]));
+    const auto value = L::multiply_add(L::load(stream[corner0[i]] + at), L::all(shaft.joining_normal0[i]), partial);
+    largest = L::maximum(value, largest);
+  }
+  return largest;
+}
+
+/// Value of added plane `i` at the corner that the selectors name.
+template <class L>
+typename L::Vector added_value(const CompiledShaft& shaft, unsigned i, const std::uint8_t (&corner)[3][max_added_planes],
+                               const float* const* stream, std::size_t at) noexcept {
+  auto value = L::all(shaft.added_minus_offset[i]);
+  for (unsigned k = 0; k < 3; ++k) {
+    value = L::multiply_add(L::load(stream[corner[k][i]] + at), L::all(shaft.added_normal[k][i]), value);
+  }
+  return value;
+}
+
+/// First stage of the plane form: shaft box, then joining planes where any lane is left. Writes the kept bits.
+template <class L>
+void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      std::uint64_t* kept) noexcept {
+  const auto margin = L::all(shaft.joining_margin);
+  const auto minus_margin = L::all(-shaft.joining_margin);
+  typename L::Vector face[6];
+  for (unsigned f = 0; f < 6; ++f) face[f] = L::all(shaft.face[f]);
+
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t outside = 0;
+    std::uint64_t undecided = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      const std::size_t at = w * word_bits + lane;
+      auto beyond_box = L::either(L::less(L::load(stream[3] + at), face[0]), L::less(face[3], L::load(stream[0] + at)));
+      for (unsigned k = 1; k < 3; ++k) {
+        beyond_box = L::either(beyond_box, L::less(L::load(stream[k + 3] + at), face[k]));
+        beyond_box = L::either(beyond_box, L::less(face[k + 3], L::load(stream[k] + at)));
+      }
+      const std::uint64_t beyond = L::bits(beyond_box) << lane;
+      outside |= beyond;
+      if (beyond == lanes_of<L>(lane)) continue;
+      const auto value = largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, stream, at);
+      const std::uint64_t positive = L::bits(L::less(margin, value)) << lane;
+      const std::uint64_t negative = L::bits(L::less(value, minus_margin)) << lane;
+      outside |= positive;
+      undecided |= ~(positive | negative) & lanes_of<L>(lane);
+    }
+    undecided &= ~outside;
+    if (undecided != 0) [[unlikely]] {
+      outside |= decide_lanes<L>(undecided, [&](unsigned lane) {
+        return box_outside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value, FacePairs::neighbours);
+      });
+    }
+    kept[w] = ~outside;
+  }
+}
+
+/// Clears the kept bits of boxes beyond an added plane.
+template <class L>
+void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                     std::uint64_t* kept) noexcept {
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t undecided = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      for (unsigned i = 0; i < shaft.added_count; ++i) {
+        const auto value = added_value<L>(shaft, i, shaft.added_near, stream, w * word_bits + lane);
+        const std::uint64_t positive = L::bits(L::less(L::all(shaft.added_margin[i]), value)) << lane;
+        const std::uint64_t negative = L::bits(L::less(value, L::all(-shaft.added_margin[i]))) << lane;
+        kept[w] &= ~positive;
+        undecided |= ~(positive | negative) & lanes_of<L>(lane);
+      }
+    }
+    undecided &= kept[w];
+    if (undecided != 0) [[unlikely]] {
+      kept[w] &= ~decide_lanes<L>(undecided, [&](unsigned lane) {
+        return box_outside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value, FacePairs::neighbours);
+      });
+    }
+  }
+}
+
+/// Writes the inside bits of the boxes that are kept.
+template <class L>
+void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  const auto minus_margin = L::all(-shaft.joining_margin);
+  const auto margin = L::all(shaft.joining_margin);
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t candidates = 0;  // within the shaft box and not beyond any plane for certain
+    std::uint64_t undecided = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      auto within_box = L::less_equal(L::all(shaft.face[0]), L::load(stream[0] + at));
+      for (unsigned k = 1; k < 3; ++k) {
+        within_box = L::both(within_box, L::less_equal(L::all(shaft.face[k]), L::load(stream[k] + at)));
+      }
+      for (unsigned k = 3; k < 6; ++k) {
+        within_box = L::both(within_box, L::less_equal(L::load(stream[k] + at), L::all(shaft.face[k])));
+      }
+      std::uint64_t within = L::bits(within_box) << lane & kept[w];
+      if (within == 0) continue;
+      const auto value = largest_joining_value<L>(shaft, shaft.joining_far0, shaft.joining_far1, stream, at);
+      std::uint64_t certain = L::bits(L::less(value, minus_margin)) << lane;
+      within &= ~(L::bits(L::less(margin, value)) << lane);
+      for (unsigned i = 0; i < shaft.added_count; ++i) {
+        const auto added = added_value<L>(shaft, i, shaft.added_far, stream, at);
+        certain &= L::bits(L::less(added, L::all(-shaft.added_margin[i]))) << lane;
+        within &= ~(L::bits(L::less(L::all(shaft.added_margin[i]), added)) << lane);
+      }
+      candidates |= within;
+      undecided |= within & ~certain;
+    }
+    inside[w] = candidates & ~undecided;
+    if (undecided != 0) [[unlikely]] {
+      inside[w] |= decide_lanes<L>(undecided, [&](unsigned lane) {
+        return box_inside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value);
+      });
+    }
+  }
+}
+
+}  // namespace shaftcull::kernel

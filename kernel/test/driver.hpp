@@ -1,0 +1,134 @@
+/// From views to words: blocks of whole words through the stages of a test, and the rest of the view through a copy.
+#pragma once
+
+#include "shaftcull/cull.hpp"
+#include "simd/float_environment.hpp"
+#include "test/box_planes.hpp"
+#include "test/box_slab.hpp"
+#include "test/kernels.hpp"
+#include "test/spheres.hpp"
+#include "test/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// The stages of box tests.
+template <class L, Form form>
+struct BoxStages {
+  static constexpr unsigned streams = 6;
+  /// A value for each stream that makes a bound outside of every shaft without a second look.
+  static constexpr float nowhere[streams] = {__builtin_inff(),  __builtin_inff(),  __builtin_inff(),
+                                             -__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
+
+  static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return form == Form::planes; }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                   std::uint64_t* kept) noexcept {
+    if constexpr (form == Form::planes) {
+      box_planes_stage<L>(shaft, stream, words, kept);
+    } else {
+      box_slab_stage<L>(shaft, stream, words, kept);
+    }
+    if (shaft.added_count != 0) box_added_stage<L>(shaft, stream, words, kept);
+  }
+
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    box_inside_stage<L>(shaft, stream, words, kept, inside);
+  }
+};
+
+/// The stages of sphere tests.
+template <class L, Form form>
+struct SphereStages {
+  static constexpr unsigned streams = 4;
+  static constexpr float nowhere[streams] = {0, 0, 0, -1};
+
+  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
+    return form == Form::planes || shaft.slab_form == CompiledShaft::SlabForm::difference;
+  }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                   std::uint64_t* kept) noexcept {
+    if (cull_needs_planes(shaft)) {
+      sphere_planes_stage<L>(shaft, stream, words, kept);
+    } else {
+      sphere_slab_stage<L>(shaft, stream, words, kept);
+    }
+    sphere_settle_stage<L>(shaft, stream, words, kept);
+  }
+
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    sphere_inside_stage<L>(shaft, stream, words, kept, inside);
+  }
+};
+
+/// Runs one block through the stages that the caller wants answers of.
+template <class Stages>
+void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                std::uint64_t* inside) noexcept {
+  std::uint64_t all[block_words];
+  if (kept != nullptr) {
+    Stages::cull(shaft, stream, words, kept);
+  } else {
+    for (std::size_t w = 0; w < words; ++w) all[w] = ~std::uint64_t{0};
+    kept = all;
+  }
+  if (inside != nullptr) Stages::contain(shaft, stream, words, kept, inside);
+}
+
+/// The test of an instruction set, as Kernels has it.
+template <class L, class Stages>
+void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+                 std::uint64_t* inside) noexcept {
+  const FloatEnvironment<L> environment;
+  const CompiledShaft* ready = &shaft;
+  CompiledShaft completed;
+  if (!shaft.has_planes() && (inside != nullptr || Stages::cull_needs_planes(shaft))) {
+    completed = shaft;
+    complete(completed);
+    ready = &completed;
+  }
+
+  const float* at[Stages::streams];
+  for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s];
+  const auto advanced = [](std::uint64_t* bits, std::size_t words) { return bits == nullptr ? bits : bits + words; };
+
+  std::size_t words = count / word_bits;
+  while (words != 0) {
+    const std::size_t block = words < block_words ? words : block_words;
+    test_block<Stages>(*ready, at, block, kept, inside);
+    for (const float*& s : at) s += block * word_bits;
+    kept = advanced(kept, block);
+    inside = advanced(inside, block);
+    words -= block;
+  }
+
+  const auto rest = static_cast<unsigned>(count % word_bits);
+  if (rest == 0) return;
+  float padded[Stages::streams][word_bits];
+  for (unsigned s = 0; s < Stages::streams; ++s) {
+    for (unsigned i = 0; i < word_bits; ++i) padded[s][i] = i < rest ? at[s][i] : Stages::nowhere[s];
+    at[s] = padded[s];
+  }
+  test_block<Stages>(*ready, at, 1, kept, inside);
+  const std::uint64_t mask = (std::uint64_t{1} << rest) - 1;
+  if (kept != nullptr) *kept &= mask;
+  if (inside != nullptr) *inside &= mask;
+}
+
+/// Forms shafts in batches, as Kernels has it.
+template <class L>
+void compile_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+  const FloatEnvironment<L> environment;
+  compile_slabs<L>(a, b, count, out);
+}
+
+template <class L>
+inline constexpr Kernels kernels_for = {
+    test_bounds<L, BoxStages<L, Form::slab>>,    test_bounds<L, BoxStages<L, Form::planes>>,
+    test_bounds<L, SphereStages<L, Form::slab>>, test_bounds<L, SphereStages<L, Form::planes>>,
+    compile_pairs<L>,
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,5 @@
+#include "isa/table.hpp"
+#include "simd/scalar.hpp"
+#include "test/driver.hpp"
+
+const shaftcull::kernel::Kernels shaftcull::kernel::scalar_kernels = kernels_for<ScalarLanes>;

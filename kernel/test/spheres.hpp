@@ -1,0 +1,242 @@
+/// Spheres: a cheap stage that culls most, one that accepts most of the rest, and the exact predicate for what is left.
+#pragma once
+
+#include "exact/predicates.hpp"
+#include "test/box_slab.hpp"
+#include "test/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Slab form: the box around each sphere against the slab constraints. Clears nothing that could meet the shaft.
+template <class L, unsigned uppers>
+void sphere_slab_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                       std::uint64_t* kept) noexcept {
+  const Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft);
+  // centre ± radius is rounded once more than a box's coordinate: 20 + 14 |shift| units instead of 16 + 12.
+  const auto margin = L::all(1.25F * shaft.slab_margin);
+  const float* centre[6];
+  bool hi[6];
+  for (unsigned i = 0; i < 6; ++i) {
+    centre[i] = stream[shaft.slab_near[i] % 3];
+    hi[i] = shaft.slab_near[i] >= 3;
+  }
+  typename L::Vector sign[6];
+  for (unsigned i = 0; i < 6; ++i) sign[i] = L::all(hi[i] ? 1.0F : -1.0F);
+  const auto zero = L::all(0.0F);
+
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t outside = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      const std::size_t at = w * word_bits + lane;
+      const auto radius = L::load(stream[3] + at);
+      auto upper = slab.end;
+      auto lower = slab.begin;
+#pragma GCC unroll 6
+      for (unsigned i = 0; i < 6; ++i) {
+        const auto t = slab.bound(i, L::multiply_add(radius, sign[i], L::load(centre[i] + at)));
+        if (i < uppers) {
+          upper = L::minimum(t, upper);
+        } else {
+          lower = L::maximum(t, lower);
+        }
+      }
+      outside |= L::bits(L::either(L::less(margin, L::subtract(lower, upper)), L::less(radius, zero))) << lane;
+    }
+    kept[w] = ~outside;
+  }
+}
+
+/// Plane form: centres against faces and unit-normal planes moved out by the radius. Clears nothing that could meet the
+/// shaft; where faces nearly coincide or are purple it serves the slab form too.
+template <class L>
+void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                         std::uint64_t* kept) noexcept {
+  const auto margin = L::all(shaft.joining_margin);
+  // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
+  const auto minus_widened = L::all(-(1.0F + 8 * float_unit));
+  const auto zero = L::all(0.0F);
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t outside = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      const std::size_t at = w * word_bits + lane;
+      const auto radius = L::load(stream[3] + at);
+      auto beyond = L::less(radius, zero);
+      for (unsigned k = 0; k < 3; ++k) {
+        const auto centre = L::load(stream[k] + at);
+        // The rounded difference exceeds r only if the exact one does: r is a float.
+        beyond = L::either(beyond, L::less(radius, L::subtract(L::all(shaft.face[k]), centre)));
+        beyond = L::either(beyond, L::less(radius, L::subtract(centre, L::all(shaft.face[k + 3]))));
+      }
+      outside |= L::bits(beyond) << lane;
+      if ((outside & lanes_of<L>(lane)) == lanes_of<L>(lane)) continue;
+      auto largest = L::all(-__builtin_inff());
+      for (unsigned i = 0; i < shaft.joining_count; ++i) {
+        const auto partial = L::multiply_add(L::load(stream[shaft.joining_near1[i] % 3] + at),
+                                             L::all(shaft.joining_normal1[i]), L::all(shaft.joining_minus_offset[i]));
+        largest = L::maximum(
+            L::multiply_add(L::load(stream[shaft.joining_near0[i] % 3] + at), L::all(shaft.joining_normal0[i]), partial),
+            largest);
+      }
+      outside |= L::bits(L::less(margin, L::multiply_add(radius, minus_widened, largest))) << lane;
+    }
+    kept[w] = ~outside;
+  }
+}
+
+/// First stage of the slab form: writes the kept bits of `words` whole words.
+template <class L>
+void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                       std::uint64_t* kept) noexcept {
+  using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
+  static constexpr Words* by_uppers[7] = {sphere_slab_words<L, 0>, sphere_slab_words<L, 1>, sphere_slab_words<L, 2>,
+                                          sphere_slab_words<L, 3>, sphere_slab_words<L, 4>, sphere_slab_words<L, 5>,
+                                          sphere_slab_words<L, 6>};
+  by_uppers[shaft.slab_uppers](shaft, stream, words, kept);
+}
+
+/// Accepts every kept sphere that a point of box(t), for one well-chosen t, is certainly within reach of; asks the exact
+/// predicate about the others, and about those near an added plane.
+template <class L>
+void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                         std::uint64_t* kept) noexcept {
+  using Vector = typename L::Vector;
+  const float* a = reinterpret_cast<const float*>(&shaft.a);
+  const float* b = reinterpret_cast<const float*>(&shaft.b);
+  Vector start[6];
+  Vector slope[6];
+  float reach = 0;
+  for (unsigned f = 0; f < 6; ++f) {
+    start[f] = L::all(a[f]);
+    slope[f] = L::all(b[f] - a[f]);
+    reach = __builtin_fmaxf(reach, __builtin_fabsf(shaft.face[f]));
+  }
+  // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
+  const Vector minus_error = L::all(-17 * float_unit * reach);
+  const Vector shrink = L::all(1 - 16 * float_unit);
+  const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away
+  const Vector zero = L::all(0.0F);
+  const Vector one = L::all(1.0F);
+  const Vector half = L::all(0.5F);
+
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t accepted = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      const Vector radius = L::load(stream[3] + at);
+      const Vector centre[3] = {L::load(stream[0] + at), L::load(stream[1] + at), L::load(stream[2] + at)};
+
+      // Any t will do for a proof; the middle of those at which the sphere's box meets box(t) is rarely a bad one.
+      Vector upper = one;
+      Vector lower = zero;
+      for (unsigned i = 0; i < 6; ++i) {
+        const unsigned near = shaft.slab_near[i];
+        const Vector c = centre[near % 3];
+        const Vector x = near < 3 ? L::subtract(c, radius) : L::add(c, radius);
+        const Vector scale = L::all(shaft.slab_scale[i]);
+        const Vector shift = L::all(shaft.slab_shift[i]);
+        const Vector t = shaft.slab_form == CompiledShaft::SlabForm::fused ? L::multiply_add(x, scale, shift)
+                                                                           : L::multiply(L::subtract(x, shift), scale);
+        if (i < shaft.slab_uppers) {
+          upper = L::minimum(t, upper);
+        } else {
+          lower = L::maximum(t, lower);
+        }
+      }
+      const Vector t = L::minimum(L::maximum(L::multiply(half, L::add(lower, upper)), zero), one);
+
+      Vector square = zero;
+      for (unsigned k = 0; k < 3; ++k) {
+        const Vector below = L::subtract(L::multiply_add(t, slope[k], start[k]), centre[k]);
+        const Vector above = L::subtract(centre[k], L::multiply_add(t, slope[k + 3], start[k + 3]));
+        const Vector gap = L::maximum(below, L::maximum(above, zero));
+        square = L::multiply_add(gap, gap, square);
+      }
+      const Vector sure = L::multiply_add(radius, shrink, minus_error);
+      accepted |= L::bits(L::both(L::less(least, sure), L::less_equal(square, L::multiply(sure, sure)))) << lane;
+    }
+    std::uint64_t undecided = kept[w] & ~accepted;
+    for (unsigned i = 0; i < shaft.added_count; ++i) {
+      for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+        if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+        const std::size_t at = w * word_bits + lane;
+        const Vector radius = L::load(stream[3] + at);
+        Vector value = L::all(shaft.added_minus_offset[i]);
+        for (unsigned k = 0; k < 3; ++k) {
+          value = L::multiply_add(L::load(stream[shaft.added_near[k][i] % 3] + at), L::all(shaft.added_normal[k][i]), value);
+        }
+        value = L::multiply_add(radius, L::all(-shaft.added_length[i]), value);
+        const Vector margin = L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i]));
+        const std::uint64_t positive = L::bits(L::less(margin, value)) << lane;
+        const std::uint64_t negative = L::bits(L::less(L::add(value, margin), zero)) << lane;
+        kept[w] &= ~positive;
+        undecided |= ~(positive | negative) & lanes_of<L>(lane);
+      }
+    }
+    undecided &= kept[w];
+    if (undecided != 0) {
+      kept[w] &= ~decide_lanes<L>(undecided, [&](unsigned lane) {
+        return sphere_outside(shaft, BoundAt<L, 4>(stream, w * word_bits + lane).value);
+      });
+    }
+  }
+}
+
+/// Writes the inside bits of the spheres that are kept.
+template <class L>
+void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                         const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  using Vector = typename L::Vector;
+  const Vector zero = L::all(0.0F);
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t candidates = 0;
+    std::uint64_t undecided = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      const Vector radius = L::load(stream[3] + at);
+      auto possible = L::less_equal(zero, radius);
+      auto sure = L::less_equal(zero, radius);
+      for (unsigned k = 0; k < 3; ++k) {
+        const Vector centre = L::load(stream[k] + at);
+        const Vector above_lo = L::subtract(centre, L::all(shaft.face[k]));
+        const Vector below_hi = L::subtract(L::all(shaft.face[k + 3]), centre);
+        // A rounded difference that is not equal to r is on the same side of it as the exact one.
+        possible = L::both(possible, L::both(L::less_equal(radius, above_lo), L::less_equal(radius, below_hi)));
+        sure = L::both(sure, L::both(L::less(radius, above_lo), L::less(radius, below_hi)));
+      }
+      std::uint64_t within = L::bits(possible) << lane & kept[w];
+      if (within == 0) continue;
+      std::uint64_t certain = L::bits(sure) << lane;
+      const auto test = [&](Vector value, Vector margin) {
+        certain &= L::bits(L::less(L::add(value, margin), zero)) << lane;
+        within &= ~(L::bits(L::less(margin, value)) << lane);
+      };
+      for (unsigned i = 0; i < shaft.joining_count; ++i) {
+        const Vector partial = L::multiply_add(L::load(stream[shaft.joining_near1[i] % 3] + at),
+                                               L::all(shaft.joining_normal1[i]), L::all(shaft.joining_minus_offset[i]));
+        const Vector value =
+            L::multiply_add(L::load(stream[shaft.joining_near0[i] % 3] + at), L::all(shaft.joining_normal0[i]), partial);
+        test(L::add(value, radius), L::multiply_add(radius, L::all(8 * float_unit), L::all(shaft.joining_margin)));
+      }
+      for (unsigned i = 0; i < shaft.added_count; ++i) {
+        Vector value = L::all(shaft.added_minus_offset[i]);
+        for (unsigned k = 0; k < 3; ++k) {
+          value = L::multiply_add(L::load(stream[shaft.added_near[k][i] % 3] + at), L::all(shaft.added_normal[k][i]), value);
+        }
+        test(L::multiply_add(radius, L::all(shaft.added_length[i]), value),
+             L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i])));
+      }
+      candidates |= within;
+      undecided |= within & ~certain;
+    }
+    inside[w] = candidates & ~undecided;
+    if (undecided != 0) [[unlikely]] {
+      inside[w] |= decide_lanes<L>(undecided, [&](unsigned lane) {
+        return sphere_inside(shaft, BoundAt<L, 4>(stream, w * word_bits + lane).value);
+      });
+    }
+  }
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,47 @@
+/// Words: 64 bounds at a time, and what every stage of a test shares.
+///
+/// A test is a row of stages over a block of words. Each stage sees the kept bits of the one before and only clears some.
+/// A stage that cannot decide a lane for certain asks an exact predicate for that lane, so between stages every bit is
+/// the real-arithmetic answer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "shaftcull/compiled.hpp"
+
+namespace shaftcull::kernel {
+
+inline constexpr unsigned word_bits = 64;
+
+/// Words in a block: stages after the first find 1024 bounds still in the first-level cache.
+inline constexpr std::size_t block_words = 16;
+
+/// The lanes of one vector within a word.
+template <class L>
+constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
+  return (L::width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << L::width) - 1) << offset;
+}
+
+/// Calls decide(lane) for every bit of `lanes`, and returns the bits for which it was true.
+template <class L, class Decide>
+[[gnu::noinline, gnu::cold]] std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
+  std::uint64_t yes = 0;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctzll(lanes));
+    if (decide(lane)) yes |= std::uint64_t{1} << lane;
+  }
+  return yes;
+}
+
+/// Bound `i` of `streams` separate streams, as the exact predicates take it.
+template <class L, unsigned streams>
+struct BoundAt {
+  float value[streams];
+
+  BoundAt(const float* const* stream, std::size_t i) noexcept {
+    for (unsigned s = 0; s < streams; ++s) value[s] = stream[s][i];
+  }
+};
+
+}  // namespace shaftcull::kernel
