@@ -1,0 +1,35 @@
+# Installs the library below WORK, builds the consumer against what is installed there, and checks what it prints.
+# Given: BUILD (the library's build tree), WORK, CONFIG, GENERATOR, COMPILER, FLAGS.
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}\nfailed with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --component library --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=${CONFIG}
+  -D CMAKE_RUNTIME_OUTPUT_DIRECTORY=${WORK}/bin -D CMAKE_RUNTIME_OUTPUT_DIRECTORY_${CONFIG}=${WORK}/bin
+  -D CMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK}/build --config ${CONFIG})
+run(${WORK}/bin/consumer)
+if(NOT output STREQUAL "kept 1\n")
+  message(FATAL_ERROR "the consumer printed \"${output}\" instead of \"kept 1\"")
+endif()
+
+# The package must not name anything that only building the library needs.
+file(GLOB package ${WORK}/prefix/lib*/cmake/shaftcull/*.cmake ${WORK}/prefix/lib/*/cmake/shaftcull/*.cmake)
+if(NOT package)
+  message(FATAL_ERROR "no CMake package below ${WORK}/prefix")
+endif()
+foreach(file IN LISTS package)
+  file(READ ${file} text)
+  if(text MATCHES "xsimd" OR text MATCHES "${BUILD}")
+    message(FATAL_ERROR "${file} names \"${CMAKE_MATCH_0}\", which its user may not have")
+  endif()
+endforeach()

@@ -1,0 +1,30 @@
+# Checks that an object file of one instruction set defines no symbol that another translation unit may define too:
+# of two such copies the linker takes any, and code with AVX must not run for everybody.
+# Given: NM, OBJECTS (the object files), ISA (the name that each of their symbols must contain).
+
+foreach(object IN LISTS OBJECTS)
+  execute_process(COMMAND ${NM} --defined-only --extern-only ${object} RESULT_VARIABLE result OUTPUT_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${NM} cannot read ${object}")
+  endif()
+  string(REGEX MATCHALL "[^\n]+" lines "${output}")
+  set(own 0)
+  set(shared "")
+  foreach(line IN LISTS lines)
+    # The pointer to the personality routine is the same data in every unit with an exception table.
+    if(line MATCHES "^[0-9a-f]+ [A-Za-z] (.+)$" AND NOT CMAKE_MATCH_1 STREQUAL "DW.ref.__gxx_personality_v0")
+      set(symbol ${CMAKE_MATCH_1})
+      if(symbol MATCHES ${ISA})
+        math(EXPR own "${own} + 1")
+      else()
+        string(APPEND shared "\n  ${symbol}")
+      endif()
+    endif()
+  endforeach()
+  if(own EQUAL 0)
+    message(FATAL_ERROR "${object} defines no symbol with ${ISA} in its name")
+  endif()
+  if(shared)
+    message(FATAL_ERROR "${object} defines symbols without ${ISA} in their names:${shared}")
+  endif()
+endforeach()
