@@ -84,8 +84,8 @@ inline Box box_at(const std::vector<double>& row, std::size_t first) {
 inline std::vector<ShaftRow> load_shafts() {
   std::vector<ShaftRow> shafts;
   for (const std::vector<double>& row : read_numbers("shafts.csv", 14)) {
-    shafts.push_back({static_cast<std::size_t>(row[0]), box_at(row, 1), box_at(row, 7),
-                      static_cast<std::size_t>(row[13])});
+    shafts.push_back(
+        {static_cast<std::size_t>(row[0]), box_at(row, 1), box_at(row, 7), static_cast<std::size_t>(row[13])});
     if (shafts.back().shaft + 1 != shafts.size()) {
       throw std::runtime_error("shafts.csv: rows are not numbered in order");
     }
@@ -112,7 +112,9 @@ inline std::vector<BoxRow> load_boxes() {
 inline std::vector<SphereRow> load_spheres() {
   std::vector<SphereRow> spheres;
   for (const std::vector<double>& row : read_numbers("spheres.csv", 7)) {
-    spheres.push_back({static_cast<std::size_t>(row[0]), {vec3_at(row, 1), static_cast<float>(row[4])}, row[5] != 0.0,
+    spheres.push_back({static_cast<std::size_t>(row[0]),
+                       {vec3_at(row, 1), static_cast<float>(row[4])},
+                       row[5] != 0.0,
                        row[6] != 0.0});
   }
   return spheres;

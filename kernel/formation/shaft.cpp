@@ -1,0 +1,97 @@
+#include "shaftcull/shaft.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "formation/join.hpp"
+#include "formation/order.hpp"
+#include "formation/rule.hpp"
+#include "formation/search.hpp"
+#include "formation/table.hpp"
+#include "simd/float_environment.hpp"
+#include "text.hpp"
+
+namespace shaftcull {
+namespace {
+
+using kernel::text;
+
+struct FormationEnvironment {};
+
+/// Throws unless `box`, called `name` in messages, is finite with lo ≤ hi.
+void require_finite(const Box& box, const char* name) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float lo = box.lo[k];
+    const float hi = box.hi[k];
+    if (std::isfinite(lo) && std::isfinite(hi) && lo <= hi) continue;
+    const std::string axis = {'.', "xyz"[k]};
+    const std::string box_name = std::string("box ") + name + ": ";
+    for (const bool is_hi : {false, true}) {
+      const float value = is_hi ? hi : lo;
+      if (std::isfinite(value)) continue;
+      throw InvalidArgument(box_name + (is_hi ? "hi" : "lo") + axis + " = " + text(value) +
+                            "; a shaft joins finite boxes only");
+    }
+    throw InvalidArgument(box_name + "lo" + axis + " = " + text(lo) + " is above hi" + axis + " = " + text(hi) +
+                          "; lo must be at most hi");
+  }
+}
+
+}  // namespace
+
+Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b_(b), options_(options) {
+  const kernel::FloatEnvironment<FormationEnvironment> environment;
+  require_finite(a, "a");
+  require_finite(b, "b");
+  if (!options.outside && !options.inside) {
+    throw InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both");
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    box_.lo[k] = std::min(a.lo[k], b.lo[k]);
+    box_.hi[k] = std::max(a.hi[k], b.hi[k]);
+  }
+
+  const kernel::Faces6 a_faces = kernel::positions(a);
+  const kernel::Faces6 b_faces = kernel::positions(b);
+  const auto join_all = [&](const kernel::JoinedEdges& edges) {
+    for (std::size_t i = 0; i < edges.count; ++i) {
+      joining_[i] = kernel::join(a_faces, b_faces, edges.edge[i], options.spheres);
+    }
+    joining_count_ = edges.count;
+  };
+  switch (options.formation) {
+    case Formation::search:
+      join_all(kernel::search_edges(a_faces, b_faces));
+      break;
+    case Formation::table64:
+      join_all(kernel::table64_edges(a_faces, b_faces));
+      break;
+    case Formation::table729:
+      join_all(kernel::table729_edges(a_faces, b_faces));
+      break;
+    default:
+      throw InvalidArgument("ShaftOptions::formation is none of search, table64 and table729");
+  }
+  kernel::sort_planes(a, b, options.order, {joining_.data(), joining_count_});
+}
+
+void Shaft::add_plane(const Plane& plane) {
+  const kernel::FloatEnvironment<FormationEnvironment> environment;
+  const auto fail = [this](const std::string& why) {
+    throw InvalidArgument("added plane " + std::to_string(added_count_) + ": " + why);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!std::isfinite(plane.normal[k])) {
+      fail(std::string("normal.") + "xyz"[k] + " = " + text(plane.normal[k]) + "; it must be finite");
+    }
+  }
+  if (plane.normal == Vec3{0, 0, 0}) fail("its normal is zero, which leaves no inside and outside to tell apart");
+  if (!std::isfinite(plane.offset)) fail("offset = " + text(plane.offset) + "; it must be finite");
+  if (added_count_ == max_added_planes) {
+    fail("a shaft has room for " + std::to_string(max_added_planes) + " added planes only");
+  }
+  added_[added_count_++] = plane;
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,18 @@
+/// Numbers in messages.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace shaftcull::kernel {
+
+/// The shortest decimal that reads back to the same float: "3", "0.1", "1e+30", "inf", "nan".
+inline std::string text(float number) {
+  if (std::isnan(number)) return "nan";  // without a sign that means nothing
+  char digits[32];
+  const std::to_chars_result written = std::to_chars(digits, digits + sizeof digits, number);
+  return {digits, written.ptr};
+}
+
+}  // namespace shaftcull::kernel
