@@ -11,7 +11,7 @@
 
 namespace shaftcull {
 
-/// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
+/// A test-ready shaft: 768 bytes, no heap memory, freely copied, never changed by a test.
 ///
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
 /// Arrays are plain so that kernels touch no inline function of the standard library (kernel/test/README.md).
@@ -52,10 +52,9 @@ struct alignas(64) CompiledShaft {
   bool answers_inside;
   bool answers_spheres;
 
-  // Planes.
+  // Planes; not written while they are pending.
   float face[6];                  ///< the shaft box, in the order of a BoxView's streams
   float joining_margin;           ///< for all joining planes
-  float joining_reach;            ///< largest magnitude of a coordinate of the shaft box
   float joining_normal0[max_joining_planes];
   float joining_normal1[max_joining_planes];
   float joining_minus_offset[max_joining_planes];

@@ -32,8 +32,12 @@ float largest_magnitude(const CompiledShaft& shaft) noexcept {
 }  // namespace
 
 void compile_joining_planes(std::span<const JoiningPlane> planes, bool unit_normals, CompiledShaft& out) noexcept {
-  out.joining_reach = largest_magnitude(out);
-  bool regular = out.joining_reach <= regular_limit;
+  for (Face f = 0; f < 6; ++f) {
+    const float on_a = position(out.a, f);
+    const float on_b = position(out.b, f);
+    out.face[f] = f < 3 ? std::min(on_a, on_b) : std::max(on_a, on_b);
+  }
+  bool regular = largest_magnitude(out) <= regular_limit;
   double margin = 0;
   std::uint8_t count = 0;
   for (const JoiningPlane& plane : planes) {

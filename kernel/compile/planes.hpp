@@ -1,15 +1,17 @@
 /// Joining and added planes of a compiled shaft, with their error margins.
 #pragma once
 
+#include <span>
+
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull::kernel {
 
-/// Writes the joining planes of `planes`, in their order, into `out`, whose boxes are there already.
+/// Writes the shaft box and the joining planes of `planes`, in their order, into `out`, whose boxes are there already.
 void compile_joining_planes(std::span<const JoiningPlane> planes, bool unit_normals, CompiledShaft& out) noexcept;
 
-/// Writes the added planes of `planes` into `out`, whose boxes are there already.
+/// Writes the added planes of `planes` into `out`, whose shaft box is there already.
 void compile_added_planes(std::span<const Plane> planes, CompiledShaft& out) noexcept;
 
 }  // namespace shaftcull::kernel

@@ -12,29 +12,36 @@
 
 namespace shaftcull::kernel {
 
-/// For every set of red faces (bit f for face f): the faces, red ones first.
-struct SlabOrders {
-  std::uint8_t face[64][6];
-  std::uint8_t reds[64];
+/// For every set of red faces (bit f for face f): what a compiled shaft says of the order of its constraints, red faces first.
+struct SlabOrder {
+  std::uint32_t face[8];        ///< the last two are not used
+  std::uint8_t near_stream[6];  ///< as CompiledShaft::slab_near and what follows it there
+  std::uint8_t uppers;
+  std::uint8_t form;
 };
-
-inline constexpr SlabOrders slab_orders = [] {
-  SlabOrders orders{};
-  for (unsigned set = 0; set < 64; ++set) {
-    unsigned next = 0;
-    for (unsigned f = 0; f < 6; ++f) {
-      if (set >> f & 1) orders.face[set][next++] = static_cast<std::uint8_t>(f);
-    }
-    orders.reds[set] = static_cast<std::uint8_t>(next);
-    for (unsigned f = 0; f < 6; ++f) {
-      if (!(set >> f & 1)) orders.face[set][next++] = static_cast<std::uint8_t>(f);
-    }
-  }
-  return orders;
-}();
 
 /// The stream that holds the corner of a bound nearest to face f of a shaft: the opposite face of the bound.
 inline constexpr std::uint8_t near_stream[6] = {3, 4, 5, 0, 1, 2};
+
+inline constexpr auto slab_orders = [] {
+  struct {
+    SlabOrder by_reds[64];
+  } orders{};
+  for (unsigned reds = 0; reds < 64; ++reds) {
+    SlabOrder& order = orders.by_reds[reds];
+    unsigned next = 0;
+    for (const bool red : {true, false}) {
+      for (unsigned f = 0; f < 6; ++f) {
+        if ((reds >> f & 1) != red) continue;
+        order.face[next] = f;
+        order.near_stream[next++] = near_stream[f];
+      }
+      if (red) order.uppers = static_cast<std::uint8_t>(next);
+    }
+    order.form = static_cast<std::uint8_t>(CompiledShaft::SlabForm::fused);
+  }
+  return orders;
+}();
 
 /// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
 inline constexpr float float_unit = 0x1p-24F;
@@ -54,19 +61,19 @@ inline constexpr float difference_margin = 16 * float_unit * margin_slack;
 
 /// Slab coefficients of one shaft in difference form, for pairs that the fused form does not suit.
 template <class L>
-void write_difference_slab(const float (&p)[6], const float (&q)[6], bool regular, CompiledShaft& out) noexcept {
+void write_difference_slab(const float (&p)[8], const float (&q)[6], bool regular, CompiledShaft& out) noexcept {
   unsigned reds = 0;
   for (unsigned f = 0; f < 6; ++f) {  // a purple face bounds t from above, by +∞ (met) or −∞ (not met)
     if (q[f] == 0 || (q[f] > 0) == (f < 3)) reds |= 1U << f;
   }
-  const std::uint8_t* order = slab_orders.face[reds];
+  const SlabOrder& order = slab_orders.by_reds[reds];
   for (unsigned i = 0; i < 6; ++i) {
-    const unsigned f = order[i];
+    const unsigned f = order.face[i];
     out.slab_scale[i] = q[f] == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : 1.0F / q[f];
     out.slab_shift[i] = p[f];
     out.slab_near[i] = near_stream[f];
   }
-  out.slab_uppers = slab_orders.reds[reds];
+  out.slab_uppers = order.uppers;
   out.slab_form = CompiledShaft::SlabForm::difference;
   out.slab_margin = regular ? difference_margin : __builtin_inff();
 }
@@ -78,78 +85,68 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
                          CompiledShaft* out) noexcept {
   using Vector = typename L::Vector;
   constexpr unsigned width = L::width;
-  float p[6][width];
-  float other[6][width];
-  float slope[6][width];
-  float scale[6][width];
-  float shift[6][width];
-  float box[6][width];
-  std::uint64_t red[6];
-  float largest_shift[width];
-  float largest_coordinate[width];
-  float smallest_slope[width];
-
   const Vector zero = L::all(0.0F);
   const Vector one = L::all(1.0F);
+  Vector p[6];
+  Vector other[6];
+  Vector scale[6];
+  Vector shift[6];
+  std::uint64_t red[6];
   Vector top_shift = zero;
   Vector top_coordinate = zero;
   Vector least_slope = L::all(__builtin_inff());
   for (unsigned f = 0; f < 6; ++f) {
-    const Vector pa = L::load(a[f] + first);
-    const Vector pb = L::load(b[f] + first);
-    const Vector q = L::subtract(pb, pa);
-    const Vector inverse = L::divide(one, q);
-    const Vector bias = L::multiply(L::subtract(zero, pa), inverse);
-    red[f] = f < 3 ? L::bits(L::less(zero, q)) : L::bits(L::less(q, zero));
-    L::store(p[f], pa);
-    L::store(other[f], pb);
-    L::store(slope[f], q);
-    L::store(scale[f], inverse);
-    L::store(shift[f], bias);
-    L::store(box[f], f < 3 ? L::minimum(pa, pb) : L::maximum(pa, pb));
-    top_shift = L::maximum(L::magnitude(bias), top_shift);
-    top_coordinate = L::maximum(L::maximum(L::magnitude(pa), L::magnitude(pb)), top_coordinate);
-    least_slope = L::minimum(L::magnitude(q), least_slope);
+    p[f] = L::load(a[f] + first);
+    other[f] = L::load(b[f] + first);
+    const Vector slope = L::subtract(other[f], p[f]);
+    scale[f] = L::divide(one, slope);
+    shift[f] = L::multiply(L::subtract(zero, p[f]), scale[f]);
+    red[f] = f < 3 ? L::bits(L::less(zero, slope)) : L::bits(L::less(slope, zero));
+    top_shift = L::maximum(L::magnitude(shift[f]), top_shift);
+    top_coordinate = L::maximum(L::maximum(L::magnitude(p[f]), L::magnitude(other[f])), top_coordinate);
+    least_slope = L::minimum(L::magnitude(slope), least_slope);
   }
+  float largest_shift[width];
   L::store(largest_shift, top_shift);
-  L::store(largest_coordinate, top_coordinate);
-  L::store(smallest_slope, least_slope);
+  const auto within_range = L::less_equal(top_coordinate, L::all(regular_limit));
+  const std::uint64_t in_range = L::bits(within_range);
+  const std::uint64_t fused =
+      L::bits(L::both(within_range, L::both(L::less_equal(L::all(1 / regular_limit), least_slope),
+                                            L::less_equal(top_shift, L::all(fused_limit)))));
+  float p_rows[width][8];
+  float other_rows[width][8];
+  float scale_rows[width][8];
+  float shift_rows[width][8];
+  L::store_rows(p, p_rows);
+  L::store_rows(other, other_rows);
+  L::store_rows(scale, scale_rows);
+  L::store_rows(shift, shift_rows);
 
   for (unsigned lane = 0; lane < count; ++lane) {
     CompiledShaft& shaft = out[lane];
-    float* a_faces = reinterpret_cast<float*>(&shaft.a);
-    float* b_faces = reinterpret_cast<float*>(&shaft.b);
-    unsigned reds = 0;
-    for (unsigned f = 0; f < 6; ++f) {
-      a_faces[f] = p[f][lane];
-      b_faces[f] = other[f][lane];
-      shaft.face[f] = box[f][lane];
-      reds |= static_cast<unsigned>(red[f] >> lane & 1) << f;
-    }
-    if (smallest_slope[lane] >= 1 / regular_limit && largest_coordinate[lane] <= regular_limit &&
-        largest_shift[lane] <= fused_limit) {
-      const std::uint8_t* order = slab_orders.face[reds];
-      for (unsigned i = 0; i < 6; ++i) {
-        const unsigned f = order[i];
-        shaft.slab_scale[i] = scale[f][lane];
-        shaft.slab_shift[i] = shift[f][lane];
-        shaft.slab_near[i] = near_stream[f];
-      }
-      shaft.slab_uppers = slab_orders.reds[reds];
-      shaft.slab_form = CompiledShaft::SlabForm::fused;
+    if (fused >> lane & 1) [[likely]] {
+      unsigned reds = 0;
+      for (unsigned f = 0; f < 6; ++f) reds |= static_cast<unsigned>(red[f] >> lane & 1) << f;
+      const SlabOrder& order = slab_orders.by_reds[reds];
+      float row[8];
+      L::permute_row(scale_rows[lane], order.face, row);
+      __builtin_memcpy(shaft.slab_scale, row, sizeof shaft.slab_scale);
+      L::permute_row(shift_rows[lane], order.face, row);
+      __builtin_memcpy(shaft.slab_shift, row, sizeof shaft.slab_shift);
+      __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
       shaft.slab_margin = fused_margin + fused_margin_per_shift * largest_shift[lane];
     } else {
-      float p_lane[6];
-      float q_lane[6];
-      bool regular = largest_coordinate[lane] <= regular_limit;
+      float slope_row[6];
+      bool regular = in_range >> lane & 1;
       for (unsigned f = 0; f < 6; ++f) {
-        p_lane[f] = p[f][lane];
-        q_lane[f] = slope[f][lane];
-        const float size = __builtin_fabsf(q_lane[f]);
+        slope_row[f] = other_rows[lane][f] - p_rows[lane][f];
+        const float size = __builtin_fabsf(slope_row[f]);
         regular = regular && (size == 0 || size >= 1 / regular_limit);
       }
-      write_difference_slab<L>(p_lane, q_lane, regular, shaft);
+      write_difference_slab<L>(p_rows[lane], slope_row, regular, shaft);
     }
+    __builtin_memcpy(&shaft.a, p_rows[lane], sizeof shaft.a);
+    __builtin_memcpy(&shaft.b, other_rows[lane], sizeof shaft.b);
     shaft.t_begin = 0.0F;
     shaft.t_end = 1.0F;
     shaft.joining_count = CompiledShaft::planes_pending;

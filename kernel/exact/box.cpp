@@ -14,7 +14,7 @@ unsigned opposite(unsigned stream) noexcept { return stream < 3 ? stream + 3 : s
 
 bool box_outside(const CompiledShaft& shaft, const float (&bound)[6], FacePairs pairs) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
-    if (bound[k + 3] < shaft.face[k] || bound[k] > shaft.face[k + 3]) return true;
+    if (bound[k + 3] < shaft_face(shaft, k) || bound[k] > shaft_face(shaft, k + 3)) return true;
   }
   // A lo face is tested against the bound's hi, its near corner, and a hi face against the bound's lo.
   const Faces faces(shaft.a, shaft.b);
@@ -42,7 +42,7 @@ bool box_outside(const CompiledShaft& shaft, const float (&bound)[6], FacePairs 
 
 bool box_inside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
-    if (!(bound[k] >= shaft.face[k] && bound[k + 3] <= shaft.face[k + 3])) return false;
+    if (!(bound[k] >= shaft_face(shaft, k) && bound[k + 3] <= shaft_face(shaft, k + 3))) return false;
   }
   const Faces faces(shaft.a, shaft.b);
   for (unsigned r = 0; r < faces.reds; ++r) {

@@ -11,6 +11,13 @@ namespace shaftcull::kernel {
 /// Position of face `f` (0 … 5) of a box.
 inline float face_of(const Box& box, unsigned f) noexcept { return f < 3 ? box.lo[f] : box.hi[f - 3]; }
 
+/// Position of face `f` of the shaft box: the outer one of a's and b's.
+inline float shaft_face(const CompiledShaft& shaft, unsigned f) noexcept {
+  const float on_a = face_of(shaft.a, f);
+  const float on_b = face_of(shaft.b, f);
+  return (on_a < on_b) == (f < 3) ? on_a : on_b;
+}
+
 /// The faces of a shaft that are not purple, as positions on both boxes, split by colour.
 struct Faces {
   unsigned red[6];

@@ -213,7 +213,7 @@ bool sphere_outside(const CompiledShaft& shaft, const float (&sphere)[4]) noexce
   if (radius < 0) return true;
   for (unsigned k = 0; k < 3; ++k) {  // an infinite centre is only ever beyond a face
     const double c = sphere[k];
-    if (std::isinf(c) && (c < 0 ? shaft.face[k] - c : c - shaft.face[k + 3]) > radius) return true;
+    if (std::isinf(c) && (c < 0 ? shaft_face(shaft, k) - c : c - shaft_face(shaft, k + 3)) > radius) return true;
   }
   if (std::isinf(radius)) return false;
 
@@ -236,8 +236,8 @@ bool sphere_inside(const CompiledShaft& shaft, const float (&sphere)[4]) noexcep
   for (unsigned k = 0; k < 3; ++k) {
     const double c = sphere[k];
     if (!std::isfinite(c)) return false;
-    if ((Expansion<2>::difference(c, shaft.face[k]) - Expansion<1>(radius)).sign() < 0) return false;
-    if ((Expansion<2>::difference(shaft.face[k + 3], c) - Expansion<1>(radius)).sign() < 0) return false;
+    if ((Expansion<2>::difference(c, shaft_face(shaft, k)) - Expansion<1>(radius)).sign() < 0) return false;
+    if ((Expansion<2>::difference(shaft_face(shaft, k + 3), c) - Expansion<1>(radius)).sign() < 0) return false;
   }
   const Faces faces(shaft.a, shaft.b);
   for (unsigned r = 0; r < faces.reds; ++r) {

@@ -42,6 +42,43 @@ struct Lanes {
       return xsimd::fma(a, b, c);
   }
 
+  /// Lane i of the six vectors becomes the first six floats of row i; what follows them in a row is unspecified.
+  static void store_rows(const Vector (&columns)[6], float (&rows)[width][8]) noexcept {
+    alignas(64) float column[6][width];
+    for (unsigned c = 0; c < 6; ++c) store(column[c], columns[c]);
+#ifdef __AVX__
+    for (unsigned lane = 0; lane < width; lane += 8) {  // 8 × 8, in pairs, then fours, then halves
+      const auto pair = [&](unsigned c) { return _mm256_load_ps(column[c] + lane); };
+      const __m256 low01 = _mm256_unpacklo_ps(pair(0), pair(1));
+      const __m256 high01 = _mm256_unpackhi_ps(pair(0), pair(1));
+      const __m256 low23 = _mm256_unpacklo_ps(pair(2), pair(3));
+      const __m256 high23 = _mm256_unpackhi_ps(pair(2), pair(3));
+      const __m256 low45 = _mm256_unpacklo_ps(pair(4), pair(5));
+      const __m256 high45 = _mm256_unpackhi_ps(pair(4), pair(5));
+      const __m256 first[4] = {_mm256_shuffle_ps(low01, low23, 0x44), _mm256_shuffle_ps(low01, low23, 0xee),
+                               _mm256_shuffle_ps(high01, high23, 0x44), _mm256_shuffle_ps(high01, high23, 0xee)};
+      const __m256 last[4] = {low45, _mm256_permute_ps(low45, 0xee), high45, _mm256_permute_ps(high45, 0xee)};
+      for (unsigned i = 0; i < 4; ++i) {
+        _mm256_storeu_ps(rows[lane + i], _mm256_permute2f128_ps(first[i], last[i], 0x20));
+        _mm256_storeu_ps(rows[lane + i + 4], _mm256_permute2f128_ps(first[i], last[i], 0x31));
+      }
+    }
+#else
+    for (unsigned lane = 0; lane < width; ++lane) {
+      for (unsigned c = 0; c < 6; ++c) rows[lane][c] = column[c][lane];
+    }
+#endif
+  }
+
+  /// out[i] = row[order[i]] for six of eight floats; the other two of `out` are unspecified.
+  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float (&out)[8]) noexcept {
+#ifdef __AVX2__
+    _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), _mm256_loadu_si256(reinterpret_cast<const __m256i*>(order))));
+#else
+    for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
+#endif
+  }
+
   /// Bit i is lane i.
   static std::uint64_t bits(Mask mask) noexcept {
     if constexpr (requires { mask.mask(); }) {

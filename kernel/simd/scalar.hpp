@@ -25,6 +25,12 @@ struct ScalarLanes {
   static Mask both(Mask a, Mask b) noexcept { return a && b; }
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
+  static void store_rows(const Vector (&columns)[6], float (&rows)[1][8]) noexcept {
+    for (unsigned c = 0; c < 6; ++c) rows[0][c] = columns[c];
+  }
+  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float (&out)[8]) noexcept {
+    for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
+  }
   static std::uint64_t bits(Mask mask) noexcept { return mask; }
 };
 

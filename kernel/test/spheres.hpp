@@ -108,7 +108,7 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
   for (unsigned f = 0; f < 6; ++f) {
     start[f] = L::all(a[f]);
     slope[f] = L::all(b[f] - a[f]);
-    reach = __builtin_fmaxf(reach, __builtin_fabsf(shaft.face[f]));
+    reach = __builtin_fmaxf(reach, __builtin_fmaxf(__builtin_fabsf(a[f]), __builtin_fabsf(b[f])));
   }
   // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
   const Vector minus_error = L::all(-17 * float_unit * reach);
