@@ -1,0 +1,164 @@
+#include "streams/pack.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "simd/float_environment.hpp"
+#include "streams/records.hpp"
+#include "text.hpp"
+
+namespace shaftcull {
+namespace kernel {
+namespace {
+
+void require_memory(const void* start, std::size_t count, const char* name) {
+  if (start == nullptr && count != 0) {
+    throw InvalidArgument(std::string(name) + " is null; it must point to the first of " + std::to_string(count) +
+                          " records");
+  }
+}
+
+std::string component(const char* name, std::size_t axis) { return std::string(name) + "." + "xyz"[axis]; }
+
+/// "lo.x is not a number" for the first NaN among `values`, or nothing.
+std::string nan_fault(const char* name, const float (&values)[3]) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::isnan(values[k])) return component(name, k) + " is not a number";
+  }
+  return {};
+}
+
+}  // namespace
+
+MinMaxReader::MinMaxReader(const MinMaxRecords& records)
+    : lo_(records.lo, records.stride), hi_(records.hi, records.stride), count_(records.count) {
+  require_memory(records.lo, records.count, "MinMaxRecords::lo");
+  require_memory(records.hi, records.count, "MinMaxRecords::hi");
+}
+
+std::string MinMaxReader::fault(std::size_t i) const {
+  float lo[3];
+  float hi[3];
+  lo_.read(i, lo);
+  hi_.read(i, hi);
+  if (std::string nan = nan_fault("lo", lo); !nan.empty()) return nan;
+  if (std::string nan = nan_fault("hi", hi); !nan.empty()) return nan;
+  std::size_t k = 0;
+  while (k < 2 && lo[k] <= hi[k]) ++k;
+  return component("lo", k) + " = " + text(lo[k]) + " is above " + component("hi", k) + " = " + text(hi[k]) +
+         "; lo must be at most hi, or the box empty: lo = inf and hi = -inf on all axes";
+}
+
+CentreExtentReader::CentreExtentReader(const CentreExtentRecords& records)
+    : centre_(records.centre, records.stride), half_(records.half_extent, records.stride), count_(records.count) {
+  require_memory(records.centre, records.count, "CentreExtentRecords::centre");
+  require_memory(records.half_extent, records.count, "CentreExtentRecords::half_extent");
+}
+
+std::string CentreExtentReader::fault(std::size_t i) const {
+  float centre[3];
+  float half[3];
+  centre_.read(i, centre);
+  half_.read(i, half);
+  if (std::string nan = nan_fault("centre", centre); !nan.empty()) return nan;
+  if (std::string nan = nan_fault("half_extent", half); !nan.empty()) return nan;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (half[k] < 0) return component("half_extent", k) + " = " + text(half[k]) + " is negative; it must be 0 or more";
+  }
+  std::size_t k = 0;
+  while (k < 2 && !(std::isinf(centre[k]) && std::isinf(half[k]))) ++k;
+  return component("centre", k) + " = " + text(centre[k]) + " and " + component("half_extent", k) + " = " +
+         text(half[k]) + " leave the corners undefined; one of them must be finite";
+}
+
+SphereReader::SphereReader(const SphereRecords& records)
+    : centre_(records.centre, records.stride), radius_(records.radius, records.stride), count_(records.count) {
+  require_memory(records.centre, records.count, "SphereRecords::centre");
+  require_memory(records.radius, records.count, "SphereRecords::radius");
+}
+
+std::string SphereReader::fault(std::size_t i) const {
+  float centre[3];
+  float radius[1];
+  centre_.read(i, centre);
+  radius_.read(i, radius);
+  if (std::string nan = nan_fault("centre", centre); !nan.empty()) return nan;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::isinf(centre[k])) {
+      return component("centre", k) + " = " + text(centre[k]) +
+             " is not finite; for a sphere that holds everything make the radius inf";
+    }
+  }
+  if (std::isnan(radius[0])) return "radius is not a number";
+  return "radius = " + text(radius[0]) + " is negative; it must be 0 or more";
+}
+
+namespace {
+
+struct PackEnvironment {};
+
+/// Throws BadBound for the first illegal record.
+template <class Reader>
+void require_legal(const Reader& reader) {
+  constexpr std::size_t block = 256;  // records looked at between two branches
+  float bound[Reader::rows];
+  for (std::size_t first = 0; first < reader.count(); first += block) {
+    const std::size_t end = std::min(first + block, reader.count());
+    bool is_legal = true;
+    for (std::size_t i = first; i < end; ++i) is_legal &= reader.read(i, bound);
+    if (is_legal) continue;
+    std::size_t i = first;
+    while (reader.read(i, bound)) ++i;
+    throw BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i));
+  }
+}
+
+template <class Reader>
+void pack_all(const Reader& reader, std::size_t first, std::size_t size, const StreamMemory& memory) {
+  const FloatEnvironment<PackEnvironment> environment;
+  const std::size_t count = reader.count();
+  if (first > size || count > size - first) {
+    throw InvalidArgument("update of " + std::string(Reader::nouns) + " [" + std::to_string(first) + ", " +
+                          std::to_string(first + count) + ") does not fit a stream of " + std::to_string(size));
+  }
+  require_legal(reader);
+  float* row[Reader::rows];
+  for (std::size_t k = 0; k < Reader::rows; ++k) row[k] = memory.row(k) + first;
+  for (std::size_t i = 0; i < count; ++i) {
+    float bound[Reader::rows];
+    reader.read(i, bound);
+    for (std::size_t k = 0; k < Reader::rows; ++k) row[k][i] = bound[k];
+  }
+}
+
+}  // namespace
+
+void pack(const MinMaxRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
+  pack_all(MinMaxReader(records), first, size, memory);
+}
+
+void pack(const CentreExtentRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
+  pack_all(CentreExtentReader(records), first, size, memory);
+}
+
+void pack(const SphereRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
+  pack_all(SphereReader(records), first, size, memory);
+}
+
+}  // namespace kernel
+
+MinMaxRecords records(std::span<const Box> boxes) noexcept {
+  // The address of a member of the first box, without touching a box that is not there.
+  const auto* const start = reinterpret_cast<const std::byte*>(boxes.data());
+  if (start == nullptr) return {};
+  return {start + offsetof(Box, lo), start + offsetof(Box, hi), sizeof(Box), boxes.size()};
+}
+
+SphereRecords records(std::span<const Sphere> spheres) noexcept {
+  const auto* const start = reinterpret_cast<const std::byte*>(spheres.data());
+  if (start == nullptr) return {};
+  return {start + offsetof(Sphere, centre), start + offsetof(Sphere, radius), sizeof(Sphere), spheres.size()};
+}
+
+}  // namespace shaftcull
