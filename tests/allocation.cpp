@@ -1,0 +1,159 @@
+/// Hot calls do not allocate: this executable counts every call of operator new, in all threads.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "columns.hpp"
+#include "dice.hpp"
+#include "instruction_sets.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations = 0;
+
+void* counted(std::size_t bytes, std::size_t alignment) {
+  ++allocations;
+  // aligned_alloc() wants a multiple of the alignment.
+  void* const memory = std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+void* operator new[](std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace shaftcull {
+namespace {
+
+constexpr std::size_t bound_count = 5000;
+
+class Allocation : public testing::Test {
+ protected:
+  Allocation() {
+    Dice dice(111);
+    for (std::size_t i = 0; i != bound_count; ++i) {
+      // Some touch the shaft exactly, so that the slow, exact step runs as well.
+      boxes_.push_back(i % 3 == 0 ? dice.grid_box(-5, 5) : dice.box(-5, 5, 0.05F, 1.0F));
+      spheres_.push_back({boxes_.back().lo, dice.integer(0, 3)});
+    }
+    for (int s = 0; s != 10; ++s) {
+      Shaft shaft(dice.grid_box(-5, 5), dice.grid_box(-5, 5));
+      shaft.add_plane({{1, 2, 3}, 4});
+      shafts_.push_back(compile(shaft));
+    }
+    (void)active_isa();  // the choice is made once
+  }
+
+  template <class Call>
+  static std::size_t allocations_in(const Call& call) {
+    const std::size_t before = allocations;
+    call();
+    return allocations - before;
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<Sphere> spheres_;
+  std::vector<CompiledShaft> shafts_;
+};
+
+TEST_F(Allocation, IsCountedHere) {
+  EXPECT_EQ(allocations_in([] { delete new int(1); }), 1U);
+}
+
+TEST_F(Allocation, CullAndClassifyDoNone) {
+  const BoxColumns boxes(boxes_);
+  const SphereColumns spheres(spheres_);
+  std::vector<std::uint64_t> kept(words_for(bound_count));
+  std::vector<std::uint64_t> inside(kept.size());
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(allocations_in([&] {
+                for (const CompiledShaft& shaft : shafts_) {
+                  for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
+                    cull(shaft, boxes.view(), kept, form);
+                    cull(shaft, spheres.view(), kept, form);
+                    classify(shaft, boxes.view(), kept, inside, form);
+                    classify(shaft, spheres.view(), kept, inside, form);
+                  }
+                  (void)classify(shaft, boxes_[0]);
+                  (void)classify(shaft, spheres_[0]);
+                }
+              }),
+              0U)
+        << name(isa);
+  }
+}
+
+TEST_F(Allocation, FormationAndCompilationDoNone) {
+  for (const PlaneOrder order : {PlaneOrder::unsorted, PlaneOrder::by_volume, PlaneOrder::by_added_volume}) {
+    for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
+      ShaftOptions options;
+      options.order = order;
+      options.formation = formation;
+      EXPECT_EQ(allocations_in([&] {
+                  Shaft shaft(boxes_[0], boxes_[1], options);
+                  shaft.add_plane({{1, 0, 0}, 1});
+                  shafts_[0] = compile(shaft);
+                }),
+                0U);
+    }
+  }
+  const BoxColumns boxes(boxes_);
+  std::vector<CompiledShaft> out(100);
+  EXPECT_EQ(allocations_in([&] {
+              compile_batch(boxes.view().slice(0, 100), boxes.view().slice(100, 100), out);
+              for (CompiledShaft& shaft : out) complete(shaft);
+            }),
+            0U);
+}
+
+TEST_F(Allocation, UpdatingAStreamInPlaceDoesNone) {
+  BoxStream boxes(boxes_);
+  SphereStream spheres(spheres_);
+  EXPECT_EQ(allocations_in([&] {
+              boxes.update(1000, std::span<const Box>(boxes_).first(500));
+              spheres.update(1000, std::span<const Sphere>(spheres_).first(500));
+            }),
+            0U);
+}
+
+TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
+  // oneTBB's own task memory does not come from operator new.
+  const BoxColumns boxes(boxes_);
+  const SphereColumns spheres(spheres_);
+  std::vector<std::uint64_t> kept(shafts_.size() * words_for(bound_count));
+  std::vector<std::uint64_t> inside(kept.size());
+  std::vector<std::uint64_t> counts(shafts_.size());
+  const auto calls = [&] {
+    cull_many(shafts_, boxes.view(), kept);
+    cull_many(shafts_, spheres.view(), kept);
+    classify_many(shafts_, boxes.view(), kept, inside);
+    count_many(shafts_, boxes.view(), counts);
+  };
+  calls();  // threads are started once
+  EXPECT_EQ(allocations_in(calls), 0U);
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,57 @@
+/// Bounds in plain vectors, one for each coordinate: a view of the user's own memory that nothing has checked.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull {
+
+class BoxColumns {
+ public:
+  explicit BoxColumns(const std::vector<Box>& boxes) : count_(boxes.size()) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      for (const Box& box : boxes) {
+        column_[k].push_back(box.lo[k]);
+        column_[k + 3].push_back(box.hi[k]);
+      }
+    }
+  }
+  [[nodiscard]] BoxView view() const {
+    BoxView view;
+    for (std::size_t k = 0; k != 6; ++k) view.stream[k] = column_[k].data();
+    view.count = count_;
+    return view;
+  }
+
+ private:
+  std::array<std::vector<float>, 6> column_;
+  std::size_t count_;
+};
+
+class SphereColumns {
+ public:
+  explicit SphereColumns(const std::vector<Sphere>& spheres) : count_(spheres.size()) {
+    for (const Sphere& sphere : spheres) {
+      for (std::size_t k = 0; k != 3; ++k) column_[k].push_back(sphere.centre[k]);
+      column_[3].push_back(sphere.radius);
+    }
+  }
+  [[nodiscard]] SphereView view() const {
+    SphereView view;
+    for (std::size_t k = 0; k != 4; ++k) view.stream[k] = column_[k].data();
+    view.count = count_;
+    return view;
+  }
+
+ private:
+  std::array<std::vector<float>, 4> column_;
+  std::size_t count_;
+};
+
+inline BoxColumns columns(const std::vector<Box>& boxes) { return BoxColumns(boxes); }
+inline SphereColumns columns(const std::vector<Sphere>& spheres) { return SphereColumns(spheres); }
+
+}  // namespace shaftcull

@@ -1,0 +1,123 @@
+#include "cull/agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+
+#include "columns.hpp"
+#include "instruction_sets.hpp"
+#include "oracle.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull {
+namespace {
+
+std::string source_text(float x) {
+  char text[40];
+  const int length = std::snprintf(text, sizeof text, "%aF", static_cast<double>(x));
+  return {text, static_cast<std::size_t>(length)};
+}
+
+std::string source_text(const Vec3& v) {
+  return "{" + source_text(v[0]) + ", " + source_text(v[1]) + ", " + source_text(v[2]) + "}";
+}
+
+const char* text(Answer answer) {
+  return answer == Answer::outside ? "outside" : answer == Answer::inside ? "inside" : "overlap";
+}
+
+bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
+
+CompiledShaft compiled(const Subject& subject) {
+  Shaft shaft(subject.a, subject.b);
+  for (const Plane& plane : subject.added) shaft.add_plane(plane);
+  return compile(shaft);
+}
+
+template <class Bound>
+std::vector<Answer> all_answers(const Subject& subject, const std::vector<Bound>& bounds, Form form) {
+  const auto memory = columns(bounds);
+  const CompiledShaft shaft = compiled(subject);
+  // Words that the calls must overwrite entirely.
+  std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
+  std::vector<std::uint64_t> kept = culled;
+  std::vector<std::uint64_t> inside = culled;
+  cull(shaft, memory.view(), culled, form);
+  classify(shaft, memory.view(), kept, inside, form);
+  EXPECT_EQ(culled, kept) << "cull() and classify() keep different bounds of " << source_text(subject);
+  std::vector<Answer> answers;
+  for (std::size_t i = 0; i != bounds.size(); ++i) {
+    EXPECT_TRUE(bit(kept, i) || !bit(inside, i)) << "inside but not kept: " << source_text(bounds[i]);
+    answers.push_back(!bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap);
+  }
+  return answers;
+}
+
+template <class Bound>
+void expect_all(const Subject& subject, const std::vector<Bound>& bounds, const std::vector<Answer>& right) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::slab, Form::planes}) {
+      const std::vector<Answer> answers = all_answers(subject, bounds, form);
+      std::size_t wrong = 0;
+      std::size_t first = 0;
+      for (std::size_t i = bounds.size(); i-- != 0;) {
+        if (answers[i] == right[i]) continue;
+        ++wrong;
+        first = i;
+      }
+      EXPECT_EQ(wrong, 0U) << "of " << bounds.size() << " on " << name(isa) << ", form "
+                           << (form == Form::slab ? "slab" : "planes") << "; the first is bound " << first << ":\n  "
+                           << source_text(subject) << "\n  " << source_text(bounds[first]) << "\n  is "
+                           << text(right[first]) << ", answered " << text(answers[first]);
+    }
+  }
+}
+
+template <class Bound>
+void expect_oracle(const Subject& subject, const std::vector<Bound>& bounds) {
+  const oracle::Hull hull(subject.a, subject.b, subject.added);
+  std::vector<Answer> right;
+  for (const Bound& bound : bounds) right.push_back(hull.answer(bound));
+  expect_all(subject, bounds, right);
+}
+
+}  // namespace
+
+std::string source_text(const Box& box) { return "Box{" + source_text(box.lo) + ", " + source_text(box.hi) + "}"; }
+
+std::string source_text(const Sphere& sphere) {
+  return "Sphere{" + source_text(sphere.centre) + ", " + source_text(sphere.radius) + "}";
+}
+
+std::string source_text(const Subject& subject) {
+  std::string text = "Subject{" + source_text(subject.a) + ", " + source_text(subject.b) + ", {";
+  for (const Plane& plane : subject.added) {
+    text += "Plane{" + source_text(plane.normal) + ", " + source_text(plane.offset) + "}, ";
+  }
+  return text + "}}";
+}
+
+std::vector<Answer> answers(const Subject& subject, const std::vector<Box>& bounds, Form form) {
+  return all_answers(subject, bounds, form);
+}
+
+std::vector<Answer> answers(const Subject& subject, const std::vector<Sphere>& bounds, Form form) {
+  return all_answers(subject, bounds, form);
+}
+
+void expect_answers(const Subject& subject, const std::vector<Box>& bounds, const std::vector<Answer>& right) {
+  expect_all(subject, bounds, right);
+}
+
+void expect_answers(const Subject& subject, const std::vector<Sphere>& bounds, const std::vector<Answer>& right) {
+  expect_all(subject, bounds, right);
+}
+
+void expect_exact(const Subject& subject, const std::vector<Box>& bounds) { expect_oracle(subject, bounds); }
+
+void expect_exact(const Subject& subject, const std::vector<Sphere>& bounds) { expect_oracle(subject, bounds); }
+
+}  // namespace shaftcull

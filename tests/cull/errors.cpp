@@ -1,0 +1,149 @@
+/// What cull() and classify() refuse, and what they say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "columns.hpp"
+#include "instruction_sets.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::HasSubstr;
+
+const Box first_box{{0, 0, 0}, {1, 1, 1}};
+const Box second_box{{2, 3, 4}, {3, 4, 5}};
+
+CompiledShaft shaft_for(bool outside, bool inside, bool spheres) {
+  ShaftOptions options;
+  options.outside = outside;
+  options.inside = inside;
+  options.spheres = spheres;
+  return compile(Shaft(first_box, second_box, options));
+}
+
+/// The message of the InvalidArgument that a call throws; empty, and a failure, if it throws none.
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const InvalidArgument& error) {
+    EXPECT_STRNE(error.what(), "");
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+class CullErrors : public testing::Test {
+ protected:
+  const BoxColumns boxes_{std::vector<Box>(100, first_box)};
+  const SphereColumns spheres_{std::vector<Sphere>(100, Sphere{{0, 0, 0}, 1})};
+  std::vector<std::uint64_t> kept_ = std::vector<std::uint64_t>(2, 7);
+  std::vector<std::uint64_t> inside_ = std::vector<std::uint64_t>(2, 7);
+};
+
+TEST_F(CullErrors, AnOutsideOnlyShaftDoesNotClassify) {
+  const CompiledShaft shaft = shaft_for(true, false, true);
+  EXPECT_THAT(refusal([&] { classify(shaft, boxes_.view(), kept_, inside_); }), HasSubstr("inside"));
+  EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("inside"));
+  EXPECT_THAT(refusal([&] { (void)classify(shaft, first_box); }), HasSubstr("inside"));
+  EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
+  EXPECT_NO_THROW(cull(shaft, boxes_.view(), kept_));
+  EXPECT_NO_THROW(cull(shaft, spheres_.view(), kept_));
+}
+
+TEST_F(CullErrors, AnInsideOnlyShaftDoesNotCull) {
+  const CompiledShaft shaft = shaft_for(false, true, true);
+  EXPECT_THAT(refusal([&] { cull(shaft, boxes_.view(), kept_); }), HasSubstr("outside"));
+  EXPECT_THAT(refusal([&] { cull(shaft, spheres_.view(), kept_, Form::planes); }), HasSubstr("outside"));
+  EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
+}
+
+TEST_F(CullErrors, AShaftWithoutSpheresDoesNotTestThem) {
+  const CompiledShaft shaft = shaft_for(true, true, false);
+  EXPECT_THAT(refusal([&] { cull(shaft, spheres_.view(), kept_); }), HasSubstr("sphere"));
+  EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("sphere"));
+  EXPECT_THAT(refusal([&] { (void)classify(shaft, Sphere{{0, 0, 0}, 1}); }), HasSubstr("sphere"));
+  EXPECT_NO_THROW(classify(shaft, boxes_.view(), kept_, inside_));
+}
+
+TEST_F(CullErrors, SpansOfTheWrongSizeAreRefusedWithBothSizes) {
+  const CompiledShaft shaft = shaft_for(true, true, true);
+  for (const std::size_t size : {0U, 1U, 3U}) {
+    std::vector<std::uint64_t> wrong(size, 7);
+    const auto names_sizes = testing::AllOf(HasSubstr(std::to_string(size)), HasSubstr("2"));
+    EXPECT_THAT(refusal([&] { cull(shaft, boxes_.view(), wrong); }), names_sizes);
+    EXPECT_THAT(refusal([&] { cull(shaft, spheres_.view(), wrong); }), names_sizes);
+    EXPECT_THAT(refusal([&] { classify(shaft, boxes_.view(), wrong, inside_); }), names_sizes);
+    EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept_, wrong); }), names_sizes);
+    EXPECT_EQ(wrong, std::vector<std::uint64_t>(size, 7));
+  }
+  EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7));
+  EXPECT_EQ(inside_, std::vector<std::uint64_t>(2, 7));
+}
+
+TEST(IsaChoice, NamesAreReadBack) {
+  for (const Isa isa : {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512}) EXPECT_EQ(isa_from_name(name(isa)), isa);
+  EXPECT_FALSE(isa_from_name("avx1024").has_value());
+  EXPECT_FALSE(isa_from_name("").has_value());
+}
+
+TEST(IsaChoice, ScalarIsAlwaysThereAndTheSlowestComesFirst) {
+  const std::vector<Isa> isas = available_isas();
+  ASSERT_FALSE(isas.empty());
+  EXPECT_EQ(isas.front(), Isa::scalar);
+  EXPECT_TRUE(std::is_sorted(isas.begin(), isas.end()));
+}
+
+TEST(IsaChoice, ASelectedInstructionSetIsActiveUntilTheNext) {
+  const Isa before = active_isa();
+  for (const Isa isa : available_isas()) {
+    select_isa(isa);
+    EXPECT_EQ(active_isa(), isa);
+  }
+  select_isa(before);
+}
+
+TEST(IsaChoice, AnUnavailableInstructionSetIsRefusedWithAListOfWhatThereIs) {
+  const std::vector<Isa> isas = available_isas();
+  const Isa before = active_isa();
+  // Beyond the last, there is one that no build has.
+  const Isa missing = isas.size() == 4 ? static_cast<Isa>(4) : static_cast<Isa>(isas.size());
+  const std::string message = refusal([&] { select_isa(missing); });
+  for (const Isa isa : isas) EXPECT_THAT(message, HasSubstr(std::string(name(isa))));
+  EXPECT_EQ(active_isa(), before);
+}
+
+/// Runs in a process of its own, where no call has chosen an instruction set yet.
+int with_environment(const char* isa) {
+  setenv("SHAFTCULL_ISA", isa, 1);
+  try {
+    return active_isa() == isa_from_name(isa) ? 0 : 1;
+  } catch (const InvalidArgument& error) {
+    std::fputs(error.what(), stderr);
+    return 2;
+  }
+}
+
+TEST(IsaChoiceDeathTest, TheEnvironmentForcesAnInstructionSet) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  for (const Isa isa : available_isas()) {
+    EXPECT_EXIT(std::_Exit(with_environment(std::string(name(isa)).c_str())), testing::ExitedWithCode(0), "");
+  }
+}
+
+TEST(IsaChoiceDeathTest, AnUnknownNameInTheEnvironmentIsRefusedWithAListOfWhatThereIs) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(std::_Exit(with_environment("avx9")), testing::ExitedWithCode(2), "SHAFTCULL_ISA.*avx9.*scalar");
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,171 @@
+/// Infinite and empty bounds have their answers; NaN has one too, and the same everywhere.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "cull/agreement.hpp"
+#include "dice.hpp"
+#include "instruction_sets.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr Box everything{{-inf, -inf, -inf}, {inf, inf, inf}};
+constexpr Box empty{{inf, inf, inf}, {-inf, -inf, -inf}};
+
+/// Shafts of all kinds: plain, parallel faces, equal boxes, points, a flat one, with added planes.
+std::vector<Subject> subjects() {
+  const Box unit{{0, 0, 0}, {1, 1, 1}};
+  const Box away{{3, -2, 5}, {4, -1, 6}};
+  const Box shifted{{2, 0, 0}, {3, 1, 1}};
+  const Box point{{0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}};
+  return {{unit, away},   {unit, shifted}, {unit, unit},
+          {point, point}, {point, away},   {unit, away, {{{1, 0, 0}, 2}, {{1, -1, 0.5F}, 1}}}};
+}
+
+TEST(SpecialValues, EverythingIsAlwaysKeptAndNeverInside) {
+  for (const Subject& subject : subjects()) {
+    expect_answers(subject, {everything}, {Answer::overlap});
+    expect_answers(subject, {Sphere{{0, 0, 0}, inf}}, {Answer::overlap});
+  }
+}
+
+TEST(SpecialValues, TheEmptyBoxIsAlwaysOutside) {
+  for (const Subject& subject : subjects()) expect_answers(subject, {empty}, {Answer::outside});
+}
+
+TEST(SpecialValues, HalfInfiniteBoxesAnswerLikeUnboundedOnes) {
+  constexpr std::uint64_t seed = 61;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Dice dice(seed);
+  for (const Subject& subject : subjects()) {
+    std::vector<Box> boxes;
+    for (int i = 0; i != 200; ++i) {
+      Box box = dice.one_in(2) ? dice.grid_box(-3, 6) : dice.box(-3, 6, 0, 2);
+      for (std::size_t k = 0; k != 3; ++k) {
+        if (dice.one_in(3)) box.lo[k] = -inf;
+        if (dice.one_in(3)) box.hi[k] = inf;
+      }
+      boxes.push_back(box);
+    }
+    expect_exact(subject, boxes);
+  }
+}
+
+TEST(SpecialValues, TheLargestFiniteBoundsAreNotTakenForInfinite) {
+  constexpr float most = std::numeric_limits<float>::max();
+  for (const Subject& subject : subjects()) {
+    expect_exact(subject, {Box{{-most, -most, -most}, {most, most, most}}, Box{{most, 0, 0}, {most, 1, 1}},
+                           Box{{-most, -most, -most}, {-most, -most, -most}}});
+    expect_exact(subject, {Sphere{{0, 0, 0}, most}, Sphere{{most, -most, most}, most}, Sphere{{most, 0, 0}, 1}});
+  }
+}
+
+/// Boxes with one to six coordinates NaN.
+std::vector<Box> boxes_with_nan(Dice& dice) {
+  std::vector<Box> boxes;
+  for (int i = 0; i != 300; ++i) {
+    Box box = dice.one_in(8) ? everything : dice.box(-3, 6, 0, 2);
+    const unsigned which = 1 + dice.below(63);
+    for (unsigned k = 0; k != 3; ++k) {
+      if ((which >> k & 1U) != 0) box.lo[k] = dice.one_in(2) ? nan : -nan;
+      if ((which >> (k + 3) & 1U) != 0) box.hi[k] = dice.one_in(2) ? nan : -nan;
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+std::vector<Sphere> spheres_with_nan(Dice& dice) {
+  std::vector<Sphere> spheres;
+  for (int i = 0; i != 300; ++i) {
+    Sphere sphere{dice.vec3(-3, 6), dice.one_in(8) ? inf : dice.uniform(0, 2)};
+    const unsigned which = 1 + dice.below(15);
+    for (unsigned k = 0; k != 3; ++k) {
+      if ((which >> k & 1U) != 0) sphere.centre[k] = nan;
+    }
+    if ((which >> 3U) != 0) sphere.radius = nan;
+    spheres.push_back(sphere);
+  }
+  return spheres;
+}
+
+template <class Bound>
+void expect_never_inside_and_same_everywhere(const std::vector<Bound>& bounds) {
+  for (const Subject& subject : subjects()) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      std::vector<Answer> scalar;
+      {
+        const UseIsa use(Isa::scalar);
+        scalar = answers(subject, bounds, form);
+      }
+      for (std::size_t i = 0; i != bounds.size(); ++i) {
+        EXPECT_NE(scalar[i], Answer::inside) << source_text(subject) << "\n" << source_text(bounds[i]);
+      }
+      for (const Isa isa : isas_under_test()) {
+        const UseIsa use(isa);
+        const std::vector<Answer> vector = answers(subject, bounds, form);
+        for (std::size_t i = 0; i != bounds.size(); ++i) {
+          EXPECT_EQ(vector[i], scalar[i]) << name(isa) << "\n" << source_text(subject) << "\n" << source_text(bounds[i]);
+        }
+      }
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(SpecialValues, NanIsNeverInsideAndAnswersTheSameOnEveryInstructionSet) {
+  constexpr std::uint64_t seed = 62;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Dice dice(seed);
+  expect_never_inside_and_same_everywhere(boxes_with_nan(dice));
+  expect_never_inside_and_same_everywhere(spheres_with_nan(dice));
+}
+
+TEST(SpecialValues, NanCoordinatesNeverCull) {
+  for (const Subject& subject : subjects()) {
+    expect_answers(subject, {Box{{nan, nan, nan}, {nan, nan, nan}}}, {Answer::overlap});
+    expect_answers(subject, {Sphere{{nan, nan, nan}, nan}, Sphere{{nan, nan, nan}, 1}},
+                   {Answer::overlap, Answer::overlap});
+    // The other coordinates still may: these boxes are beyond the shaft box on another axis.
+    expect_answers(subject, {Box{{nan, 50, 0}, {nan, 60, 1}}, Box{{nan, 0.5F, 0.5F}, {nan, 0.5F, 0.5F}}},
+                   {Answer::outside, subject.added.empty() ? answers(subject, {Box{{-inf, 0.5F, 0.5F}, {inf, 0.5F, 0.5F}}},
+                                                                     Form::slab)[0]
+                                                           : Answer::overlap});
+  }
+}
+
+TEST(SpecialValues, InvertedBoxesAnswerTheSameOnEveryInstructionSet) {
+  constexpr std::uint64_t seed = 63;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Dice dice(seed);
+  std::vector<Box> boxes;
+  for (int i = 0; i != 300; ++i) {
+    Box box = dice.box(-3, 6, 0, 2);
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (dice.one_in(2)) std::swap(box.lo[k], box.hi[k]);
+    }
+    boxes.push_back(box);
+  }
+  for (const Subject& subject : subjects()) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      std::vector<Answer> scalar;
+      {
+        const UseIsa use(Isa::scalar);
+        scalar = answers(subject, boxes, form);
+      }
+      for (const Isa isa : isas_under_test()) {
+        const UseIsa use(isa);
+        EXPECT_EQ(answers(subject, boxes, form), scalar) << name(isa) << "\n" << source_text(subject);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,162 @@
+/// Views of every count and every misalignment: the same answers, nothing read or written past the end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "columns.hpp"
+#include "cull/agreement.hpp"
+#include "dice.hpp"
+#include "guarded_floats.hpp"
+#include "instruction_sets.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::size_t most_bounds = 200;
+constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
+
+const Subject subject{{{-2, -2, -2}, {-1, -0.5F, 0}}, {{1, 0.5F, -1}, {2, 2, 1}}};
+
+std::vector<Box> some_boxes() {
+  Dice dice(51);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i != most_bounds; ++i) boxes.push_back(dice.box(-2, 2, 0.01F, 0.5F));
+  return boxes;
+}
+
+std::vector<Sphere> some_spheres() {
+  Dice dice(52);
+  std::vector<Sphere> spheres;
+  for (std::size_t i = 0; i != most_bounds; ++i) spheres.push_back({dice.vec3(-2, 2), dice.uniform(0, 0.5F)});
+  return spheres;
+}
+
+bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
+
+/// Answers of a view must be the first `view.count` of `right`, all bits after them zero, and no word more written.
+template <class View>
+void expect_view(const CompiledShaft& shaft, const View& view, const std::vector<Answer>& right, Form form) {
+  const std::size_t words = words_for(view.count);
+  std::vector<std::uint64_t> culled(words + 1, sentinel);
+  std::vector<std::uint64_t> kept(words + 1, sentinel);
+  std::vector<std::uint64_t> inside(words + 1, sentinel);
+  cull(shaft, view, std::span(culled).first(words), form);
+  classify(shaft, view, std::span(kept).first(words), std::span(inside).first(words), form);
+  ASSERT_EQ(culled, kept);
+  ASSERT_EQ(kept[words], sentinel) << "written past the end";
+  ASSERT_EQ(inside[words], sentinel) << "written past the end";
+  for (std::size_t i = 0; i != words * 64; ++i) {
+    ASSERT_EQ(bit(kept, i), i < view.count && right[i] != Answer::outside) << "bound " << i << " of " << view.count;
+    ASSERT_EQ(bit(inside, i), i < view.count && right[i] == Answer::inside) << "bound " << i << " of " << view.count;
+  }
+}
+
+template <class Columns, class Bound>
+void expect_every_count(const std::vector<Bound>& bounds) {
+  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const Columns memory(bounds);
+  const auto all = memory.view();
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
+      const std::vector<Answer> right = answers(subject, bounds, form);
+      for (std::size_t count = 0; count <= most_bounds; ++count) {
+        SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(count) + " bounds");
+        // Streams that end at a page that cannot be read: reading past count would crash.
+        auto view = all;
+        view.count = count;
+        std::array<std::unique_ptr<GuardedFloats>, std::tuple_size_v<decltype(view.stream)>> guarded;
+        for (std::size_t k = 0; k != guarded.size(); ++k) {
+          guarded[k] = std::make_unique<GuardedFloats>(std::vector<float>(all.stream[k], all.stream[k] + count));
+          view.stream[k] = guarded[k]->floats();
+        }
+        expect_view(shaft, view, right, form);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+template <class Columns, class Bound>
+void expect_every_misalignment(const std::vector<Bound>& bounds) {
+  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const Columns memory(bounds);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::slab, Form::planes}) {
+      const std::vector<Answer> right = answers(subject, bounds, form);
+      for (std::size_t offset = 0; offset != 16; ++offset) {
+        for (const std::size_t apart : {0U, 1U, 5U}) {  // floats by which each stream is further out than the one before
+          for (const std::size_t count : {std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{129}, most_bounds}) {
+            SCOPED_TRACE(std::string(name(isa)) + ", first stream " + std::to_string(offset) + " floats off");
+            auto view = memory.view();
+            view.count = count;
+            std::array<std::vector<float>, std::tuple_size_v<decltype(view.stream)>> moved;
+            for (std::size_t k = 0; k != moved.size(); ++k) {
+              // Room to start a known number of floats after a cache line, whatever the allocator gave.
+              moved[k].resize(most_bounds + 32);
+              const std::size_t into_line = reinterpret_cast<std::uintptr_t>(moved[k].data()) % 64 / sizeof(float);
+              float* const start = moved[k].data() + (16 - into_line) % 16 + (offset + k * apart) % 16;
+              std::copy_n(view.stream[k], count, start);
+              view.stream[k] = start;
+            }
+            expect_view(shaft, view, right, form);
+            if (testing::Test::HasFatalFailure()) return;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Views, EveryCountOfBoxesIsReadToItsEndAndNoFurther) { expect_every_count<BoxColumns>(some_boxes()); }
+
+TEST(Views, EveryCountOfSpheresIsReadToItsEndAndNoFurther) { expect_every_count<SphereColumns>(some_spheres()); }
+
+TEST(Views, EveryMisalignmentOfBoxesGivesTheSameAnswers) { expect_every_misalignment<BoxColumns>(some_boxes()); }
+
+TEST(Views, EveryMisalignmentOfSpheresGivesTheSameAnswers) { expect_every_misalignment<SphereColumns>(some_spheres()); }
+
+TEST(Views, AnEmptyViewMayHaveNullStreams) {
+  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::slab, Form::planes}) {
+      EXPECT_NO_THROW(cull(shaft, BoxView{}, {}, form));
+      EXPECT_NO_THROW(cull(shaft, SphereView{}, {}, form));
+      EXPECT_NO_THROW(classify(shaft, BoxView{}, {}, {}, form));
+      EXPECT_NO_THROW(classify(shaft, SphereView{}, {}, {}, form));
+    }
+  }
+}
+
+TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
+  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const BoxColumns memory(some_boxes());
+  const std::vector<Answer> right = answers(subject, some_boxes(), Form::fastest);
+  for (const std::size_t first : {1U, 64U, 77U, 200U}) {
+    const std::vector<Answer> part(right.begin() + static_cast<std::ptrdiff_t>(first), right.end());
+    expect_view(shaft, memory.view().slice(first, part.size()), part, Form::fastest);
+  }
+}
+
+TEST(Views, ASingleBoundAnswersLikeAView) {
+  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const std::vector<Box> boxes = some_boxes();
+  const std::vector<Sphere> spheres = some_spheres();
+  const std::vector<Answer> of_boxes = answers(subject, boxes, Form::fastest);
+  const std::vector<Answer> of_spheres = answers(subject, spheres, Form::fastest);
+  for (std::size_t i = 0; i != most_bounds; ++i) {
+    EXPECT_EQ(classify(shaft, boxes[i]), of_boxes[i]) << source_text(boxes[i]);
+    EXPECT_EQ(classify(shaft, spheres[i]), of_spheres[i]) << source_text(spheres[i]);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,29 @@
+/// Runs a test on one instruction set after the other.
+#pragma once
+
+#include <cstdlib>
+#include <vector>
+
+#include "shaftcull/isa.hpp"
+
+namespace shaftcull {
+
+/// Those that this run is about: the one that SHAFTCULL_ISA names, else all there are.
+inline std::vector<Isa> isas_under_test() {
+  const char* const forced = std::getenv("SHAFTCULL_ISA");
+  return forced == nullptr || *forced == '\0' ? available_isas() : std::vector<Isa>{isa_from_name(forced).value()};
+}
+
+/// Selects an instruction set until the end of the scope.
+class UseIsa {
+ public:
+  explicit UseIsa(Isa isa) : before_(active_isa()) { select_isa(isa); }
+  ~UseIsa() { select_isa(before_); }
+  UseIsa(const UseIsa&) = delete;
+  UseIsa& operator=(const UseIsa&) = delete;
+
+ private:
+  Isa before_;
+};
+
+}  // namespace shaftcull

@@ -1,0 +1,192 @@
+/// How calls for many behave: what they refuse, where they run, and what exceptions do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "columns.hpp"
+#include "many/workload.hpp"
+#include "shaftcull/many.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::HasSubstr;
+
+class ManyErrors : public testing::Test {
+ protected:
+  std::vector<CompiledShaft> shafts_ = random_shafts(91, 3);
+  const BoxColumns boxes_{random_boxes(92, 300)};
+  const SphereColumns spheres_{random_spheres(93, 300)};
+  std::vector<std::uint64_t> rows_ = std::vector<std::uint64_t>(15, 7);
+  std::vector<std::uint64_t> inside_ = rows_;
+
+  template <class Call>
+  static std::string refusal(const Call& call) {
+    try {
+      call();
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return {};
+  }
+
+  /// The last shaft is one that is asked for too much.
+  void last_shaft(const ShaftOptions& options) {
+    shafts_.back() = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}, options));
+  }
+};
+
+TEST_F(ManyErrors, RowsOfTheWrongSizeAreRefusedWithBothSizes) {
+  std::vector<std::uint64_t> wrong(14, 7);
+  const auto names_sizes = testing::AllOf(HasSubstr("14"), HasSubstr("15"));
+  EXPECT_THAT(refusal([&] { cull_many(shafts_, boxes_.view(), wrong); }), names_sizes);
+  EXPECT_THAT(refusal([&] { cull_many(shafts_, spheres_.view(), wrong); }), names_sizes);
+  EXPECT_THAT(refusal([&] { classify_many(shafts_, boxes_.view(), wrong, rows_); }), names_sizes);
+  EXPECT_THAT(refusal([&] { classify_many(shafts_, spheres_.view(), rows_, wrong); }), names_sizes);
+  EXPECT_EQ(wrong, std::vector<std::uint64_t>(14, 7));
+  EXPECT_EQ(rows_, std::vector<std::uint64_t>(15, 7)) << "written before the error was found";
+}
+
+TEST_F(ManyErrors, ASpanOfCountsOfTheWrongSizeIsRefused) {
+  std::vector<std::uint64_t> counts(4, 7);
+  EXPECT_THAT(refusal([&] { count_many(shafts_, boxes_.view(), counts); }), testing::AllOf(HasSubstr("4"), HasSubstr("3")));
+  EXPECT_EQ(counts, std::vector<std::uint64_t>(4, 7));
+}
+
+TEST_F(ManyErrors, AShaftThatDoesNotAnswerIsNamedBeforeAnythingIsWritten) {
+  ShaftOptions outside_only;
+  outside_only.inside = false;
+  last_shaft(outside_only);
+  EXPECT_THAT(refusal([&] { classify_many(shafts_, boxes_.view(), rows_, inside_); }), HasSubstr("2"));
+  EXPECT_THROW(classify_tiles(shafts_, boxes_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
+  EXPECT_EQ(rows_, std::vector<std::uint64_t>(15, 7));
+  EXPECT_NO_THROW(cull_many(shafts_, boxes_.view(), rows_));
+}
+
+TEST_F(ManyErrors, EverySinkRefusesSpheresForAShaftWithoutThem) {
+  ShaftOptions no_spheres;
+  no_spheres.spheres = false;
+  last_shaft(no_spheres);
+  std::vector<std::uint64_t> counts(3, 7);
+  IndexLists lists{{0, 1}, {5}};
+  EXPECT_THROW(cull_many(shafts_, spheres_.view(), rows_), InvalidArgument);
+  EXPECT_THROW(classify_many(shafts_, spheres_.view(), rows_, inside_), InvalidArgument);
+  EXPECT_THROW(count_many(shafts_, spheres_.view(), counts), InvalidArgument);
+  EXPECT_THROW(list_many(shafts_, spheres_.view(), lists), InvalidArgument);
+  EXPECT_THROW(cull_tiles(shafts_, spheres_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
+  EXPECT_EQ(counts, std::vector<std::uint64_t>(3, 7));
+  EXPECT_EQ(lists.indices, std::vector<std::uint32_t>{5});
+}
+
+TEST_F(ManyErrors, ListsOfMoreBoundsThanIndicesReachAreRefused) {
+  BoxView view = boxes_.view();
+  view.count = (std::size_t{1} << 32U) + 1;  // never read
+  IndexLists lists;
+  EXPECT_THAT(refusal([&] { list_many(shafts_, view, lists); }), HasSubstr("4294967297"));
+}
+
+TEST_F(ManyErrors, AnEmptyCallbackIsRefused) {
+  EXPECT_THROW(cull_tiles(shafts_, boxes_.view(), TileCallback()), InvalidArgument);
+}
+
+TEST(ManyCalls, NoShaftsOrNoBoundsCallNothingBack) {
+  const BoxColumns boxes(random_boxes(94, 10));
+  const std::vector<CompiledShaft> shafts = random_shafts(95, 2);
+  cull_tiles({}, boxes.view(), [](const TileAnswers&) { FAIL(); });
+  classify_tiles(shafts, BoxView{}, [](const TileAnswers&) { FAIL(); });
+  IndexLists lists;
+  list_many(shafts, BoxView{}, lists);
+  EXPECT_EQ(lists.offsets, std::vector<std::uint64_t>(3, 0));
+  list_many({}, boxes.view(), lists);
+  EXPECT_EQ(lists.offsets, std::vector<std::uint64_t>(1, 0));
+  EXPECT_EQ(lists.size(), 0U);
+}
+
+TEST(ManyCalls, AnExceptionFromACallbackEndsTheRunAndReachesTheCaller) {
+  const BoxColumns boxes(random_boxes(96, 100000));
+  const std::vector<CompiledShaft> shafts = random_shafts(97, 70);
+  for (const int threads : thread_counts) {
+    for (const int last : {1, 71, 2000}) {
+      int calls = 0;
+      with_threads(threads, [&] {
+        try {
+          cull_tiles(shafts, boxes.view(), [&](const TileAnswers&) {
+            if (++calls == last) throw std::domain_error("from the callback");
+          });
+          ADD_FAILURE() << "nothing was thrown";
+        } catch (const std::domain_error& error) {
+          EXPECT_STREQ(error.what(), "from the callback");
+        }
+      });
+      EXPECT_EQ(calls, last) << "delivered after the exception";
+    }
+  }
+}
+
+TEST(ManyCalls, CallbacksComeOneAtATime) {
+  const BoxColumns boxes(random_boxes(98, 50000));
+  const std::vector<CompiledShaft> shafts = random_shafts(99, 8);
+  std::atomic<int> inside = 0;
+  with_threads(5, [&] {
+    cull_tiles(shafts, boxes.view(), [&](const TileAnswers&) {
+      EXPECT_EQ(++inside, 1);
+      std::this_thread::yield();
+      --inside;
+    });
+  });
+}
+
+TEST(ManyCalls, CallsFromManyThreadsDoNotDisturbEachOther) {
+  const BoxColumns boxes(random_boxes(100, 20000));
+  const std::vector<CompiledShaft> shafts = random_shafts(101, 20);
+  const ExpectedRows expected(shafts, boxes.view());
+  std::vector<std::vector<std::uint64_t>> rows(4, std::vector<std::uint64_t>(expected.kept.size()));
+  std::vector<std::thread> threads;
+  for (std::vector<std::uint64_t>& own : rows) {
+    threads.emplace_back([&] { cull_many(shafts, boxes.view(), own); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::vector<std::uint64_t>& own : rows) EXPECT_EQ(own, expected.kept);
+}
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+
+TEST(ManyCalls, WorkRunsInsideTheCallersArena) {
+  const BoxColumns boxes(random_boxes(102, 100000));
+  const std::vector<CompiledShaft> shafts = random_shafts(103, 8);
+  for (const int threads : {1, 3}) {
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+      EXPECT_EQ(concurrency(), threads);
+      cull_tiles(shafts, boxes.view(), [threads](const TileAnswers&) {
+        EXPECT_EQ(tbb::this_task_arena::max_concurrency(), threads);
+        EXPECT_LT(tbb::this_task_arena::current_thread_index(), threads);
+      });
+    });
+  }
+}
+
+TEST(ManyCalls, AnArenaOfOneThreadIsTheCallersOwn) {
+  const BoxColumns boxes(random_boxes(104, 50000));
+  const std::vector<CompiledShaft> shafts = random_shafts(105, 8);
+  const std::thread::id caller = std::this_thread::get_id();
+  tbb::task_arena(1).execute([&] {
+    cull_tiles(shafts, boxes.view(), [caller](const TileAnswers&) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+  });
+}
+
+#else
+
+TEST(ManyCalls, WithoutOneTbbThereIsOneThread) { EXPECT_EQ(concurrency(), 1); }
+
+#endif
+
+}  // namespace
+}  // namespace shaftcull

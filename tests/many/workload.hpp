@@ -1,0 +1,72 @@
+/// Shafts and bounds for the tests of many against many, and the arenas to run them in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "dice.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/shaft.hpp"
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace shaftcull {
+
+/// Thread counts that results must not depend on.
+inline constexpr int thread_counts[] = {1, 2, 5};
+
+/// Runs `call` with that many threads, more than there are processors if need be; without oneTBB, just runs it.
+template <class Call>
+void with_threads([[maybe_unused]] int threads, const Call& call) {
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(call);
+#else
+  call();
+#endif
+}
+
+inline std::vector<CompiledShaft> random_shafts(std::uint64_t seed, std::size_t count) {
+  Dice dice(seed);
+  std::vector<CompiledShaft> shafts;
+  for (std::size_t s = 0; s != count; ++s) {
+    shafts.push_back(compile(Shaft(dice.box(-5, 5, 0.2F, 2.0F), dice.box(-5, 5, 0.2F, 2.0F))));
+  }
+  return shafts;
+}
+
+inline std::vector<Box> random_boxes(std::uint64_t seed, std::size_t count) {
+  Dice dice(seed);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i != count; ++i) boxes.push_back(dice.box(-5, 5, 0.01F, 0.2F));
+  return boxes;
+}
+
+inline std::vector<Sphere> random_spheres(std::uint64_t seed, std::size_t count) {
+  Dice dice(seed);
+  std::vector<Sphere> spheres;
+  for (std::size_t i = 0; i != count; ++i) spheres.push_back({dice.vec3(-5, 5), dice.uniform(0.01F, 0.2F)});
+  return spheres;
+}
+
+/// Rows of bits, as classify() gives them shaft by shaft.
+struct ExpectedRows {
+  std::vector<std::uint64_t> kept;
+  std::vector<std::uint64_t> inside;
+
+  template <class View>
+  ExpectedRows(const std::vector<CompiledShaft>& shafts, const View& view)
+      : kept(shafts.size() * words_for(view.count)), inside(kept.size()) {
+    const std::size_t words = words_for(view.count);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      classify(shafts[s], view, std::span(kept).subspan(s * words, words), std::span(inside).subspan(s * words, words));
+    }
+  }
+};
+
+}  // namespace shaftcull
