@@ -6,7 +6,45 @@
 
 namespace shaftcull::kernel {
 
-/// Largest value of all joining planes at the corners that the selectors name: positive if beyond any. −∞ without planes.
+/// The joining planes of a shaft with coefficients in whole vectors and selectors resolved to streams, for stages that
+/// evaluate them for most bounds. Stages that rarely do save the preparation and call largest_joining_value().
+template <class L>
+class JoiningPlanes {
+ public:
+  using Vector = typename L::Vector;
+
+  JoiningPlanes(const CompiledShaft& shaft, const std::uint8_t* corner0, const std::uint8_t* corner1,
+                const float* const* stream) noexcept
+      : count_(shaft.joining_count) {
+    for (unsigned i = 0; i < count_; ++i) {
+      x_[i] = stream[corner0[i]];
+      y_[i] = stream[corner1[i]];
+      normal0_[i] = L::all(shaft.joining_normal0[i]);
+      normal1_[i] = L::all(shaft.joining_normal1[i]);
+      minus_offset_[i] = L::all(shaft.joining_minus_offset[i]);
+    }
+  }
+
+  /// Largest value of all planes for the bounds at `at`: positive if beyond any. −∞ without planes.
+  [[nodiscard]] Vector largest_value(std::size_t at) const noexcept {
+    Vector largest = L::all(-__builtin_inff());
+    for (unsigned i = 0; i < count_; ++i) {
+      const Vector partial = L::multiply_add(L::load(y_[i] + at), normal1_[i], minus_offset_[i]);
+      largest = L::maximum(L::multiply_add(L::load(x_[i] + at), normal0_[i], partial), largest);
+    }
+    return largest;
+  }
+
+ private:
+  unsigned count_;
+  const float* x_[max_joining_planes];
+  const float* y_[max_joining_planes];
+  Vector normal0_[max_joining_planes];
+  Vector normal1_[max_joining_planes];
+  Vector minus_offset_[max_joining_planes];
+};
+
+/// As JoiningPlanes::largest_value(), straight from the compiled shaft.
 template <class L>
 typename L::Vector largest_joining_value(const CompiledShaft& shaft, const std::uint8_t* corner0,
                                          const std::uint8_t* corner1, const float* const* stream,
@@ -38,6 +76,7 @@ void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, st
                       std::uint64_t* kept) noexcept {
   const auto margin = L::all(shaft.joining_margin);
   const auto minus_margin = L::all(-shaft.joining_margin);
+  const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, stream);
   typename L::Vector face[6];
   for (unsigned f = 0; f < 6; ++f) face[f] = L::all(shaft.face[f]);
 
@@ -51,10 +90,15 @@ void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, st
         beyond_box = L::either(beyond_box, L::less(L::load(stream[k + 3] + at), face[k]));
         beyond_box = L::either(beyond_box, L::less(face[k + 3], L::load(stream[k] + at)));
       }
-      const std::uint64_t beyond = L::bits(beyond_box) << lane;
-      outside |= beyond;
-      if (beyond == lanes_of<L>(lane)) continue;
-      const auto value = largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, stream, at);
+      outside |= L::bits(beyond_box) << lane;
+    }
+    kept[w] = ~outside;
+    if (kept[w] == 0) continue;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      // Wide vectors nearly always have a lane left, and guessing wrong costs more than the planes.
+      if (L::width < 8 && (kept[w] & lanes_of<L>(lane)) == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      const auto value = planes.largest_value(at);
       const std::uint64_t positive = L::bits(L::less(margin, value)) << lane;
       const std::uint64_t negative = L::bits(L::less(value, minus_margin)) << lane;
       outside |= positive;

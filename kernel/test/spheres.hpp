@@ -2,10 +2,21 @@
 #pragma once
 
 #include "exact/predicates.hpp"
+#include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
+
+/// A sphere's centre in place of both corners of a box.
+template <class L>
+struct CentreStreams {
+  const float* stream[6];
+
+  explicit CentreStreams(const float* const* sphere) noexcept {
+    for (unsigned k = 0; k < 6; ++k) stream[k] = sphere[k % 3];
+  }
+};
 
 /// Slab form: the box around each sphere against the slab constraints. Clears nothing that could meet the shaft.
 template <class L, unsigned uppers>
@@ -52,6 +63,8 @@ template <class L>
 void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* kept) noexcept {
   const auto margin = L::all(shaft.joining_margin);
+  const CentreStreams<L> centre(stream);
+  const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, centre.stream);
   // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
   const auto minus_widened = L::all(-(1.0F + 8 * float_unit));
   const auto zero = L::all(0.0F);
@@ -68,16 +81,14 @@ void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream,
         beyond = L::either(beyond, L::less(radius, L::subtract(centre, L::all(shaft.face[k + 3]))));
       }
       outside |= L::bits(beyond) << lane;
-      if ((outside & lanes_of<L>(lane)) == lanes_of<L>(lane)) continue;
-      auto largest = L::all(-__builtin_inff());
-      for (unsigned i = 0; i < shaft.joining_count; ++i) {
-        const auto partial = L::multiply_add(L::load(stream[shaft.joining_near1[i] % 3] + at),
-                                             L::all(shaft.joining_normal1[i]), L::all(shaft.joining_minus_offset[i]));
-        largest = L::maximum(
-            L::multiply_add(L::load(stream[shaft.joining_near0[i] % 3] + at), L::all(shaft.joining_normal0[i]), partial),
-            largest);
-      }
-      outside |= L::bits(L::less(margin, L::multiply_add(radius, minus_widened, largest))) << lane;
+    }
+    kept[w] = ~outside;
+    if (kept[w] == 0) continue;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      if (L::width < 8 && (kept[w] & lanes_of<L>(lane)) == 0) continue;  // as box_planes_stage()
+      const std::size_t at = w * word_bits + lane;
+      const auto value = L::multiply_add(L::load(stream[3] + at), minus_widened, planes.largest_value(at));
+      outside |= L::bits(L::less(margin, value)) << lane;
     }
     kept[w] = ~outside;
   }
@@ -117,6 +128,7 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
   const Vector zero = L::all(0.0F);
   const Vector one = L::all(1.0F);
   const Vector half = L::all(0.5F);
+  const CentreStreams<L> centres(stream);
 
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t accepted = 0;
@@ -161,11 +173,8 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
         if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
         const std::size_t at = w * word_bits + lane;
         const Vector radius = L::load(stream[3] + at);
-        Vector value = L::all(shaft.added_minus_offset[i]);
-        for (unsigned k = 0; k < 3; ++k) {
-          value = L::multiply_add(L::load(stream[shaft.added_near[k][i] % 3] + at), L::all(shaft.added_normal[k][i]), value);
-        }
-        value = L::multiply_add(radius, L::all(-shaft.added_length[i]), value);
+        const Vector value = L::multiply_add(radius, L::all(-shaft.added_length[i]),
+                                             added_value<L>(shaft, i, shaft.added_near, centres.stream, at));
         const Vector margin = L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i]));
         const std::uint64_t positive = L::bits(L::less(margin, value)) << lane;
         const std::uint64_t negative = L::bits(L::less(L::add(value, margin), zero)) << lane;
@@ -187,6 +196,7 @@ template <class L>
 void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
   using Vector = typename L::Vector;
+  const CentreStreams<L> centres(stream);
   const Vector zero = L::all(0.0F);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t candidates = 0;
@@ -212,19 +222,11 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
         certain &= L::bits(L::less(L::add(value, margin), zero)) << lane;
         within &= ~(L::bits(L::less(margin, value)) << lane);
       };
-      for (unsigned i = 0; i < shaft.joining_count; ++i) {
-        const Vector partial = L::multiply_add(L::load(stream[shaft.joining_near1[i] % 3] + at),
-                                               L::all(shaft.joining_normal1[i]), L::all(shaft.joining_minus_offset[i]));
-        const Vector value =
-            L::multiply_add(L::load(stream[shaft.joining_near0[i] % 3] + at), L::all(shaft.joining_normal0[i]), partial);
-        test(L::add(value, radius), L::multiply_add(radius, L::all(8 * float_unit), L::all(shaft.joining_margin)));
-      }
+      const Vector joining = largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream, at);
+      test(L::add(joining, radius), L::multiply_add(radius, L::all(8 * float_unit), L::all(shaft.joining_margin)));
       for (unsigned i = 0; i < shaft.added_count; ++i) {
-        Vector value = L::all(shaft.added_minus_offset[i]);
-        for (unsigned k = 0; k < 3; ++k) {
-          value = L::multiply_add(L::load(stream[shaft.added_near[k][i] % 3] + at), L::all(shaft.added_normal[k][i]), value);
-        }
-        test(L::multiply_add(radius, L::all(shaft.added_length[i]), value),
+        test(L::multiply_add(radius, L::all(shaft.added_length[i]),
+                             added_value<L>(shaft, i, shaft.added_near, centres.stream, at)),
              L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i])));
       }
       candidates |= within;
