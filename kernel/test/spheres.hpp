@@ -63,8 +63,8 @@ template <class L>
 void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* kept) noexcept {
   const auto margin = L::all(shaft.joining_margin);
-  const CentreStreams<L> centre(stream);
-  const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, centre.stream);
+  const CentreStreams<L> centres(stream);
+  const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream);
   // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
   const auto minus_widened = L::all(-(1.0F + 8 * float_unit));
   const auto zero = L::all(0.0F);
