@@ -51,8 +51,8 @@ void require_finite(const Box& box, std::string_view what) {
 Box box_option(std::string_view option, std::string_view text) {
   const auto box = box_from_text(text);
   if (!box) {
-    throw InvalidArgument(fmt::format(
-        "{} {}: not a box; give six comma-separated numbers lo x,lo y,lo z,hi x,hi y,hi z", option, text));
+    throw InvalidArgument(
+        fmt::format("{} {}: not a box; give six comma-separated numbers lo x,lo y,lo z,hi x,hi y,hi z", option, text));
   }
   require_finite(*box, fmt::format("{} {}", option, text));
   return *box;

@@ -11,7 +11,7 @@
 namespace shaftcull::cli {
 namespace {
 
-constexpr float block_pitch = 100;   ///< from one street to the next
+constexpr float block_pitch = 100;  ///< from one street to the next
 constexpr float street_width = 20;
 constexpr std::size_t lots_across = 4;
 constexpr std::size_t lots_up = 3;
@@ -62,7 +62,8 @@ City::City(std::size_t count) : buildings_(count - count / 4) {
     const bool forward = i % 2 == 0;
     const float middle = static_cast<float>(street / 2) * block_pitch;
     const float speed = uniform(random, 8, 20);
-    cars_.push_back({middle + (forward ? -3.0F : 3.0F), uniform(random, 0, side), forward ? speed : -speed, street % 2 == 0});
+    cars_.push_back(
+        {middle + (forward ? -3.0F : 3.0F), uniform(random, 0, side), forward ? speed : -speed, street % 2 == 0});
     boxes.push_back(car_at(cars_.back(), 0));
   }
   stream_ = BoxStream(boxes);
@@ -94,7 +95,8 @@ void City::place_shafts(double time, std::span<Box> a, std::span<Box> b) const {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(a.size());
     const double distance = 0.9 * middle * share;
     constexpr double speed = 50;
-    const double angle = speed / std::max(distance, 50.0) * when + 2 * std::numbers::pi * static_cast<double>(i) * 0.618;
+    const double angle =
+        speed / std::max(distance, 50.0) * when + 2 * std::numbers::pi * static_cast<double>(i) * 0.618;
     const Vec3 centre{static_cast<float>(middle + distance * std::cos(angle)),
                       static_cast<float>(middle + distance * std::sin(angle)), static_cast<float>(150 - 120 * share)};
     return box_around(centre, {helicopter_half_extent, helicopter_half_extent, helicopter_half_extent / 3});

@@ -25,9 +25,9 @@ class City : public MovingScene {
  private:
   /// Drives up and down no lane but its own, and comes in again at the other end of the city.
   struct Car {
-    float across;       ///< where its lane is, across the street
-    float start;        ///< where it is along the street at time 0
-    float speed;        ///< metres a second, negative in the opposite lane
+    float across;  ///< where its lane is, across the street
+    float start;   ///< where it is along the street at time 0
+    float speed;   ///< metres a second, negative in the opposite lane
     bool along_x;
   };
 
@@ -36,7 +36,7 @@ class City : public MovingScene {
   std::size_t buildings_;
   std::size_t blocks_;  ///< along each side of the city
   std::vector<Car> cars_;
-  BoxStream stream_;    ///< buildings, then cars
+  BoxStream stream_;  ///< buildings, then cars
 };
 
 }  // namespace shaftcull::cli

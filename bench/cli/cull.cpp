@@ -34,7 +34,8 @@ ShaftEnd object_end(const MeshScene& scene, std::uint32_t object) {
   return {scene.boxes[object], scene.names[object], object};
 }
 
-ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::string_view option, const std::string& text) {
+ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::string_view option,
+                         const std::string& text) {
   for (std::uint32_t i = 0; i < scene.names.size(); ++i) {
     if (scene.names[i] == text) return object_end(scene, i);
   }
@@ -42,9 +43,10 @@ ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::s
     require_finite(*box, fmt::format("{} {}", option, text));
     return {*box, text};
   }
-  throw InvalidArgument(fmt::format("{} {}: {} has no object of that name; it has {} (or give a box, "
-                                    "lo x,lo y,lo z,hi x,hi y,hi z)",
-                                    option, text, path, closest_names(text, scene.names)));
+  throw InvalidArgument(
+      fmt::format("{} {}: {} has no object of that name; it has {} (or give a box, "
+                  "lo x,lo y,lo z,hi x,hi y,hi z)",
+                  option, text, path, closest_names(text, scene.names)));
 }
 
 /// Pairs of different objects. Drawn with a generator and a method of our own choice, so that a seed means the same
@@ -84,7 +86,8 @@ void find_candidates(const MeshScene& scene, const BoxStream& bounds, PairResult
 
 void run(const CullOptions& options) {
   options.isa.select();
-  CullReport report{options.path, options.grain, std::string(name(active_isa())), load_mesh(options.path, options.grain), {}};
+  CullReport report{
+      options.path, options.grain, std::string(name(active_isa())), load_mesh(options.path, options.grain), {}};
   const MeshScene& scene = report.scene;
   if (options.random_pairs > 0) {
     report.pairs = random_pairs(scene, options);
@@ -104,12 +107,16 @@ void run(const CullOptions& options) {
 void add_cull(CLI::App& program) {
   const auto options = std::make_shared<CullOptions>();
   CLI::App& cull = *program.add_subcommand("cull", "List what may lie between two objects of a mesh file");
-  cull.add_option("--scene", options->path, "Mesh file, in any format that assimp reads")->required()->type_name("FILE");
+  cull.add_option("--scene", options->path, "Mesh file, in any format that assimp reads")
+      ->required()
+      ->type_name("FILE");
   cull.add_option("--bounds", options->grain, "What gets a bound: object or triangle (default: object)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Grain>{{"object", Grain::object}, {"triangle", Grain::triangle}}))
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Grain>{{"object", Grain::object}, {"triangle", Grain::triangle}}))
       ->type_name("KIND");
-  CLI::Option* from = cull.add_option("--from", options->from, "One end: an object's name, or lo x,lo y,lo z,hi x,hi y,hi z")
-                          ->type_name("NAME|BOX");
+  CLI::Option* from =
+      cull.add_option("--from", options->from, "One end: an object's name, or lo x,lo y,lo z,hi x,hi y,hi z")
+          ->type_name("NAME|BOX");
   CLI::Option* to = cull.add_option("--to", options->to, "The other end")->type_name("NAME|BOX");
   from->needs(to);
   to->needs(from);
@@ -123,8 +130,9 @@ void add_cull(CLI::App& program) {
           {"text", ReportFormat::text}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}}))
       ->type_name("FORMAT");
   options->isa.add_option(cull);
-  cull.footer("The two objects themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"
-              "\"inside\" if its bound is fully inside the shaft, else \"overlap\".");
+  cull.footer(
+      "The two objects themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"
+      "\"inside\" if its bound is fully inside the shaft, else \"overlap\".");
   cull.callback([options, from, random] {
     if (from->count() == 0 && random->count() == 0) {
       throw InvalidArgument("cull: between what? Give --from and --to, or --random N");

@@ -23,8 +23,9 @@ std::string plural(std::size_t count, std::string_view noun) {
 }
 
 std::string as_text(const CullReport& report) {
-  std::string text = fmt::format("{}: {}, {}, {}\n", report.path, plural(report.scene.names.size(), "object"),
-                                 plural(report.scene.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
+  std::string text =
+      fmt::format("{}: {}, {}, {}\n", report.path, plural(report.scene.names.size(), "object"),
+                  plural(report.scene.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
   for (const PairResult& pair : report.pairs) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
@@ -34,8 +35,8 @@ std::string as_text(const CullReport& report) {
     for (const Candidate& candidate : pair.candidates) {
       const MeshBound& bound = report.scene.bounds[candidate.bound];
       const std::string triangle = report.grain == Grain::triangle ? fmt::format(" triangle {}", bound.triangle) : "";
-      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate.inside), report.scene.names[bound.object], triangle,
-                          to_text(bound.box));
+      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate.inside), report.scene.names[bound.object],
+                          triangle, to_text(bound.box));
     }
   }
   return text;
@@ -56,7 +57,8 @@ std::string as_csv(const CullReport& report) {
       const MeshBound& bound = report.scene.bounds[candidate.bound];
       const std::string triangle = report.grain == Grain::triangle ? fmt::format("{}", bound.triangle) : "";
       text += fmt::format("{},{},{},{},{},{},{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
-                          csv_cell(report.scene.names[bound.object]), triangle, answer_name(candidate.inside), to_text(bound.box));
+                          csv_cell(report.scene.names[bound.object]), triangle, answer_name(candidate.inside),
+                          to_text(bound.box));
     }
   }
   return text;
@@ -76,7 +78,8 @@ Json as_json(const Box& box) {
 }
 
 Json as_json(const ShaftEnd& end) {
-  return Json{{"object", end.object == ShaftEnd::no_object ? Json(nullptr) : Json(end.label)}, {"box", as_json(end.box)}};
+  return Json{{"object", end.object == ShaftEnd::no_object ? Json(nullptr) : Json(end.label)},
+              {"box", as_json(end.box)}};
 }
 
 std::string as_json(const CullReport& report) {
@@ -91,7 +94,8 @@ std::string as_json(const CullReport& report) {
       entry["box"] = as_json(bound.box);
       candidates.push_back(std::move(entry));
     }
-    pairs.push_back(Json{{"from", as_json(pair.from)}, {"to", as_json(pair.to)}, {"candidates", std::move(candidates)}});
+    pairs.push_back(
+        Json{{"from", as_json(pair.from)}, {"to", as_json(pair.to)}, {"candidates", std::move(candidates)}});
   }
   const Json root{{"scene", report.path},
                   {"bounds", grain_name(report.grain)},
@@ -107,9 +111,12 @@ std::string as_json(const CullReport& report) {
 
 std::string format_report(const CullReport& report, ReportFormat format) {
   switch (format) {
-    case ReportFormat::json: return as_json(report);
-    case ReportFormat::csv: return as_csv(report);
-    case ReportFormat::text: break;
+    case ReportFormat::json:
+      return as_json(report);
+    case ReportFormat::csv:
+      return as_csv(report);
+    case ReportFormat::text:
+      break;
   }
   return as_text(report);
 }

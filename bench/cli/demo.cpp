@@ -27,7 +27,7 @@ struct DemoOptions {
   std::size_t bounds = 0;  ///< 0: as many as the scene has
   std::size_t shafts = 64;
   std::size_t frames = 100;
-  double seconds = 6;      ///< a scene; 0: no limit
+  double seconds = 6;  ///< a scene; 0: no limit
   int threads = 0;
   InstructionSet isa;
 };
@@ -65,7 +65,13 @@ double tests(const MovingScene& scene, std::size_t shafts) {
 class FrameLoop {
  public:
   FrameLoop(MovingScene& scene, std::size_t shafts)
-      : scene_(scene), ends_a_(shafts), ends_b_(shafts), stream_a_(shafts), stream_b_(shafts), shafts_(shafts), kept_(shafts) {}
+      : scene_(scene),
+        ends_a_(shafts),
+        ends_b_(shafts),
+        stream_a_(shafts),
+        stream_b_(shafts),
+        shafts_(shafts),
+        kept_(shafts) {}
 
   FrameTime run_frame(std::size_t number) {
     const double time = static_cast<double>(number) / frames_per_second;
@@ -106,14 +112,15 @@ SceneResult run_scene(MovingScene& scene, const DemoOptions& options, Progress& 
     const FrameTime time = loop.run_frame(frame);
     result.frames.push_back(time);
     result.kept += loop.kept();
-    progress.update(fmt::format("{}: frame {} of {}, {:.1f} s: move {:.1f} ms, cull {:.1f} ms, {}tests/s, {} kept", scene.name(),
-                                frame, options.frames, seconds, time.move, time.cull,
+    progress.update(fmt::format("{}: frame {} of {}, {:.1f} s: move {:.1f} ms, cull {:.1f} ms, {}tests/s, {} kept",
+                                scene.name(), frame, options.frames, seconds, time.move, time.cull,
                                 prefixed(tests(scene, options.shafts) / (time.cull / 1000)), grouped(loop.kept())));
   }
   return result;
 }
 
-void add_row(Table& table, const MovingScene& scene, const SceneResult& result, const DemoOptions& options, int threads) {
+void add_row(Table& table, const MovingScene& scene, const SceneResult& result, const DemoOptions& options,
+             int threads) {
   std::vector<double> total;
   std::vector<double> move;
   std::vector<double> cull;
@@ -126,11 +133,11 @@ void add_row(Table& table, const MovingScene& scene, const SceneResult& result, 
   const double cull_seconds = std::accumulate(cull.begin(), cull.end(), 0.0) / 1000;
   table.add_row({std::string(scene.name()), fmt::format("{}", result.frames.size()), grouped(scene.bounds()),
                  fmt::format("{}", options.shafts), fmt::format("{:.2f}", median(total)),
-                 fmt::format("{:.2f}", *std::max_element(total.begin(), total.end())), fmt::format("{:.2f}", median(move)),
-                 fmt::format("{:.2f}", median(cull)), prefixed(all_tests / cull_seconds),
-                 grouped(result.kept / result.frames.size()),
-                 fmt::format("{:.3f} %", 100 * static_cast<double>(result.kept) / all_tests), std::string(name(active_isa())),
-                 fmt::format("{}", threads)});
+                 fmt::format("{:.2f}", *std::max_element(total.begin(), total.end())),
+                 fmt::format("{:.2f}", median(move)), fmt::format("{:.2f}", median(cull)),
+                 prefixed(all_tests / cull_seconds), grouped(result.kept / result.frames.size()),
+                 fmt::format("{:.3f} %", 100 * static_cast<double>(result.kept) / all_tests),
+                 std::string(name(active_isa())), fmt::format("{}", threads)});
 }
 
 std::unique_ptr<MovingScene> make_scene(std::string_view name, std::size_t bounds) {
@@ -141,8 +148,8 @@ std::unique_ptr<MovingScene> make_scene(std::string_view name, std::size_t bound
 void run(const DemoOptions& options) {
   options.isa.select();
   const Workers workers(options.threads);
-  Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame", "kept", "isa",
-               "threads"});
+  Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame",
+               "kept", "isa", "threads"});
   Progress progress;
   for (const std::string_view name : {"sphereflake", "city"}) {
     if (options.scene != "both" && options.scene != name) continue;
@@ -155,8 +162,10 @@ void run(const DemoOptions& options) {
   }
   progress.milestone("");
   fmt::print("{}", table.text());
-  fmt::print("\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): medians.\n"
-             "tests/s: bounds x shafts per second of cull. kept: what the shafts do not cull.\n");
+  fmt::print(
+      "\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): "
+      "medians.\n"
+      "tests/s: bounds x shafts per second of cull. kept: what the shafts do not cull.\n");
 }
 
 }  // namespace
@@ -171,12 +180,15 @@ void add_demo(CLI::App& program) {
       ->check(CLI::Range(1, 100'000'000))
       ->type_name("N");
   demo.add_option("--shafts", options->shafts, "Shafts (default: 64)")->check(CLI::Range(1, 100'000))->type_name("N");
-  CLI::Option* frames = demo.add_option("--frames", options->frames, "Frames of each scene (default: 100, or what --seconds allows)")
-                            ->check(CLI::Range(1, 1'000'000))
-                            ->type_name("N");
-  CLI::Option* seconds = demo.add_option("--seconds", options->seconds, "Begins no frame of a scene later than this (default: 6; none if --frames is given)")
-                             ->check(CLI::Range(0.001, 86'400.0))
-                             ->type_name("S");
+  CLI::Option* frames =
+      demo.add_option("--frames", options->frames, "Frames of each scene (default: 100, or what --seconds allows)")
+          ->check(CLI::Range(1, 1'000'000))
+          ->type_name("N");
+  CLI::Option* seconds =
+      demo.add_option("--seconds", options->seconds,
+                      "Begins no frame of a scene later than this (default: 6; none if --frames is given)")
+          ->check(CLI::Range(0.001, 86'400.0))
+          ->type_name("S");
   demo.add_option("--threads", options->threads, "Threads (default: 0, all that the machine has)")->type_name("N");
   options->isa.add_option(demo);
   demo.callback([options, frames, seconds] {

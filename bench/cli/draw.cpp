@@ -51,8 +51,8 @@ class Picture {
 
   std::string draw(const Slice& slice) const {
     const double cut = middle(slice.through);
-    std::string text = fmt::format("{}{} slice at {} = {:.4g}  ({} to the right, {} up)\n", "xyz"[slice.across], "xyz"[slice.up],
-                                   "xyz"[slice.through], cut, "xyz"[slice.across], "xyz"[slice.up]);
+    std::string text = fmt::format("{}{} slice at {} = {:.4g}  ({} to the right, {} up)\n", "xyz"[slice.across],
+                                   "xyz"[slice.up], "xyz"[slice.through], cut, "xyz"[slice.across], "xyz"[slice.up]);
     const double cell_height = cell_width_ * character_aspect;
     const int columns = cells(slice.across, cell_width_);
     const int rows = cells(slice.up, cell_height);
@@ -99,8 +99,10 @@ class Picture {
   char mark(const Slice& slice, double x, double y, double cut) const {
     const char a = box_mark(shaft_.a(), slice, x, y, cut, 'A');
     const char b = box_mark(shaft_.b(), slice, x, y, cut, 'B');
-    if (a != 0 && b != 0) return '@';
-    if (a != 0 || b != 0) return a != 0 ? a : b;
+    // What the slice cuts hides what lies before or behind it.
+    if (a != 0 && b != 0 && (a == 'A') == (b == 'B')) return '@';
+    if (a == 'A' || (a != 0 && b == 0)) return a;
+    if (b != 0) return b;
     const double half_height = cell_width_ * character_aspect / 2;
     Box cell{};
     set(cell, slice.across, x, cell_width_ / 2);
@@ -108,9 +110,12 @@ class Picture {
     // Flat, or every cell of a flat shaft would stick out of it.
     set(cell, slice.through, cut, 0);
     switch (classify(compiled_, cell)) {
-      case Answer::inside: return '#';
-      case Answer::overlap: return '+';
-      case Answer::outside: break;
+      case Answer::inside:
+        return '#';
+      case Answer::overlap:
+        return '+';
+      case Answer::outside:
+        break;
     }
     return '.';
   }
@@ -131,8 +136,9 @@ void run(const DrawOptions& options) {
   const Box b = box_option("--to", options.to);
   const Picture picture(a, b, options.columns);
   fmt::print("A = [{}]\nB = [{}]\n", to_text(a), to_text(b));
-  fmt::print("{} joining planes. A B boxes (a b: before or behind the slice, @: both), # inside, + overlap, . outside\n",
-             Shaft(a, b).joining_planes().size());
+  fmt::print(
+      "{} joining planes. A B boxes (a b: before or behind the slice, @: both), # inside, + overlap, . outside\n",
+      Shaft(a, b).joining_planes().size());
   for (const Slice& slice : {Slice{0, 1, 2}, Slice{0, 2, 1}, Slice{1, 2, 0}}) fmt::print("\n{}", picture.draw(slice));
 }
 

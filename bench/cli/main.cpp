@@ -37,8 +37,9 @@ int run(int argc, char** argv) {
   CLI::App program{"Shaft culling: which of millions of bounds may lie between two boxes?", "shaftcull"};
   program.set_version_flag("--version", version);
   program.require_subcommand(1);
-  program.footer("SHAFTCULL_ISA=scalar|sse4_2|avx2|avx512 in the environment forces an instruction set.\n"
-                 "Exit code: 0; 2 if an option, the environment or a file cannot be used; 1 after any other failure.");
+  program.footer(
+      "SHAFTCULL_ISA=scalar|sse4_2|avx2|avx512 in the environment forces an instruction set.\n"
+      "Exit code: 0; 2 if an option, the environment or a file cannot be used; 1 after any other failure.");
   for (const auto add : subcommands) add(program);
   try {
     program.parse(argc, argv);

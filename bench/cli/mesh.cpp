@@ -4,15 +4,15 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <span>
 #include <set>
+#include <span>
 #include <system_error>
 #include <utility>
 
-#include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <assimp/Importer.hpp>
 
 #include "shaftcull/error.hpp"
 
@@ -33,7 +33,8 @@ void require_readable(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw InvalidArgument(fmt::format("{}: there is no such file; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(
+        fmt::format("{}: there is no such file; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
   }
   if (std::filesystem::is_directory(status)) {
     throw InvalidArgument(fmt::format("{}: is a directory; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
@@ -51,7 +52,8 @@ class Collector {
   MeshScene collect() {
     split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
     visit(*file_.mRootNode, aiMatrix4x4{});
-    if (scene_.bounds.empty()) throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to cull", path_));
+    if (scene_.bounds.empty())
+      throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to cull", path_));
     return std::move(scene_);
   }
 
@@ -103,8 +105,8 @@ class Collector {
       const aiVector3D vertex = to_world * mesh.mVertices[face.mIndices[i]];
       const Vec3 p{vertex.x, vertex.y, vertex.z};
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-        throw InvalidArgument(fmt::format("{}: a vertex of '{}' is ({}, {}, {}); coordinates must be finite", path_, object,
-                                          p[0], p[1], p[2]));
+        throw InvalidArgument(fmt::format("{}: a vertex of '{}' is ({}, {}, {}); coordinates must be finite", path_,
+                                          object, p[0], p[1], p[2]));
       }
       grow(box, {p, p});
     }

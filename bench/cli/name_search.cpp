@@ -38,7 +38,8 @@ std::string closest_names(std::string_view wanted, std::span<const std::string> 
   if (names.size() > most_names_shown) {
     std::vector<std::size_t> distance(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) distance[i] = edit_distance(wanted, names[i]);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
     order.resize(most_names_shown);
   }
   std::string list;

@@ -63,7 +63,8 @@ TestsUntil tests_until(std::span<const JoiningPlane> planes, std::span<const Joi
 }  // namespace
 
 std::size_t PlaneCount::add(const Box& a, const Box& b, std::span<const Box> boxes) {
-  // All orders hold the same planes, so a bound meets them once, and each order then tells how soon it would have known.
+  // All orders hold the same planes, so a bound meets them once, and each order then tells how soon it would have
+  // known.
   const Shaft unsorted(a, b, {.order = PlaneOrder::unsorted});
   std::array<TestsUntil, plane_orders.size()> tests;
   for (std::size_t order = 0; order < plane_orders.size(); ++order) {
@@ -74,12 +75,14 @@ std::size_t PlaneCount::add(const Box& a, const Box& b, std::span<const Box> box
     if (apart(box, unsorted.box())) continue;
     const BeyondMasks masks = beyond(unsorted.joining_planes(), box);
     ++outside_tests;
-    for (std::size_t order = 0; order < plane_orders.size(); ++order) outside_plane_tests[order] += tests[order][masks.near];
+    for (std::size_t order = 0; order < plane_orders.size(); ++order)
+      outside_plane_tests[order] += tests[order][masks.near];
     if (masks.near != 0) {
       ++culled_by_planes;
     } else if (contains(unsorted.box(), box)) {
       ++inside_tests;
-      for (std::size_t order = 0; order < plane_orders.size(); ++order) inside_plane_tests[order] += tests[order][masks.far];
+      for (std::size_t order = 0; order < plane_orders.size(); ++order)
+        inside_plane_tests[order] += tests[order][masks.far];
       inside += masks.far == 0 ? 1 : 0;
     }
   }

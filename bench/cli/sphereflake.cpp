@@ -64,7 +64,8 @@ Stance child_stance(const Vec3& outwards, const Vec3& parent_pole) {
 
 Sphereflake::Sphereflake(std::size_t count) {
   const auto directions = child_directions();
-  // The children of sphere i are spheres 9 i + 1 … 9 i + 9: no tree needs to be kept, only stances of those with children.
+  // The children of sphere i are spheres 9 i + 1 … 9 i + 9: no tree needs to be kept, only stances of those with
+  // children.
   at_rest_.resize(count);
   std::vector<Stance> stances(count / children + 1);
   at_rest_[0] = {{0, 0, 0}, 1};

@@ -17,7 +17,8 @@ class Sphereflake : public MovingScene {
   /// Eight generations: (9⁸ − 1) / 8 spheres.
   static constexpr std::size_t full_size = 5'380'840;
 
-  /// The first `count` spheres, by generation. The largest sphere has radius 1 and is at the origin; all lie within 2 of it.
+  /// The first `count` spheres, by generation. The largest sphere has radius 1 and is at the origin; all lie within 2
+  /// of it.
   explicit Sphereflake(std::size_t count);
 
   [[nodiscard]] std::string_view name() const override { return "sphereflake"; }

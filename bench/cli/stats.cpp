@@ -2,9 +2,9 @@
 ///
 /// The distribution is that of the test harness that the paper describes. A shaft joins two boxes whose corners are
 /// uniform in the unit cube; both are then stretched so that the shaft box is the unit cube. Every shaft meets
-/// cubes of half extent `radius` centred on a grid of 21³ points that spans the unit cube, shifted by 0.001 so that no centre is on a
-/// face. With a shaft box that fills the grid no cube is trivially outside; the same shafts before stretching tell what the
-/// shaft box culls.
+/// cubes of half extent `radius` centred on a grid of 21³ points that spans the unit cube, shifted by 0.001 so that no
+/// centre is on a face. With a shaft box that fills the grid no cube is trivially outside; the same shafts before
+/// stretching tell what the shaft box culls.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -140,7 +140,8 @@ void print_answers(const Statistics& statistics) {
   fmt::print("What becomes of the bounds\n\n");
   Table table({"shafts", "culled by box", "culled by planes", "kept", "of these inside"});
   const auto add = [&](const char* what, const PlaneCount& count) {
-    table.add_row({what, percent(count.bounds - count.outside_tests, count.bounds), percent(count.culled_by_planes, count.bounds),
+    table.add_row({what, percent(count.bounds - count.outside_tests, count.bounds),
+                   percent(count.culled_by_planes, count.bounds),
                    percent(count.outside_tests - count.culled_by_planes, count.bounds),
                    percent(count.inside, count.outside_tests - count.culled_by_planes)});
   };
@@ -171,10 +172,12 @@ void add_stats(CLI::App& program) {
   stats.add_option("--box-radius", options->box_radius, "Half extent of the cubes that are tested (default: 0.125)")
       ->type_name("R")
       ->check(CLI::Range(0.0, 10.0));
-  stats.footer("A shaft joins two boxes whose corners are uniform in the unit cube, stretched so that the shaft box is the\n"
-               "unit cube; it meets cubes on a grid of 21 x 21 x 21 points over the unit cube. \"outside\" counts the plane\n"
-               "tests until a bound is found outside, for all bounds that meet the shaft box; \"inside\" those until a bound is\n"
-               "found not inside, for all bounds inside the shaft box that are not outside the shaft.");
+  stats.footer(
+      "A shaft joins two boxes whose corners are uniform in the unit cube, stretched so that the shaft box is the\n"
+      "unit cube; it meets cubes on a grid of 21 x 21 x 21 points over the unit cube. \"outside\" counts the plane\n"
+      "tests until a bound is found outside, for all bounds that meet the shaft box; \"inside\" those until a bound "
+      "is\n"
+      "found not inside, for all bounds inside the shaft box that are not outside the shaft.");
   stats.callback([options] { run(*options); });
 }
 

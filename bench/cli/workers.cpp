@@ -44,7 +44,8 @@ Workers::Workers(int threads) {
 
 void Workers::run(const std::function<void()>& work) const { arena_->arena.execute(work); }
 
-void Workers::for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& work) {
+void Workers::for_chunks(std::size_t count, std::size_t chunk,
+                         const std::function<void(std::size_t, std::size_t)>& work) {
   tbb::parallel_for(std::size_t{0}, (count + chunk - 1) / chunk,
                     [&](std::size_t i) { work(i * chunk, std::min(chunk, count - i * chunk)); });
 }
@@ -62,7 +63,8 @@ Workers::Workers(int threads) {
 
 void Workers::run(const std::function<void()>& work) const { work(); }
 
-void Workers::for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& work) {
+void Workers::for_chunks(std::size_t count, std::size_t chunk,
+                         const std::function<void(std::size_t, std::size_t)>& work) {
   for (std::size_t first = 0; first < count; first += chunk) work(first, std::min(chunk, count - first));
 }
 

@@ -20,7 +20,8 @@ class Workers {
   void run(const std::function<void()>& work) const;
 
   /// Calls `work(first, size)` for consecutive chunks of [0, count), in parallel. For use inside run().
-  static void for_chunks(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& work);
+  static void for_chunks(std::size_t count, std::size_t chunk,
+                         const std::function<void(std::size_t, std::size_t)>& work);
 
  private:
   struct Arena;

@@ -1,0 +1,245 @@
+/// `shaftcull cull`, from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace shaftcull::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+struct Cube {
+  std::string name;
+  double x;
+  double y;
+  double half_extent;
+};
+
+/// An OBJ file of cubes, twelve triangles each.
+std::string obj_of(const std::vector<Cube>& cubes) {
+  std::ostringstream obj;
+  int first = 1;
+  for (const Cube& cube : cubes) {
+    obj << "o " << cube.name << '\n';
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto side = [&](int axis) { return (corner >> axis & 1) != 0 ? cube.half_extent : -cube.half_extent; };
+      obj << "v " << cube.x + side(0) << ' ' << cube.y + side(1) << ' ' << side(2) << '\n';
+    }
+    constexpr int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& quad : quads) {
+      obj << 'f';
+      for (const int corner : quad) obj << ' ' << first + corner;
+      obj << '\n';
+    }
+    first += 8;
+  }
+  return obj.str();
+}
+
+/// Three cubes in a row, a small one between them and one to the side.
+class CliCull : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome cull(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"cull", "--scene", row_});
+    return run_program(arguments);
+  }
+
+  void expect_one_line_and_exit_code_2(const Outcome& outcome) const {
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
+    EXPECT_THAT(outcome.out, IsEmpty());
+  }
+
+  ScratchFolder folder_;
+  std::string row_ = folder_.write(
+      "row.obj",
+      obj_of({{"left", 0, 0, 1}, {"middle", 5, 0, 2}, {"small", 5, 0, 0.5}, {"right", 10, 0, 1}, {"aside", 5, 9, 1}}));
+};
+
+TEST_F(CliCull, ListsWhatLiesBetweenAsText) {
+  const Outcome outcome = cull({"--from", "left", "--to", "right"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("left -> right: 2 objects may lie between (1 inside, 1 overlap)"));
+  EXPECT_THAT(outcome.out, HasSubstr("overlap  middle  [3,-2,-2,7,2,2]"));
+  EXPECT_THAT(outcome.out, HasSubstr("inside   small  [4.5,-0.5,-0.5,5.5,0.5,0.5]"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("aside")));
+}
+
+TEST_F(CliCull, ListsWhatLiesBetweenAsJson) {
+  const Outcome outcome = cull({"--from", "left", "--to", "right", "--format", "json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const auto report = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(report["objects"], 5);
+  ASSERT_THAT(report["pairs"], SizeIs(1));
+  const auto& pair = report["pairs"][0];
+  EXPECT_EQ(pair["from"]["object"], "left");
+  EXPECT_EQ(pair["to"]["box"]["lo"], nlohmann::json({9, -1, -1}));
+  ASSERT_THAT(pair["candidates"], SizeIs(2));
+  EXPECT_EQ(pair["candidates"][0]["object"], "middle");
+  EXPECT_EQ(pair["candidates"][0]["answer"], "overlap");
+  EXPECT_EQ(pair["candidates"][1]["object"], "small");
+  EXPECT_EQ(pair["candidates"][1]["answer"], "inside");
+}
+
+TEST_F(CliCull, ListsWhatLiesBetweenAsCsv) {
+  const Outcome outcome = cull({"--from", "left", "--to", "right", "--format", "csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(lines(outcome.out), ElementsAre("pair,from,to,object,triangle,answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z",
+                                              "0,left,right,middle,,overlap,3,-2,-2,7,2,2",
+                                              "0,left,right,small,,inside,4.5,-0.5,-0.5,5.5,0.5,0.5"));
+}
+
+TEST_F(CliCull, QuotesCommasAndQuotesInCsvAndJson) {
+  const std::string path =
+      folder_.write("quotes.obj", obj_of({{"a", 0, 0, 1}, {"say_\"b\",_twice", 5, 0, 1}, {"c", 10, 0, 1}}));
+  const std::vector<std::string> arguments{"cull", "--scene", path, "--from", "a", "--to", "c", "--format"};
+  auto csv = arguments;
+  csv.emplace_back("csv");
+  EXPECT_THAT(run_program(csv).out, HasSubstr("0,a,c,\"say_\"\"b\"\",_twice\",,inside,"));
+  auto json = arguments;
+  json.emplace_back("json");
+  const auto report = nlohmann::json::parse(run_program(json).out);
+  EXPECT_EQ(report["pairs"][0]["candidates"][0]["object"], "say_\"b\",_twice");
+}
+
+TEST_F(CliCull, ListsTriangles) {
+  const Outcome outcome = cull({"--from", "left", "--to", "right", "--bounds", "triangle", "--format", "json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const auto report = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(report["count"], 5 * 12);
+  int middle = 0;
+  int small = 0;
+  for (const auto& candidate : report["pairs"][0]["candidates"]) {
+    EXPECT_TRUE(candidate["object"] == "middle" || candidate["object"] == "small") << candidate;
+    ++(candidate["object"] == "small" ? small : middle);
+    EXPECT_LT(candidate["triangle"], 12);
+  }
+  EXPECT_EQ(small, 12);
+  // The shaft is the row itself, so of the large cube it only meets the two ends.
+  EXPECT_EQ(middle, 4);
+}
+
+TEST_F(CliCull, TakesBoxesForEnds) {
+  const Outcome outcome = cull({"--from", "-1,-1,-1,1,1,1", "--to", "4,8,-1,6,10,1", "--format", "csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr(",left,,inside,"));
+  EXPECT_THAT(outcome.out, HasSubstr(",aside,,inside,"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("right")));
+}
+
+TEST_F(CliCull, DrawsTheSameRandomPairsForTheSameSeed) {
+  const std::vector<std::string> arguments{"--random", "7", "--seed", "3", "--format", "json"};
+  const Outcome first = cull(arguments);
+  ASSERT_EQ(first.exit_code, 0) << first.error;
+  EXPECT_EQ(first.out, cull(arguments).out);
+  const auto report = nlohmann::json::parse(first.out);
+  ASSERT_THAT(report["pairs"], SizeIs(7));
+  for (const auto& pair : report["pairs"]) {
+    EXPECT_NE(pair["from"]["object"], pair["to"]["object"]);
+    for (const auto& candidate : pair["candidates"]) {
+      EXPECT_NE(candidate["object"], pair["from"]["object"]);
+      EXPECT_NE(candidate["object"], pair["to"]["object"]);
+    }
+  }
+}
+
+TEST_F(CliCull, AnswersAlikeOnEveryInstructionSetOfThisMachine) {
+  const std::vector<std::string> arguments{"--random", "20", "--bounds", "triangle", "--format", "csv"};
+  const Outcome best = cull(arguments);
+  ASSERT_EQ(best.exit_code, 0) << best.error;
+  auto scalar = arguments;
+  scalar.insert(scalar.end(), {"--isa", "scalar"});
+  EXPECT_EQ(best.out, cull(scalar).out);
+}
+
+TEST_F(CliCull, RejectsAMissingFileInOneLine) {
+  const Outcome outcome = run_program({"cull", "--scene", folder_.path("no such.obj"), "--random", "1"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr("no such.obj: there is no such file"));
+}
+
+TEST_F(CliCull, RejectsAnEmptyFileInOneLine) {
+  const Outcome outcome = run_program({"cull", "--scene", folder_.write("empty.obj", ""), "--random", "1"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr("the file is empty"));
+}
+
+TEST_F(CliCull, RejectsADirectoryInOneLine) {
+  const Outcome outcome = run_program({"cull", "--scene", folder_.path("."), "--random", "1"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr("is a directory"));
+}
+
+TEST_F(CliCull, RejectsBrokenFilesInOneLine) {
+  const std::string half_a_glb("glTF\x02\0\0\0\xff\xff\0\0", 12);
+  for (const std::string& path :
+       {folder_.write("broken.obj", "v 0 0\nf 1 2 3\nf 9 9 9\n"),
+        folder_.write("broken.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"),
+        folder_.write("broken.gltf", "{\"asset\": "), folder_.write("broken.glb", half_a_glb),
+        folder_.write("noise.stl", "\x01\x02\x03"), folder_.write("comment.obj", "# nothing\n"),
+        folder_.write("unknown.xyz", "1 2 3\n")}) {
+    SCOPED_TRACE(path);
+    const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
+    expect_one_line_and_exit_code_2(outcome);
+    EXPECT_THAT(outcome.error, HasSubstr(path));
+  }
+}
+
+TEST_F(CliCull, RejectsANanVertexAndNamesItsObject) {
+  const std::string path = folder_.write("nan.obj", "o sick\nv 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
+  expect_one_line_and_exit_code_2(outcome);
+}
+
+TEST_F(CliCull, NamesTheObjectsThereAreForAnUnknownName) {
+  const Outcome outcome = cull({"--from", "Left", "--to", "right"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr("--from Left"));
+  EXPECT_THAT(outcome.error, HasSubstr("'left'"));
+  EXPECT_THAT(outcome.error, HasSubstr("'middle'"));
+}
+
+TEST_F(CliCull, NamesTheClosestOfManyNames) {
+  std::vector<Cube> cubes;
+  for (int i = 0; i < 40; ++i) cubes.push_back({"thing" + std::to_string(100 + i), 3.0 * i, 0, 1});
+  cubes.push_back({"lampshade", 0, 5, 1});
+  const std::string path = folder_.write("many.obj", obj_of(cubes));
+  const Outcome outcome = run_program({"cull", "--scene", path, "--from", "lampshde", "--to", "thing100"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr("'lampshade'"));
+  EXPECT_THAT(outcome.error, HasSubstr("35 more"));
+}
+
+TEST_F(CliCull, RejectsBoxesThatNoShaftCanHave) {
+  expect_one_line_and_exit_code_2(cull({"--from", "1,0,0,0,1,1", "--to", "right"}));
+  expect_one_line_and_exit_code_2(cull({"--from", "nan,0,0,1,1,1", "--to", "right"}));
+  expect_one_line_and_exit_code_2(cull({"--from", "0,0,0,1,1", "--to", "right"}));
+}
+
+TEST_F(CliCull, RejectsContradictoryOptions) {
+  expect_one_line_and_exit_code_2(cull({}));
+  expect_one_line_and_exit_code_2(cull({"--from", "left"}));
+  expect_one_line_and_exit_code_2(cull({"--from", "left", "--to", "right", "--random", "2"}));
+  expect_one_line_and_exit_code_2(cull({"--random", "0"}));
+  expect_one_line_and_exit_code_2(cull({"--random", "2", "--format", "xml"}));
+}
+
+TEST_F(CliCull, RejectsRandomPairsOfASingleObject) {
+  const std::string path = folder_.write("one.obj", obj_of({{"only", 0, 0, 1}}));
+  const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr("'only'"));
+}
+
+}  // namespace
+}  // namespace shaftcull::test

@@ -1,0 +1,145 @@
+/// The program's options, `demo`, `draw` and `stats`, from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace shaftcull::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+/// The words of the first line that starts with `begin`, after it.
+std::vector<std::string> words_after(const std::string& text, const std::string& begin) {
+  for (const std::string& line : lines(text)) {
+    if (!line.starts_with(begin)) continue;
+    std::istringstream stream(line.substr(begin.size()));
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+  }
+  ADD_FAILURE() << "no line starts with '" << begin << "' in\n" << text;
+  return {"0", "0", "0", "0", "0", "0"};
+}
+
+TEST(Cli, TellsItsVersionAndSubcommands) {
+  const Outcome version = run_program({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.out, StartsWith("shaftcull "));
+  const Outcome help = run_program({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.out, AllOf(HasSubstr("demo"), HasSubstr("cull"), HasSubstr("stats"), HasSubstr("draw")));
+}
+
+TEST(Cli, RejectsBadOptionsInOneLine) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{},
+                                                                                         {"fly"},
+                                                                                         {"demo", "--frames", "none"},
+                                                                                         {"demo", "--scene", "moon"},
+                                                                                         {"draw", "--size", "1"},
+                                                                                         {"stats", "--shafts", "0"},
+                                                                                         {"demo", "--isa", "mmx"},
+                                                                                         {"demo", "--threads", "-3"},
+                                                                                         {"draw", "--from", "1,2,3"}}) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
+    EXPECT_THAT(outcome.out, IsEmpty());
+  }
+}
+
+TEST(Cli, RejectsAnUnknownInstructionSetInTheEnvironment) {
+  for (const char* subcommand : {"demo", "draw", "stats"}) {
+    const Outcome outcome = run_program({subcommand}, "SHAFTCULL_ISA=mmx");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
+    EXPECT_THAT(outcome.error, AllOf(HasSubstr("mmx"), HasSubstr("scalar")));
+  }
+}
+
+TEST(CliStats, ReproducesThePapersHistogram) {
+  const Outcome outcome = run_program({"stats", "--shafts", "3000", "--box-radius", "0.125"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_NEAR(std::stod(words_after(outcome.out, "Joining planes per shaft:")[0]), 5.99, 0.08);
+  // Three standard deviations of 3000 shafts, and the rounding of the reference.
+  const auto share = [&](const char* planes) { return std::stod(words_after(outcome.out, planes)[1]); };
+  EXPECT_NEAR(share("0     "), 1, 1.1);
+  EXPECT_NEAR(share("4     "), 11, 2.2);
+  EXPECT_NEAR(share("6     "), 74, 2.9);
+  EXPECT_NEAR(share("8     "), 14, 2.4);
+}
+
+TEST(CliStats, CountsThePapersPlaneTests) {
+  const Outcome outcome = run_program({"stats", "--shafts", "3000", "--box-radius", "0.125"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const auto unsorted = words_after(outcome.out, "unsorted");
+  const auto sorted = words_after(outcome.out, "by volume");
+  EXPECT_NEAR(std::stod(unsorted[0]), 5.53, 0.1);
+  EXPECT_NEAR(std::stod(sorted[0]), 5.25, 0.1);
+  EXPECT_NEAR(std::stod(unsorted[1]), 4.13, 0.2);
+  EXPECT_NEAR(std::stod(sorted[1]), 3.37, 0.2);
+}
+
+TEST(CliDraw, ShowsBothBoxesAndAllThreeAnswers) {
+  const Outcome outcome = run_program({"draw"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("xy slice"), HasSubstr("xz slice"), HasSubstr("yz slice")));
+  for (const char* cells : {"AAA", "BBB", "###", "+", "..."}) EXPECT_THAT(outcome.out, HasSubstr(cells));
+}
+
+TEST(CliDraw, SurroundsTheShaftWithOutside) {
+  const Outcome outcome = run_program({"draw", "--from", "0,0,0,1,1,1", "--to", "5,5,5,6,6,6", "--size", "40"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  std::vector<std::string> picture;
+  for (const std::string& line : lines(outcome.out)) {
+    if (line.size() == 9 + 40 && line.find_first_not_of("AaBb@#+.", 9) == std::string::npos)
+      picture.push_back(line.substr(9));
+  }
+  ASSERT_THAT(picture, testing::Not(IsEmpty()));
+  for (const std::string& row : picture) {
+    EXPECT_EQ(row.front(), '.');
+    EXPECT_EQ(row.back(), '.');
+  }
+  EXPECT_EQ(picture.front(), std::string(40, '.'));
+  EXPECT_EQ(picture.back(), std::string(40, '.'));
+}
+
+TEST(CliDemo, PrintsATableOfBothScenes) {
+  const Outcome outcome =
+      run_program({"demo", "--bounds", "5000", "--frames", "3", "--shafts", "8", "--isa", "scalar"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  for (const char* scene : {"sphereflake", "city"}) {
+    const auto words = words_after(outcome.out, scene);
+    EXPECT_EQ(words[0], "3");
+    EXPECT_EQ(words[1], "5,000");
+    EXPECT_EQ(words[2], "8");
+    EXPECT_THAT(outcome.error, HasSubstr(scene));
+  }
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ms/frame"), HasSubstr("worst"), HasSubstr("tests/s"), HasSubstr("kept"),
+                                 HasSubstr("scalar"), HasSubstr("threads")));
+  EXPECT_THAT(outcome.error, testing::Not(HasSubstr("\r"))) << "a live line needs a terminal";
+}
+
+TEST(CliDemo, KeepsTheSameBoundsOnEveryNumberOfThreads) {
+  const auto kept = [](const std::string& threads) {
+    const Outcome outcome =
+        run_program({"demo", "--scene", "sphereflake", "--bounds", "20000", "--frames", "2", "--threads", threads});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    // scene, frames, bounds, shafts, four times, rate with unit, kept
+    return words_after(outcome.out, "sphereflake").at(9);
+  };
+  EXPECT_EQ(kept("1"), kept("0"));
+}
+
+}  // namespace
+}  // namespace shaftcull::test
