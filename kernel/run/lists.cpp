@@ -2,7 +2,6 @@
 /// all counts are known the pieces are copied to their places.
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -14,8 +13,27 @@
 namespace shaftcull {
 namespace {
 
-/// What a task lists: indices of its first shaft, then of the second, …
-using Piece = std::unique_ptr<std::uint32_t[]>;
+/// What a task lists: indices of its first shaft, then of the second, … Not initialised.
+class Piece {
+ public:
+  Piece() noexcept = default;
+  explicit Piece(std::size_t size) : indices_(kernel::TaskAllocator<std::uint32_t>().allocate(size)), size_(size) {}
+  Piece(Piece&& other) noexcept
+      : indices_(std::exchange(other.indices_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+  Piece& operator=(Piece&& other) noexcept {
+    std::swap(indices_, other.indices_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~Piece() {
+    if (indices_ != nullptr) kernel::TaskAllocator<std::uint32_t>().deallocate(indices_, size_);
+  }
+  [[nodiscard]] std::uint32_t* get() const noexcept { return indices_; }
+
+ private:
+  std::uint32_t* indices_ = nullptr;
+  std::size_t size_ = 0;
+};
 
 /// Turns counts, one row of shafts for every block, into the places in `indices` where they go; fills `offsets`.
 void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts, std::vector<std::uint64_t>& offsets) {
@@ -54,14 +72,15 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
     const std::size_t words = words_for(block.size);
     std::uint64_t kept[kernel::task_words];
     job.test(block, group, {kept, words});
-    const std::size_t total = kernel::count_set_bits(kept, group.size * words);
+    std::uint64_t* const counts = places.data() + b * job.shafts() + group.first;
+    std::size_t total = 0;
+    for (std::size_t s = 0; s != group.size; ++s) total += counts[s] = kernel::count_set_bits(kept + s * words, words);
     if (total == 0) return;
-    Piece piece = std::make_unique_for_overwrite<std::uint32_t[]>(total + kernel::set_bits_slack);
-    std::uint32_t* end = piece.get();
+    Piece piece(total + kernel::set_bits_slack);
+    std::uint32_t* out = piece.get();
     for (std::size_t s = 0; s != group.size; ++s) {
-      std::uint32_t* const begin = end;
-      end = kernel::write_set_bits(kept + s * words, words, static_cast<std::uint32_t>(block.first), begin);
-      places[b * job.shafts() + group.first + s] = static_cast<std::uint64_t>(end - begin);
+      kernel::write_set_bits(kept + s * words, words, counts[s], static_cast<std::uint32_t>(block.first), out);
+      out += counts[s];
     }
     pieces[b * cut.groups() + g] = std::move(piece);
   });
@@ -69,7 +88,7 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
   place(places, cut.blocks(), job.shafts(), lists.offsets);
   resize_unkept(lists.indices, lists.offsets.back());
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    Piece& piece = pieces[b * cut.groups() + g];
+    const Piece piece = std::move(pieces[b * cut.groups() + g]);
     const std::uint32_t* from = piece.get();
     const std::uint64_t* const here = places.data() + b * job.shafts();
     const std::uint64_t* const next = b + 1 == cut.blocks() ? lists.offsets.data() + 1 : here + job.shafts();
@@ -77,7 +96,6 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
       std::copy(from, from + (next[s] - here[s]), lists.indices.data() + here[s]);
       from += next[s] - here[s];
     }
-    piece.reset();
   });
 }
 

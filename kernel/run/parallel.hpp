@@ -5,9 +5,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/blocked_range2d.h>
+#include <oneapi/tbb/cache_aligned_allocator.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
@@ -16,6 +18,11 @@
 namespace shaftcull::kernel {
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+
+/// Allocates memory that tasks fill and others read: oneTBB's allocator gives it again to the next call, where that of the
+/// C library hands it back to the system, and page faults cost more than the copying.
+template <class T>
+using TaskAllocator = tbb::cache_aligned_allocator<T>;
 
 /// Threads that a loop started here may use.
 [[nodiscard]] inline int threads_here() noexcept { return tbb::this_task_arena::max_concurrency(); }
@@ -55,6 +62,9 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
 }
 
 #else
+
+template <class T>
+using TaskAllocator = std::allocator<T>;
 
 [[nodiscard]] inline int threads_here() noexcept { return 1; }
 
