@@ -11,6 +11,7 @@
 #include "box_text.hpp"
 #include "cull_report.hpp"
 #include "instruction_set.hpp"
+#include "isolated_mesh.hpp"
 #include "mesh.hpp"
 #include "name_search.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -86,8 +87,11 @@ void find_candidates(const MeshScene& scene, const BoxStream& bounds, PairResult
 
 void run(const CullOptions& options) {
   options.isa.select();
-  CullReport report{
-      options.path, options.grain, std::string(name(active_isa())), load_mesh(options.path, options.grain), {}};
+  CullReport report{options.path,
+                    options.grain,
+                    std::string(name(active_isa())),
+                    load_mesh_isolated(options.path, options.grain),
+                    {}};
   const MeshScene& scene = report.scene;
   if (options.random_pairs > 0) {
     report.pairs = random_pairs(scene, options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <set>
 #include <span>
@@ -128,10 +129,23 @@ class Collector {
   MeshScene scene_;
 };
 
+/// assimp's PLY reader looks for this line for ever.
+void require_complete_ply_header(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  if (line != "ply" && line != "ply\r") return;
+  while (std::getline(file, line)) {
+    if (line.starts_with("end_header")) return;
+  }
+  throw InvalidArgument(fmt::format("{}: the file is broken: its PLY header has no end_header line", path));
+}
+
 }  // namespace
 
 MeshScene load_mesh(const std::string& path, Grain grain) {
   require_readable(path);
+  require_complete_ply_header(path);
   Assimp::Importer importer;
   const aiScene* file = importer.ReadFile(path, aiProcess_Triangulate);
   if (file == nullptr) {

@@ -195,6 +195,16 @@ TEST_F(CliCull, RejectsBrokenFilesInOneLine) {
   }
 }
 
+TEST_F(CliCull, OutlivesAFileThatCrashesItsReader) {
+  const std::string path = folder_.write("cut.ply",
+                                         "ply\nformat binary_little_endian 1.0\nelement vertex 1000\nproperty float x\n"
+                                         "property float y\nproperty float z\nelement face 500\n"
+                                         "property list uchar int vertex_index\nend_header\n0123456789");
+  const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error, HasSubstr(path));
+}
+
 TEST_F(CliCull, RejectsANanVertexAndNamesItsObject) {
   const std::string path = folder_.write("nan.obj", "o sick\nv 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
   const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
