@@ -1,4 +1,4 @@
-#include <cmath>
+#include <limits>
 #include <string>
 
 #include "compile/planes.hpp"
@@ -13,16 +13,27 @@ namespace {
 
 struct CompileEnvironment {};
 
-/// Throws unless every box is finite with lo ≤ hi.
-void require_finite(const BoxView& boxes, const char* which) {
-  for (std::size_t i = 0; i < boxes.count; ++i) {
-    for (unsigned k = 0; k < 3; ++k) {
-      const float lo = boxes.stream[k][i];
-      const float hi = boxes.stream[k + 3][i];
-      if (std::isfinite(lo) && std::isfinite(hi) && lo <= hi) continue;
-      const std::string axis(1, "xyz"[k]);
-      throw BadBound(i, std::string("shaft ") + std::to_string(i) + ": box " + which + " spans " + std::to_string(lo) +
-                            " to " + std::to_string(hi) + " in " + axis + "; it must be finite with lo <= hi");
+/// Whether every box is finite with lo ≤ hi. No early way out: compilers make vectors of this.
+bool all_finite(const BoxView& boxes) noexcept {
+  constexpr float largest = std::numeric_limits<float>::max();
+  bool good = true;
+  for (unsigned k = 0; k < 3; ++k) {
+    const float* lo = boxes.stream[k];
+    const float* hi = boxes.stream[k + 3];
+    for (std::size_t i = 0; i < boxes.count; ++i) {
+      good &= static_cast<bool>((lo[i] <= hi[i]) & (lo[i] >= -largest) & (hi[i] <= largest));
+    }
+  }
+  return good;
+}
+
+/// Throws what the constructor of Shaft throws for the first pair that it rejects, with the pair's index.
+void reject_first_bad_pair(const BoxView& a, const BoxView& b) {
+  for (std::size_t i = 0; i < a.count; ++i) {
+    try {
+      static_cast<void>(Shaft(a[i], b[i]));
+    } catch (const InvalidArgument& error) {
+      throw BadBound(i, "shaft " + std::to_string(i) + ": " + error.what());
     }
   }
 }
@@ -54,8 +65,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
     throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
                           std::to_string(a.count) + ", " + std::to_string(b.count) + " and " + std::to_string(out.size()));
   }
-  require_finite(a, "a");
-  require_finite(b, "b");
+  if (!all_finite(a) || !all_finite(b)) reject_first_bad_pair(a, b);
   kernel::active_kernels().compile_batch(a.stream.data(), b.stream.data(), a.count, out.data());
 }
 

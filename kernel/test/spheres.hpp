@@ -124,7 +124,8 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
   // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
   const Vector minus_error = L::all(-17 * float_unit * reach);
   const Vector shrink = L::all(1 - 16 * float_unit);
-  const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away
+  const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away,
+  const Vector most = L::all(0x1p60F);    // and the square of this far below overflow
   const Vector zero = L::all(0.0F);
   const Vector one = L::all(1.0F);
   const Vector half = L::all(0.5F);
@@ -165,7 +166,8 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
         square = L::multiply_add(gap, gap, square);
       }
       const Vector sure = L::multiply_add(radius, shrink, minus_error);
-      accepted |= L::bits(L::both(L::less(least, sure), L::less_equal(square, L::multiply(sure, sure)))) << lane;
+      const auto usable = L::both(L::less(least, sure), L::less(sure, most));
+      accepted |= L::bits(L::both(usable, L::less_equal(square, L::multiply(sure, sure)))) << lane;
     }
     std::uint64_t undecided = kept[w] & ~accepted;
     for (unsigned i = 0; i < shaft.added_count; ++i) {
