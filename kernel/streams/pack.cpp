@@ -102,14 +102,13 @@ struct PackEnvironment {};
 template <class Reader>
 void require_legal(const Reader& reader) {
   constexpr std::size_t block = 256;  // records looked at between two branches
-  float bound[Reader::rows];
   for (std::size_t first = 0; first < reader.count(); first += block) {
     const std::size_t end = std::min(first + block, reader.count());
     bool is_legal = true;
-    for (std::size_t i = first; i < end; ++i) is_legal &= reader.read(i, bound);
+    for (std::size_t i = first; i < end; ++i) is_legal &= reader.is_legal(i);
     if (is_legal) continue;
     std::size_t i = first;
-    while (reader.read(i, bound)) ++i;
+    while (reader.is_legal(i)) ++i;
     throw BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i));
   }
 }

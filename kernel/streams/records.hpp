@@ -1,7 +1,9 @@
 /// Reading bounds from the user's arrays of structs, at any stride and alignment.
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -28,7 +30,8 @@ struct VectorRecords {
 // Every reader has the same shape:
 //   rows             how many streams a bound is packed into
 //   noun             what messages call a bound
-//   read(i, bound)   packs record i into `bound`; returns whether it is legal
+//   is_legal(i)      whether record i may be packed; without branches, but for the rare empty box
+//   read(i, bound)   packs record i into `bound`
 //   fault(i)         what is wrong with record i, for messages
 
 class MinMaxReader {
@@ -41,7 +44,16 @@ class MinMaxReader {
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
-  bool read(std::size_t i, float (&bound)[rows]) const noexcept {
+  [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
+    float bound[rows];
+    read(i, bound);
+    // Comparisons with NaN are false.
+    if ((bound[0] <= bound[3]) & (bound[1] <= bound[4]) & (bound[2] <= bound[5])) [[likely]]
+      return true;
+    return is_empty(bound);
+  }
+
+  void read(std::size_t i, float (&bound)[rows]) const noexcept {
     float lo[3];
     float hi[3];
     lo_.read(i, lo);
@@ -50,17 +62,17 @@ class MinMaxReader {
       bound[k] = lo[k];
       bound[k + 3] = hi[k];
     }
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    // Comparisons with NaN are false. & instead of &&: no branches, almost all records are legal.
-    const bool is_ordered = (lo[0] <= hi[0]) & (lo[1] <= hi[1]) & (lo[2] <= hi[2]);
-    const bool is_empty = (lo[0] == infinity) & (lo[1] == infinity) & (lo[2] == infinity) & (hi[0] == -infinity) &
-                          (hi[1] == -infinity) & (hi[2] == -infinity);
-    return is_ordered | is_empty;
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
 
  private:
+  static bool is_empty(const float (&bound)[rows]) noexcept {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return bound[0] == infinity && bound[1] == infinity && bound[2] == infinity &&  //
+           bound[3] == -infinity && bound[4] == -infinity && bound[5] == -infinity;
+  }
+
   VectorRecords lo_;
   VectorRecords hi_;
   std::size_t count_;
@@ -76,20 +88,29 @@ class CentreExtentReader {
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
-  bool read(std::size_t i, float (&bound)[rows]) const noexcept {
+  [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
     float centre[3];
     float half[3];
     centre_.read(i, centre);
     half_.read(i, half);
     bool is_legal = true;
     for (std::size_t k = 0; k < 3; ++k) {
+      // A NaN, or an infinite centre ± an infinite half extent, makes a corner NaN and the comparison false.
+      is_legal &= (half[k] >= 0) & (centre[k] - half[k] <= centre[k] + half[k]);
+    }
+    return is_legal;
+  }
+
+  void read(std::size_t i, float (&bound)[rows]) const noexcept {
+    float centre[3];
+    float half[3];
+    centre_.read(i, centre);
+    half_.read(i, half);
+    for (std::size_t k = 0; k < 3; ++k) {
       // lo = c − h rounded down is −(h − c rounded up).
       bound[k] = -sum_rounded_up(half[k], -centre[k]);
       bound[k + 3] = sum_rounded_up(half[k], centre[k]);
-      // NaN, or an infinite centre ± an infinite half extent, makes a corner NaN, and the comparison false.
-      is_legal &= (half[k] >= 0) & (bound[k] <= bound[k + 3]);
     }
-    return is_legal;
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
@@ -113,7 +134,14 @@ class SphereReader {
 
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
-  bool read(std::size_t i, float (&bound)[rows]) const noexcept {
+  [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
+    float bound[rows];
+    read(i, bound);
+    // x − x is 0 if x is finite, else NaN.
+    return (bound[0] - bound[0] == 0) & (bound[1] - bound[1] == 0) & (bound[2] - bound[2] == 0) & (bound[3] >= 0);
+  }
+
+  void read(std::size_t i, float (&bound)[rows]) const noexcept {
     float centre[3];
     float radius[1];
     centre_.read(i, centre);
@@ -122,9 +150,6 @@ class SphereReader {
     bound[1] = centre[1];
     bound[2] = centre[2];
     bound[3] = radius[0];
-    // x − x is 0 if x is finite, else NaN.
-    return (centre[0] - centre[0] == 0) & (centre[1] - centre[1] == 0) & (centre[2] - centre[2] == 0) &
-           (radius[0] >= 0);
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
@@ -144,7 +169,10 @@ inline float CentreExtentReader::sum_rounded_up(float x, float y) noexcept {
   const auto nearest = static_cast<float>(sum);
   const double rounded = nearest;
   const bool is_below = (rounded < sum) | ((rounded == sum) & (error > 0));
-  return is_below ? __builtin_nextafterf(nearest, std::numeric_limits<float>::infinity()) : nearest;
+  // The next float up, without a branch: bits of floats are ordered by magnitude. + 0 turns −0 into 0.
+  const auto bits = std::bit_cast<std::int32_t>(nearest + 0.0F);
+  const std::int32_t upwards = bits >> 31 | 1;  // −1 if negative, else 1
+  return std::bit_cast<float>(bits + (upwards & -static_cast<std::int32_t>(is_below)));
 }
 
 }  // namespace shaftcull::kernel
