@@ -139,17 +139,17 @@ void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std
   }
 }
 
-/// Writes the inside bits of the boxes that are kept.
+/// Clears the bits of boxes that are not inside.
 template <class L>
 void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+                         std::uint64_t* inside) noexcept {
   const auto minus_margin = L::all(-shaft.joining_margin);
   const auto margin = L::all(shaft.joining_margin);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t candidates = 0;  // within the shaft box and not beyond any plane for certain
     std::uint64_t undecided = 0;
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      if ((inside[w] & lanes_of<L>(lane)) == 0) continue;
       const std::size_t at = w * word_bits + lane;
       auto within_box = L::less_equal(L::all(shaft.face[0]), L::load(stream[0] + at));
       for (unsigned k = 1; k < 3; ++k) {
@@ -158,7 +158,7 @@ void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, st
       for (unsigned k = 3; k < 6; ++k) {
         within_box = L::both(within_box, L::less_equal(L::load(stream[k] + at), L::all(shaft.face[k])));
       }
-      std::uint64_t within = L::bits(within_box) << lane & kept[w];
+      std::uint64_t within = L::bits(within_box) << lane & inside[w];
       if (within == 0) continue;
       const auto value = largest_joining_value<L>(shaft, shaft.joining_far0, shaft.joining_far1, stream, at);
       std::uint64_t certain = L::bits(L::less(value, minus_margin)) << lane;

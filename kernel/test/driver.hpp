@@ -7,6 +7,7 @@
 #include "test/box_slab.hpp"
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
+#include "test/survivors.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
@@ -28,12 +29,18 @@ struct BoxStages {
     } else {
       box_slab_stage<L>(shaft, stream, words, kept);
     }
-    if (shaft.added_count != 0) box_added_stage<L>(shaft, stream, words, kept);
+    if (shaft.added_count == 0) return;
+    narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_added_stage<L>(shaft, some, n, bits);
+    });
   }
 
+  /// Clears the bits of boxes that are not inside.
   static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
-    box_inside_stage<L>(shaft, stream, words, kept, inside);
+                      std::uint64_t* inside) noexcept {
+    narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_inside_stage<L>(shaft, some, n, bits);
+    });
   }
 };
 
@@ -54,12 +61,17 @@ struct SphereStages {
     } else {
       sphere_slab_stage<L>(shaft, stream, words, kept);
     }
-    sphere_settle_stage<L>(shaft, stream, words, kept);
+    narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_settle_stage<L>(shaft, some, n, bits);
+    });
   }
 
+  /// Clears the bits of spheres that are not inside.
   static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
-    sphere_inside_stage<L>(shaft, stream, words, kept, inside);
+                      std::uint64_t* inside) noexcept {
+    narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_inside_stage<L>(shaft, some, n, bits);
+    });
   }
 };
 
@@ -67,14 +79,10 @@ struct SphereStages {
 template <class Stages>
 void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
-  std::uint64_t all[block_words];
-  if (kept != nullptr) {
-    Stages::cull(shaft, stream, words, kept);
-  } else {
-    for (std::size_t w = 0; w < words; ++w) all[w] = ~std::uint64_t{0};
-    kept = all;
-  }
-  if (inside != nullptr) Stages::contain(shaft, stream, words, kept, inside);
+  if (kept != nullptr) Stages::cull(shaft, stream, words, kept);
+  if (inside == nullptr) return;
+  for (std::size_t w = 0; w < words; ++w) inside[w] = kept != nullptr ? kept[w] : ~std::uint64_t{0};
+  Stages::contain(shaft, stream, words, inside);
 }
 
 /// The test of an instruction set, as Kernels has it.

@@ -193,10 +193,10 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
   }
 }
 
-/// Writes the inside bits of the spheres that are kept.
+/// Clears the bits of spheres that are not inside.
 template <class L>
 void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                         const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+                         std::uint64_t* inside) noexcept {
   using Vector = typename L::Vector;
   const CentreStreams<L> centres(stream);
   const Vector zero = L::all(0.0F);
@@ -204,7 +204,7 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
     std::uint64_t candidates = 0;
     std::uint64_t undecided = 0;
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
+      if ((inside[w] & lanes_of<L>(lane)) == 0) continue;
       const std::size_t at = w * word_bits + lane;
       const Vector radius = L::load(stream[3] + at);
       auto possible = L::less_equal(zero, radius);
@@ -217,7 +217,7 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
         possible = L::both(possible, L::both(L::less_equal(radius, above_lo), L::less_equal(radius, below_hi)));
         sure = L::both(sure, L::both(L::less(radius, above_lo), L::less(radius, below_hi)));
       }
-      std::uint64_t within = L::bits(possible) << lane & kept[w];
+      std::uint64_t within = L::bits(possible) << lane & inside[w];
       if (within == 0) continue;
       std::uint64_t certain = L::bits(sure) << lane;
       const auto test = [&](Vector value, Vector margin) {
