@@ -92,7 +92,7 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
   const FloatEnvironment<L> environment;
   const CompiledShaft* ready = &shaft;
   CompiledShaft completed;
-  if (!shaft.has_planes() && (inside != nullptr || Stages::cull_needs_planes(shaft))) {
+  if (shaft.joining_count == CompiledShaft::planes_pending && (inside != nullptr || Stages::cull_needs_planes(shaft))) {
     completed = shaft;
     complete(completed);
     ready = &completed;
