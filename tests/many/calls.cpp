@@ -162,8 +162,7 @@ TEST(ManyCalls, WorkRunsInsideTheCallersArena) {
   const BoxColumns boxes(random_boxes(102, 100000));
   const std::vector<CompiledShaft> shafts = random_shafts(103, 8);
   for (const int threads : {1, 3}) {
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
+    with_threads(threads, [&] {
       EXPECT_EQ(concurrency(), threads);
       cull_tiles(shafts, boxes.view(), [threads](const TileAnswers&) {
         EXPECT_EQ(tbb::this_task_arena::max_concurrency(), threads);
