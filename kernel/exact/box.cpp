@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "exact/added.hpp"
 #include "exact/edge.hpp"
@@ -12,7 +13,55 @@ unsigned opposite(unsigned stream) noexcept { return stream < 3 ? stream + 3 : s
 
 }  // namespace
 
-bool box_outside(const CompiledShaft& shaft, const float (&bound)[6], FacePairs pairs) noexcept {
+SlabPredicate::SlabPredicate(const CompiledShaft& shaft) noexcept : shaft_(shaft) {
+  for (unsigned f = 0; f < 6; ++f) face_[f] = shaft_face(shaft, f);
+  const Faces faces(shaft.a, shaft.b);
+  const auto constraint = [&](unsigned f) {
+    const double p = face_of(shaft.a, f);
+    return Constraint{f, opposite(f), p, 1 / (face_of(shaft.b, f) - p)};
+  };
+  for (unsigned r = 0; r < faces.reds; ++r) upper_[uppers_++] = constraint(faces.red[r]);
+  for (unsigned b = 0; b < faces.blues; ++b) lower_[lowers_++] = constraint(faces.blue[b]);
+}
+
+bool SlabPredicate::outside(const float (&bound)[6]) const noexcept {
+  for (unsigned k = 0; k < 3; ++k) {
+    if (bound[k + 3] < face_[k] || bound[k] > face_[k + 3]) return true;
+  }
+  // Within the shaft box every lower bound on t is at most 1 and every upper one at least 0, so a pair can only separate
+  // where both are in [0, 1]. Three roundings leave those within 2⁻⁵¹, and a difference of them within 2⁻⁵⁰.
+  constexpr double margin = 0x1p-48;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double upper[6];
+  double lower[6];
+  double smallest_upper = infinity;
+  double largest_lower = -infinity;
+  const auto value = [&](const Constraint& c, double none) {
+    const double x = bound[c.near];
+    return std::isfinite(x) ? (x - c.p) * c.inverse : none;
+  };
+  for (unsigned i = 0; i < uppers_; ++i) {
+    upper[i] = value(upper_[i], infinity);
+    smallest_upper = std::fmin(smallest_upper, upper[i]);
+  }
+  for (unsigned i = 0; i < lowers_; ++i) {
+    lower[i] = value(lower_[i], -infinity);
+    largest_lower = std::fmax(largest_lower, lower[i]);
+  }
+  if (largest_lower > smallest_upper + margin) return true;
+  if (largest_lower < smallest_upper - margin) return false;
+  for (unsigned i = 0; i < uppers_; ++i) {
+    if (upper[i] > smallest_upper + 4 * margin) continue;
+    for (unsigned j = 0; j < lowers_; ++j) {
+      if (lower[j] < largest_lower - 4 * margin) continue;
+      const Edge edge(shaft_.a, shaft_.b, upper_[i].face, lower_[j].face);
+      if (edge.side(bound[upper_[i].near], bound[lower_[j].near]) > 0) return true;
+    }
+  }
+  return false;
+}
+
+bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (bound[k + 3] < shaft_face(shaft, k) || bound[k] > shaft_face(shaft, k + 3)) return true;
   }
@@ -22,7 +71,7 @@ bool box_outside(const CompiledShaft& shaft, const float (&bound)[6], FacePairs 
     const float x = bound[opposite(faces.red[r])];
     if (!std::isfinite(x)) continue;
     for (unsigned b = 0; b < faces.blues; ++b) {
-      if (pairs == FacePairs::neighbours && faces.blue[b] == opposite(faces.red[r])) continue;
+      if (faces.blue[b] == opposite(faces.red[r])) continue;
       const float y = bound[opposite(faces.blue[b])];
       if (!std::isfinite(y)) continue;
       if (Edge(shaft.a, shaft.b, faces.red[r], faces.blue[b]).side(x, y) > 0) return true;

@@ -56,6 +56,7 @@ class Edge {
     // Two rounded differences and a rounded product on each side, one rounded difference of both: < 4 units of each.
     // Products of differences of floats neither over- nor underflow.
     if (std::fabs(det) > 8 * unit * (std::fabs(left) + std::fabs(right))) return det > 0 ? orientation() : -orientation();
+    if (left == right && exact_product(y, blue_a_, red_b_, red_a_) && exact_product(x, red_a_, blue_b_, blue_a_)) return 0;
     return exact_side(x, y).sign();
   }
 
@@ -74,6 +75,13 @@ class Edge {
   }
 
  private:
+  /// Whether (a − b) · (c − d) is computed without rounding: the usual case where a bound touches the plane on a grid.
+  [[nodiscard]] static bool exact_product(double a, double b, double c, double d) noexcept {
+    const TwoTerms first = two_sum(a, -b);
+    const TwoTerms second = two_sum(c, -d);
+    return first.error == 0 && second.error == 0 && two_product(first.sum, second.sum).error == 0;
+  }
+
   [[nodiscard]] int orientation() const noexcept { return (red_b_ > red_a_) == (blue_b_ > blue_a_) ? 1 : -1; }
 
   double red_a_;

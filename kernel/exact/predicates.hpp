@@ -9,14 +9,34 @@
 
 namespace shaftcull::kernel {
 
-/// Which pairs of faces can separate a box from the shaft. They agree on every box with lo ≤ hi.
-enum class FacePairs : unsigned char {
-  neighbours,  ///< faces that share an edge: the joining planes
-  all,         ///< also opposite faces, as the slab form's largest lower and smallest upper bound on t do
+/// The slab form's question for many boxes of one shaft: is the largest lower bound on t above the smallest upper one?
+/// Construction costs about as much as one answer. Opposite faces count as a pair like any other, which changes
+/// nothing for boxes with lo ≤ hi.
+class SlabPredicate {
+ public:
+  explicit SlabPredicate(const CompiledShaft& shaft) noexcept;
+
+  /// Whether the box with the corners of `bound` (order of a BoxView's streams) is outside the shaft; added planes
+  /// are not asked.
+  [[nodiscard]] bool outside(const float (&bound)[6]) const noexcept;
+
+ private:
+  struct Constraint {
+    unsigned face;
+    unsigned near;   // stream of the bound that it reads
+    double p;        // a's face
+    double inverse;  // 1 / (b's face − a's face)
+  };
+  const CompiledShaft& shaft_;
+  float face_[6];
+  Constraint upper_[6];
+  Constraint lower_[6];
+  unsigned uppers_ = 0;
+  unsigned lowers_ = 0;
 };
 
-/// Whether the box with the corners of `bound` (order of a BoxView's streams) is outside the shaft or any added plane.
-[[nodiscard]] bool box_outside(const CompiledShaft& shaft, const float (&bound)[6], FacePairs pairs) noexcept;
+/// Whether the box with the corners of `bound` is outside the shaft, by its joining planes and box, or any added plane.
+[[nodiscard]] bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept;
 
 /// Whether that box is inside the shaft and all added planes.
 [[nodiscard]] bool box_inside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept;

@@ -107,7 +107,7 @@ void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, st
     undecided &= ~outside;
     if (undecided != 0) [[unlikely]] {
       outside |= decide_lanes<L>(undecided, [&](unsigned lane) {
-        return box_outside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value, FacePairs::neighbours);
+        return box_outside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value);
       });
     }
     kept[w] = ~outside;
@@ -133,7 +133,7 @@ void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std
     undecided &= kept[w];
     if (undecided != 0) [[unlikely]] {
       kept[w] &= ~decide_lanes<L>(undecided, [&](unsigned lane) {
-        return box_outside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value, FacePairs::neighbours);
+        return box_outside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value);
       });
     }
   }

@@ -64,8 +64,9 @@ template <class L, class SlabType>
     outside |= L::bits(L::less(margin, gap)) << lane;
     undecided |= L::bits(L::less_equal(L::magnitude(gap), margin)) << lane;
   }
+  const SlabPredicate exact(shaft);
   return outside | decide_lanes<L>(undecided, [&](unsigned lane) {
-           return box_outside(shaft, BoundAt<L, 6>(stream, at + lane).value, FacePairs::all);
+           return exact.outside(BoundAt<L, 6>(stream, at + lane).value);
          });
 }
 
