@@ -1,0 +1,75 @@
+/// form/…: from two boxes to a test-ready shaft.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/shaft.hpp"
+#include "suite.hpp"
+
+namespace shaftcull::bench {
+namespace {
+
+/// Shafts formed into the same memory each time, as a program forms a batch and then uses it; fits an L2 cache.
+constexpr std::size_t batch_shafts = 1024;
+static_assert(Workload::pairs % batch_shafts == 0);
+
+void set_items(benchmark::State& state) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(Workload::pairs));
+}
+
+void form_each(benchmark::State& state, const Workload& workload, Formation formation) {
+  ShaftOptions options;
+  options.formation = formation;
+  options.spheres = false;  // as paper/form_…, which is measured for boxes alone
+  std::vector<CompiledShaft> out(batch_shafts);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < Workload::pairs; ++i) {
+      out[i % batch_shafts] = compile(Shaft(workload.a[i], workload.b[i], options));
+      benchmark::ClobberMemory();
+    }
+  }
+  set_items(state);
+}
+
+struct PairStreams {
+  explicit PairStreams(const Workload& workload)
+      : a(std::span<const Box>(workload.a)), b(std::span<const Box>(workload.b)) {}
+  BoxStream a;
+  BoxStream b;
+};
+
+}  // namespace
+
+void declare_form(Suite& suite, const Workload& workload) {
+  const std::string paper = "paper/form_table";
+  const auto each = [&](const char* name, Formation formation) {
+    suite.add(name, paper, [&workload, formation](benchmark::State& state) { form_each(state, workload, formation); });
+  };
+  each("form/runtime", Formation::search);
+  each("form/table64", Formation::table64);
+  each("form/table729", Formation::table729);
+
+  const auto pairs = std::make_shared<const PairStreams>(workload);
+  // Other benchmarks leave other instruction sets behind, in random order.
+  const Isa isa = active_isa();
+  suite.add("form/batch", paper, [pairs, isa](benchmark::State& state) {
+    select_isa(isa);
+    std::vector<CompiledShaft> out(batch_shafts);
+    for (auto _ : state) {
+      for (std::size_t first = 0; first < Workload::pairs; first += batch_shafts) {
+        compile_batch(pairs->a.view().slice(first, batch_shafts), pairs->b.view().slice(first, batch_shafts), out);
+        benchmark::ClobberMemory();
+      }
+    }
+    set_items(state);
+  });
+
+  suite.reach("form/batch", paper, 10.0);
+}
+
+}  // namespace shaftcull::bench

@@ -1,0 +1,99 @@
+/// The program `shaftcull-bench`: measures the library against the paper's method, in one run and on one thread.
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "one_thread.hpp"
+#include "results.hpp"
+#include "suite.hpp"
+#include "summary.hpp"
+#include "table.hpp"
+#include "workload.hpp"
+
+namespace {
+
+using namespace shaftcull::bench;
+
+/// How much is measured. Medians of many short repetitions in random order withstand noise better than few long ones.
+struct Effort {
+  std::size_t bounds;
+  int repetitions;
+  double seconds;  ///< least time of a repetition
+};
+constexpr Effort full_effort{std::size_t{1} << 22, 7, 0.3};
+constexpr Effort quick_effort{std::size_t{1} << 18, 7, 0.05};
+
+constexpr std::array families{declare_paper, declare_form, declare_many};
+
+/// Google Benchmark takes its settings as a command line only.
+void set_up_benchmark(const Effort& effort, const std::string& filter, const std::filesystem::path& raw) {
+  std::vector<std::string> settings{"shaftcull-bench",
+                                    "--benchmark_enable_random_interleaving=true",
+                                    fmt::format("--benchmark_repetitions={}", effort.repetitions),
+                                    fmt::format("--benchmark_min_time={}", effort.seconds),
+                                    "--benchmark_filter=" + filter,
+                                    "--benchmark_out=" + raw.string(),
+                                    "--benchmark_out_format=json"};
+  std::vector<char*> arguments;
+  for (std::string& setting : settings) arguments.push_back(setting.data());
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  benchmark::Initialize(&count, arguments.data());
+}
+
+int run(int argc, char** argv) {
+  bool quick = false;
+  std::filesystem::path out = "build/bench/summary.json";
+  std::string filter = ".";
+  CLI::App program{"Measures shaftcull against the paper's method, on one thread.", "shaftcull-bench"};
+  program.add_flag("--quick", quick, "Fewer bounds and shorter repetitions: less than a minute");
+  program.add_option("--out", out, "The summary; Google Benchmark's own file goes next to it")->capture_default_str();
+  program.add_option("--filter", filter, "Measure only the benchmarks that this regular expression matches");
+  CLI11_PARSE(program, argc, argv);
+
+  if (out.has_parent_path()) std::filesystem::create_directories(out.parent_path());
+  std::filesystem::path raw = out;
+  raw.replace_filename(out.stem().string() + ".raw.json");
+
+  const Effort& effort = quick ? quick_effort : full_effort;
+  const OneThread one_thread;
+  const Workload workload(effort.bounds);
+  Suite suite;
+  for (const auto declare : families) declare(suite, workload);
+  set_up_benchmark(effort, filter, raw);
+  fmt::print("Measuring {} bounds × {} shafts, {} repetitions in random order; {}.\n", effort.bounds,
+             Workload::test_shafts, effort.repetitions, quick ? "less than a minute" : "some minutes");
+  std::fflush(stdout);
+
+  Results results;
+  if (benchmark::RunSpecifiedBenchmarks(&results) == 0) {
+    throw std::invalid_argument(fmt::format("--filter {}: no benchmark has such a name", filter));
+  }
+  print_table(suite, results);
+  write_summary(out, suite, results);
+  fmt::print("\nWritten to {} and {}.\n", out.string(), raw.string());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "shaftcull-bench: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "shaftcull-bench: {}\n", error.what());
+    return 1;
+  }
+}
