@@ -165,15 +165,6 @@ Rational Hull::squared_distance(const Vec3& point) const {
   return least;
 }
 
-double Hull::depth(const Vec3& point) const {
-  const std::array<Rational, 3> centre{Rational(point[0]), Rational(point[1]), Rational(point[2])};
-  double depth = INFINITY;
-  for (const RationalPlane& plane : faces_) {
-    depth = std::min(depth, -height(plane, centre).get_d() / std::sqrt(squared_length(plane).get_d()));
-  }
-  return depth;
-}
-
 Answer Hull::answer(const Sphere& sphere) const {
   if (std::isinf(sphere.radius)) return Answer::overlap;
   const std::array<Rational, 3> centre{Rational(sphere.centre[0]), Rational(sphere.centre[1]), Rational(sphere.centre[2])};
@@ -191,6 +182,30 @@ Answer Hull::answer(const Sphere& sphere) const {
     inside = inside && is_within(plane);
   }
   return inside ? Answer::inside : Answer::overlap;
+}
+
+bool Hull::touches(const Box& box) const {
+  const Answer is = answer(box);
+  if (is == Answer::outside) return false;
+  const auto touches_plane = [&](const RationalPlane& plane) {
+    return extreme_sign(plane, box, -1) == 0 || (is == Answer::inside && extreme_sign(plane, box, 1) == 0);
+  };
+  return std::any_of(faces_.begin(), faces_.end(), touches_plane) || std::any_of(added_.begin(), added_.end(), touches_plane);
+}
+
+bool Hull::touches(const Sphere& sphere) const {
+  const Answer is = answer(sphere);
+  if (is == Answer::outside || std::isinf(sphere.radius)) return false;
+  const std::array<Rational, 3> centre{Rational(sphere.centre[0]), Rational(sphere.centre[1]), Rational(sphere.centre[2])};
+  const Rational radius(sphere.radius);
+  const Rational squared_radius = radius * radius;
+  const auto touches_plane = [&](const RationalPlane& plane, bool from_outside) {
+    const Rational h = height(plane, centre);
+    return (h > 0 ? from_outside : is == Answer::inside) && h * h == squared_radius * squared_length(plane);
+  };
+  return squared_distance(sphere.centre) == squared_radius ||
+         std::any_of(faces_.begin(), faces_.end(), [&](const auto& plane) { return touches_plane(plane, false); }) ||
+         std::any_of(added_.begin(), added_.end(), [&](const auto& plane) { return touches_plane(plane, true); });
 }
 
 }  // namespace shaftcull::oracle

@@ -32,10 +32,12 @@ class Hull {
   /// An infinite radius is all of space; the centre is finite.
   [[nodiscard]] Answer answer(const Sphere& sphere) const;
 
+  /// Whether the bound touches from outside (it meets the shaft, but a plane separates their interiors) or from inside.
+  [[nodiscard]] bool touches(const Box& box) const;
+  [[nodiscard]] bool touches(const Sphere& sphere) const;
+
   /// Squared distance of a point from conv(a ∪ b), added planes left out.
   [[nodiscard]] Rational squared_distance(const Vec3& point) const;
-  /// About the largest radius of a sphere that fits inside conv(a ∪ b) around a point; negative outside.
-  [[nodiscard]] double depth(const Vec3& point) const;
 
  private:
   [[nodiscard]] bool meets(const Box& box) const;

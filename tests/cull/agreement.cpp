@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdio>
 
 #include "columns.hpp"
 #include "instruction_sets.hpp"
@@ -13,20 +12,6 @@
 
 namespace shaftcull {
 namespace {
-
-std::string source_text(float x) {
-  char text[40];
-  const int length = std::snprintf(text, sizeof text, "%aF", static_cast<double>(x));
-  return {text, static_cast<std::size_t>(length)};
-}
-
-std::string source_text(const Vec3& v) {
-  return "{" + source_text(v[0]) + ", " + source_text(v[1]) + ", " + source_text(v[2]) + "}";
-}
-
-const char* text(Answer answer) {
-  return answer == Answer::outside ? "outside" : answer == Answer::inside ? "inside" : "overlap";
-}
 
 bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 
@@ -85,20 +70,6 @@ void expect_oracle(const Subject& subject, const std::vector<Bound>& bounds) {
 }
 
 }  // namespace
-
-std::string source_text(const Box& box) { return "Box{" + source_text(box.lo) + ", " + source_text(box.hi) + "}"; }
-
-std::string source_text(const Sphere& sphere) {
-  return "Sphere{" + source_text(sphere.centre) + ", " + source_text(sphere.radius) + "}";
-}
-
-std::string source_text(const Subject& subject) {
-  std::string text = "Subject{" + source_text(subject.a) + ", " + source_text(subject.b) + ", {";
-  for (const Plane& plane : subject.added) {
-    text += "Plane{" + source_text(plane.normal) + ", " + source_text(plane.offset) + "}, ";
-  }
-  return text + "}}";
-}
 
 std::vector<Answer> answers(const Subject& subject, const std::vector<Box>& bounds, Form form) {
   return all_answers(subject, bounds, form);

@@ -1,25 +1,13 @@
 /// Compares what the library answers, in every form and on every instruction set under test, with what is right.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/cull.hpp"
+#include "subject.hpp"
 
 namespace shaftcull {
-
-/// A shaft as its two boxes and added planes.
-struct Subject {
-  Box a;
-  Box b;
-  std::vector<Plane> added{};
-};
-
-/// C++ source text that makes the same values again, to the bit.
-std::string source_text(const Box& box);
-std::string source_text(const Sphere& sphere);
-std::string source_text(const Subject& subject);
 
 /// The answers of classify() for a form, after checking that cull() keeps the same bounds.
 std::vector<Answer> answers(const Subject& subject, const std::vector<Box>& bounds, Form form);

@@ -1,0 +1,110 @@
+/// Bounds around a shaft: random ones, and those that touch it or miss touching it by an ulp or two, where rounding
+/// would decide.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dice.hpp"
+#include "quick_oracle.hpp"
+#include "subject.hpp"
+
+namespace shaftcull {
+
+inline Box random_box(Dice& dice) {
+  return dice.one_in(2) ? dice.box(-6, 6, 0.01F, 0.5F) : dice.box(-6, 6, 0.5F, 4.0F);
+}
+
+/// A point around the shaft, as often in it as not.
+inline Vec3 random_centre(Dice& dice, const Subject& subject, float distance = 0.7F) {
+  const float t = dice.uniform(0.0F, 1.0F);
+  Vec3 centre{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const float from = dice.uniform(subject.a.lo[k], subject.a.hi[k]);
+    const float to = dice.uniform(subject.b.lo[k], subject.b.hi[k]);
+    centre[k] = from + t * (to - from) + dice.uniform(-distance, distance);
+  }
+  return centre;
+}
+
+inline Sphere random_sphere(Dice& dice, const Subject& subject) {
+  const Vec3 centre = random_centre(dice, subject);
+  return {centre, dice.one_in(8) ? 0.0F : dice.uniform(0.0F, dice.one_in(4) ? 3.0F : 0.4F)};
+}
+
+/// A box around a point near the shaft, wherever that is.
+inline Box nearby_box(Dice& dice, const Subject& subject) {
+  const Vec3 centre = random_centre(dice, subject, 2.0F);
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const float half = dice.uniform(0.01F, 2.0F);
+    box.lo[k] = centre[k] - half;
+    box.hi[k] = centre[k] + half;
+  }
+  return box;
+}
+
+/// A box with a corner, edge or face on the path of a corner of the moving box, which is where the shaft's edges
+/// are; it extends outwards, or inwards, or lies across.
+inline Box touching_box(Dice& dice, const Subject& subject) {
+  const float t = dice.one_in(4) ? dice.integer(0, 1) : dice.uniform(0.0F, 1.0F);
+  const bool inwards = dice.one_in(3);
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const bool hi = dice.one_in(2);
+    const double from = static_cast<double>(hi ? subject.a.hi[k] : subject.a.lo[k]);
+    const double to = static_cast<double>(hi ? subject.b.hi[k] : subject.b.lo[k]);
+    const float point = dice.nudge(static_cast<float>(from + static_cast<double>(t) * (to - from)));
+    const double extent = dice.one_in(4) ? 0.0 : static_cast<double>(dice.uniform(0.0F, 0.3F)) * std::max(std::abs(from), 1e-3);
+    const auto beyond = [&](double distance) {
+      return static_cast<float>(std::clamp(static_cast<double>(point) + distance, -3e38, 3e38));
+    };
+    const bool across = dice.one_in(5);
+    const bool upwards = hi != inwards;
+    box.lo[k] = across || !upwards ? std::min(point, beyond(-extent)) : point;
+    box.hi[k] = across || upwards ? std::max(point, beyond(extent)) : point;
+  }
+  return box;
+}
+
+/// A sphere around `centre` whose radius is, to an ulp or two, its distance from the shaft, or its depth in it.
+inline Sphere touching_sphere(Dice& dice, const oracle::QuickHull& hull, const Vec3& centre) {
+  return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::min(hull.reach(centre), 3e38))))};
+}
+
+/// A box with one corner on an added plane, as nearly as can be.
+inline Box box_at_plane(Dice& dice, const Subject& subject) {
+  const Plane& plane = subject.added[dice.below(static_cast<unsigned>(subject.added.size()))];
+  Box box = nearby_box(dice, subject);
+  Vec3 corner{};
+  for (std::size_t k = 0; k != 3; ++k) corner[k] = dice.one_in(2) ? box.lo[k] : box.hi[k];
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k != 3; ++k) {
+    if (std::abs(plane.normal[k]) > std::abs(plane.normal[axis])) axis = k;
+  }
+  double rest = static_cast<double>(plane.offset);
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (k != axis) rest -= static_cast<double>(plane.normal[k]) * static_cast<double>(corner[k]);
+  }
+  const float x = dice.nudge(static_cast<float>(rest / static_cast<double>(plane.normal[axis])));
+  const float size = box.hi[axis] - box.lo[axis];
+  box.lo[axis] = dice.one_in(2) ? x : x - size;
+  box.hi[axis] = std::max(box.lo[axis] == x ? x + size : x, box.lo[axis]);
+  return box;
+}
+
+/// A sphere whose radius is, to an ulp or two, the distance of its centre from an added plane.
+inline Sphere sphere_at_plane(Dice& dice, const Subject& subject) {
+  const Vec3 centre = random_centre(dice, subject, 2.0F);
+  const Plane& plane = subject.added[dice.below(static_cast<unsigned>(subject.added.size()))];
+  double height = -static_cast<double>(plane.offset);
+  double squared = 0;
+  for (std::size_t k = 0; k != 3; ++k) {
+    height += static_cast<double>(plane.normal[k]) * static_cast<double>(centre[k]);
+    squared += static_cast<double>(plane.normal[k]) * static_cast<double>(plane.normal[k]);
+  }
+  return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::abs(height) / std::sqrt(squared))))};
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,131 @@
+/// Shafts of every family that exactness is tested on.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dice.hpp"
+#include "subject.hpp"
+
+namespace shaftcull {
+
+inline Subject random_subject(Dice& dice) { return {dice.box(-5, 5, 0.2F, 1.0F), dice.box(-5, 5, 0.2F, 1.0F)}; }
+
+inline Subject grid_subject(Dice& dice, int size = 8) { return {dice.grid_box(0, size), dice.grid_box(0, size)}; }
+
+/// Two boxes of which the second is made from the first: equal, nested, touching, sharing faces, flat, or points.
+inline Subject degenerate_subject(Dice& dice) {
+  const Box a = dice.box(-2, 2, 0.1F, 1.0F);
+  Box b = a;
+  switch (dice.below(6)) {
+    case 0: break;
+    case 1:
+      for (std::size_t k = 0; k != 3; ++k) {
+        b.lo[k] = a.lo[k] + (a.hi[k] - a.lo[k]) * 0.25F * dice.integer(0, 1);
+        b.hi[k] = a.hi[k] - (a.hi[k] - a.lo[k]) * 0.25F * dice.integer(0, 1);
+      }
+      break;
+    case 2: {
+      const std::size_t axis = dice.below(3);
+      b.lo[axis] = a.hi[axis];
+      b.hi[axis] = a.hi[axis] + 1.0F;
+      break;
+    }
+    case 3: b = {a.hi, a.hi}; break;
+    case 4: {
+      const Vec3 p = dice.vec3(-2, 2);
+      b = {p, p};
+      b.hi[dice.below(3)] += dice.integer(0, 1);
+      break;
+    }
+    default: {
+      const Vec3 p = dice.vec3(-2, 2);
+      const Vec3 q = dice.one_in(4) ? p : dice.vec3(-2, 2);
+      return {{p, p}, {q, q}};
+    }
+  }
+  return dice.one_in(2) ? Subject{a, b} : Subject{b, a};
+}
+
+/// A random shaft moved by about `distance` along one axis or more.
+inline Subject distant_subject(Dice& dice, float distance) {
+  Subject subject = random_subject(dice);
+  const unsigned axes = 1 + dice.below(7);
+  for (std::size_t k = 0; k != 3; ++k) {
+    if ((axes >> k & 1U) == 0) continue;
+    const float shift = dice.one_in(2) ? distance : -distance;
+    for (Box* box : {&subject.a, &subject.b}) {
+      box->lo[k] += shift;
+      box->hi[k] += shift;
+    }
+  }
+  return subject;
+}
+
+/// Faces that coincide but for an ulp or two.
+inline Subject nearly_equal_subject(Dice& dice) {
+  Subject subject{dice.box(-5, 5, 0.2F, 1.0F), {}};
+  subject.b = subject.a;
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (dice.one_in(2)) subject.b.lo[k] = std::min(dice.nudge(subject.a.lo[k]), subject.b.hi[k]);
+    if (dice.one_in(2)) subject.b.hi[k] = std::max(dice.nudge(subject.a.hi[k]), subject.b.lo[k]);
+  }
+  const std::size_t axis = dice.below(3);
+  if (dice.one_in(2)) subject.b.lo[axis] = subject.b.hi[axis] = subject.a.hi[axis] + 2.0F;
+  return dice.one_in(2) ? subject : Subject{subject.b, subject.a};
+}
+
+/// A box whose coordinates have magnitudes from 2^low to 2^high.
+inline Box wild_box(Dice& dice, int low = -149, int high = 127) {
+  const auto corner = [&] { return Vec3{dice.wild(low, high), dice.wild(low, high), dice.wild(low, high)}; };
+  const Vec3 p = corner();
+  return Dice::sorted(p, corner());
+}
+
+inline Subject wild_subject(Dice& dice, int low = -149, int high = 127) {
+  const Box a = wild_box(dice, low, high);
+  return {a, wild_box(dice, low, high)};
+}
+
+/// Number of ways to colour six faces red, blue or purple.
+inline constexpr unsigned colourings = 729;
+
+/// The shaft whose faces have colouring number `colouring`, on a grid of 0 … 4.
+inline Subject coloured_subject(unsigned colouring) {
+  constexpr float lo[3][2] = {{0, 1}, {1, 0}, {1, 1}};  // red, blue, purple
+  constexpr float hi[3][2] = {{4, 3}, {3, 4}, {3, 3}};
+  Subject subject{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    subject.a.lo[k] = lo[colouring % 3][0];
+    subject.b.lo[k] = lo[colouring % 3][1];
+    subject.a.hi[k] = hi[colouring / 3 % 3][0];
+    subject.b.hi[k] = hi[colouring / 3 % 3][1];
+    colouring /= 9;
+  }
+  return subject;
+}
+
+/// A plane through `point`, as nearly as its offset can be rounded; through it exactly on a grid.
+inline Plane plane_through(Dice& dice, const Vec3& point, bool grid) {
+  Plane plane{};
+  do {
+    for (float& n : plane.normal) n = grid ? dice.integer(-3, 3) : dice.one_in(4) ? 0.0F : dice.uniform(-2, 2);
+  } while (plane.normal == Vec3{0, 0, 0});
+  double offset = 0;
+  for (std::size_t k = 0; k != 3; ++k) offset += static_cast<double>(plane.normal[k]) * static_cast<double>(point[k]);
+  plane.offset = static_cast<float>(offset);
+  if (!grid) plane.offset = dice.nudge(plane.offset);
+  return plane;
+}
+
+/// `subject` with up to 16 planes added, all through its corners.
+inline Subject with_planes(Dice& dice, Subject subject, bool grid) {
+  const unsigned planes = 1 + dice.below(dice.one_in(4) ? 16 : 2);
+  for (unsigned i = 0; i != planes; ++i) {
+    subject.added.push_back(plane_through(dice, dice.one_in(2) ? subject.a.lo : subject.b.hi, grid));
+  }
+  return subject;
+}
+
+}  // namespace shaftcull
