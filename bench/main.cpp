@@ -32,7 +32,12 @@ struct Effort {
 constexpr Effort full_effort{std::size_t{1} << 22, 7, 0.3};
 constexpr Effort quick_effort{std::size_t{1} << 18, 7, 0.05};
 
-constexpr std::array families{declare_paper, declare_form, declare_many};
+constexpr std::array families{
+    declare_paper, declare_form, declare_many,
+#ifdef SHAFTCULL_BENCH_WITH_AVX2
+    declare_exact,
+#endif
+};
 
 /// Google Benchmark takes its settings as a command line only.
 void set_up_benchmark(const Effort& effort, const std::string& filter, const std::filesystem::path& raw) {

@@ -48,5 +48,6 @@ class Suite {
 void declare_paper(Suite& suite, const Workload& workload);  ///< paper/…: the method measured against
 void declare_form(Suite& suite, const Workload& workload);   ///< form/…: from two boxes to a test-ready shaft
 void declare_many(Suite& suite, const Workload& workload);   ///< test/…: many shafts × many bounds
+void declare_exact(Suite& suite, const Workload& workload);  ///< exact/…: what exact answers cost
 
 }  // namespace shaftcull::bench

@@ -1,0 +1,220 @@
+#include "trial.hpp"
+
+#include <bit>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cases/families.hpp"
+#include "dice.hpp"
+#include "oracle.hpp"
+#include "quick_oracle.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/shaft.hpp"
+#include "undecided.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+/// Of the answers that the quick oracle proves, one in this many is worked out in rationals all the same.
+constexpr unsigned second_opinion = 64;
+
+/// Sebastiano Vigna's splitmix64: neighbouring numbers become unrelated seeds.
+constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31U);
+}
+
+Shaft formed(Dice& dice, const Subject& subject) {
+  ShaftOptions options;
+  options.formation = static_cast<Formation>(dice.below(3));
+  options.order = static_cast<PlaneOrder>(dice.below(3));
+  Shaft shaft(subject.a, subject.b, options);
+  for (const Plane& plane : subject.added) shaft.add_plane(plane);
+  return shaft;
+}
+
+std::uint64_t population(const std::vector<std::uint64_t>& words) {
+  std::uint64_t count = 0;
+  for (const std::uint64_t word : words) count += static_cast<std::uint64_t>(std::popcount(word));
+  return count;
+}
+
+constexpr std::uint64_t bit(std::size_t i) noexcept { return std::uint64_t{1} << i % 64; }
+
+}  // namespace
+
+Tally& Tally::operator+=(const Tally& other) noexcept {
+  bounds += other.bounds;
+  outside += other.outside;
+  inside += other.inside;
+  undecided_slab += other.undecided_slab;
+  undecided_planes += other.undecided_planes;
+  touching += other.touching;
+  by_rationals += other.by_rationals;
+  wrong += other.wrong;
+  return *this;
+}
+
+std::size_t Trial::natural_size(std::uint64_t number) noexcept {
+  const std::uint64_t mix = mixed(number);
+  return mix % 8 == 0 ? 1 + static_cast<std::size_t>(mix >> 8U) % 150 : 64;
+}
+
+Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
+    : number_(number),
+      family_(static_cast<std::size_t>(number % std::size(families))),
+      count_(bounds),
+      spheres_(number / std::size(families) % 2 != 0),
+      kept_(words_for(bounds)),
+      inside_(words_for(bounds)),
+      wrong_(words_for(bounds)) {
+  Dice dice(mixed(seed) ^ number);
+  const Family& family = families[family_];
+  subject_ = family.subject(dice, static_cast<unsigned>(number / std::size(families) / 2));
+  shaft_ = compile(formed(dice, subject_));
+  batched_ = subject_.added.empty() && dice.one_in(2);
+
+  // Streams of any alignment, with NaN around them: a kernel that reads past its view shows it.
+  const std::size_t streams = spheres_ ? 4 : 6;
+  memory_.assign(streams * (count_ + 16), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t s = 0; s != streams; ++s) start_[s] = s * (count_ + 16) + dice.below(16);
+
+  const oracle::QuickHull quick(subject_);
+  std::optional<oracle::Hull> exact;
+  const auto settle = [&](std::size_t i, const auto& bound) {
+    const std::optional<Answer> proved = quick.answer(bound);
+    Answer right{};
+    if (proved && !dice.one_in(second_opinion)) {
+      right = *proved;
+    } else {
+      if (!exact) exact.emplace(subject_.a, subject_.b, subject_.added);
+      right = exact->answer(bound);
+      ++tally_.by_rationals;
+      if (!proved && right != Answer::outside && exact->touches(bound)) ++tally_.touching;
+      if (proved && *proved != right) fail(i, fmt::format("oracles disagree: rationals {}, intervals {}", text(right), text(*proved)));
+    }
+    if (right != Answer::outside) kept_[i / 64] |= bit(i);
+    if (right == Answer::inside) inside_[i / 64] |= bit(i);
+  };
+  for (std::size_t i = 0; i != count_; ++i) {
+    if (spheres_) {
+      const Sphere sphere = family.sphere(dice, subject_, quick);
+      for (std::size_t k = 0; k != 3; ++k) memory_[start_[k] + i] = sphere.centre[k];
+      memory_[start_[3] + i] = sphere.radius;
+      settle(i, sphere);
+    } else {
+      const Box box = family.box(dice, subject_);
+      for (std::size_t k = 0; k != 3; ++k) {
+        memory_[start_[k] + i] = box.lo[k];
+        memory_[start_[k + 3] + i] = box.hi[k];
+      }
+      settle(i, box);
+    }
+  }
+  tally_.bounds = count_;
+  tally_.outside = count_ - population(kept_);
+  tally_.inside = population(inside_);
+  if (spheres_) {
+    count_undecided(sphere_view());
+  } else {
+    count_undecided(boxes());
+  }
+}
+
+BoxView Trial::boxes() const noexcept {
+  BoxView view;
+  for (std::size_t s = 0; s != 6; ++s) view.stream[s] = memory_.data() + start_[s];
+  view.count = count_;
+  return view;
+}
+
+SphereView Trial::sphere_view() const noexcept {
+  SphereView view;
+  for (std::size_t s = 0; s != 4; ++s) view.stream[s] = memory_.data() + start_[s];
+  view.count = count_;
+  return view;
+}
+
+template <class View>
+void Trial::count_undecided(const View& view) {
+  std::vector<std::uint64_t> asked(kept_.size());
+  std::vector<std::uint64_t> kept(kept_.size());
+  std::vector<std::uint64_t> inside(kept_.size());
+  for (const Form form : {Form::slab, Form::planes}) {
+    undecided(shaft_, view, form, asked, kept, inside);
+    (form == Form::slab ? tally_.undecided_slab : tally_.undecided_planes) = population(asked);
+  }
+}
+
+template <class View>
+void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
+  std::vector<std::uint64_t> kept(kept_.size());
+  std::vector<std::uint64_t> inside(kept_.size());
+  for (const Form form : {Form::slab, Form::planes}) {
+    const auto question = [&](const char* call) {
+      return fmt::format("{}, {}, {}, {}", call, how, name(active_isa()), form == Form::slab ? "slab" : "planes");
+    };
+    cull(shaft, view, kept, form);
+    compare(kept, kept_, question("cull"));
+    classify(shaft, view, kept, inside, form);
+    compare(kept, kept_, question("classify, kept"));
+    compare(inside, inside_, question("classify, inside"));
+  }
+  contain(shaft, view, inside);
+  compare(inside, inside_, fmt::format("contain, {}, {}", how, name(active_isa())));
+}
+
+void Trial::ask(std::span<Trial> trials) {
+  std::vector<Box> a;
+  std::vector<Box> b;
+  for (const Trial& trial : trials) {
+    a.push_back(trial.subject_.a);
+    b.push_back(trial.subject_.b);
+  }
+  const BoxStream from(a);
+  const BoxStream to(b);
+  std::vector<CompiledShaft> batch(trials.size());
+  compile_batch(from.view(), to.view(), batch);
+  for (std::size_t i = 0; i != trials.size(); ++i) {
+    Trial& trial = trials[i];
+    const auto ask_of = [&](const CompiledShaft& shaft, const char* how) {
+      if (trial.spheres_) {
+        trial.ask(shaft, trial.sphere_view(), how);
+      } else {
+        trial.ask(shaft, trial.boxes(), how);
+      }
+    };
+    ask_of(trial.shaft_, "compile");
+    if (trial.batched_) ask_of(batch[i], "compile_batch");
+  }
+}
+
+void Trial::compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const std::string& what) {
+  for (std::size_t w = 0; w != got.size(); ++w) {
+    for (std::uint64_t differ = (got[w] ^ right[w]) & ~wrong_[w]; differ != 0; differ &= differ - 1) {
+      const std::size_t i = w * 64 + static_cast<std::size_t>(std::countr_zero(differ));
+      if (i < count_) {
+        fail(i, fmt::format("{}: bit {} instead of {}", what, (got[w] & bit(i)) != 0 ? 1 : 0, (right[w] & bit(i)) != 0 ? 1 : 0));
+      } else {
+        fail(count_ - 1, fmt::format("{}: bit {} past the last bound is set", what, i));
+      }
+    }
+  }
+}
+
+void Trial::fail(std::size_t bound, const std::string& what) {
+  if ((wrong_[bound / 64] & bit(bound)) == 0) ++tally_.wrong;
+  wrong_[bound / 64] |= bit(bound);
+  failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, families[family_].name, bound,
+                                  count_, what, source_text(subject_), bound_text(bound)));
+}
+
+std::string Trial::bound_text(std::size_t i) const {
+  return spheres_ ? source_text(sphere_view()[i]) : source_text(boxes()[i]);
+}
+
+}  // namespace shaftcull::cli

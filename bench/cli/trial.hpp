@@ -1,0 +1,75 @@
+/// Trials: what `shaftcull verify` compares, a shaft with a few dozen bounds and their right answers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/isa.hpp"
+#include "subject.hpp"
+
+namespace shaftcull::cli {
+
+/// What is counted of bounds; sums of trials are sums of their members.
+struct Tally {
+  std::uint64_t bounds = 0;
+  std::uint64_t outside = 0;
+  std::uint64_t inside = 0;
+  std::uint64_t undecided_slab = 0;    ///< left to the exact predicates, in slab form
+  std::uint64_t undecided_planes = 0;  ///< likewise, in plane form
+  std::uint64_t touching = 0;          ///< exactly on the boundary
+  std::uint64_t by_rationals = 0;      ///< right answers that come from rational arithmetic
+  std::uint64_t wrong = 0;             ///< bounds with a wrong answer on any instruction set, in any form
+
+  Tally& operator+=(const Tally& other) noexcept;
+};
+
+/// A shaft and bounds of one family, in memory as awkward as a view allows. The same for the same seed and number.
+class Trial {
+ public:
+  /// Works out the right answers too. Families and the two shapes of bounds take turns by `number`.
+  Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds);
+
+  /// How many bounds the trial of that number has when it is not cut short: mostly a word of them.
+  [[nodiscard]] static std::size_t natural_size(std::uint64_t number) noexcept;
+
+  [[nodiscard]] std::size_t family() const noexcept { return family_; }
+  [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
+  [[nodiscard]] bool has_spheres() const noexcept { return spheres_; }
+  /// A description for every wrong bound, with all that is needed to see it again.
+  [[nodiscard]] const std::vector<std::string>& failures() const noexcept { return failures_; }
+
+  /// Asks every trial all questions in every form, on the active instruction set, and notes wrong answers.
+  static void ask(std::span<Trial> trials);
+
+ private:
+  [[nodiscard]] BoxView boxes() const noexcept;
+  [[nodiscard]] SphereView sphere_view() const noexcept;
+  template <class View>
+  void ask(const CompiledShaft& shaft, const View& view, const char* how);
+  template <class View>
+  void count_undecided(const View& view);
+  void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const std::string& what);
+  void fail(std::size_t bound, const std::string& what);
+  [[nodiscard]] std::string bound_text(std::size_t i) const;
+
+  std::uint64_t number_;
+  std::size_t family_;
+  std::size_t count_;
+  bool spheres_;
+  bool batched_ = false;  ///< its shaft is formed by compile_batch() too
+  Subject subject_;
+  CompiledShaft shaft_{};
+  std::vector<float> memory_;
+  std::size_t start_[6] = {};  ///< of each stream in memory_
+  std::vector<std::uint64_t> kept_;
+  std::vector<std::uint64_t> inside_;
+  std::vector<std::uint64_t> wrong_;
+  Tally tally_;
+  std::vector<std::string> failures_;
+};
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,43 @@
+#include "undecided.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "simd/scalar.hpp"
+#include "test/driver.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+/// The scalar path, watched: decide_lanes() notes what it is asked.
+struct WatchedLanes : kernel::ScalarLanes {
+  static inline thread_local std::uint64_t asked = 0;
+  static void note_undecided(std::uint64_t lanes) noexcept { asked |= lanes; }
+};
+
+template <class View>
+void watch(const CompiledShaft& shaft, const View& bounds, Form form, std::span<std::uint64_t> asked,
+           std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
+  const auto test = kernel::kernels_for<WatchedLanes>.test(bounds, form);
+  for (std::size_t w = 0; w != asked.size(); ++w) {
+    const std::size_t first = w * kernel::word_bits;
+    const View word = bounds.slice(first, std::min<std::size_t>(kernel::word_bits, bounds.count - first));
+    WatchedLanes::asked = 0;
+    test(shaft, word.stream.data(), word.count, &kept[w], &inside[w]);
+    asked[w] = WatchedLanes::asked;
+  }
+}
+
+}  // namespace
+
+void undecided(const CompiledShaft& shaft, const BoxView& boxes, Form form, std::span<std::uint64_t> asked,
+               std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
+  watch(shaft, boxes, form, asked, kept, inside);
+}
+
+void undecided(const CompiledShaft& shaft, const SphereView& spheres, Form form, std::span<std::uint64_t> asked,
+               std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
+  watch(shaft, spheres, form, asked, kept, inside);
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,36 @@
+#define xsimd xsimd_unfiltered_avx2
+#include "simd/lanes.hpp"
+#include "test/box_slab.hpp"
+#include "unfiltered.hpp"
+
+namespace shaftcull::bench {
+namespace {
+
+struct UnfilteredLanes : kernel::Lanes<xsimd::fma3<xsimd::avx2>> {};
+
+template <unsigned uppers>
+void cull_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept) noexcept {
+  using L = UnfilteredLanes;
+  const kernel::Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft);
+  const float* x[6];
+  for (unsigned i = 0; i < 6; ++i) x[i] = stream[shaft.slab_near[i]];
+  const auto zero = L::all(0.0F);
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t outside = 0;
+    for (unsigned lane = 0; lane < kernel::word_bits; lane += L::width) {
+      outside |= L::bits(L::less(zero, slab.gap(x, w * kernel::word_bits + lane))) << lane;
+    }
+    kept[w] = ~outside;
+  }
+}
+
+}  // namespace
+
+void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words, std::uint64_t* kept) noexcept {
+  using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
+  static constexpr Words* by_uppers[7] = {cull_words<0>, cull_words<1>, cull_words<2>, cull_words<3>,
+                                          cull_words<4>, cull_words<5>, cull_words<6>};
+  by_uppers[shaft.slab_uppers](shaft, boxes.stream.data(), words, kept);
+}
+
+}  // namespace shaftcull::bench
