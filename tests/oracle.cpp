@@ -203,7 +203,7 @@ bool Hull::touches(const Sphere& sphere) const {
     const Rational h = height(plane, centre);
     return (h > 0 ? from_outside : is == Answer::inside) && h * h == squared_radius * squared_length(plane);
   };
-  return squared_distance(sphere.centre) == squared_radius ||
+  return (radius > 0 && squared_distance(sphere.centre) == squared_radius) ||
          std::any_of(faces_.begin(), faces_.end(), [&](const auto& plane) { return touches_plane(plane, false); }) ||
          std::any_of(added_.begin(), added_.end(), [&](const auto& plane) { return touches_plane(plane, true); });
 }

@@ -132,7 +132,8 @@ QuickHull::Truth QuickHull::meets(const Sphere& sphere) const {
   for (std::size_t k = 0; k != 3; ++k) {
     const Interval under = difference(a_[k], centre[k]) + Interval(t) * difference(b_[k], a_[k]);
     const Interval over = difference(centre[k], a_[k + 3]) - Interval(t) * difference(b_[k + 3], a_[k + 3]);
-    squared_distance = squared_distance + square(maximum(maximum(under, over), Interval(0.0)));
+    const Interval gap = maximum(under, over);
+    if (gap.hi > 0) squared_distance = squared_distance + square(maximum(gap, Interval(0.0)));
     if (under.lo > 0) normal[k] = -0.5 * (under.lo + under.hi);
     if (over.lo > 0) normal[k] = 0.5 * (over.lo + over.hi);
   }

@@ -15,7 +15,11 @@ namespace {
 
 using namespace shaftcull::cli;
 
+#ifdef SHAFTCULL_CLI_WITH_VERIFY
+constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_verify};
+#else
 constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw};
+#endif
 
 std::string version() {
   std::string isas;

@@ -19,6 +19,7 @@ class Progress {
   void milestone(std::string_view text);
   /// Shown on a terminal only.
   void update(std::string_view text);
+  [[nodiscard]] bool on_terminal() const noexcept { return terminal_; }
 
  private:
   void clear();

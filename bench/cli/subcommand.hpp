@@ -9,11 +9,12 @@ void add_demo(CLI::App& program);
 void add_cull(CLI::App& program);
 void add_stats(CLI::App& program);
 void add_draw(CLI::App& program);
+void add_verify(CLI::App& program);  ///< in builds that found GMP
 
 /// Exit codes of the program.
 enum ExitCode : int {
   exit_ok = 0,
-  exit_failure = 1,    ///< the machine let us down: memory, output
+  exit_failure = 1,    ///< the machine let us down: memory, output; verify found a wrong answer
   exit_bad_input = 2,  ///< an option, the environment or a file cannot be used
 };
 

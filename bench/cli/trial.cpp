@@ -150,13 +150,27 @@ void Trial::count_undecided(const View& view) {
   }
 }
 
+template <class What>
+void Trial::compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const What& what) {
+  for (std::size_t w = 0; w != got.size(); ++w) {
+    for (std::uint64_t differ = (got[w] ^ right[w]) & ~wrong_[w]; differ != 0; differ &= differ - 1) {
+      const std::size_t i = w * 64 + static_cast<std::size_t>(std::countr_zero(differ));
+      if (i < count_) {
+        fail(i, fmt::format("{}: bit {} instead of {}", what(), (got[w] & bit(i)) != 0 ? 1 : 0, (right[w] & bit(i)) != 0 ? 1 : 0));
+      } else {
+        fail(count_ - 1, fmt::format("{}: bit {} past the last bound is set", what(), i));
+      }
+    }
+  }
+}
+
 template <class View>
 void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
   std::vector<std::uint64_t> kept(kept_.size());
   std::vector<std::uint64_t> inside(kept_.size());
   for (const Form form : {Form::slab, Form::planes}) {
     const auto question = [&](const char* call) {
-      return fmt::format("{}, {}, {}, {}", call, how, name(active_isa()), form == Form::slab ? "slab" : "planes");
+      return [=] { return fmt::format("{}, {}, {}, {}", call, how, name(active_isa()), form == Form::slab ? "slab" : "planes"); };
     };
     cull(shaft, view, kept, form);
     compare(kept, kept_, question("cull"));
@@ -165,7 +179,7 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
     compare(inside, inside_, question("classify, inside"));
   }
   contain(shaft, view, inside);
-  compare(inside, inside_, fmt::format("contain, {}, {}", how, name(active_isa())));
+  compare(inside, inside_, [=] { return fmt::format("contain, {}, {}", how, name(active_isa())); });
 }
 
 void Trial::ask(std::span<Trial> trials) {
@@ -190,19 +204,6 @@ void Trial::ask(std::span<Trial> trials) {
     };
     ask_of(trial.shaft_, "compile");
     if (trial.batched_) ask_of(batch[i], "compile_batch");
-  }
-}
-
-void Trial::compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const std::string& what) {
-  for (std::size_t w = 0; w != got.size(); ++w) {
-    for (std::uint64_t differ = (got[w] ^ right[w]) & ~wrong_[w]; differ != 0; differ &= differ - 1) {
-      const std::size_t i = w * 64 + static_cast<std::size_t>(std::countr_zero(differ));
-      if (i < count_) {
-        fail(i, fmt::format("{}: bit {} instead of {}", what, (got[w] & bit(i)) != 0 ? 1 : 0, (right[w] & bit(i)) != 0 ? 1 : 0));
-      } else {
-        fail(count_ - 1, fmt::format("{}: bit {} past the last bound is set", what, i));
-      }
-    }
   }
 }
 

@@ -52,7 +52,8 @@ class Trial {
   void ask(const CompiledShaft& shaft, const View& view, const char* how);
   template <class View>
   void count_undecided(const View& view);
-  void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const std::string& what);
+  template <class What>
+  void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const What& what);
   void fail(std::size_t bound, const std::string& what);
   [[nodiscard]] std::string bound_text(std::size_t i) const;
 

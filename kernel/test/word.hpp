@@ -23,9 +23,11 @@ constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
   return (L::width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << L::width) - 1) << offset;
 }
 
-/// Calls decide(lane) for every bit of `lanes`, and returns the bits for which it was true.
+/// Calls decide(lane) for every bit of `lanes`, and returns the bits for which it was true. A vector type that wants to
+/// know how often floats are not enough has a note_undecided().
 template <class L, class Decide>
 [[gnu::noinline, gnu::cold]] std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
+  if constexpr (requires { L::note_undecided(lanes); }) L::note_undecided(lanes);
   std::uint64_t yes = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctzll(lanes));
