@@ -78,13 +78,13 @@ std::pair<Box, Box> nearly_coincident(Dice& dice) {
 }
 
 void declare_setting(Suite& suite, const std::string& name, const std::shared_ptr<Setting>& setting, double ratio) {
-  const auto items = static_cast<std::int64_t>(bounds * shafts);
-  suite.add("exact/" + name + "/exact", "", [setting, items](benchmark::State& state) {
+  constexpr auto items = static_cast<std::int64_t>(bounds * shafts);
+  suite.add("exact/" + name + "/exact", "", [setting](benchmark::State& state) {
     select_isa(Isa::avx2);
     for (auto _ : state) cull_many(setting->compiled, setting->boxes.view(), setting->kept);
     state.SetItemsProcessed(state.iterations() * items);
   });
-  suite.add("exact/" + name + "/unfiltered", "", [setting, items](benchmark::State& state) {
+  suite.add("exact/" + name + "/unfiltered", "", [setting](benchmark::State& state) {
     for (auto _ : state) {
       for (std::size_t first = 0; first < bounds; first += tile) {
         const BoxView part = setting->boxes.view().slice(first, tile);

@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -33,7 +35,9 @@ constexpr Effort full_effort{std::size_t{1} << 22, 7, 0.3};
 constexpr Effort quick_effort{std::size_t{1} << 18, 7, 0.05};
 
 constexpr std::array families{
-    declare_paper, declare_form, declare_many,
+    declare_paper,
+    declare_form,
+    declare_many,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif
@@ -55,6 +59,16 @@ void set_up_benchmark(const Effort& effort, const std::string& filter, const std
   benchmark::Initialize(&count, arguments.data());
 }
 
+/// Makes the folder of `file` and opens it, so that minutes of measuring are not lost at the end.
+void require_writable(const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+  if (error || !std::ofstream(file, std::ios::app)) {
+    throw std::invalid_argument(
+        fmt::format("--out {}: cannot be written; give a file in a folder that can", file.string()));
+  }
+}
+
 int run(int argc, char** argv) {
   bool quick = false;
   std::filesystem::path out = "build/bench/summary.json";
@@ -63,9 +77,14 @@ int run(int argc, char** argv) {
   program.add_flag("--quick", quick, "Fewer bounds and shorter repetitions: less than a minute");
   program.add_option("--out", out, "The summary; Google Benchmark's own file goes next to it")->capture_default_str();
   program.add_option("--filter", filter, "Measure only the benchmarks that this regular expression matches");
-  CLI11_PARSE(program, argc, argv);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
+    throw std::invalid_argument(fmt::format("{} (see shaftcull-bench --help)", error.what()));
+  }
 
-  if (out.has_parent_path()) std::filesystem::create_directories(out.parent_path());
+  require_writable(out);
   std::filesystem::path raw = out;
   raw.replace_filename(out.stem().string() + ".raw.json");
 
@@ -81,7 +100,7 @@ int run(int argc, char** argv) {
 
   Results results;
   if (benchmark::RunSpecifiedBenchmarks(&results) == 0) {
-    throw std::invalid_argument(fmt::format("--filter {}: no benchmark has such a name", filter));
+    throw std::invalid_argument(fmt::format("--filter {}: matches no benchmark", filter));
   }
   print_table(suite, results);
   write_summary(out, suite, results);
