@@ -1,0 +1,33 @@
+# The tests on processors that this machine is not: emulated by qemu-user, with the very binaries that run here. An instruction
+# that such a processor lacks ends the test, so this also shows that no AVX code leaked into what everybody runs.
+
+if(NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR NOT "avx2" IN_LIST isas)
+  return()
+endif()
+if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}}" MATCHES "-fsanitize")
+  return()  # sanitizers lay out memory as qemu-user does not allow
+endif()
+find_program(SHAFTCULL_QEMU qemu-x86_64)
+
+# emulated_test(CPU ISA AREA [argument…]): emulated.<cpu>.<area>, which must find that ISA is the best there is.
+function(emulated_test cpu isa area)
+  string(TOLOWER "emulated.${cpu}" label)
+  if(SHAFTCULL_QEMU)
+    add_test(NAME ${label}.${area} COMMAND ${SHAFTCULL_QEMU} -cpu ${cpu} $<TARGET_FILE:test_${area}> ${ARGN})
+  else()
+    add_test(NAME ${label}.${area}
+      COMMAND sh -c "echo 'Skipped: qemu-x86_64 was not found when this was configured (Debian: qemu-user).'; exit 77")
+  endif()
+  set_tests_properties(${label}.${area} PROPERTIES
+    LABELS ${label} ENVIRONMENT SHAFTCULL_EXPECTED_ISA=${isa} SKIP_RETURN_CODE 77 TIMEOUT 300)
+endfunction()
+
+# What has no code of its own for an instruction set is run on the older processor alone.
+emulated_test(Nehalem sse4_2 isa)
+emulated_test(Nehalem sse4_2 cull --gtest_filter=-QuickOracle.*)
+emulated_test(Nehalem sse4_2 formation)
+emulated_test(Nehalem sse4_2 streams)
+emulated_test(Nehalem sse4_2 many --gtest_filter=Many*:Sinks.ListMany*)  # one sink: each takes a quarter of a minute
+emulated_test(Haswell avx2 isa)
+emulated_test(Haswell avx2 cull --gtest_filter=-QuickOracle.*)
+emulated_test(Haswell avx2 many --gtest_filter=Many*)

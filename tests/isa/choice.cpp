@@ -1,0 +1,108 @@
+/// Which instruction set is chosen, and what is said if there is no such.
+///
+/// The choice is made once in a process, so every case is a process of its own.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "shaftcull/error.hpp"
+#include "shaftcull/isa.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr Isa all_isas[] = {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512};
+
+bool is_available(Isa isa) {
+  const std::vector<Isa> available = available_isas();
+  return std::find(available.begin(), available.end(), isa) != available.end();
+}
+
+/// Says on standard error what is chosen with SHAFTCULL_ISA set to `wanted`, or left alone if that is null.
+[[noreturn]] void say_choice(const char* wanted) {
+  if (wanted == nullptr) {
+    unsetenv("SHAFTCULL_ISA");
+  } else {
+    setenv("SHAFTCULL_ISA", wanted, 1);
+  }
+  try {
+    std::cerr << "chosen: " << name(active_isa()) << '.' << std::endl;
+  } catch (const InvalidArgument& error) {
+    std::cerr << "refused: " << error.what() << std::endl;
+  }
+  std::_Exit(0);
+}
+
+std::string chosen(Isa isa) { return "chosen: " + std::string(name(isa)) + "."; }
+
+/// What a machine is known to have (emulated.cmake tells), else what it claims to have.
+Isa best_expected() {
+  const char* const expected = std::getenv("SHAFTCULL_EXPECTED_ISA");
+  return expected == nullptr ? available_isas().back() : isa_from_name(expected).value();
+}
+
+std::string listed() {
+  std::string list;
+  for (const Isa isa : available_isas()) list += (list.empty() ? "" : ", ") + std::string(name(isa));
+  return "this machine has " + list;
+}
+
+TEST(IsaChoice, TheBestOneIsPickedIfNothingIsSaid) {
+  EXPECT_EXIT(say_choice(nullptr), testing::ExitedWithCode(0), HasSubstr(chosen(best_expected())));
+  EXPECT_EXIT(say_choice(""), testing::ExitedWithCode(0), HasSubstr(chosen(best_expected())));
+}
+
+TEST(IsaChoice, NothingBeyondTheBestOneIsAvailableAndAllBelowAre) {
+  for (const Isa isa : all_isas) {
+    if (isa > best_expected()) {
+      EXPECT_FALSE(is_available(isa)) << name(isa);
+    } else {
+      EXPECT_TRUE(is_available(isa)) << name(isa);
+    }
+  }
+}
+
+TEST(IsaChoice, TheEnvironmentForcesAnyThatThereIs) {
+  for (const Isa isa : available_isas()) {
+    EXPECT_EXIT(say_choice(name(isa).data()), testing::ExitedWithCode(0), HasSubstr(chosen(isa)));
+  }
+}
+
+TEST(IsaChoice, AnUnavailableOneIsRefusedAndWhatThereIsIsListed) {
+  for (const Isa isa : all_isas) {
+    if (is_available(isa)) continue;
+    EXPECT_EXIT(say_choice(name(isa).data()), testing::ExitedWithCode(0),
+                AllOf(HasSubstr("refused: SHAFTCULL_ISA=" + std::string(name(isa))), HasSubstr(listed())));
+    try {
+      select_isa(isa);
+      ADD_FAILURE() << name(isa) << " was accepted";
+    } catch (const InvalidArgument& error) {
+      EXPECT_THAT(error.what(), AllOf(HasSubstr(std::string(name(isa))), HasSubstr(listed())));
+    }
+  }
+}
+
+TEST(IsaChoice, AnUnknownOneIsRefusedAndWhatThereIsIsListed) {
+  EXPECT_EXIT(say_choice("avx3"), testing::ExitedWithCode(0),
+              AllOf(HasSubstr("refused: SHAFTCULL_ISA=avx3"), HasSubstr(listed())));
+}
+
+TEST(IsaChoice, ACallWinsOverTheEnvironment) {
+  EXPECT_EXIT(
+      {
+        select_isa(Isa::scalar);
+        say_choice(name(best_expected()).data());
+      },
+      testing::ExitedWithCode(0), HasSubstr(chosen(Isa::scalar)));
+}
+
+}  // namespace
+}  // namespace shaftcull
