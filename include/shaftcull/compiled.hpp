@@ -31,6 +31,7 @@ struct alignas(64) CompiledShaft {
   enum class SlabForm : std::uint8_t {
     fused,       ///< t = x · scale + shift; shift = −p · scale
     difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where −p · scale is too large
+    exact,       ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
   };
 
   // First cache line: the slab constraints, bounds on t from above first.

@@ -1,4 +1,3 @@
-#include <limits>
 #include <string>
 
 #include "compile/planes.hpp"
@@ -12,20 +11,6 @@ namespace shaftcull {
 namespace {
 
 struct CompileEnvironment {};
-
-/// Whether every box is finite with lo ≤ hi. No early way out: compilers make vectors of this.
-bool all_finite(const BoxView& boxes) noexcept {
-  constexpr float largest = std::numeric_limits<float>::max();
-  bool good = true;
-  for (unsigned k = 0; k < 3; ++k) {
-    const float* lo = boxes.stream[k];
-    const float* hi = boxes.stream[k + 3];
-    for (std::size_t i = 0; i < boxes.count; ++i) {
-      good &= static_cast<bool>((lo[i] <= hi[i]) & (lo[i] >= -largest) & (hi[i] <= largest));
-    }
-  }
-  return good;
-}
 
 /// Throws what the constructor of Shaft throws for the first pair that it rejects, with the pair's index.
 void reject_first_bad_pair(const BoxView& a, const BoxView& b) {
@@ -65,8 +50,9 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
     throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
                           std::to_string(a.count) + ", " + std::to_string(b.count) + " and " + std::to_string(out.size()));
   }
-  if (!all_finite(a) || !all_finite(b)) reject_first_bad_pair(a, b);
-  kernel::active_kernels().compile_batch(a.stream.data(), b.stream.data(), a.count, out.data());
+  if (!kernel::active_kernels().compile_batch(a.stream.data(), b.stream.data(), a.count, out.data())) {
+    reject_first_bad_pair(a, b);
+  }
 }
 
 void complete(CompiledShaft& shaft) noexcept {

@@ -59,6 +59,28 @@ inline constexpr float fused_margin = 16 * float_unit * margin_slack;
 inline constexpr float fused_margin_per_shift = 12 * float_unit * margin_slack;
 inline constexpr float difference_margin = 16 * float_unit * margin_slack;
 
+/// Whether every box is finite with lo ≤ hi.
+template <class L>
+bool all_finite(const float* const* box, std::size_t count) noexcept {
+  const auto largest = L::all(__FLT_MAX__);
+  const auto least = L::all(-__FLT_MAX__);
+  bool good = true;
+  for (unsigned k = 0; k < 3; ++k) {
+    const float* lo = box[k];
+    const float* hi = box[k + 3];
+    std::size_t i = 0;
+    auto finite = L::less(least, largest);  // all true
+    for (; i + L::width <= count; i += L::width) {
+      const auto low = L::load(lo + i);
+      const auto high = L::load(hi + i);
+      finite = L::both(finite, L::both(L::less_equal(low, high), L::both(L::less_equal(least, low), L::less_equal(high, largest))));
+    }
+    good = good && L::bits(finite) == (std::uint64_t{1} << L::width) - 1;
+    for (; i < count; ++i) good = good && lo[i] <= hi[i] && lo[i] >= -__FLT_MAX__ && hi[i] <= __FLT_MAX__;
+  }
+  return good;
+}
+
 /// Slab coefficients of one shaft in difference form, for pairs that the fused form does not suit.
 template <class L>
 void write_difference_slab(const float (&p)[8], const float (&q)[6], bool regular, CompiledShaft& out) noexcept {
@@ -74,7 +96,7 @@ void write_difference_slab(const float (&p)[8], const float (&q)[6], bool regula
     out.slab_near[i] = near_stream[f];
   }
   out.slab_uppers = order.uppers;
-  out.slab_form = CompiledShaft::SlabForm::difference;
+  out.slab_form = regular ? CompiledShaft::SlabForm::difference : CompiledShaft::SlabForm::exact;
   out.slab_margin = regular ? difference_margin : __builtin_inff();
 }
 
@@ -91,7 +113,7 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   Vector other[6];
   Vector scale[6];
   Vector shift[6];
-  std::uint64_t red[6];
+  Vector red_set = zero;  // a sum of 2^f over red faces f: small integers are exact
   Vector top_shift = zero;
   Vector top_coordinate = zero;
   Vector least_slope = L::all(__builtin_inff());
@@ -101,13 +123,16 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     const Vector slope = L::subtract(other[f], p[f]);
     scale[f] = L::divide(one, slope);
     shift[f] = L::multiply(L::subtract(zero, p[f]), scale[f]);
-    red[f] = f < 3 ? L::bits(L::less(zero, slope)) : L::bits(L::less(slope, zero));
+    const auto red = f < 3 ? L::less(zero, slope) : L::less(slope, zero);
+    red_set = L::add(red_set, L::choose(red, L::all(static_cast<float>(1U << f)), zero));
     top_shift = L::maximum(L::magnitude(shift[f]), top_shift);
     top_coordinate = L::maximum(L::maximum(L::magnitude(p[f]), L::magnitude(other[f])), top_coordinate);
     least_slope = L::minimum(L::magnitude(slope), least_slope);
   }
-  float largest_shift[width];
-  L::store(largest_shift, top_shift);
+  float margin[width];
+  L::store(margin, L::add(L::all(fused_margin), L::multiply(top_shift, L::all(fused_margin_per_shift))));
+  float reds[width];
+  L::store(reds, red_set);
   const auto within_range = L::less_equal(top_coordinate, L::all(regular_limit));
   const std::uint64_t in_range = L::bits(within_range);
   const std::uint64_t fused =
@@ -122,19 +147,18 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   L::store_rows(scale, scale_rows);
   L::store_rows(shift, shift_rows);
 
+  // Rows are written eight floats at a time where that is quicker: two more than they have, onto members that are
+  // written after them.
   for (unsigned lane = 0; lane < count; ++lane) {
     CompiledShaft& shaft = out[lane];
+    __builtin_prefetch(&shaft + 16, 1);  // strides this long are beyond hardware prefetchers
+    __builtin_prefetch(reinterpret_cast<const char*>(&shaft + 16) + 64, 1);
     if (fused >> lane & 1) [[likely]] {
-      unsigned reds = 0;
-      for (unsigned f = 0; f < 6; ++f) reds |= static_cast<unsigned>(red[f] >> lane & 1) << f;
-      const SlabOrder& order = slab_orders.by_reds[reds];
-      float row[8];
-      L::permute_row(scale_rows[lane], order.face, row);
-      __builtin_memcpy(shaft.slab_scale, row, sizeof shaft.slab_scale);
-      L::permute_row(shift_rows[lane], order.face, row);
-      __builtin_memcpy(shaft.slab_shift, row, sizeof shaft.slab_shift);
+      const SlabOrder& order = slab_orders.by_reds[static_cast<int>(reds[lane])];
+      L::permute_row(scale_rows[lane], order.face, shaft.slab_scale);
+      L::permute_row(shift_rows[lane], order.face, shaft.slab_shift);
       __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
-      shaft.slab_margin = fused_margin + fused_margin_per_shift * largest_shift[lane];
+      shaft.slab_margin = margin[lane];
     } else {
       float slope_row[6];
       bool regular = in_range >> lane & 1;
@@ -145,8 +169,8 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
       }
       write_difference_slab<L>(p_rows[lane], slope_row, regular, shaft);
     }
-    __builtin_memcpy(&shaft.a, p_rows[lane], sizeof shaft.a);
-    __builtin_memcpy(&shaft.b, other_rows[lane], sizeof shaft.b);
+    L::copy_row(p_rows[lane], &shaft.a);
+    L::copy_row(other_rows[lane], &shaft.b);
     shaft.t_begin = 0.0F;
     shaft.t_end = 1.0F;
     shaft.joining_count = CompiledShaft::planes_pending;

@@ -30,6 +30,7 @@ struct Lanes {
   static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
   static Mask less(Vector a, Vector b) noexcept { return a < b; }
   static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
+  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }
   static Mask both(Mask a, Mask b) noexcept { return a & b; }
   static Mask either(Mask a, Mask b) noexcept { return a | b; }
 
@@ -44,11 +45,9 @@ struct Lanes {
 
   /// Lane i of the six vectors becomes the first six floats of row i; what follows them in a row is unspecified.
   static void store_rows(const Vector (&columns)[6], float (&rows)[width][8]) noexcept {
-    alignas(64) float column[6][width];
-    for (unsigned c = 0; c < 6; ++c) store(column[c], columns[c]);
 #ifdef __AVX__
     for (unsigned lane = 0; lane < width; lane += 8) {  // 8 × 8, in pairs, then fours, then halves
-      const auto pair = [&](unsigned c) { return _mm256_load_ps(column[c] + lane); };
+      const auto pair = [&](unsigned c) { return eight_of(columns[c], lane); };
       const __m256 low01 = _mm256_unpacklo_ps(pair(0), pair(1));
       const __m256 high01 = _mm256_unpackhi_ps(pair(0), pair(1));
       const __m256 low23 = _mm256_unpacklo_ps(pair(2), pair(3));
@@ -64,18 +63,44 @@ struct Lanes {
       }
     }
 #else
+    float column[6][width];
+    for (unsigned c = 0; c < 6; ++c) store(column[c], columns[c]);
     for (unsigned lane = 0; lane < width; ++lane) {
       for (unsigned c = 0; c < 6; ++c) rows[lane][c] = column[c][lane];
     }
 #endif
   }
 
-  /// out[i] = row[order[i]] for six of eight floats; the other two of `out` are unspecified.
-  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float (&out)[8]) noexcept {
+  /// out[i] = row[order[i]] for six of eight floats; the other two that `out` has room for are unspecified.
+  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float* out) noexcept {
 #ifdef __AVX2__
     _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), _mm256_loadu_si256(reinterpret_cast<const __m256i*>(order))));
 #else
     for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
+#endif
+  }
+
+  /// Vectors of which only signs matter: negative where a or b is, negative where a and b are.
+  static Vector either_negative(Vector a, Vector b) noexcept { return a | b; }
+  static Vector both_negative(Vector a, Vector b) noexcept { return a & b; }
+
+  /// Bit i is the sign of lane i. Cheaper than comparing with 0: it leaves the ports alone that do arithmetic.
+  static std::uint64_t signs(Vector a) noexcept {
+#ifdef __AVX512DQ__
+    if constexpr (width == 16) return _mm512_movepi32_mask(_mm512_castps_si512(a));
+#endif
+#ifdef __AVX__
+    if constexpr (width == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps(a));
+#endif
+    if constexpr (width == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(a));
+  }
+
+  /// Copies six floats, and two more where that is quicker.
+  static void copy_row(const float (&row)[8], void* out) noexcept {
+#ifdef __AVX__
+    _mm256_storeu_ps(static_cast<float*>(out), _mm256_loadu_ps(row));
+#else
+    __builtin_memcpy(out, row, 6 * sizeof(float));
 #endif
   }
 
@@ -93,6 +118,18 @@ struct Lanes {
       if constexpr (width == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(mask));
     }
   }
+
+ private:
+#ifdef __AVX__
+  /// Lanes [lane, lane + 8).
+  static __m256 eight_of(Vector a, [[maybe_unused]] unsigned lane) noexcept {
+#ifdef __AVX512F__
+    if constexpr (width == 16) return lane == 0 ? _mm512_castps512_ps256(a) : _mm512_extractf32x8_ps(a, 1);
+    else
+#endif
+      return a;
+  }
+#endif
 };
 
 }  // namespace shaftcull::kernel

@@ -22,15 +22,20 @@ struct ScalarLanes {
   static Vector magnitude(Vector a) noexcept { return __builtin_fabsf(a); }
   static Mask less(Vector a, Vector b) noexcept { return a < b; }
   static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
+  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return mask ? a : b; }
   static Mask both(Mask a, Mask b) noexcept { return a && b; }
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
+  static Vector either_negative(Vector a, Vector b) noexcept { return minimum(a, b); }
+  static Vector both_negative(Vector a, Vector b) noexcept { return maximum(a, b); }
+  static std::uint64_t signs(Vector a) noexcept { return a < 0; }
   static void store_rows(const Vector (&columns)[6], float (&rows)[1][8]) noexcept {
     for (unsigned c = 0; c < 6; ++c) rows[0][c] = columns[c];
   }
-  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float (&out)[8]) noexcept {
+  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float* out) noexcept {
     for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
   }
+  static void copy_row(const float (&row)[8], void* out) noexcept { __builtin_memcpy(out, row, 6 * sizeof(float)); }
   static std::uint64_t bits(Mask mask) noexcept { return mask; }
 };
 

@@ -81,16 +81,29 @@ void box_slab_words(const CompiledShaft& shaft, const float* const* stream, std:
   for (std::size_t w = 0; w < words; ++w) {
     const std::size_t at = w * word_bits;
     std::uint64_t outside = 0;
-    auto closest = L::all(__builtin_inff());
+    auto decided = L::all(-1.0F);
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
       const auto gap = slab.gap(x, at + lane);
-      outside |= L::bits(L::less(margin, gap)) << lane;
-      closest = L::minimum(L::magnitude(gap), closest);
+      const auto not_outside = L::subtract(margin, gap);  // negative iff gap > margin: a float difference has the right sign
+      outside |= L::signs(not_outside) << lane;
+      decided = L::both_negative(decided, L::either_negative(not_outside, L::add(gap, margin)));
     }
-    if (L::bits(L::less_equal(closest, margin)) != 0) [[unlikely]] {
+    if (L::signs(decided) != (std::uint64_t{1} << L::width) - 1) [[unlikely]] {
       outside = settle_slab_word<L>(shaft, slab, x, stream, at);
     }
     kept[w] = ~outside;
+  }
+}
+
+/// For shafts that no margin holds for.
+template <class L>
+void box_exact_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                     std::uint64_t* kept) noexcept {
+  const SlabPredicate exact(shaft);
+  for (std::size_t w = 0; w < words; ++w) {
+    kept[w] = ~decide_lanes<L>(~std::uint64_t{0}, [&](unsigned lane) {
+      return exact.outside(BoundAt<L, 6>(stream, w * word_bits + lane).value);
+    });
   }
 }
 
@@ -106,6 +119,7 @@ void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std:
       {box_slab_words<L, 0, difference>, box_slab_words<L, 1, difference>, box_slab_words<L, 2, difference>,
        box_slab_words<L, 3, difference>, box_slab_words<L, 4, difference>, box_slab_words<L, 5, difference>,
        box_slab_words<L, 6, difference>}};
+  if (shaft.slab_form == exact) [[unlikely]] return box_exact_words<L>(shaft, stream, words, kept);
   by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, stream, words, kept);
 }
 

@@ -51,7 +51,7 @@ struct SphereStages {
   static constexpr float nowhere[streams] = {0, 0, 0, -1};
 
   static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
-    return form == Form::planes || shaft.slab_form == CompiledShaft::SlabForm::difference;
+    return form == Form::planes || shaft.slab_form != CompiledShaft::SlabForm::fused;
   }
 
   static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
@@ -127,16 +127,19 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
 
 /// Forms shafts in batches, as Kernels has it.
 template <class L>
-void compile_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+bool compile_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
   const FloatEnvironment<L> environment;
+  if (!all_finite<L>(a, count) || !all_finite<L>(b, count)) return false;
   compile_slabs<L>(a, b, count, out);
+  return true;
 }
 
-template <class L>
+/// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
+template <class L, class FormationLanes = L>
 inline constexpr Kernels kernels_for = {
     test_bounds<L, BoxStages<L, Form::slab>>,    test_bounds<L, BoxStages<L, Form::planes>>,
     test_bounds<L, SphereStages<L, Form::slab>>, test_bounds<L, SphereStages<L, Form::planes>>,
-    compile_pairs<L>,
+    compile_pairs<FormationLanes>,
 };
 
 }  // namespace shaftcull::kernel

@@ -16,8 +16,8 @@ namespace shaftcull::kernel {
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
-/// Forms the shafts of `count` pairs of boxes; the boxes are checked.
-using CompileBatch = void(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
+/// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
+using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
 
 struct Kernels {
   Test* boxes_slab;
