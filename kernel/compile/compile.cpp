@@ -27,7 +27,7 @@ void reject_first_bad_pair(const BoxView& a, const BoxView& b) {
 
 CompiledShaft compile(const Shaft& shaft) noexcept {
   const kernel::FloatEnvironment<CompileEnvironment> environment;
-  CompiledShaft compiled{};
+  CompiledShaft compiled;  // arrays stay unwritten past their counts
   const float* a[6];
   const float* b[6];
   for (unsigned k = 0; k < 3; ++k) {
@@ -37,7 +37,7 @@ CompiledShaft compile(const Shaft& shaft) noexcept {
     b[k + 3] = &shaft.b().hi[k];
   }
   kernel::compile_slabs<kernel::ScalarLanes>(a, b, 1, &compiled);
-  kernel::compile_joining_planes(shaft.joining_planes(), shaft.options().spheres, compiled);
+  kernel::compile_joining_planes(shaft.joining_planes(), compiled);
   kernel::compile_added_planes(shaft.added_planes(), compiled);
   compiled.answers_outside = shaft.options().outside;
   compiled.answers_inside = shaft.options().inside;
@@ -58,7 +58,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
 void complete(CompiledShaft& shaft) noexcept {
   if (shaft.has_planes()) return;
   const kernel::FloatEnvironment<CompileEnvironment> environment;
-  kernel::compile_joining_planes(Shaft(shaft.a, shaft.b).joining_planes(), true, shaft);
+  kernel::compile_joining_planes(Shaft(shaft.a, shaft.b).joining_planes(), shaft);
 }
 
 }  // namespace shaftcull

@@ -12,7 +12,7 @@ namespace {
 constexpr double unit = 0x1p-24;        // of a float
 constexpr double slack = 1 + 0x1p-10;   // terms of second order
 constexpr double denormals = 0x1p-140;  // what underflow may take away, and more
-constexpr double smallest_normal = 0x1p-100;
+constexpr float smallest_normal = 0x1p-100F;
 
 /// The smallest float not below `margin`; +∞ if that is so large that arithmetic with it could overflow.
 float margin_of(double margin) noexcept {
@@ -31,48 +31,36 @@ float largest_magnitude(const CompiledShaft& shaft) noexcept {
 
 }  // namespace
 
-void compile_joining_planes(std::span<const JoiningPlane> planes, bool unit_normals, CompiledShaft& out) noexcept {
+void compile_joining_planes(std::span<const JoiningPlane> planes, CompiledShaft& out) noexcept {
   for (Face f = 0; f < 6; ++f) {
     const float on_a = position(out.a, f);
     const float on_b = position(out.b, f);
     out.face[f] = f < 3 ? std::min(on_a, on_b) : std::max(on_a, on_b);
   }
+  double reach[3];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than it is wide
+  for (unsigned k = 0; k < 3; ++k) {
+    const double lo = out.face[k];
+    const double hi = out.face[k + 3];
+    reach[k] = std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
+  }
   bool regular = largest_magnitude(out) <= regular_limit;
   double margin = 0;
   std::uint8_t count = 0;
-  for (const JoiningPlane& plane : planes) {
-    const Face red = plane.red;
-    const Face blue = plane.blue;
-    const double red_p = position(out.a, red);
-    const double blue_p = position(out.a, blue);
-    const double red_q = position(out.b, red) - red_p;
-    const double blue_q = position(out.b, blue) - blue_p;
-    const double orientation = (red_q > 0) == (blue_q > 0) ? 1 : -1;
-    double red_normal = -orientation * blue_q;
-    double blue_normal = orientation * red_q;
-    const double length = unit_normals ? std::sqrt(red_normal * red_normal + blue_normal * blue_normal)
-                                       : std::max(std::fabs(red_normal), std::fabs(blue_normal));
-    red_normal /= length;
-    blue_normal /= length;
-    const double offset = red_normal * red_p + blue_normal * blue_p;
-
-    out.joining_normal0[count] = static_cast<float>(red_normal);
-    out.joining_normal1[count] = static_cast<float>(blue_normal);
-    out.joining_minus_offset[count] = static_cast<float>(-offset);
+  for (const JoiningPlane& joining : planes) {
+    const Face red = joining.red;
+    const Face blue = joining.blue;
+    const float red_normal = joining.plane.normal[red % 3];
+    const float blue_normal = joining.plane.normal[blue % 3];
+    out.joining_normal0[count] = red_normal;
+    out.joining_normal1[count] = blue_normal;
+    out.joining_minus_offset[count] = -joining.plane.offset;
     out.joining_near0[count] = near_stream[red];
     out.joining_near1[count] = near_stream[blue];
     out.joining_far0[count] = red;
     out.joining_far1[count] = blue;
     ++count;
-
-    // Where it matters, coordinates are within the shaft box, or deeper inside the plane than the box is wide.
-    const auto reach = [&](unsigned axis) {
-      const double lo = out.face[axis];
-      const double hi = out.face[axis + 3];
-      return std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
-    };
-    margin = std::max(margin, std::fabs(red_normal) * reach(red % 3) + std::fabs(blue_normal) * reach(blue % 3) +
-                                  std::fabs(offset));
+    margin = std::max(margin, std::fabs(red_normal) * reach[red % 3] + std::fabs(blue_normal) * reach[blue % 3] +
+                                  std::fabs(joining.plane.offset));
     regular = regular && std::min(std::fabs(red_normal), std::fabs(blue_normal)) >= smallest_normal;
   }
   out.joining_count = count;
