@@ -78,7 +78,7 @@ struct alignas(64) CompiledShaft {
 };
 static_assert(sizeof(CompiledShaft) <= 1024);
 
-/// Compiles a formed shaft. Never fails; about 0.1 µs.
+/// Compiles a formed shaft. Never fails; a little longer than forming it takes, some 70 ns.
 [[nodiscard]] CompiledShaft compile(const Shaft& shaft) noexcept;
 
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
