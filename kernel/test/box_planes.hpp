@@ -151,8 +151,9 @@ void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, st
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
       if ((inside[w] & lanes_of<L>(lane)) == 0) continue;
       const std::size_t at = w * word_bits + lane;
-      auto within_box = L::less_equal(L::all(shaft.face[0]), L::load(stream[0] + at));
-      for (unsigned k = 1; k < 3; ++k) {
+      // The empty box is within all faces, and inside of nothing.
+      auto within_box = L::less_equal(L::load(stream[0] + at), L::load(stream[3] + at));
+      for (unsigned k = 0; k < 3; ++k) {
         within_box = L::both(within_box, L::less_equal(L::all(shaft.face[k]), L::load(stream[k] + at)));
       }
       for (unsigned k = 3; k < 6; ++k) {

@@ -6,9 +6,13 @@
 #include <limits>
 #include <vector>
 
+#include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
 namespace {
@@ -37,6 +41,18 @@ TEST(SpecialValues, EverythingIsAlwaysKeptAndNeverInside) {
 
 TEST(SpecialValues, TheEmptyBoxIsAlwaysOutside) {
   for (const Subject& subject : subjects()) expect_answers(subject, {empty}, {Answer::outside});
+}
+
+TEST(SpecialValues, TheEmptyBoxIsNotContained) {
+  const BoxColumns memory({empty});
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Subject& subject : subjects()) {
+      std::vector<std::uint64_t> inside{~std::uint64_t{0}};
+      contain(compile(Shaft(subject.a, subject.b)), memory.view(), inside);
+      EXPECT_EQ(inside[0], 0U) << name(isa) << "\n" << source_text(subject);
+    }
+  }
 }
 
 TEST(SpecialValues, HalfInfiniteBoxesAnswerLikeUnboundedOnes) {
