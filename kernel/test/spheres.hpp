@@ -4,6 +4,7 @@
 #include "exact/predicates.hpp"
 #include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
+#include "test/mutant.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
@@ -66,7 +67,7 @@ void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream,
   const CentreStreams<L> centres(stream);
   const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream);
   // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
-  const auto minus_widened = L::all(-(1.0F + 8 * float_unit));
+  const auto minus_widened = L::all(-(1.0F + 8 * float_unit * radius_margin_factor));
   const auto zero = L::all(0.0F);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;
@@ -122,8 +123,8 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
     reach = __builtin_fmaxf(reach, __builtin_fmaxf(__builtin_fabsf(a[f]), __builtin_fabsf(b[f])));
   }
   // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
-  const Vector minus_error = L::all(-17 * float_unit * reach);
-  const Vector shrink = L::all(1 - 16 * float_unit);
+  const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * reach);
+  const Vector shrink = L::all(1 - 16 * float_unit * accept_margin_factor);
   const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away,
   const Vector most = L::all(0x1p60F);    // and the square of this far below overflow
   const Vector zero = L::all(0.0F);
@@ -225,7 +226,8 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
         within &= ~(L::bits(L::less(margin, value)) << lane);
       };
       const Vector joining = largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream, at);
-      test(L::add(joining, radius), L::multiply_add(radius, L::all(8 * float_unit), L::all(shaft.joining_margin)));
+      const Vector growth = L::all(8 * float_unit * radius_margin_factor);
+      test(L::add(joining, radius), L::multiply_add(radius, growth, L::all(shaft.joining_margin)));
       for (unsigned i = 0; i < shaft.added_count; ++i) {
         test(L::multiply_add(radius, L::all(shaft.added_length[i]),
                              added_value<L>(shaft, i, shaft.added_near, centres.stream, at)),

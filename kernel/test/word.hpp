@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "shaftcull/compiled.hpp"
+#include "test/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -28,6 +29,7 @@ constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
 template <class L, class Decide>
 [[gnu::noinline, gnu::cold]] std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
   if constexpr (requires { L::note_undecided(lanes); }) L::note_undecided(lanes);
+  if (drops_exact_step) return 0;
   std::uint64_t yes = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctzll(lanes));

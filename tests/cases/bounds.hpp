@@ -8,6 +8,7 @@
 
 #include "dice.hpp"
 #include "quick_oracle.hpp"
+#include "shaftcull/shaft.hpp"
 #include "subject.hpp"
 
 namespace shaftcull {
@@ -71,6 +72,37 @@ inline Box touching_box(Dice& dice, const Subject& subject) {
 /// A sphere around `centre` whose radius is, to an ulp or two, its distance from the shaft, or its depth in it.
 inline Sphere touching_sphere(Dice& dice, const oracle::QuickHull& hull, const Vec3& centre) {
   return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::min(hull.reach(centre), 3e38))))};
+}
+
+/// A sphere of a few ulps beside the path of a corner of the moving box: rounding errors are as large as its radius.
+inline Sphere tiny_sphere(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
+  const float t = dice.one_in(3) ? dice.integer(0, 1) : dice.uniform(dice.one_in(2) ? 0.9F : 0.0F, 1.0F);
+  Vec3 centre{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const bool hi = dice.one_in(2);
+    const double from = static_cast<double>(hi ? subject.a.hi[k] : subject.a.lo[k]);
+    const double to = static_cast<double>(hi ? subject.b.hi[k] : subject.b.lo[k]);
+    centre[k] = static_cast<float>(from + static_cast<double>(t) * (to - from));
+    const float away = hi != dice.one_in(3) ? INFINITY : -INFINITY;
+    for (unsigned steps = dice.below(6); steps != 0; --steps) centre[k] = std::nextafter(centre[k], away);
+  }
+  return touching_sphere(dice, hull, centre);
+}
+
+/// A sphere that rests on a joining plane, if the shaft has any: of any size, up to ten thousand times the shaft's.
+inline Sphere resting_sphere(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
+  const Shaft shaft(subject.a, subject.b);
+  const auto planes = shaft.joining_planes();
+  Vec3 centre = random_centre(dice, subject, 0.0F);
+  if (planes.empty()) return touching_sphere(dice, hull, centre);
+  const JoiningPlane& joining = planes[dice.below(static_cast<unsigned>(planes.size()))];
+  const float t = dice.uniform(0.0F, 1.0F);
+  const float distance = std::pow(10.0F, dice.uniform(-2.0F, 4.0F));
+  for (const Face face : {joining.red, joining.blue}) {
+    const auto on = [&](const Box& box) { return face < 3 ? box.lo[face] : box.hi[face - 3]; };
+    centre[face % 3] = on(subject.a) + t * (on(subject.b) - on(subject.a)) + distance * joining.plane.normal[face % 3];
+  }
+  return touching_sphere(dice, hull, centre);
 }
 
 /// A box with one corner on an added plane, as nearly as can be.

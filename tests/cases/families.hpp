@@ -61,6 +61,10 @@ inline constexpr Family families[] = {
      [](Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
        return dice.one_in(2) ? random_sphere(dice, subject) : touching_sphere(dice, hull, random_centre(dice, subject));
      }},
+    {"a few ulps", [](Dice& dice, unsigned) { return long_subject(dice, dice.one_in(2)); }, touching_box, tiny_sphere},
+    {"on joining planes",
+     [](Dice& dice, unsigned) { return dice.one_in(2) ? long_subject(dice, dice.one_in(2)) : random_subject(dice); },
+     touching_box, resting_sphere},
     {"faces nearly equal", [](Dice& dice, unsigned) { return nearly_equal_subject(dice); }, touching_box,
      [](Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
        return touching_sphere(dice, hull, random_centre(dice, subject));

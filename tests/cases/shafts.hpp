@@ -48,16 +48,34 @@ inline Subject degenerate_subject(Dice& dice) {
   return dice.one_in(2) ? Subject{a, b} : Subject{b, a};
 }
 
-/// A random shaft moved by about `distance` along one axis or more.
-inline Subject distant_subject(Dice& dice, float distance) {
+/// A random shaft moved by about `distance` along the axes in the set `axes` (bit k for axis k), or along any.
+inline Subject distant_subject(Dice& dice, float distance, unsigned axes = 0) {
   Subject subject = random_subject(dice);
-  const unsigned axes = 1 + dice.below(7);
+  if (axes == 0) axes = 1 + dice.below(7);
   for (std::size_t k = 0; k != 3; ++k) {
     if ((axes >> k & 1U) == 0) continue;
     const float shift = dice.one_in(2) ? distance : -distance;
     for (Box* box : {&subject.a, &subject.b}) {
       box->lo[k] += shift;
       box->hi[k] += shift;
+    }
+  }
+  return subject;
+}
+
+/// A shaft from one corner of a cube to the opposite one, around the origin or about `distance` from it on each axis:
+/// steep slopes, coordinates and slopes just above powers of 2, where rounding is relatively worst.
+inline Subject long_subject(Dice& dice, bool distant = false) {
+  const float distance = distant ? std::ldexp(dice.uniform(1.05F, 1.2F), static_cast<int>(dice.integer(5, 14))) : 0.0F;
+  Subject subject{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const float side = dice.one_in(2) ? 1.0F : -1.0F;
+    const float shift = dice.one_in(2) ? distance : -distance;
+    for (Box* box : {&subject.a, &subject.b}) {
+      const float centre = shift + (box == &subject.a ? side : -side) * dice.uniform(4.1F, 4.3F);
+      const float half = dice.one_in(4) ? 0.0F : dice.uniform(0.0F, 0.08F);
+      box->lo[k] = centre - half;
+      box->hi[k] = centre + half;
     }
   }
   return subject;

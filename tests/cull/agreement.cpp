@@ -18,7 +18,9 @@ bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words
 CompiledShaft compiled(const Subject& subject) {
   Shaft shaft(subject.a, subject.b);
   for (const Plane& plane : subject.added) shaft.add_plane(plane);
-  return compile(shaft);
+  CompiledShaft result = compile(shaft);
+  if (mutate != nullptr) mutate(result);
+  return result;
 }
 
 template <class Bound>
@@ -70,6 +72,8 @@ void expect_oracle(const Subject& subject, const std::vector<Bound>& bounds) {
 }
 
 }  // namespace
+
+void (*mutate)(CompiledShaft& shaft) = nullptr;
 
 std::vector<Answer> answers(const Subject& subject, const std::vector<Box>& bounds, Form form) {
   return all_answers(subject, bounds, form);

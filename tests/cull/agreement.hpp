@@ -4,10 +4,14 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "subject.hpp"
 
 namespace shaftcull {
+
+/// Changes every compiled shaft before it is asked; null but in mutation tests (tests/mutation/).
+extern void (*mutate)(CompiledShaft& shaft);
 
 /// The answers of classify() for a form, after checking that cull() keeps the same bounds.
 std::vector<Answer> answers(const Subject& subject, const std::vector<Box>& bounds, Form form);

@@ -36,6 +36,11 @@ TEST(ExactBoxes, RandomBoxes) { check(1, 200, random_subject, many(64, [](Dice& 
 
 TEST(ExactBoxes, BoxesThatTouchOrNearlyTouch) { check(2, 250, random_subject, many(64, touching_box)); }
 
+TEST(ExactBoxes, BoxesThatTouchLongShafts) {
+  check(11, 80, [](Dice& dice) { return long_subject(dice); }, many(64, touching_box));
+  check(12, 80, [](Dice& dice) { return long_subject(dice, true); }, many(64, touching_box));
+}
+
 TEST(ExactBoxes, GridAlignedBoxes) {
   check(3, 250, [](Dice& dice) { return grid_subject(dice); }, many(64, [](Dice& dice, const Subject&) { return dice.grid_box(0, 8); }));
 }

@@ -61,6 +61,16 @@ TEST(ExactSpheres, ShaftsFarFromTheOrigin) {
   }
 }
 
+TEST(ExactSpheres, RadiiAsSmallAsRoundingErrors) {
+  check(32, 120, 32, [](Dice& dice) { return long_subject(dice); }, tiny_sphere);
+  check(33, 200, 32, [](Dice& dice) { return long_subject(dice, true); }, tiny_sphere);
+}
+
+TEST(ExactSpheres, SpheresOnJoiningPlanes) {
+  check(34, 100, 32, random_subject, resting_sphere);
+  check(35, 50, 32, [](Dice& dice) { return long_subject(dice, true); }, resting_sphere);
+}
+
 TEST(ExactSpheres, NearlyEqualFaces) { check(31, 100, 24, nearly_equal_subject, near_sphere); }
 
 TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {

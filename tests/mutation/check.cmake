@@ -1,0 +1,45 @@
+# Shows that tests can fail: each fault in the library must be noticed by wrong answers, not by a crash, in every area and
+# form that it concerns. Arguments: TEST (the mutant executable), ISA.
+function(run fault filter)
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -E env SHAFTCULL_MUTANT=${fault} SHAFTCULL_ISA=${ISA} ${TEST} --gtest_filter=${filter}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  set(result ${result} PARENT_SCOPE)
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(must_notice fault filter)
+  run(${fault} ${filter})
+  foreach(form IN LISTS ARGN)
+    if(NOT result EQUAL 1 OR NOT output MATCHES "on ${ISA}, form ${form};[^;]* is (outside|overlap|inside), answered ")
+      message(SEND_ERROR "With the fault ${fault}, ${filter} should give wrong answers in ${form} form on ${ISA}, "
+                         "but ended with ${result}:\n${output}")
+    endif()
+  endforeach()
+  string(REGEX MATCHALL "\\[  FAILED  \\] [A-Za-z0-9.]+ \\(" failed "${output}")
+  list(LENGTH failed count)
+  list(JOIN ARGN " and " forms)
+  message(STATUS "${fault}: ${count} of ${filter} fail, in ${forms} form")
+endfunction()
+
+run(none "Exact*:Added*")
+if(result EQUAL 77)
+  message(STATUS "Skipped: this machine does not have ${ISA}")
+  return()
+elseif(NOT result EQUAL 0)
+  message(FATAL_ERROR "Without a fault all tests should pass, but ended with ${result}:\n${output}")
+endif()
+
+set(added_boxes "AddedPlanes.*Boxes*")
+set(added_spheres "AddedPlanes.*Spheres*")
+must_notice(slab_margin ExactBoxes.* slab)
+must_notice(slab_margin ExactSpheres.* slab)
+must_notice(joining_margin ExactBoxes.* planes)
+must_notice(joining_margin ExactSpheres.* planes)
+must_notice(accept_margin ExactSpheres.* slab planes)
+must_notice(radius_margin ExactSpheres.* planes)
+must_notice(added_margin ${added_boxes} slab planes)
+must_notice(added_margin ${added_spheres} slab planes)
+foreach(filter IN ITEMS ExactBoxes.* ExactSpheres.* ${added_boxes} ${added_spheres})
+  must_notice(no_exact_step ${filter} slab planes)
+endforeach()

@@ -1,0 +1,53 @@
+/// Makes test_cull a mutant: the environment variable SHAFTCULL_MUTANT names the fault to put into the library.
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+
+#include "cull/agreement.hpp"
+#include "test/mutant.hpp"
+
+namespace shaftcull {
+namespace kernel {
+
+bool drops_exact_step = false;
+float accept_margin_factor = 1.0F;
+float radius_margin_factor = 1.0F;
+
+}  // namespace kernel
+
+namespace {
+
+constexpr float weak = 0.1F;
+
+void weaken_slab(CompiledShaft& shaft) { shaft.slab_margin *= weak; }
+void weaken_joining(CompiledShaft& shaft) { shaft.joining_margin *= weak; }
+void weaken_added(CompiledShaft& shaft) {
+  for (float& margin : shaft.added_margin) margin *= weak;
+  for (float& slack : shaft.added_slack) slack *= weak;
+}
+
+bool apply(std::string_view fault) {
+  if (fault == "slab_margin") {
+    mutate = weaken_slab;
+  } else if (fault == "joining_margin") {
+    mutate = weaken_joining;
+  } else if (fault == "added_margin") {
+    mutate = weaken_added;
+  } else if (fault == "accept_margin") {
+    kernel::accept_margin_factor = weak;
+  } else if (fault == "radius_margin") {
+    kernel::radius_margin_factor = weak;
+  } else if (fault == "no_exact_step") {
+    kernel::drops_exact_step = true;
+  } else if (fault != "none") {
+    std::cerr << "SHAFTCULL_MUTANT=" << fault << " names no fault\n";
+    std::exit(2);
+  }
+  return true;
+}
+
+const char* const fault = std::getenv("SHAFTCULL_MUTANT");
+[[maybe_unused]] const bool applied = apply(fault == nullptr ? "none" : fault);
+
+}  // namespace
+}  // namespace shaftcull
