@@ -69,6 +69,7 @@ void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream,
   // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
   const auto minus_widened = L::all(-(1.0F + 8 * float_unit * radius_margin_factor));
   const auto zero = L::all(0.0F);
+  const auto largest = L::all(__FLT_MAX__);  // beyond it a sum has overflowed and proves nothing
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
@@ -89,7 +90,7 @@ void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream,
       if (L::width < 8 && (kept[w] & lanes_of<L>(lane)) == 0) continue;  // as box_planes_stage()
       const std::size_t at = w * word_bits + lane;
       const auto value = L::multiply_add(L::load(stream[3] + at), minus_widened, planes.largest_value(at));
-      outside |= L::bits(L::less(margin, value)) << lane;
+      outside |= L::bits(L::both(L::less(margin, value), L::less_equal(value, largest))) << lane;
     }
     kept[w] = ~outside;
   }
@@ -179,8 +180,9 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
         const Vector value = L::multiply_add(radius, L::all(-shaft.added_length[i]),
                                              added_value<L>(shaft, i, shaft.added_near, centres.stream, at));
         const Vector margin = L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i]));
-        const std::uint64_t positive = L::bits(L::less(margin, value)) << lane;
-        const std::uint64_t negative = L::bits(L::less(L::add(value, margin), zero)) << lane;
+        const auto finite = L::less_equal(L::magnitude(value), L::all(__FLT_MAX__));  // a sum may have overflowed
+        const std::uint64_t positive = L::bits(L::both(finite, L::less(margin, value))) << lane;
+        const std::uint64_t negative = L::bits(L::both(finite, L::less(L::add(value, margin), zero))) << lane;
         kept[w] &= ~positive;
         undecided |= ~(positive | negative) & lanes_of<L>(lane);
       }

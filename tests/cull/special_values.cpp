@@ -82,6 +82,15 @@ TEST(SpecialValues, TheLargestFiniteBoundsAreNotTakenForInfinite) {
   }
 }
 
+TEST(SpecialValues, ASumThatOverflowsProvesNothing) {
+  // n · c and r |n| are both beyond the largest float, and their difference has the sign of the smaller one's opposite.
+  const Subject subject{Box{{0, 0, 0}, {1, 1, 1}},
+                        Box{{2, -2, 5}, {4, -1, 6}},
+                        {Plane{{0x1.8p+85F, -0x1.8p+67F, 0x1.8p+74F}, 0x1p-134F}}};
+  expect_exact(subject, {Sphere{{0x1p-142F, 0x1.5p-144F, 0x1p+55F}, 0x1.b6b6b6p+55F},
+                         Sphere{{0, 0, 0x1p+55F}, 0x1p+56F}, Sphere{{0x1p+55F, 0, 0x1p+55F}, 0x1p+56F}});
+}
+
 /// Boxes with one to six coordinates NaN.
 std::vector<Box> boxes_with_nan(Dice& dice) {
   std::vector<Box> boxes;
