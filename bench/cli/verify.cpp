@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "cases/families.hpp"
+#include "instruction_sets.hpp"
 #include "progress.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
@@ -40,8 +41,9 @@ constexpr std::size_t chunk_trials = 32;
 constexpr std::uint64_t most_reproducers = 20;
 
 std::vector<Isa> isas_of(const VerifyOptions& options) {
+  static_cast<void>(active_isa());  // rejects a SHAFTCULL_ISA that cannot be used
+  if (options.isas.empty()) return isas_under_test();
   const std::vector<Isa> available = available_isas();
-  if (options.isas.empty()) return available;
   std::string names;
   for (const Isa isa : available) names += fmt::format("{}{}", names.empty() ? "" : ", ", name(isa));
   std::vector<Isa> isas;
@@ -189,7 +191,7 @@ void add_verify(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 50U));
   verify.add_option("--seed", options->seed, "Seed of the random cases (default: 1)")->type_name("S");
-  verify.add_option("--isa", options->isas, "Instruction sets to test (default: all there are)")->type_name("NAME");
+  verify.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")->type_name("NAME");
   verify.add_option("--threads", options->threads, "Threads, 0 for all there are; results do not depend on it (default: 0)")
       ->type_name("N");
   verify.footer(

@@ -37,7 +37,7 @@ TEST(Cli, TellsItsVersionAndSubcommands) {
   EXPECT_THAT(version.out, StartsWith("shaftcull "));
   const Outcome help = run_program({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("demo"), HasSubstr("cull"), HasSubstr("stats"), HasSubstr("draw")));
+  EXPECT_THAT(help.out, AllOf(HasSubstr("demo"), HasSubstr("cull"), HasSubstr("stats"), HasSubstr("draw"), HasSubstr("verify")));
 }
 
 TEST(Cli, RejectsBadOptionsInOneLine) {
@@ -48,6 +48,8 @@ TEST(Cli, RejectsBadOptionsInOneLine) {
                                                                                          {"draw", "--size", "1"},
                                                                                          {"stats", "--shafts", "0"},
                                                                                          {"demo", "--isa", "mmx"},
+                                                                                         {"verify", "--isa", "mmx"},
+                                                                                         {"verify", "--cases", "0"},
                                                                                          {"demo", "--threads", "-3"},
                                                                                          {"draw", "--from", "1,2,3"}}) {
     SCOPED_TRACE(testing::PrintToString(arguments));
@@ -139,6 +141,20 @@ TEST(CliDemo, KeepsTheSameBoundsOnEveryNumberOfThreads) {
     return words_after(outcome.out, "sphereflake").at(9);
   };
   EXPECT_EQ(kept("1"), kept("0"));
+}
+
+TEST(Cli, VerifyFindsNoWrongAnswer) {
+  const Outcome outcome = run_program({"verify", "--cases", "20000", "--seed", "7"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(words_after(outcome.out, "all")[0], "20,000");
+  EXPECT_THAT(words_after(outcome.out, "Wrong answers:")[0], "0");
+}
+
+TEST(Cli, VerifyCountsTheSameOnAnyNumberOfThreads) {
+  const auto summary = [](const char* threads) {
+    return words_after(run_program({"verify", "--cases", "10000", "--seed", "8", "--threads", threads}).out, "all");
+  };
+  EXPECT_EQ(summary("1"), summary("0"));
 }
 
 }  // namespace
