@@ -1,0 +1,117 @@
+#include "fuzz/case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace shaftcull::fuzz {
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  [[nodiscard]] std::size_t left() const { return bytes_.size(); }
+
+  std::uint8_t byte() {
+    if (bytes_.empty()) return 0;
+    const std::uint8_t first = bytes_.front();
+    bytes_ = bytes_.subspan(1);
+    return first;
+  }
+  float number() {
+    std::uint8_t raw[sizeof(float)] = {};
+    for (std::uint8_t& part : raw) part = byte();
+    float x = 0;
+    std::memcpy(&x, raw, sizeof x);
+    return x;
+  }
+  Vec3 vec3() {
+    const float x = number();
+    const float y = number();
+    return {x, y, number()};
+  }
+  Box box() {
+    const Vec3 lo = vec3();
+    return {lo, vec3()};
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+void sort(Box& box) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (box.lo[k] > box.hi[k]) std::swap(box.lo[k], box.hi[k]);
+  }
+}
+
+/// A coordinate of the shaft, or the middle between two of them, moved by −2 … 2 ulps.
+float derived(const Case& from, std::size_t axis, std::uint8_t code) {
+  const float of[4] = {from.a.lo[axis], from.a.hi[axis], from.b.lo[axis], from.b.hi[axis]};
+  float x = of[code % 4];
+  if ((code & 4U) != 0) x = x / 2 + of[code / 8 % 4] / 2;
+  const int steps = code / 32 - 3;
+  for (int i = 0; i < std::min(std::abs(steps), 2); ++i) x = std::nextafter(x, steps < 0 ? -INFINITY : INFINITY);
+  return x;
+}
+
+/// Adds bounds that are decided at a glance until there is a whole word and a rest.
+template <class Bound>
+void fill(std::vector<Bound>& bounds, const Bound& far_away) {
+  while (bounds.size() <= 64) bounds.push_back(far_away);
+}
+
+}  // namespace
+
+Case Case::read(std::span<const std::uint8_t> bytes) {
+  Reader reader(bytes);
+  Case it;
+  const std::uint8_t options = reader.byte();
+  constexpr Formation formations[] = {Formation::search, Formation::table64, Formation::table729, Formation::table729};
+  constexpr PlaneOrder orders[] = {PlaneOrder::unsorted, PlaneOrder::by_volume, PlaneOrder::by_added_volume,
+                                   PlaneOrder::by_added_volume};
+  it.options.formation = formations[options % 4];
+  it.options.order = orders[options / 4 % 4];
+  it.options.outside = (options & 16U) == 0;
+  it.options.inside = (options & 32U) == 0;
+  it.options.spheres = (options & 64U) == 0;
+  const std::uint8_t shape = reader.byte();
+  it.a = reader.box();
+  it.b = reader.box();
+  if ((shape & sort_corners) != 0) {
+    sort(it.a);
+    sort(it.b);
+  }
+  for (int i = 0; i != shape % 4; ++i) {
+    const Vec3 normal = reader.vec3();
+    it.planes.push_back({normal, reader.number()});
+  }
+  std::vector<float> coordinates;
+  const bool is_derived = (shape & derive_bounds) != 0;
+  while (reader.left() != 0 && coordinates.size() != 6 * most_boxes) {
+    coordinates.push_back(is_derived ? derived(it, coordinates.size() % 3, reader.byte()) : reader.number());
+  }
+  for (std::size_t i = 0; i + 6 <= coordinates.size(); i += 6) {
+    const float* const x = &coordinates[i];
+    it.boxes.push_back({{x[0], x[1], x[2]}, {x[3], x[4], x[5]}});
+    if ((shape & sort_corners) != 0) sort(it.boxes.back());
+  }
+  for (std::size_t i = 0; i + 4 <= coordinates.size(); i += 4) {
+    const float* const x = &coordinates[i];
+    // Derived coordinates keep to their axes, and the radius is the distance between two of the same axis.
+    const float* const centre = is_derived ? &coordinates[i / 3 * 3] : x;
+    const float radius = is_derived ? x[3] - x[0] : x[3];
+    it.spheres.push_back({{centre[0], centre[1], centre[2]}, (shape & sort_corners) != 0 ? std::abs(radius) : radius});
+  }
+  if ((shape & fill_word) != 0) {
+    constexpr float far = std::numeric_limits<float>::max();
+    fill(it.boxes, {{far, far, far}, {far, far, far}});
+    fill(it.spheres, {{far, far, far}, 0});
+  }
+  return it;
+}
+
+}  // namespace shaftcull::fuzz

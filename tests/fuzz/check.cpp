@@ -1,0 +1,289 @@
+#include "fuzz/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "columns.hpp"
+#include "fuzz/packing.hpp"
+#include "oracle.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/isa.hpp"
+#include "subject.hpp"
+
+namespace shaftcull::fuzz {
+namespace {
+
+bool is_finite(const Vec3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+bool has_nan(const Vec3& v) { return std::isnan(v[0]) || std::isnan(v[1]) || std::isnan(v[2]); }
+bool has_nan(const Box& box) { return has_nan(box.lo) || has_nan(box.hi); }
+bool has_nan(const Sphere& sphere) { return has_nan(sphere.centre) || std::isnan(sphere.radius); }
+
+bool is_joinable(const Box& box) { return is_finite(box.lo) && is_finite(box.hi) && is_legal(box); }
+
+/// Whether all forms promise the same answer: all but what the headers call unspecified.
+bool is_specified(const Box& box) {
+  if (is_legal(box)) return true;
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (box.lo[k] > box.hi[k]) return false;
+  }
+  return true;  // NaN, and no axis with lo > hi
+}
+bool is_specified(const Sphere& sphere) {
+  const auto is_infinite = [](float x) { return std::isinf(x); };
+  return !(sphere.radius < 0) && std::none_of(sphere.centre.begin(), sphere.centre.end(), is_infinite);
+}
+
+Subject subject(const Case& it) {
+  Subject subject{it.a, it.b};
+  for (const Plane& plane : it.planes) {
+    if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) subject.added.push_back(plane);
+  }
+  return subject;
+}
+
+/// The result of `call`, or nothing if it throws InvalidArgument.
+template <class Call>
+auto unless_refused(const Call& call) -> std::optional<decltype(call())> {
+  try {
+    return call();
+  } catch (const InvalidArgument&) {
+    return std::nullopt;
+  }
+}
+
+[[noreturn]] void fail(const std::string& what, const Case& it) {
+  throw Fault(what + "\n  " + source_text(Subject{it.a, it.b, it.planes}));
+}
+
+/// The shaft, if it may be formed; a fault if it is refused without reason or accepted without right.
+std::optional<Shaft> formed(const Case& it) {
+  std::optional<Shaft> shaft = unless_refused([&] { return Shaft(it.a, it.b, it.options); });
+  const bool is_right = is_joinable(it.a) && is_joinable(it.b) && (it.options.outside || it.options.inside);
+  if (shaft.has_value() != is_right) fail(is_right ? "refused to form a good shaft" : "formed a bad shaft", it);
+  if (!shaft) return shaft;
+  for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
+    ShaftOptions options = it.options;
+    options.formation = formation;
+    const Shaft other(it.a, it.b, options);
+    const auto is_same = [](const JoiningPlane& p, const JoiningPlane& q) {
+      return p.red == q.red && p.blue == q.blue && p.plane == q.plane;
+    };
+    const auto these = shaft->joining_planes();
+    const auto those = other.joining_planes();
+    // Planes that cut off equal volumes may come in any order.
+    if (!std::is_permutation(these.begin(), these.end(), those.begin(), those.end(), is_same)) {
+      fail("formations give different planes", it);
+    }
+  }
+  std::size_t added = 0;
+  for (const Plane& plane : it.planes) {
+    const bool is_accepted = unless_refused([&] {
+                               shaft->add_plane(plane);
+                               return true;
+                             }).has_value();
+    const bool is_good = is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{};
+    if (is_accepted != is_good) fail(is_good ? "refused a good plane" : "added a bad plane", it);
+    added += is_good ? 1U : 0U;
+  }
+  if (shaft->added_planes().size() != added) fail("added planes are not those that were accepted", it);
+  return shaft;
+}
+
+using Words = std::vector<std::uint64_t>;
+
+bool bit(const Words& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
+
+/// All that can be asked of a shaft and a view; nothing where the shaft does not answer.
+struct Answers {
+  std::optional<Words> culled;
+  std::optional<Words> kept;
+  std::optional<Words> inside;
+  std::optional<Words> contained;
+};
+
+/// classify() says it all, if it may be called.
+enum class Questions { all, fewest };
+
+template <class View>
+Answers ask(const CompiledShaft& shaft, const View& view, Form form, Questions questions) {
+  const Words unwritten(words_for(view.count), 0x5e5e5e5e5e5e5e5e);
+  Answers answers;
+  answers.inside = unless_refused([&] {
+    answers.kept = unwritten;
+    Words inside = unwritten;
+    classify(shaft, view, *answers.kept, inside, form);
+    return inside;
+  });
+  if (!answers.inside) answers.kept.reset();
+  if (questions == Questions::fewest && answers.inside) return answers;
+  answers.culled = unless_refused([&] {
+    Words kept = unwritten;
+    cull(shaft, view, kept, form);
+    return kept;
+  });
+  answers.contained = unless_refused([&] {
+    Words inside = unwritten;
+    contain(shaft, view, inside);
+    return inside;
+  });
+  return answers;
+}
+
+const char* text(Form form) { return form == Form::slab ? "slab" : "planes"; }
+
+template <class Bound>
+class Comparison {
+ public:
+  Comparison(const Case& it, const std::vector<Bound>& bounds) : it_(it), bounds_(bounds), memory_(bounds) {}
+
+  void run(const CompiledShaft& shaft, const CompiledShaft* pending) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      select_isa(Isa::scalar);
+      const Answers scalar = ask(shaft, memory_.view(), form, Questions::all);
+      check(scalar, form);
+      (form == Form::slab ? slab_ : planes_) = scalar;
+      for (const Isa isa : available_isas()) {
+        if (isa == Isa::scalar) continue;
+        select_isa(isa);
+        compare(ask(shaft, memory_.view(), form, Questions::fewest), scalar, isa, form);
+      }
+      if (pending != nullptr) compare(ask(*pending, memory_.view(), form, Questions::fewest), scalar, active_isa(), form);
+    }
+    for (std::size_t i = 0; i != bounds_.size(); ++i) {
+      if (!is_specified(bounds_[i])) continue;
+      if (slab_.culled && bit(*slab_.culled, i) != bit(*planes_.culled, i)) fail_at(i, "forms keep differently");
+      if (slab_.inside && bit(*slab_.inside, i) != bit(*planes_.inside, i)) fail_at(i, "forms differ about inside");
+    }
+  }
+
+ private:
+  [[noreturn]] void fail_at(std::size_t i, const std::string& what) const {
+    fail(what + "\n  bound " + std::to_string(i) + ": " + source_text(bounds_[i]), it_);
+  }
+
+  void compare(const Answers& answers, const Answers& scalar, Isa isa, Form form) const {
+    if (answers.kept || scalar.kept) {
+      require_equal(answers.kept, scalar.kept, "classify() (kept)", isa, form);
+      require_equal(answers.inside, scalar.inside, "classify() (inside)", isa, form);
+    } else {
+      require_equal(answers.culled, scalar.culled, "cull()", isa, form);
+      require_equal(answers.contained, scalar.contained, "contain()", isa, form);
+    }
+  }
+
+  void require_equal(const std::optional<Words>& answers, const std::optional<Words>& scalar, const std::string& what,
+                     Isa isa, Form form) const {
+    if (answers == scalar) return;
+    const std::string where = what + " on " + std::string(name(isa)) + ", form " + text(form);
+    if (answers.has_value() != scalar.has_value()) fail(where + " refuses what scalar does not", it_);
+    for (std::size_t i = 0; i != bounds_.size(); ++i) {
+      if (bit(*answers, i) != bit(*scalar, i)) fail_at(i, where + " differs from scalar");
+    }
+    fail(where + " writes past the last bound", it_);
+  }
+
+  void check(const Answers& answers, Form form) const {
+    const ShaftOptions& can = it_.options;
+    const bool refuses = std::is_same_v<Bound, Sphere> && !can.spheres;
+    if (answers.culled.has_value() != (can.outside && !refuses) ||
+        answers.inside.has_value() != (can.outside && can.inside && !refuses) ||
+        answers.contained.has_value() != (can.inside && !refuses)) {
+      fail(std::string("what is refused is not what the options leave out, form ") + text(form), it_);
+    }
+    if (answers.inside && answers.kept != answers.culled) fail("cull() and classify() keep differently", it_);
+    for (std::size_t i = 0; i != bounds_.size(); ++i) {
+      if (answers.inside && bit(*answers.inside, i) && !bit(*answers.kept, i)) fail_at(i, "inside but not kept");
+      if (answers.contained && bit(*answers.contained, i) && has_nan(bounds_[i])) fail_at(i, "NaN inside");
+      if (answers.inside && is_specified(bounds_[i]) && bit(*answers.inside, i) != bit(*answers.contained, i)) {
+        fail_at(i, "classify() and contain() differ about inside");
+      }
+    }
+    const std::size_t rest = bounds_.size() % 64;
+    for (const std::optional<Words>* words : {&answers.culled, &answers.inside, &answers.contained}) {
+      if (rest != 0 && words->has_value() && (**words).back() >> rest != 0) fail("bits past the last bound are set", it_);
+    }
+  }
+
+  const Case& it_;
+  const std::vector<Bound>& bounds_;
+  decltype(columns(std::vector<Bound>{})) memory_;
+  Answers slab_;
+  Answers planes_;
+};
+
+/// Whether the slab forms are the same.
+bool same_slab(const CompiledShaft& p, const CompiledShaft& q) {
+  return std::equal(std::begin(p.slab_scale), std::end(p.slab_scale), std::begin(q.slab_scale)) &&
+         std::equal(std::begin(p.slab_shift), std::end(p.slab_shift), std::begin(q.slab_shift)) &&
+         std::equal(std::begin(p.slab_near), std::end(p.slab_near), std::begin(q.slab_near)) &&
+         p.slab_margin == q.slab_margin && p.slab_uppers == q.slab_uppers && p.slab_form == q.slab_form && p.a == q.a &&
+         p.b == q.b;
+}
+
+/// The pair as one of a batch, on every instruction set: refused if it must be, and the same bits wherever in the batch.
+std::optional<CompiledShaft> batched(const Case& it) {
+  constexpr std::size_t copies = 17;  // whole vectors of all widths, and a rest
+  const BoxColumns a(std::vector<Box>(copies, it.a));
+  const BoxColumns b(std::vector<Box>(copies, it.b));
+  std::optional<CompiledShaft> scalar;
+  for (const Isa isa : available_isas()) {
+    select_isa(isa);
+    std::vector<CompiledShaft> out(copies);
+    const bool is_accepted = unless_refused([&] {
+                               compile_batch(a.view(), b.view(), out);
+                               return true;
+                             }).has_value();
+    if (is_accepted != (is_joinable(it.a) && is_joinable(it.b))) fail("a batch refuses or takes a pair wrongly", it);
+    if (!is_accepted) continue;
+    if (!scalar) scalar = out[0];
+    for (const CompiledShaft& shaft : out) {
+      if (!same_slab(shaft, *scalar)) fail("a batch on " + std::string(name(isa)) + " differs from scalar", it);
+    }
+  }
+  return scalar;
+}
+
+}  // namespace
+
+void check_answers(const Case& it) {
+  const Isa before = active_isa();
+  check_packing(it);
+  const std::optional<CompiledShaft> pending = batched(it);
+  const std::optional<Shaft> shaft = formed(it);
+  if (shaft) {
+    const CompiledShaft compiled = compile(*shaft);
+    if (!same_slab(compiled, *pending)) fail("compile() and compile_batch() differ", it);
+    const bool asks_the_same = it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
+    const CompiledShaft* const batch = asks_the_same ? &*pending : nullptr;
+    Comparison<Box>(it, it.boxes).run(compiled, batch);
+    Comparison<Sphere>(it, it.spheres).run(compiled, batch);
+  }
+  select_isa(before);
+}
+
+void check_exact(const Case& it, std::size_t most_bounds) {
+  if (!is_joinable(it.a) || !is_joinable(it.b)) return;
+  const Subject of = subject(it);
+  Shaft shaft(of.a, of.b);
+  for (const Plane& plane : of.added) shaft.add_plane(plane);
+  const CompiledShaft compiled = compile(shaft);
+  const oracle::Hull hull(of.a, of.b, of.added);
+  const auto check = [&](const auto& bound) {
+    const Answer right = hull.answer(bound);
+    const Answer answer = classify(compiled, bound);
+    if (answer == right) return;
+    fail(source_text(bound) + "\n  is " + shaftcull::text(right) + ", answered " + shaftcull::text(answer), it);
+  };
+  for (std::size_t i = 0; i != std::min(most_bounds, it.boxes.size()); ++i) {
+    if (is_legal(it.boxes[i])) check(it.boxes[i]);
+  }
+  for (std::size_t i = 0; i != std::min(most_bounds, it.spheres.size()); ++i) {
+    if (is_legal(it.spheres[i])) check(it.spheres[i]);
+  }
+}
+
+}  // namespace shaftcull::fuzz

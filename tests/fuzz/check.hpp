@@ -1,0 +1,26 @@
+/// What must hold for every input, however odd.
+#pragma once
+
+#include <stdexcept>
+
+#include "fuzz/case.hpp"
+
+namespace shaftcull::fuzz {
+
+/// Something that must hold does not; what() says what, and for which shaft and bound, as C++ source text.
+class Fault : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Packs, forms, compiles and tests, and throws Fault unless
+/// * packing and formation refuse exactly what the headers say, and pack exactly what they are given;
+/// * every instruction set gives the answers of the scalar one;
+/// * both forms, cull() and contain() agree on bounds that are legal or have a NaN;
+/// * what is inside is kept, and nothing with a NaN is inside.
+void check_answers(const Case& it);
+
+/// Throws Fault unless the answers for the first bounds of either kind are those of exact arithmetic. Slow.
+void check_exact(const Case& it, std::size_t most_bounds);
+
+}  // namespace shaftcull::fuzz

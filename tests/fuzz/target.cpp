@@ -1,0 +1,30 @@
+/// The target of libFuzzer: any bytes.
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+#include <span>
+
+#include "fuzz/check.hpp"
+
+namespace {
+
+/// One input in so many is compared with exact arithmetic, which takes a hundred times as long.
+constexpr unsigned exact_every = 16;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size);
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const std::span<const std::uint8_t> input(bytes, size);
+  try {
+    const auto it = shaftcull::fuzz::Case::read(input);
+    shaftcull::fuzz::check_answers(it);
+    // Drawn by content, so that an input that fails fails again.
+    if (std::accumulate(input.begin(), input.end(), 0U) % exact_every == 0) shaftcull::fuzz::check_exact(it, 4);
+  } catch (const shaftcull::fuzz::Fault& fault) {
+    std::fprintf(stderr, "%s\n", fault.what());
+    std::abort();
+  }
+  return 0;
+}
