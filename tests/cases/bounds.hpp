@@ -127,8 +127,7 @@ inline Box box_at_plane(Dice& dice, const Subject& subject) {
 }
 
 /// A sphere whose radius is, to an ulp or two, the distance of its centre from an added plane.
-inline Sphere sphere_at_plane(Dice& dice, const Subject& subject) {
-  const Vec3 centre = random_centre(dice, subject, 2.0F);
+inline Sphere sphere_at_plane(Dice& dice, const Subject& subject, const Vec3& centre) {
   const Plane& plane = subject.added[dice.below(static_cast<unsigned>(subject.added.size()))];
   double height = -static_cast<double>(plane.offset);
   double squared = 0;
@@ -136,7 +135,38 @@ inline Sphere sphere_at_plane(Dice& dice, const Subject& subject) {
     height += static_cast<double>(plane.normal[k]) * static_cast<double>(centre[k]);
     squared += static_cast<double>(plane.normal[k]) * static_cast<double>(plane.normal[k]);
   }
-  return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::abs(height) / std::sqrt(squared))))};
+  const double radius = std::min(std::abs(height) / std::sqrt(squared), 3e38);
+  return {centre, std::max(0.0F, dice.nudge(static_cast<float>(radius)))};
+}
+
+inline Sphere sphere_at_plane(Dice& dice, const Subject& subject) {
+  return sphere_at_plane(dice, subject, random_centre(dice, subject, 2.0F));
+}
+
+/// A point whose coordinates have magnitudes from 2^low to 2^high.
+inline Vec3 wild_point(Dice& dice, int low = -149, int high = 127) {
+  return {dice.wild(low, high), dice.wild(low, high), dice.wild(low, high)};
+}
+
+/// A point of any magnitude, with coordinates of about the same one as often as not.
+inline Vec3 boundless_point(Dice& dice) {
+  if (dice.one_in(2)) return wild_point(dice);
+  const int exponent = static_cast<int>(dice.integer(-140, 127));
+  return wild_point(dice, exponent - 4, exponent);
+}
+
+/// A box of any magnitude.
+inline Box boundless_box(Dice& dice) {
+  const Vec3 p = boundless_point(dice);
+  return Dice::sorted(p, boundless_point(dice));
+}
+
+/// A sphere of any magnitude, touching the shaft or an added plane as often as not.
+inline Sphere boundless_sphere(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
+  const Vec3 centre = boundless_point(dice);
+  if (dice.one_in(3)) return {centre, std::abs(dice.wild())};
+  if (dice.one_in(2) && !subject.added.empty()) return sphere_at_plane(dice, subject, centre);
+  return touching_sphere(dice, hull, centre);
 }
 
 }  // namespace shaftcull

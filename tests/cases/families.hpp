@@ -81,13 +81,13 @@ inline constexpr Family families[] = {
      [](Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
        const int exponent = exponent_of(subject);
        const int low = std::max(exponent - 5, -149);
-       const Vec3 centre{dice.wild(low, exponent), dice.wild(low, exponent), dice.wild(low, exponent)};
+       const Vec3 centre = wild_point(dice, low, exponent);
        return dice.one_in(2) ? Sphere{centre, std::abs(dice.wild(low, exponent))} : touching_sphere(dice, hull, centre);
      }},
     {"mixed magnitudes", [](Dice& dice, unsigned) { return wild_subject(dice); },
      [](Dice& dice, const Subject& subject) { return dice.one_in(2) ? wild_box(dice) : touching_box(dice, subject); },
      [](Dice& dice, const Subject&, const oracle::QuickHull& hull) {
-       const Vec3 centre{dice.wild(), dice.wild(), dice.wild()};
+       const Vec3 centre = wild_point(dice);
        return dice.one_in(2) ? Sphere{centre, std::abs(dice.wild())} : touching_sphere(dice, hull, centre);
      }},
     {"all 729 colourings", [](Dice&, unsigned index) { return coloured_subject(index % colourings); },
@@ -122,14 +122,15 @@ inline constexpr Family families[] = {
      [](Dice& dice, const Subject& subject, const oracle::QuickHull&) {
        return dice.one_in(3) ? random_sphere(dice, subject) : sphere_at_plane(dice, subject);
      }},
-    {"added planes, wild",
-     [](Dice& dice, unsigned) {
-       Subject subject = random_subject(dice);
-       subject.added.push_back({{dice.wild(), dice.wild(), dice.wild()}, dice.wild()});
-       return subject;
+    {"bounds of any size", [](Dice& dice, unsigned) { return random_subject(dice); },
+     [](Dice& dice, const Subject&) { return boundless_box(dice); }, boundless_sphere},
+    {"added planes, wild", [](Dice& dice, unsigned) { return with_wild_planes(dice, random_subject(dice)); },
+     [](Dice& dice, const Subject& subject) {
+       return dice.one_in(2) ? nearby_box(dice, subject) : boundless_box(dice);
      },
-     [](Dice& dice, const Subject& subject) { return nearby_box(dice, subject); },
-     [](Dice& dice, const Subject& subject, const oracle::QuickHull&) { return random_sphere(dice, subject); }},
+     [](Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
+       return dice.one_in(2) ? random_sphere(dice, subject) : boundless_sphere(dice, subject, hull);
+     }},
 };
 
 }  // namespace shaftcull

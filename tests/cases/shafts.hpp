@@ -146,4 +146,15 @@ inline Subject with_planes(Dice& dice, Subject subject, bool grid) {
   return subject;
 }
 
+/// `subject` with a few planes added whose coefficients have any magnitude, as often as not the same one.
+inline Subject with_wild_planes(Dice& dice, Subject subject) {
+  for (unsigned planes = 1 + dice.below(2); planes != 0; --planes) {
+    const int high = dice.one_in(2) ? 127 : static_cast<int>(dice.integer(-140, 127));
+    const int low = high == 127 ? -149 : high - 9;
+    const auto coefficient = [&] { return dice.wild(low, high); };
+    subject.added.push_back({{coefficient(), coefficient(), coefficient()}, dice.one_in(2) ? coefficient() : dice.wild()});
+  }
+  return subject;
+}
+
 }  // namespace shaftcull

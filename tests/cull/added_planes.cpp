@@ -106,13 +106,13 @@ TEST(AddedPlanes, HugeAndTinyNormalsNeitherOverflowNorVanish) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Dice dice(seed);
   for (int i = 0; i != 150 && !HasFailure(); ++i) {
-    Subject subject{dice.box(-3, 3, 0.2F, 2.0F), dice.box(-3, 3, 0.2F, 2.0F)};
-    subject.added.push_back({{dice.wild(), dice.wild(), dice.wild()}, dice.wild()});
+    const Subject subject = with_wild_planes(dice, random_subject(dice));
+    const oracle::QuickHull hull(subject);
     std::vector<Box> boxes;
     std::vector<Sphere> spheres;
     for (int j = 0; j != 20; ++j) {
-      boxes.push_back(dice.box(-4, 4, 0.1F, 2.0F));
-      spheres.push_back({dice.vec3(-4, 4), dice.uniform(0, 2)});
+      boxes.push_back(dice.one_in(2) ? nearby_box(dice, subject) : boundless_box(dice));
+      spheres.push_back(dice.one_in(2) ? random_sphere(dice, subject) : boundless_sphere(dice, subject, hull));
     }
     expect_exact(subject, boxes);
     expect_exact(subject, spheres);

@@ -75,6 +75,10 @@ TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38) {
         }));
 }
 
+TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaft) {
+  check(13, 100, random_subject, many(64, [](Dice& dice, const Subject&) { return boundless_box(dice); }));
+}
+
 TEST(ExactBoxes, EveryColouringOfTheFaces) {
   constexpr std::uint64_t seed = 10;
   SCOPED_TRACE("seed " + std::to_string(seed));

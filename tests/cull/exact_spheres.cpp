@@ -87,6 +87,8 @@ TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {
         });
 }
 
+TEST(ExactSpheres, SpheresOfAnySizeAroundAnOrdinaryShaft) { check(36, 60, 32, random_subject, boundless_sphere); }
+
 TEST(ExactSpheres, EveryColouringOfTheFaces) {
   constexpr std::uint64_t seed = 30;
   SCOPED_TRACE("seed " + std::to_string(seed));
