@@ -19,7 +19,7 @@ function(emulated_test cpu isa area)
       COMMAND sh -c "echo 'Skipped: qemu-x86_64 was not found when this was configured (Debian: qemu-user).'; exit 77")
   endif()
   set_tests_properties(${label}.${area} PROPERTIES
-    LABELS ${label} ENVIRONMENT SHAFTCULL_EXPECTED_ISA=${isa} SKIP_RETURN_CODE 77 TIMEOUT 300)
+    LABELS ${label} ENVIRONMENT SHAFTCULL_EXPECTED_ISA=${isa} SKIP_RETURN_CODE 77 TIMEOUT 900)
 endfunction()
 
 # What has no code of its own for an instruction set is run on the older processor alone.
