@@ -84,7 +84,11 @@ struct Lanes {
   static Vector either_negative(Vector a, Vector b) noexcept { return a | b; }
   static Vector both_negative(Vector a, Vector b) noexcept { return a & b; }
 
-  /// Bit i is the sign of lane i. Cheaper than comparing with 0: it leaves the ports alone that do arithmetic.
+  /// Whether reading outcomes from signs beats comparing: on AVX2 comparisons share ports with the arithmetic, on AVX-512
+  /// they make a mask at once, and SSE has arithmetic enough to wait for.
+  static constexpr bool reads_signs = width == 8;
+
+  /// Bit i is the sign of lane i.
   static std::uint64_t signs(Vector a) noexcept {
 #ifdef __AVX512DQ__
     if constexpr (width == 16) return _mm512_movepi32_mask(_mm512_castps_si512(a));

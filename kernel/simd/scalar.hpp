@@ -26,9 +26,7 @@ struct ScalarLanes {
   static Mask both(Mask a, Mask b) noexcept { return a && b; }
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
-  static Vector either_negative(Vector a, Vector b) noexcept { return minimum(a, b); }
-  static Vector both_negative(Vector a, Vector b) noexcept { return maximum(a, b); }
-  static std::uint64_t signs(Vector a) noexcept { return a < 0; }
+  static constexpr bool reads_signs = false;
   static void store_rows(const Vector (&columns)[6], float (&rows)[1][8]) noexcept {
     for (unsigned c = 0; c < 6; ++c) rows[0][c] = columns[c];
   }

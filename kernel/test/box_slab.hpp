@@ -81,14 +81,26 @@ void box_slab_words(const CompiledShaft& shaft, const float* const* stream, std:
   for (std::size_t w = 0; w < words; ++w) {
     const std::size_t at = w * word_bits;
     std::uint64_t outside = 0;
-    auto decided = L::all(-1.0F);
-    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      const auto gap = slab.gap(x, at + lane);
-      const auto not_outside = L::subtract(margin, gap);  // negative iff gap > margin: a float difference has the right sign
-      outside |= L::signs(not_outside) << lane;
-      decided = L::both_negative(decided, L::either_negative(not_outside, L::add(gap, margin)));
+    bool undecided = false;
+    if constexpr (L::reads_signs) {
+      auto decided = L::all(-1.0F);
+      for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+        const auto gap = slab.gap(x, at + lane);
+        const auto not_outside = L::subtract(margin, gap);  // negative iff gap > margin: float differences have the right sign
+        outside |= L::signs(not_outside) << lane;
+        decided = L::both_negative(decided, L::either_negative(not_outside, L::add(gap, margin)));
+      }
+      undecided = L::signs(decided) != (std::uint64_t{1} << L::width) - 1;
+    } else {
+      auto closest = L::all(__builtin_inff());
+      for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+        const auto gap = slab.gap(x, at + lane);
+        outside |= L::bits(L::less(margin, gap)) << lane;
+        closest = L::minimum(L::magnitude(gap), closest);
+      }
+      undecided = L::bits(L::less_equal(closest, margin)) != 0;
     }
-    if (L::signs(decided) != (std::uint64_t{1} << L::width) - 1) [[unlikely]] {
+    if (undecided) [[unlikely]] {
       outside = settle_slab_word<L>(shaft, slab, x, stream, at);
     }
     kept[w] = ~outside;
