@@ -13,6 +13,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+
+#include "run/handover.hpp"
 #endif
 
 namespace shaftcull::kernel {
@@ -30,7 +32,13 @@ using TaskAllocator = tbb::cache_aligned_allocator<T>;
 /// Calls body(row, column) for all of rows × columns, in parallel and in no particular order.
 template <class Body>
 void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range2d<std::size_t>(0, rows, 1, 0, columns, 1), [&body](const auto& range) {
+  Handover started;
+  Handover finished;
+  started.give();
+  const TakeAtEnd all_finished(finished);
+  tbb::parallel_for(tbb::blocked_range2d<std::size_t>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
+    started.take();
+    const GiveAtEnd one_finished(finished);
     for (std::size_t row = range.rows().begin(); row != range.rows().end(); ++row) {
       for (std::size_t column = range.cols().begin(); column != range.cols().end(); ++column) body(row, column);
     }
@@ -41,24 +49,47 @@ void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
 /// A slot, less than `slots`, belongs to i alone from its work to its delivery.
 template <class Work, class Deliver>
 void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, const Deliver& deliver) {
+  Handover started;
+  Handover finished;
+  Handover entered;
+  Handover delivered;
+  Handovers worked(slots);
+  Handovers emptied(slots);
+  started.give();
+  const TakeAtEnd all_finished(finished);
   // At most `slots` items are under way, and they leave in order: so i % slots is free when i enters.
   std::size_t next = 0;
-  tbb::parallel_pipeline(
-      slots, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
-                                                 [&next, count](tbb::flow_control& flow) -> std::size_t {
-                                                   if (next == count) {
-                                                     flow.stop();
-                                                     return 0;
-                                                   }
-                                                   return next++;
-                                                 }) &
-                 tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel,
-                                                            [&work, slots](std::size_t i) {
-                                                              work(i, i % slots);
-                                                              return i;
-                                                            }) &
-                 tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order,
-                                                     [&deliver, slots](std::size_t i) { deliver(i, i % slots); }));
+  const auto enter = [&](tbb::flow_control& flow) -> std::size_t {
+    started.take();
+    entered.take();
+    const GiveAtEnd one_finished(finished);
+    const GiveAtEnd one_entered(entered);
+    if (next == count) {
+      flow.stop();
+      return 0;
+    }
+    return next++;
+  };
+  const auto work_on = [&](std::size_t i) {
+    started.take();
+    emptied[i % slots].take();
+    const GiveAtEnd one_finished(finished);
+    work(i, i % slots);
+    worked[i % slots].give();
+    return i;
+  };
+  const auto hand_out = [&](std::size_t i) {
+    started.take();
+    worked[i % slots].take();
+    delivered.take();
+    const GiveAtEnd one_finished(finished);
+    deliver(i, i % slots);
+    delivered.give();
+    emptied[i % slots].give();
+  };
+  tbb::parallel_pipeline(slots, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, enter) &
+                                    tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work_on) &
+                                    tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, hand_out));
 }
 
 #else
