@@ -80,24 +80,61 @@ struct Lanes {
 #endif
   }
 
-  /// Vectors of which only signs matter: negative where a or b is, negative where a and b are.
+  /// A vector of which only signs matter: negative where a or b is.
   static Vector either_negative(Vector a, Vector b) noexcept { return a | b; }
-  static Vector both_negative(Vector a, Vector b) noexcept { return a & b; }
 
-  /// Whether reading outcomes from signs beats comparing: on AVX2 comparisons share ports with the arithmetic, on AVX-512
-  /// they make a mask at once, and SSE has arithmetic enough to wait for.
-  static constexpr bool reads_signs = width == 8;
+  /// Bit i is the sign of lane i of four vectors side by side.
+  static std::uint64_t signs(const Vector (&of)[4]) noexcept {
+#ifdef __AVX512F__
+    if constexpr (width == 16) {
+      return std::uint64_t{signs(of[0])} | std::uint64_t{signs(of[1])} << 16 | std::uint64_t{signs(of[2])} << 32 |
+             std::uint64_t{signs(of[3])} << 48;
+    }
+#endif
+#ifdef __AVX2__
+    if constexpr (width == 8) {  // saturated to 16 and to 8 bits, halves apart; one reading instead of four
+      const __m256i low = _mm256_packs_epi32(_mm256_castps_si256(of[0]), _mm256_castps_si256(of[1]));
+      const __m256i high = _mm256_packs_epi32(_mm256_castps_si256(of[2]), _mm256_castps_si256(of[3]));
+      const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
+      return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(_mm256_packs_epi16(low, high), order)));
+    }
+#endif
+    if constexpr (width == 4) {
+      const __m128i low = _mm_packs_epi32(_mm_castps_si128(of[0]), _mm_castps_si128(of[1]));
+      const __m128i high = _mm_packs_epi32(_mm_castps_si128(of[2]), _mm_castps_si128(of[3]));
+      return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
+    }
+  }
 
-  /// Bit i is the sign of lane i.
-  static std::uint64_t signs(Vector a) noexcept {
-#ifdef __AVX512DQ__
-    if constexpr (width == 16) return _mm512_movepi32_mask(_mm512_castps_si512(a));
+  /// Whether any float noted was in [0, limit]. On AVX-512 comparisons make masks at once; elsewhere signs are collected
+  /// instead, because subtraction has a port of its own and comparison shares those of the arithmetic.
+  class Undecided {
+   public:
+    explicit Undecided(Vector limit) noexcept : limit_(limit) {}
+    void note(Vector a) noexcept {
+#ifdef __AVX512F__
+      if constexpr (width == 16) {  // as unsigned integers negative floats are above all others
+        within_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(a), _mm512_castps_si512(limit_));
+        return;
+      }
+#endif
+      beyond_ = beyond_ & (a | (limit_ - a));
+    }
+    [[nodiscard]] bool any() const noexcept {
+#ifdef __AVX512F__
+      if constexpr (width == 16) return within_ != 0;
 #endif
 #ifdef __AVX__
-    if constexpr (width == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps(a));
+      if constexpr (width == 8) return _mm256_movemask_ps(beyond_) != 0xff;
 #endif
-    if constexpr (width == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(a));
-  }
+      if constexpr (width == 4) return _mm_movemask_ps(beyond_) != 0xf;
+    }
+
+   private:
+    Vector limit_;
+    Vector beyond_ = Vector(-1.0F);  // its sign is set while it was in no float noted
+    [[maybe_unused]] std::uint32_t within_ = 0;
+  };
 
   /// Copies six floats, and two more where that is quicker.
   static void copy_row(const float (&row)[8], void* out) noexcept {
@@ -124,6 +161,9 @@ struct Lanes {
   }
 
  private:
+#ifdef __AVX512F__
+  static __mmask16 signs(Vector a) noexcept { return _mm512_movepi32_mask(_mm512_castps_si512(a)); }
+#endif
 #ifdef __AVX__
   /// Lanes [lane, lane + 8).
   static __m256 eight_of(Vector a, [[maybe_unused]] unsigned lane) noexcept {

@@ -26,7 +26,24 @@ struct ScalarLanes {
   static Mask both(Mask a, Mask b) noexcept { return a && b; }
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
-  static constexpr bool reads_signs = false;
+  static Vector either_negative(Vector a, Vector b) noexcept { return a < 0 ? a : b; }
+  static std::uint64_t signs(const Vector (&of)[4]) noexcept {
+    std::uint64_t signs = 0;
+    for (unsigned v = 0; v < 4; ++v) signs |= std::uint64_t{of[v] < 0} << v;
+    return signs;
+  }
+
+  /// Whether any float noted was in [0, limit].
+  class Undecided {
+   public:
+    explicit Undecided(Vector limit) noexcept : limit_(limit) {}
+    void note(Vector a) noexcept { any_ |= (a >= 0) & (a <= limit_); }
+    [[nodiscard]] bool any() const noexcept { return any_; }
+
+   private:
+    Vector limit_;
+    bool any_ = false;
+  };
   static void store_rows(const Vector (&columns)[6], float (&rows)[1][8]) noexcept {
     for (unsigned c = 0; c < 6; ++c) rows[0][c] = columns[c];
   }

@@ -23,9 +23,8 @@ struct CentreStreams {
 template <class L, unsigned uppers>
 void sphere_slab_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                        std::uint64_t* kept) noexcept {
-  const Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft);
-  // centre ± radius is rounded once more than a box's coordinate: 20 + 14 |shift| units instead of 16 + 12.
-  const auto margin = L::all(1.25F * shaft.slab_margin);
+  // centre ± radius is rounded once more than a box's coordinate: 22 and 14 units instead of 20 and 12.
+  const Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft, 1.25F * shaft.slab_margin);
   const float* centre[6];
   bool hi[6];
   for (unsigned i = 0; i < 6; ++i) {
@@ -34,25 +33,20 @@ void sphere_slab_words(const CompiledShaft& shaft, const float* const* stream, s
   }
   typename L::Vector sign[6];
   for (unsigned i = 0; i < 6; ++i) sign[i] = L::all(hi[i] ? 1.0F : -1.0F);
-  const auto zero = L::all(0.0F);
 
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;
-    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      const std::size_t at = w * word_bits + lane;
-      const auto radius = L::load(stream[3] + at);
-      auto upper = slab.end;
-      auto lower = slab.begin;
-#pragma GCC unroll 6
-      for (unsigned i = 0; i < 6; ++i) {
-        const auto t = slab.bound(i, L::multiply_add(radius, sign[i], L::load(centre[i] + at)));
-        if (i < uppers) {
-          upper = L::minimum(t, upper);
-        } else {
-          lower = L::maximum(t, lower);
-        }
+#pragma GCC unroll 4
+    for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
+      typename L::Vector room[4];
+#pragma GCC unroll 4
+      for (unsigned v = 0; v < 4; ++v) {
+        const std::size_t at = w * word_bits + four + v * L::width;
+        const auto radius = L::load(stream[3] + at);
+        room[v] = slab.room([&](unsigned i) { return L::multiply_add(radius, sign[i], L::load(centre[i] + at)); });
+        room[v] = L::either_negative(room[v], radius);
       }
-      outside |= L::bits(L::either(L::less(margin, L::subtract(lower, upper)), L::less(radius, zero))) << lane;
+      outside |= L::signs(room) << four;
     }
     kept[w] = ~outside;
   }
@@ -101,13 +95,12 @@ template <class L>
 void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                        std::uint64_t* kept) noexcept {
   using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[7] = {sphere_slab_words<L, 0>, sphere_slab_words<L, 1>, sphere_slab_words<L, 2>,
-                                          sphere_slab_words<L, 3>, sphere_slab_words<L, 4>, sphere_slab_words<L, 5>,
-                                          sphere_slab_words<L, 6>};
-  by_uppers[shaft.slab_uppers](shaft, stream, words, kept);
+  static constexpr Words* by_uppers[6] = {sphere_slab_words<L, 1>, sphere_slab_words<L, 2>, sphere_slab_words<L, 3>,
+                                          sphere_slab_words<L, 4>, sphere_slab_words<L, 5>, sphere_slab_words<L, 6>};
+  by_uppers[shaft.slab_uppers - 1](shaft, stream, words, kept);
 }
 
-/// Accepts every kept sphere that a point of box(t), for one well-chosen t, is certainly within reach of; asks the exact
+/// Accepts every kept sphere that a point of one well-chosen box on the way from a to b is certainly within reach of; asks the exact
 /// predicate about the others, and about those near an added plane.
 template <class L>
 void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
@@ -131,6 +124,10 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
   const Vector zero = L::all(0.0F);
   const Vector one = L::all(1.0F);
   const Vector half = L::all(0.5F);
+  const Vector t_at_a = L::all(shaft.t_at_a);
+  const Vector inverse_way = L::all(1 / (shaft.t_at_b - shaft.t_at_a));
+  const Vector first = L::all(__builtin_fminf(shaft.t_at_a, shaft.t_at_b));
+  const Vector last = L::all(__builtin_fmaxf(shaft.t_at_a, shaft.t_at_b));
   const CentreStreams<L> centres(stream);
 
   for (std::size_t w = 0; w < words; ++w) {
@@ -141,9 +138,9 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
       const Vector radius = L::load(stream[3] + at);
       const Vector centre[3] = {L::load(stream[0] + at), L::load(stream[1] + at), L::load(stream[2] + at)};
 
-      // Any t will do for a proof; the middle of those at which the sphere's box meets box(t) is rarely a bad one.
-      Vector upper = one;
-      Vector lower = zero;
+      // Any will do for a proof; the middle of those that meet the box around the sphere is rarely a bad one.
+      Vector upper = last;
+      Vector lower = first;
       for (unsigned i = 0; i < 6; ++i) {
         const unsigned near = shaft.slab_near[i];
         const Vector c = centre[near % 3];
@@ -158,12 +155,13 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
           lower = L::maximum(t, lower);
         }
       }
-      const Vector t = L::minimum(L::maximum(L::multiply(half, L::add(lower, upper)), zero), one);
+      const Vector middle = L::multiply(half, L::add(lower, upper));
+      const Vector u = L::minimum(L::maximum(L::multiply(L::subtract(middle, t_at_a), inverse_way), zero), one);
 
       Vector square = zero;
       for (unsigned k = 0; k < 3; ++k) {
-        const Vector below = L::subtract(L::multiply_add(t, slope[k], start[k]), centre[k]);
-        const Vector above = L::subtract(centre[k], L::multiply_add(t, slope[k + 3], start[k + 3]));
+        const Vector below = L::subtract(L::multiply_add(u, slope[k], start[k]), centre[k]);
+        const Vector above = L::subtract(centre[k], L::multiply_add(u, slope[k + 3], start[k + 3]));
         const Vector gap = L::maximum(below, L::maximum(above, zero));
         square = L::multiply_add(gap, gap, square);
       }
