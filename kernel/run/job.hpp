@@ -47,12 +47,25 @@ class Job {
     for (std::size_t tile = 0; tile < block.size; tile += tile_bounds) {
       const View part = bounds_.slice(block.first + tile, std::min(tile_bounds, block.size - tile));
       for (std::size_t s = 0; s != group.size; ++s) {
+        fetch_share_of_next(block.first + tile, s, group.size);
         test_(shafts_[group.first + s], part.stream.data(), part.count, kept.at(s, tile / 64), inside.at(s, tile / 64));
       }
     }
   }
 
  private:
+  /// Fetches the share `i` of `shares` of the tile after the one at `first` into the second-level cache, while the tile at `first` is
+  /// tested: otherwise the first shaft of each group waits for memory.
+  void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
+    constexpr std::size_t line = 64 / sizeof(float);
+    if (bounds_.count - first < 2 * tile_bounds) return;
+    const std::size_t next = first + tile_bounds;
+    constexpr std::size_t lines = tile_bounds / line;
+    for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
+      for (const float* stream : bounds_.stream) __builtin_prefetch(stream + next + l * line, 0, 2);
+    }
+  }
+
   std::span<const CompiledShaft> shafts_;
   View bounds_;
   Test* test_;

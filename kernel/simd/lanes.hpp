@@ -83,57 +83,85 @@ struct Lanes {
   /// A vector of which only signs matter: negative where a or b is.
   static Vector either_negative(Vector a, Vector b) noexcept { return a | b; }
 
-  /// Bit i is the sign of lane i of four vectors side by side.
-  static std::uint64_t signs(const Vector (&of)[4]) noexcept {
-#ifdef __AVX512F__
-    if constexpr (width == 16) {
-      return std::uint64_t{signs(of[0])} | std::uint64_t{signs(of[1])} << 16 | std::uint64_t{signs(of[2])} << 32 |
-             std::uint64_t{signs(of[3])} << 48;
-    }
-#endif
+ private:
+  /// The signs of four vectors, as those of bytes; on AVX2 in another order.
+  using Packed = xsimd::batch<std::int32_t, Arch>;
+  static Packed packed(const Vector (&of)[4]) noexcept {
 #ifdef __AVX2__
-    if constexpr (width == 8) {  // saturated to 16 and to 8 bits, halves apart; one reading instead of four
-      const __m256i low = _mm256_packs_epi32(_mm256_castps_si256(of[0]), _mm256_castps_si256(of[1]));
-      const __m256i high = _mm256_packs_epi32(_mm256_castps_si256(of[2]), _mm256_castps_si256(of[3]));
-      const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
-      return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(_mm256_packs_epi16(low, high), order)));
+    if constexpr (width == 8) {  // packing saturates, which keeps signs
+      return _mm256_packs_epi16(_mm256_packs_epi32(_mm256_castps_si256(of[0]), _mm256_castps_si256(of[1])),
+                                _mm256_packs_epi32(_mm256_castps_si256(of[2]), _mm256_castps_si256(of[3])));
     }
 #endif
     if constexpr (width == 4) {
-      const __m128i low = _mm_packs_epi32(_mm_castps_si128(of[0]), _mm_castps_si128(of[1]));
-      const __m128i high = _mm_packs_epi32(_mm_castps_si128(of[2]), _mm_castps_si128(of[3]));
-      return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
+      return _mm_packs_epi16(_mm_packs_epi32(_mm_castps_si128(of[0]), _mm_castps_si128(of[1])),
+                             _mm_packs_epi32(_mm_castps_si128(of[2]), _mm_castps_si128(of[3])));
+    }
+  }
+  static std::uint64_t signs(Packed bytes) noexcept {
+#ifdef __AVX2__
+    if constexpr (width == 8) {  // packing works on halves: fours of lanes 0–3 come before fours of lanes 4–7
+      const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
+      return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order)));
+    }
+#endif
+    if constexpr (width == 4) return static_cast<std::uint32_t>(_mm_movemask_epi8(bytes));
+  }
+  static std::uint64_t signs([[maybe_unused]] Vector a) noexcept {
+#ifdef __AVX512F__
+    return _mm512_movepi32_mask(_mm512_castps_si512(a));
+#else
+    return 0;
+#endif
+  }
+
+ public:
+  /// Bit i is the sign of lane i of four vectors side by side.
+  static std::uint64_t signs(const Vector (&of)[4]) noexcept {
+    if constexpr (width == 16) {
+      return signs(of[0]) | signs(of[1]) << 16 | signs(of[2]) << 32 | signs(of[3]) << 48;
+    } else {
+      return signs(packed(of));
     }
   }
 
-  /// Whether any float noted was in [0, limit]. On AVX-512 comparisons make masks at once; elsewhere signs are collected
-  /// instead, because subtraction has a port of its own and comparison shares those of the arithmetic.
-  class Undecided {
+  /// Reads outcomes from signs: a negative float is a yes, one above the limit a no, and one in between undecided.
+  ///
+  /// On AVX-512 comparisons make masks at once. Elsewhere signs of four vectors are packed into one, and all else is done on that:
+  /// a comparison would share the ports of the arithmetic, and each vector read by itself another one.
+  class Verdicts {
    public:
-    explicit Undecided(Vector limit) noexcept : limit_(limit) {}
-    void note(Vector a) noexcept {
+    explicit Verdicts(Vector limit) noexcept : limit_(limit) {}
+
+    /// Bit i is the verdict of lane i of four vectors side by side.
+    std::uint64_t read(const Vector (&of)[4]) noexcept {
+      if constexpr (width == 16) {
 #ifdef __AVX512F__
-      if constexpr (width == 16) {  // as unsigned integers negative floats are above all others
-        within_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(a), _mm512_castps_si512(limit_));
-        return;
+        for (unsigned v = 0; v < 4; ++v) {  // as unsigned integers, negative floats are above all others
+          undecided_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(of[v]), _mm512_castps_si512(limit_));
+        }
+        return signs(of);
+#endif
+      } else {
+        const Vector beyond[4] = {limit_ - of[0], limit_ - of[1], limit_ - of[2], limit_ - of[3]};
+        const Packed yes = packed(of);
+        decided_ = decided_ & (yes | packed(beyond));
+        return signs(yes);
       }
-#endif
-      beyond_ = beyond_ & (a | (limit_ - a));
     }
-    [[nodiscard]] bool any() const noexcept {
-#ifdef __AVX512F__
-      if constexpr (width == 16) return within_ != 0;
-#endif
-#ifdef __AVX__
-      if constexpr (width == 8) return _mm256_movemask_ps(beyond_) != 0xff;
-#endif
-      if constexpr (width == 4) return _mm_movemask_ps(beyond_) != 0xf;
+
+    [[nodiscard]] bool any_undecided() const noexcept {
+      if constexpr (width == 16) {
+        return undecided_ != 0;
+      } else {
+        return signs(decided_) != (std::uint64_t{1} << 4 * width) - 1;
+      }
     }
 
    private:
     Vector limit_;
-    Vector beyond_ = Vector(-1.0F);  // its sign is set while it was in no float noted
-    [[maybe_unused]] std::uint32_t within_ = 0;
+    std::uint32_t undecided_ = 0;
+    Packed decided_ = Packed(-1);
   };
 
   /// Copies six floats, and two more where that is quicker.
@@ -161,9 +189,6 @@ struct Lanes {
   }
 
  private:
-#ifdef __AVX512F__
-  static __mmask16 signs(Vector a) noexcept { return _mm512_movepi32_mask(_mm512_castps_si512(a)); }
-#endif
 #ifdef __AVX__
   /// Lanes [lane, lane + 8).
   static __m256 eight_of(Vector a, [[maybe_unused]] unsigned lane) noexcept {

@@ -33,16 +33,19 @@ struct ScalarLanes {
     return signs;
   }
 
-  /// Whether any float noted was in [0, limit].
-  class Undecided {
+  /// As in Lanes.
+  class Verdicts {
    public:
-    explicit Undecided(Vector limit) noexcept : limit_(limit) {}
-    void note(Vector a) noexcept { any_ |= (a >= 0) & (a <= limit_); }
-    [[nodiscard]] bool any() const noexcept { return any_; }
+    explicit Verdicts(Vector limit) noexcept : limit_(limit) {}
+    std::uint64_t read(const Vector (&of)[4]) noexcept {
+      for (const Vector a : of) undecided_ |= (a >= 0) & (a <= limit_);
+      return signs(of);
+    }
+    [[nodiscard]] bool any_undecided() const noexcept { return undecided_; }
 
    private:
     Vector limit_;
-    bool any_ = false;
+    bool undecided_ = false;
   };
   static void store_rows(const Vector (&columns)[6], float (&rows)[1][8]) noexcept {
     for (unsigned c = 0; c < 6; ++c) rows[0][c] = columns[c];

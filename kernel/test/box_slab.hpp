@@ -94,18 +94,17 @@ void box_slab_words(const CompiledShaft& shaft, const float* const* stream, std:
   for (std::size_t w = 0; w < words; ++w) {
     const std::size_t at = w * word_bits;
     std::uint64_t outside = 0;
-    typename L::Undecided undecided(slab.two_margins);
+    typename L::Verdicts verdicts(slab.two_margins);
 #pragma GCC unroll 4
     for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
       typename L::Vector room[4];
 #pragma GCC unroll 4
       for (unsigned v = 0; v < 4; ++v) {
         room[v] = slab.room([&](unsigned i) { return L::load(x[i] + at + four + v * L::width); });
-        undecided.note(room[v]);
       }
-      outside |= L::signs(room) << four;
+      outside |= verdicts.read(room) << four;
     }
-    if (undecided.any()) [[unlikely]] {
+    if (verdicts.any_undecided()) [[unlikely]] {
       outside = settle_slab_word<L>(shaft, slab, x, stream, at);
     }
     kept[w] = ~outside;
