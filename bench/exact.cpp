@@ -1,8 +1,7 @@
 /// exact/…: what exact answers cost, on AVX2, against the same kernel without its filter.
 ///
 /// Each setting is measured twice on the same bounds and shafts, in tiles that stay in the L1 cache: exact/SETTING/exact as
-/// the library ships it, exact/SETTING/unfiltered with rounded arithmetic taken at its word. limit/slab_arithmetic is what
-/// either could reach if the processor had nothing to do but its arithmetic.
+/// the library ships it, exact/SETTING/unfiltered with rounded arithmetic taken at its word.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -108,11 +107,6 @@ void declare_exact(Suite& suite, const Workload& /*workload*/) {
     suite.note("exact/… is not measured: this machine does not have avx2");
     return;
   }
-  suite.add("limit/slab_arithmetic/avx2", "paper/boxes_cull", [](benchmark::State& state) {
-    constexpr std::size_t vectors = 100'000;
-    for (auto _ : state) benchmark::DoNotOptimize(slab_arithmetic_avx2(vectors));
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(8 * vectors));
-  });
 
   const auto small = [](Dice& dice) { return dice.box(0.01F, 0.11F); };
   const auto object = [](Dice& dice) { return dice.box(0.2F, 1.0F); };

@@ -69,7 +69,7 @@ void declare_form(Suite& suite, const Workload& workload) {
     set_items(state);
   });
 
-  suite.reach("form/batch", paper, 10.0);
+  suite.reach("form/batch", paper, 25.0);
   suite.note(
       "form/batch leaves joining planes pending, so its shafts are ready for slab form only; paper/form_table and "
       "form/{runtime,table64,table729} make the planes");

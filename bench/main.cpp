@@ -1,4 +1,4 @@
-/// The program `shaftcull-bench`: measures the library against the paper's method, in one run and on one thread.
+/// The program `shaftcull-bench`: measures the library against the paper's method and against the machine, in one run.
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "one_thread.hpp"
+#include "effort.hpp"
 #include "results.hpp"
 #include "suite.hpp"
 #include "summary.hpp"
@@ -25,19 +25,9 @@ namespace {
 
 using namespace shaftcull::bench;
 
-/// How much is measured. Medians of many short repetitions in random order withstand noise better than few long ones.
-struct Effort {
-  std::size_t bounds;
-  int repetitions;
-  double seconds;  ///< least time of a repetition
-};
-constexpr Effort full_effort{std::size_t{1} << 22, 7, 0.3};
-constexpr Effort quick_effort{std::size_t{1} << 18, 7, 0.05};
-
 constexpr std::array families{
-    declare_paper,
-    declare_form,
-    declare_many,
+    declare_paper,  declare_form,  declare_many,  declare_sinks,
+    declare_memory, declare_small, declare_sweep, declare_limit,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif
@@ -73,7 +63,7 @@ int run(int argc, char** argv) {
   bool quick = false;
   std::filesystem::path out = "build/bench/summary.json";
   std::string filter = ".";
-  CLI::App program{"Measures shaftcull against the paper's method, on one thread.", "shaftcull-bench"};
+  CLI::App program{"Measures shaftcull against the paper's method and against the machine.", "shaftcull-bench"};
   program.add_flag("--quick", quick, "Fewer bounds and shorter repetitions: less than a minute");
   program.add_option("--out", out, "The summary; Google Benchmark's own file goes next to it")->capture_default_str();
   program.add_option("--filter", filter, "Measure only the benchmarks that this regular expression matches");
@@ -89,21 +79,27 @@ int run(int argc, char** argv) {
   raw.replace_filename(out.stem().string() + ".raw.json");
 
   const Effort& effort = quick ? quick_effort : full_effort;
-  const OneThread one_thread;
   const Workload workload(effort.bounds);
-  Suite suite;
+  Suite suite(quick);
   for (const auto declare : families) declare(suite, workload);
   set_up_benchmark(effort, filter, raw);
   fmt::print("Measuring {} bounds × {} shafts, {} repetitions in random order; {}.\n", effort.bounds,
              Workload::test_shafts, effort.repetitions, quick ? "less than a minute" : "some minutes");
   std::fflush(stdout);
 
+  if (quick) {
+    suite.note(
+        fmt::format("--quick: {} bounds, not {}, so memory/…, sweep/… and their targets are those of an L3 cache, and "
+                    "curves have few points",
+                    quick_effort.bounds, full_effort.bounds));
+  }
+
   Results results;
   if (benchmark::RunSpecifiedBenchmarks(&results) == 0) {
     throw std::invalid_argument(fmt::format("--filter {}: matches no benchmark", filter));
   }
   print_table(suite, results);
-  write_summary(out, suite, results);
+  write_summary(out, suite, effort, results);
   fmt::print("\nWritten to {} and {}.\n", out.string(), raw.string());
   return 0;
 }

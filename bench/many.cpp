@@ -67,10 +67,13 @@ void declare_many(Suite& suite, const Workload& workload) {
   declare(suite, bench, "boxes", workload.boxes.view());
   declare(suite, bench, "spheres", workload.spheres.view());
 
-  suite.reach("test/boxes/cull/slab/avx2", "paper/boxes_cull", 35.0);
+  suite.reach("test/boxes/cull/slab/scalar", "paper/boxes_cull", 4.0);
+  suite.reach("test/boxes/cull/slab/sse4_2", "paper/boxes_cull", 16.0);
+  suite.reach("test/boxes/cull/slab/avx2", "paper/boxes_cull", 48.0);
+  suite.reach("test/boxes/cull/slab/avx512", "paper/boxes_cull", 60.0);
   suite.reach("test/boxes/cull/planes/avx2", "paper/boxes_cull", 10.0);
-  suite.reach("test/boxes/cull/slab/sse4_2", "paper/boxes_cull", 12.0);
-  suite.reach("test/spheres/cull/slab/avx2", "paper/spheres_cull", 10.0);
+  suite.reach("test/boxes/classify/slab/avx2", "paper/boxes_classify", 32.0);
+  suite.reach("test/spheres/cull/slab/avx2", "paper/spheres_cull", 20.0);
 
   suite.note("test/spheres/classify is compared with paper/spheres_cull, which answers less");
 

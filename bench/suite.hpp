@@ -1,6 +1,6 @@
-/// What is measured: named benchmarks, what each is compared with, and the ratios to be reached.
+/// What is measured: named benchmarks, what each is compared with, what is to be reached, and what limits it.
 ///
-/// A family is one source file with a function that declares its benchmarks and, next to them, its targets.
+/// A family is one source file with a function that declares its benchmarks and, next to them, its targets and limits.
 #pragma once
 
 #include <functional>
@@ -19,35 +19,70 @@ struct Entry {
   std::string paper;
 };
 
-/// A ratio to be reached: the speed of `measured` over that of `against`, both from the same run.
+/// A figure to be reached, from one run.
 struct Target {
+  enum class Kind {
+    ratio,        ///< the speed of `measured` over that of `against`; at least `figure`
+    nanoseconds,  ///< the time that one item of `measured` takes; at most `figure`
+  };
   std::string measured;
-  std::string against;
-  double ratio;
+  std::string against;  ///< empty for a time
+  double figure;
+  Kind kind;
+};
+
+/// `path` cannot be faster than `by` allows, because an item of it takes `units` items of `by`.
+struct Limit {
+  std::string path;
+  std::string by;
+  double units;
+  std::string what;  ///< what the units are, for people
+};
+
+/// How a benchmark is run, where it is not like all others.
+struct Manner {
+  unsigned threads = 1;
+  bool wall_clock = false;  ///< else processor time, which other programs disturb less but which counts one thread
+  bool brief = false;       ///< a point of a curve: fewer and shorter repetitions
 };
 
 class Suite {
  public:
+  /// `quick` asks families for fewer points.
+  explicit Suite(bool quick) : quick_(quick) {}
+  [[nodiscard]] bool quick() const noexcept { return quick_; }
+
   /// `body` sets items_per_second of its state by state.SetItemsProcessed().
-  void add(const std::string& name, const std::string& paper, std::function<void(benchmark::State&)> body);
+  void add(const std::string& name, const std::string& paper, std::function<void(benchmark::State&)> body,
+           Manner manner = {});
   void reach(const std::string& measured, const std::string& against, double ratio);
+  void reach_within(const std::string& measured, double nanoseconds);
+  void limit(const std::string& path, const std::string& by, double units, const std::string& what);
   /// Something that the reader of the table should know.
   void note(const std::string& text);
 
   [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
   [[nodiscard]] const std::vector<Target>& targets() const noexcept { return targets_; }
+  [[nodiscard]] const std::vector<Limit>& limits() const noexcept { return limits_; }
   [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
 
  private:
+  bool quick_;
   std::vector<Entry> entries_;
   std::vector<Target> targets_;
+  std::vector<Limit> limits_;
   std::vector<std::string> notes_;
 };
 
 /// The families. `workload` must outlive the run.
-void declare_paper(Suite& suite, const Workload& workload);  ///< paper/…: the method measured against
-void declare_form(Suite& suite, const Workload& workload);   ///< form/…: from two boxes to a test-ready shaft
-void declare_many(Suite& suite, const Workload& workload);   ///< test/…: many shafts × many bounds
-void declare_exact(Suite& suite, const Workload& workload);  ///< exact/…: what exact answers cost
+void declare_paper(Suite& suite, const Workload& workload);   ///< paper/…: the method measured against
+void declare_form(Suite& suite, const Workload& workload);    ///< form/…: from two boxes to a test-ready shaft
+void declare_many(Suite& suite, const Workload& workload);    ///< test/…: many shafts × many bounds
+void declare_sinks(Suite& suite, const Workload& workload);   ///< sinks/…: counts and index lists instead of bits
+void declare_memory(Suite& suite, const Workload& workload);  ///< memory/…: one shaft × all bounds, and reading them
+void declare_small(Suite& suite, const Workload& workload);   ///< small/…: one shaft × one word of bounds
+void declare_sweep(Suite& suite, const Workload& workload);   ///< sweep/…: by bounds, by shafts, by threads
+void declare_limit(Suite& suite, const Workload& workload);   ///< limit/…: what this machine can do at most
+void declare_exact(Suite& suite, const Workload& workload);   ///< exact/…: what exact answers cost
 
 }  // namespace shaftcull::bench

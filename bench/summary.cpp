@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shaftcull/isa.hpp"
+#include "verdict.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -58,24 +59,57 @@ ordered_json number_or_null(const std::optional<double>& number) {
   return number ? ordered_json(*number) : ordered_json(nullptr);
 }
 
+ordered_json run_of(const Suite& suite, const Effort& effort) {
+  return {{"quick", suite.quick()},
+          {"bounds", effort.bounds},
+          {"shafts", Workload::test_shafts},
+          {"repetitions", effort.repetitions}};
+}
+
+ordered_json reach_of(const Suite& suite, const Results& results) {
+  ordered_json reach = ordered_json::array();
+  for (const Target& target : suite.targets()) {
+    const std::optional<double> figure = measured_figure(target, results);
+    const bool ratio = target.kind == Target::Kind::ratio;
+    reach.push_back({{"row", target.measured},
+                     {"against", ratio ? ordered_json(target.against) : ordered_json(nullptr)},
+                     {"value", number_or_null(figure)},
+                     {"target", target.figure},
+                     {"unit", ratio ? "x" : "ns"},
+                     {"bound", ratio ? "least" : "most"},
+                     {"met", figure.has_value() && is_met(target, *figure)}});
+  }
+  return reach;
+}
+
+ordered_json limits_of(const Suite& suite, const Results& results) {
+  ordered_json limits = ordered_json::array();
+  for (const PathLimits& path : limits_of_paths(suite, results)) {
+    ordered_json ceilings = ordered_json::array();
+    for (const auto& [limit, per_second] : path.ceilings) {
+      ceilings.push_back({{"by", limit.by}, {"units", limit.units}, {"what", limit.what}, {"per_s", per_second}});
+    }
+    limits.push_back(
+        {{"row", path.path}, {"per_s", path.per_second}, {"fraction", path.fraction()}, {"ceilings", ceilings}});
+  }
+  return limits;
+}
+
 }  // namespace
 
-void write_summary(const std::filesystem::path& file, const Suite& suite, const Results& results) {
+void write_summary(const std::filesystem::path& file, const Suite& suite, const Effort& effort,
+                   const Results& results) {
   ordered_json speeds = ordered_json::object();
   for (const Entry& entry : suite.entries()) {
     const std::optional<double> speed = results.per_second(entry.name);
     if (!speed) continue;
     speeds[entry.name] = {{"per_s", *speed}, {"vs_paper", number_or_null(results.ratio(entry.name, entry.paper))}};
   }
-  ordered_json reach = ordered_json::array();
-  for (const Target& target : suite.targets()) {
-    const std::optional<double> ratio = results.ratio(target.measured, target.against);
-    reach.push_back({{"row", target.measured},
-                     {"value", number_or_null(ratio)},
-                     {"target", target.ratio},
-                     {"met", ratio.has_value() && *ratio >= target.ratio}});
-  }
-  const ordered_json summary = {{"machine", machine()}, {"results", speeds}, {"reach", reach}};
+  const ordered_json summary = {{"machine", machine()},
+                                {"run", run_of(suite, effort)},
+                                {"results", speeds},
+                                {"reach", reach_of(suite, results)},
+                                {"limits", limits_of(suite, results)}};
   std::ofstream out(file);
   out << summary.dump(2) << '\n';
   if (!out.flush()) throw std::runtime_error(fmt::format("cannot write {}", file.string()));

@@ -6,7 +6,7 @@
 
 namespace shaftcull::bench {
 
-/// Prints formation, tests by instruction set, targets and notes to standard output.
+/// Prints formation, tests by instruction set, limits, targets and notes to standard output.
 void print_table(const Suite& suite, const Results& results);
 
 }  // namespace shaftcull::bench

@@ -12,9 +12,4 @@ namespace shaftcull::bench {
 /// Writes one bit for each box of `words` whole words, on AVX2. The shaft's slab form is taken as fused, whatever it is.
 void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words, std::uint64_t* kept) noexcept;
 
-/// The arithmetic of `vectors` slab tests and nothing else: six multiply-adds and six minima or maxima a vector of eight boxes,
-/// on registers, without loads, comparisons or results. No slab test on this processor can be faster. Returns a
-/// value to keep the compiler from leaving it out.
-float slab_arithmetic_avx2(std::size_t vectors) noexcept;
-
 }  // namespace shaftcull::bench

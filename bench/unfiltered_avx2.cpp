@@ -39,27 +39,4 @@ void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std:
   by_uppers[shaft.slab_uppers - 1](shaft, boxes.stream.data(), words, kept);
 }
 
-float slab_arithmetic_avx2(std::size_t vectors) noexcept {
-  using L = UnfilteredLanes;
-  // Two independent tests at a time, so that the rate of issue is the limit and not the latency of a chain.
-  L::Vector scale = L::all(0.5F);
-  L::Vector shift = L::all(0.25F);
-  L::Vector bound[12];
-  for (auto& b : bound) b = L::all(0.125F);
-  L::Vector extreme[4] = {L::all(1.0F), L::all(0.0F), L::all(1.0F), L::all(0.0F)};
-  for (std::size_t v = 0; v < vectors; v += 2) {
-#pragma GCC unroll 12
-    for (unsigned i = 0; i < 12; ++i) {
-      // Hidden from the optimiser, which knows that the same operands give the same result.
-      asm volatile("" : "+x"(scale.data), "+x"(shift.data));
-      bound[i] = L::multiply_add(scale, shift, scale);
-      const unsigned e = i % 4;
-      extreme[e] = e % 2 == 0 ? L::minimum(bound[i], extreme[e]) : L::maximum(bound[i], extreme[e]);
-    }
-  }
-  float sum[L::width];
-  L::store(sum, L::add(L::add(extreme[0], extreme[1]), L::add(extreme[2], extreme[3])));
-  return sum[0];
-}
-
 }  // namespace shaftcull::bench

@@ -1,4 +1,5 @@
 /// Bounds in plain vectors, one for each coordinate: a view of the user's own memory that nothing has checked.
+/// Each is allocated to its exact size, so that AddressSanitizer sees what is read beyond the last bound.
 #pragma once
 
 #include <array>
@@ -12,8 +13,9 @@ namespace shaftcull {
 class BoxColumns {
  public:
   explicit BoxColumns(const std::vector<Box>& boxes) : count_(boxes.size()) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      for (const Box& box : boxes) {
+    for (std::vector<float>& column : column_) column.reserve(count_);
+    for (const Box& box : boxes) {
+      for (std::size_t k = 0; k != 3; ++k) {
         column_[k].push_back(box.lo[k]);
         column_[k + 3].push_back(box.hi[k]);
       }
@@ -34,6 +36,7 @@ class BoxColumns {
 class SphereColumns {
  public:
   explicit SphereColumns(const std::vector<Sphere>& spheres) : count_(spheres.size()) {
+    for (std::vector<float>& column : column_) column.reserve(count_);
     for (const Sphere& sphere : spheres) {
       for (std::size_t k = 0; k != 3; ++k) column_[k].push_back(sphere.centre[k]);
       column_[3].push_back(sphere.radius);

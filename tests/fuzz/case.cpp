@@ -58,10 +58,12 @@ float derived(const Case& from, std::size_t axis, std::uint8_t code) {
   return x;
 }
 
+constexpr std::size_t more_than_a_word = 65;
+
 /// Adds bounds that are decided at a glance until there is a whole word and a rest.
 template <class Bound>
 void fill(std::vector<Bound>& bounds, const Bound& far_away) {
-  while (bounds.size() <= 64) bounds.push_back(far_away);
+  if (bounds.size() < more_than_a_word) bounds.resize(more_than_a_word, far_away);
 }
 
 }  // namespace
@@ -85,15 +87,19 @@ Case Case::read(std::span<const std::uint8_t> bytes) {
     sort(it.a);
     sort(it.b);
   }
+  it.planes.reserve(shape % 4);
   for (int i = 0; i != shape % 4; ++i) {
     const Vec3 normal = reader.vec3();
     it.planes.push_back({normal, reader.number()});
   }
   std::vector<float> coordinates;
+  coordinates.reserve(6 * most_boxes);
   const bool is_derived = (shape & derive_bounds) != 0;
   while (reader.left() != 0 && coordinates.size() != 6 * most_boxes) {
     coordinates.push_back(is_derived ? derived(it, coordinates.size() % 3, reader.byte()) : reader.number());
   }
+  it.boxes.reserve(more_than_a_word);
+  it.spheres.reserve(more_than_a_word);
   for (std::size_t i = 0; i + 6 <= coordinates.size(); i += 6) {
     const float* const x = &coordinates[i];
     it.boxes.push_back({{x[0], x[1], x[2]}, {x[3], x[4], x[5]}});

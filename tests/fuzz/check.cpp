@@ -1,9 +1,11 @@
 #include "fuzz/check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "columns.hpp"
 #include "fuzz/packing.hpp"
@@ -15,6 +17,11 @@
 
 namespace shaftcull::fuzz {
 namespace {
+
+const std::vector<Isa>& isas() {
+  static const std::vector<Isa> available = available_isas();
+  return available;
+}
 
 bool is_finite(const Vec3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
@@ -93,9 +100,29 @@ std::optional<Shaft> formed(const Case& it) {
   return shaft;
 }
 
-using Words = std::vector<std::uint64_t>;
+/// Answers for all bounds of a case; what lies beyond the last word is 0.
+using Words = std::array<std::uint64_t, 2>;
 
 bool bit(const Words& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
+
+/// Where a call writes its answers: memory of the exact size, so that AddressSanitizer sees what is written beyond it.
+class Page {
+ public:
+  explicit Page(std::size_t bounds) : words_(words_for(bounds)) {}
+
+  [[nodiscard]] std::span<std::uint64_t> unwritten() {
+    std::fill(words_.begin(), words_.end(), 0x5e5e5e5e5e5e5e5eU);
+    return words_;
+  }
+  [[nodiscard]] Words read() const {
+    Words copy{};
+    std::copy(words_.begin(), words_.end(), copy.begin());
+    return copy;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
 
 /// All that can be asked of a shaft and a view; nothing where the shaft does not answer.
 struct Answers {
@@ -105,53 +132,26 @@ struct Answers {
   std::optional<Words> contained;
 };
 
-/// classify() says it all, if it may be called.
-enum class Questions { all, fewest };
-
-template <class View>
-Answers ask(const CompiledShaft& shaft, const View& view, Form form, Questions questions) {
-  const Words unwritten(words_for(view.count), 0x5e5e5e5e5e5e5e5e);
-  Answers answers;
-  answers.inside = unless_refused([&] {
-    answers.kept = unwritten;
-    Words inside = unwritten;
-    classify(shaft, view, *answers.kept, inside, form);
-    return inside;
-  });
-  if (!answers.inside) answers.kept.reset();
-  if (questions == Questions::fewest && answers.inside) return answers;
-  answers.culled = unless_refused([&] {
-    Words kept = unwritten;
-    cull(shaft, view, kept, form);
-    return kept;
-  });
-  answers.contained = unless_refused([&] {
-    Words inside = unwritten;
-    contain(shaft, view, inside);
-    return inside;
-  });
-  return answers;
-}
-
 const char* text(Form form) { return form == Form::slab ? "slab" : "planes"; }
 
 template <class Bound>
 class Comparison {
  public:
-  Comparison(const Case& it, const std::vector<Bound>& bounds) : it_(it), bounds_(bounds), memory_(bounds) {}
+  Comparison(const Case& it, const std::vector<Bound>& bounds)
+      : it_(it), bounds_(bounds), memory_(bounds), kept_(bounds.size()), inside_(bounds.size()) {}
 
   void run(const CompiledShaft& shaft, const CompiledShaft* pending) {
     for (const Form form : {Form::slab, Form::planes}) {
       select_isa(Isa::scalar);
-      const Answers scalar = ask(shaft, memory_.view(), form, Questions::all);
+      Answers& scalar = form == Form::slab ? slab_ : planes_;
+      scalar = ask_all(shaft, form);
       check(scalar, form);
-      (form == Form::slab ? slab_ : planes_) = scalar;
-      for (const Isa isa : available_isas()) {
+      for (const Isa isa : isas()) {
         if (isa == Isa::scalar) continue;
         select_isa(isa);
-        compare(ask(shaft, memory_.view(), form, Questions::fewest), scalar, isa, form);
+        require_same(shaft, scalar, isa, form);
       }
-      if (pending != nullptr) compare(ask(*pending, memory_.view(), form, Questions::fewest), scalar, active_isa(), form);
+      if (pending != nullptr) require_same(*pending, scalar, isas().back(), form);
     }
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
       if (!is_specified(bounds_[i])) continue;
@@ -161,27 +161,53 @@ class Comparison {
   }
 
  private:
+  Words culled(const CompiledShaft& shaft, Form form) {
+    cull(shaft, memory_.view(), kept_.unwritten(), form);
+    return kept_.read();
+  }
+  std::pair<Words, Words> classified(const CompiledShaft& shaft, Form form) {
+    classify(shaft, memory_.view(), kept_.unwritten(), inside_.unwritten(), form);
+    return {kept_.read(), inside_.read()};
+  }
+  Words contained(const CompiledShaft& shaft) {
+    contain(shaft, memory_.view(), inside_.unwritten());
+    return inside_.read();
+  }
+
+  Answers ask_all(const CompiledShaft& shaft, Form form) {
+    Answers answers;
+    if (const auto both = unless_refused([&] { return classified(shaft, form); })) {
+      answers.kept = both->first;
+      answers.inside = both->second;
+    }
+    answers.culled = unless_refused([&] { return culled(shaft, form); });
+    // contain() knows no forms.
+    answers.contained = form == Form::slab ? unless_refused([&] { return contained(shaft); }) : slab_.contained;
+    return answers;
+  }
+
+  /// Asks the active instruction set as little as says it all. Refusals come before it is chosen, and are not asked for again.
+  void require_same(const CompiledShaft& shaft, const Answers& scalar, Isa isa, Form form) {
+    if (scalar.inside) {
+      const auto [kept, inside] = classified(shaft, form);
+      require_equal(kept, *scalar.kept, "classify() (kept)", isa, form);
+      require_equal(inside, *scalar.inside, "classify() (inside)", isa, form);
+    } else if (scalar.culled) {
+      require_equal(culled(shaft, form), *scalar.culled, "cull()", isa, form);
+    } else if (scalar.contained) {
+      require_equal(contained(shaft), *scalar.contained, "contain()", isa, form);
+    }
+  }
+
   [[noreturn]] void fail_at(std::size_t i, const std::string& what) const {
     fail(what + "\n  bound " + std::to_string(i) + ": " + source_text(bounds_[i]), it_);
   }
 
-  void compare(const Answers& answers, const Answers& scalar, Isa isa, Form form) const {
-    if (answers.kept || scalar.kept) {
-      require_equal(answers.kept, scalar.kept, "classify() (kept)", isa, form);
-      require_equal(answers.inside, scalar.inside, "classify() (inside)", isa, form);
-    } else {
-      require_equal(answers.culled, scalar.culled, "cull()", isa, form);
-      require_equal(answers.contained, scalar.contained, "contain()", isa, form);
-    }
-  }
-
-  void require_equal(const std::optional<Words>& answers, const std::optional<Words>& scalar, const std::string& what,
-                     Isa isa, Form form) const {
+  void require_equal(const Words& answers, const Words& scalar, const char* what, Isa isa, Form form) const {
     if (answers == scalar) return;
-    const std::string where = what + " on " + std::string(name(isa)) + ", form " + text(form);
-    if (answers.has_value() != scalar.has_value()) fail(where + " refuses what scalar does not", it_);
+    const std::string where = std::string(what) + " on " + std::string(name(isa)) + ", form " + text(form);
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
-      if (bit(*answers, i) != bit(*scalar, i)) fail_at(i, where + " differs from scalar");
+      if (bit(answers, i) != bit(scalar, i)) fail_at(i, where + " differs from scalar");
     }
     fail(where + " writes past the last bound", it_);
   }
@@ -204,13 +230,16 @@ class Comparison {
     }
     const std::size_t rest = bounds_.size() % 64;
     for (const std::optional<Words>* words : {&answers.culled, &answers.inside, &answers.contained}) {
-      if (rest != 0 && words->has_value() && (**words).back() >> rest != 0) fail("bits past the last bound are set", it_);
+      if (rest == 0 || !words->has_value()) continue;
+      if ((**words)[bounds_.size() / 64] >> rest != 0) fail("bits past the last bound are set", it_);
     }
   }
 
   const Case& it_;
   const std::vector<Bound>& bounds_;
   decltype(columns(std::vector<Bound>{})) memory_;
+  Page kept_;
+  Page inside_;
   Answers slab_;
   Answers planes_;
 };
@@ -229,10 +258,11 @@ std::optional<CompiledShaft> batched(const Case& it) {
   constexpr std::size_t copies = 17;  // whole vectors of all widths, and a rest
   const BoxColumns a(std::vector<Box>(copies, it.a));
   const BoxColumns b(std::vector<Box>(copies, it.b));
+  std::vector<CompiledShaft> out(copies);
   std::optional<CompiledShaft> scalar;
-  for (const Isa isa : available_isas()) {
+  for (const Isa isa : isas()) {
     select_isa(isa);
-    std::vector<CompiledShaft> out(copies);
+    std::fill(out.begin(), out.end(), CompiledShaft{});
     const bool is_accepted = unless_refused([&] {
                                compile_batch(a.view(), b.view(), out);
                                return true;

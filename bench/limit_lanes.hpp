@@ -1,0 +1,85 @@
+/// The kernels of limit_kernels.hpp over vectors of `L`, a type that only one translation unit has
+/// (kernel/test/README.md).
+#pragma once
+
+#include "limit_kernels.hpp"
+#include "simd/lanes.hpp"
+
+namespace shaftcull::bench {
+
+template <class L>
+float sum_of(typename L::Vector a) noexcept {
+  float lanes[L::width];
+  L::store(lanes, a);
+  return lanes[0] + lanes[L::width - 1];
+}
+
+template <class L>
+float slab_arithmetic(std::size_t vectors) noexcept {
+  // Two independent tests at a time, so that the rate of issue is the limit and not the latency of a chain.
+  auto scale = L::all(0.5F);
+  auto shift = L::all(0.25F);
+  typename L::Vector bound[12];
+  for (auto& b : bound) b = L::all(0.125F);
+  typename L::Vector extreme[4] = {L::all(1.0F), L::all(0.0F), L::all(1.0F), L::all(0.0F)};
+  for (std::size_t v = 0; v < vectors; v += 2) {
+#pragma GCC unroll 12
+    for (unsigned i = 0; i < 12; ++i) {
+      // Hidden from the optimiser, which knows that the same operands give the same result.
+      asm volatile("" : "+v"(scale.data), "+v"(shift.data));
+      bound[i] = L::multiply_add(scale, shift, scale);
+      const unsigned e = i % 4;
+      extreme[e] = e % 2 == 0 ? L::minimum(bound[i], extreme[e]) : L::maximum(bound[i], extreme[e]);
+    }
+  }
+  return sum_of<L>(L::add(L::add(extreme[0], extreme[1]), L::add(extreme[2], extreme[3])));
+}
+
+template <class L>
+float divide(std::size_t vectors) noexcept {
+  auto dividend = L::all(0.5F);
+  auto divisor = L::all(3.0F);
+  auto quotient = dividend;
+  for (std::size_t v = 0; v < vectors; v += 4) {
+#pragma GCC unroll 4
+    for (unsigned i = 0; i < 4; ++i) {
+      asm volatile("" : "+v"(dividend.data), "+v"(divisor.data));
+      quotient = L::divide(dividend, divisor);
+      asm volatile("" : : "v"(quotient.data));
+    }
+  }
+  return sum_of<L>(quotient);
+}
+
+template <class L>
+float read(const float* const* stream, std::size_t count) noexcept {
+  typename L::Vector seen[6];
+  for (auto& each : seen) each = L::all(0.0F);
+  const float* at[6];
+  for (unsigned s = 0; s < 6; ++s) at[s] = stream[s];
+  for (std::size_t i = 0; i < count; i += 2 * L::width) {
+#pragma GCC unroll 6
+    for (unsigned s = 0; s < 6; ++s) {
+      seen[s] = L::either_negative(seen[s], L::load(at[s] + i));  // a bitwise or: no instruction is cheaper
+      seen[s] = L::either_negative(seen[s], L::load(at[s] + i + L::width));
+    }
+  }
+  auto all = seen[0];
+  for (unsigned s = 1; s < 6; ++s) all = L::either_negative(all, seen[s]);
+  return sum_of<L>(all);
+}
+
+template <class L>
+void write_shafts(CompiledShaft* shafts, std::size_t count) noexcept {
+  constexpr std::size_t written = 128;
+  const auto value = L::all(1.0F);
+  for (std::size_t s = 0; s < count; ++s) {
+    auto* const floats = reinterpret_cast<float*>(shafts + s);
+    for (std::size_t i = 0; i < written / sizeof(float); i += L::width) L::store(floats + i, value);
+  }
+}
+
+template <class L>
+constexpr LimitKernels limit_kernels_for = {L::width, slab_arithmetic<L>, divide<L>, read<L>, write_shafts<L>};
+
+}  // namespace shaftcull::bench

@@ -1,0 +1,111 @@
+/// A fixed workload, whose instructions `valgrind --tool=callgrind` counts: what check.cmake compares with the recorded budget.
+///
+/// Prints a line "path items" for each path in the order in which it runs them, and makes callgrind dump the cost of each. Under anything but
+/// valgrind it does the same work, and nobody counts.
+#include <valgrind/callgrind.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "dice.hpp"
+#include "many/workload.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::size_t shafts = 64;
+constexpr std::size_t bounds = 4096;
+constexpr std::size_t small_bounds = 64;
+constexpr std::size_t pairs = 4096;
+
+/// Counts the instructions of work(), which handles `items` of something.
+template <class Work>
+void count(const char* path, std::size_t items, const Work& work) {
+  work();  // dynamic linking and first pages of memory are not ours
+  std::printf("%s %zu\n", path, items);
+  CALLGRIND_ZERO_STATS;
+  CALLGRIND_TOGGLE_COLLECT;
+  work();
+  CALLGRIND_TOGGLE_COLLECT;
+  CALLGRIND_DUMP_STATS_AT(path);
+}
+
+/// As the benchmarks' workload W: about one bound in fifty is kept.
+std::vector<Box> drawn_boxes(std::uint64_t seed, std::size_t size, float small, float large) {
+  Dice dice(seed);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i != size; ++i) boxes.push_back(dice.box(-5, 5, small, large));
+  return boxes;
+}
+
+void run() {
+  const BoxStream boxes{std::span<const Box>(drawn_boxes(1, bounds, 0.01F, 0.11F))};
+  const SphereStream spheres{std::span<const Sphere>(random_spheres(2, bounds))};
+  const std::vector<Box> a = drawn_boxes(3, pairs, 0.2F, 1.0F);
+  const std::vector<Box> b = drawn_boxes(4, pairs, 0.2F, 1.0F);
+  const BoxStream a_stream{std::span<const Box>(a)};
+  const BoxStream b_stream{std::span<const Box>(b)};
+  std::vector<CompiledShaft> compiled;
+  for (std::size_t s = 0; s != shafts; ++s) compiled.push_back(compile(Shaft(a[s], b[s])));
+  std::vector<std::uint64_t> kept(words_for(bounds));
+  std::vector<std::uint64_t> inside(words_for(bounds));
+  std::vector<std::uint64_t> counts(shafts);
+  IndexLists lists;
+
+  const auto each_shaft = [&](const auto& test) {
+    for (const CompiledShaft& shaft : compiled) test(shaft);
+  };
+  constexpr std::size_t tests = shafts * bounds;
+  count("boxes_cull_slab", tests, [&] {
+    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::slab); });
+  });
+  count("boxes_cull_planes", tests, [&] {
+    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::planes); });
+  });
+  count("boxes_classify_slab", tests, [&] {
+    each_shaft([&](const CompiledShaft& shaft) { classify(shaft, boxes.view(), kept, inside, Form::slab); });
+  });
+  count("spheres_cull_slab", tests, [&] {
+    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, spheres.view(), kept, Form::slab); });
+  });
+  count("spheres_classify_slab", tests, [&] {
+    each_shaft([&](const CompiledShaft& shaft) { classify(shaft, spheres.view(), kept, inside, Form::slab); });
+  });
+  count("boxes_cull_64", shafts * small_bounds, [&] {
+    each_shaft([&](const CompiledShaft& shaft) {
+      cull(shaft, boxes.view().slice(0, small_bounds), std::span(kept).first(words_for(small_bounds)));
+    });
+  });
+  with_threads(1, [&] {
+    count("boxes_count", tests, [&] { count_many(compiled, boxes.view(), counts); });
+    count("boxes_list", tests, [&] { list_many(compiled, boxes.view(), lists); });
+  });
+  std::vector<CompiledShaft> formed(pairs);
+  count("form_batch", pairs, [&] { compile_batch(a_stream.view(), b_stream.view(), formed); });
+  count("form_each", shafts, [&] {
+    for (std::size_t s = 0; s != shafts; ++s) compiled[s] = compile(Shaft(a[s], b[s]));
+  });
+}
+
+}  // namespace
+}  // namespace shaftcull
+
+int main() {
+  const char* const wanted = std::getenv("SHAFTCULL_ISA");
+  const auto isa = shaftcull::isa_from_name(wanted == nullptr ? "" : wanted);
+  if (isa) {
+    const std::vector<shaftcull::Isa> available = shaftcull::available_isas();
+    if (std::find(available.begin(), available.end(), *isa) == available.end()) {
+      std::printf("Skipped: there is no %s here.\n", wanted);
+      return 0;
+    }
+  }
+  shaftcull::run();
+  return 0;
+}

@@ -1,0 +1,68 @@
+/// Two races of the kind that ThreadSanitizer must still find for all that handover.hpp and cmake/tsan.suppressions tell it:
+/// `planted_race loop` and `planted_race pipeline`. In CTest only in the preset tsan, where a run without a report fails.
+#include <atomic>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "many/workload.hpp"
+#include "run/parallel.hpp"
+
+namespace {
+
+constexpr int threads = 2;
+
+/// Holds a thread until both are here. Relaxed, so that it orders nothing else.
+class Meeting {
+ public:
+  void wait() {
+    arrived_.fetch_add(1, std::memory_order_relaxed);
+    while (arrived_.load(std::memory_order_relaxed) < threads) std::this_thread::yield();
+  }
+
+ private:
+  std::atomic<int> arrived_ = 0;
+};
+
+/// All tasks of a loop count in the same place.
+std::size_t race_in_loop() {
+  Meeting meeting;
+  std::size_t count = 0;
+  shaftcull::kernel::parallel_for(2, 1, [&](std::size_t /*row*/, std::size_t /*column*/) {
+    meeting.wait();
+    ++count;
+  });
+  return count;
+}
+
+/// All items of a pipeline use the first slot.
+std::size_t race_in_pipeline() {
+  Meeting meeting;
+  std::vector<std::size_t> slots(2);
+  std::size_t sum = 0;
+  shaftcull::kernel::ordered_pipeline(
+      2, slots.size(),
+      [&](std::size_t i, std::size_t /*slot*/) {
+        meeting.wait();
+        slots[0] = i;
+      },
+      [&](std::size_t /*i*/, std::size_t /*slot*/) { sum += slots[0]; });
+  return sum;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool in_loop = argc == 2 && std::strcmp(argv[1], "loop") == 0;
+  const bool in_pipeline = argc == 2 && std::strcmp(argv[1], "pipeline") == 0;
+  if (!in_loop && !in_pipeline) {
+    std::fprintf(stderr, "usage: planted_race loop|pipeline\n");
+    return 2;
+  }
+  std::size_t result = 0;
+  shaftcull::with_threads(threads, [&] { result = in_loop ? race_in_loop() : race_in_pipeline(); });
+  std::printf("%zu\n", result);
+  return 0;
+}
