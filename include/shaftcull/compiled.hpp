@@ -42,6 +42,7 @@ struct alignas(64) CompiledShaft {
   std::uint8_t slab_near[6];     ///< stream that the constraint reads
   std::uint8_t slab_uppers;      ///< how many of the six bound t from above, at least 1
   SlabForm slab_form;
+  float reach;                   ///< largest magnitude of a coordinate of a or b
 
   // Second cache line: what the shaft is.
   Box a;

@@ -162,6 +162,8 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   float margin[width];
   L::store(margin, L::add(L::multiply(position, L::all(fused_margin_per_position)),
                           L::multiply(length, L::all(fused_margin_per_way))));
+  float reaches[width];
+  L::store(reaches, top_coordinate);
   float reds[width];
   L::store(reds, red_set);
   float starts[width];
@@ -189,6 +191,7 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     __builtin_prefetch(&shaft + 16, 1);  // strides this long are beyond hardware prefetchers
     __builtin_prefetch(reinterpret_cast<const char*>(&shaft + 16) + 64, 1);
     const bool is_fused = fused >> lane & 1;
+    shaft.reach = reaches[lane];
     if (is_fused) [[likely]] {
       const SlabOrder& order = slab_orders.by_reds[static_cast<int>(reds[lane])];
       L::permute_row(scale_rows[lane], order.face, shaft.slab_scale);

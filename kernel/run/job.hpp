@@ -31,7 +31,7 @@ class Job {
  public:
   /// Throws InvalidArgument, naming the first shaft that does not answer what is asked.
   Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
-      : shafts_(shafts), bounds_(bounds), test_(active_kernels().test(bounds, form)) {
+      : shafts_(shafts), bounds_(bounds), kernels_(active_kernels()), form_(form) {
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       require_answers(shafts[s], true, inside, std::is_same_v<View, SphereView>, s);
     }
@@ -44,16 +44,34 @@ class Job {
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
   void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
-    for (std::size_t tile = 0; tile < block.size; tile += tile_bounds) {
-      const View part = bounds_.slice(block.first + tile, std::min(tile_bounds, block.size - tile));
-      for (std::size_t s = 0; s != group.size; ++s) {
-        fetch_share_of_next(block.first + tile, s, group.size);
-        test_(shafts_[group.first + s], part.stream.data(), part.count, kept.at(s, tile / 64), inside.at(s, tile / 64));
+    for (std::size_t first = block.first; first < block.end(); first += tile_bounds) {
+      const View tile = bounds_.slice(first, std::min(tile_bounds, block.end() - first));
+      const std::size_t word = (first - block.first) / 64;
+      if constexpr (std::is_same_v<View, SphereView>) {
+        // Boxes around spheres are the same for all shafts. A tile that is not full may end anywhere: each test makes its own.
+        if (form_ != Form::planes && tile.count == tile_bounds) {
+          alignas(64) float box[6][tile_bounds];
+          float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+          kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
+          const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
+                                           box[1],         box[2],         box[3],         box[4],         box[5]};
+          test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, word, kept, inside);
+          continue;
+        }
       }
+      test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, word, kept, inside);
     }
   }
 
  private:
+  void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, std::size_t word,
+                 Rows kept, Rows inside) const noexcept {
+    for (std::size_t s = 0; s != group.size; ++s) {
+      fetch_share_of_next(first, s, group.size);
+      kernel(shafts_[group.first + s], stream, count, kept.at(s, word), inside.at(s, word));
+    }
+  }
+
   /// Fetches the share `i` of `shares` of the tile after the one at `first` into the second-level cache, while the tile at `first` is
   /// tested: otherwise the first shaft of each group waits for memory.
   void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
@@ -68,7 +86,8 @@ class Job {
 
   std::span<const CompiledShaft> shafts_;
   View bounds_;
-  Test* test_;
+  const Kernels& kernels_;
+  Form form_;
 };
 
 /// Throws InvalidArgument unless the span called `what` has `rows` rows of `row_words` words.

@@ -19,6 +19,22 @@ struct Lanes {
   static constexpr unsigned width = sizeof(Vector) / sizeof(float);
 
   static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
+  /// p[index[i]] in lane i.
+  static Vector gather(const float* p, const std::uint16_t* index) noexcept {
+#ifdef __AVX512F__
+    if constexpr (width == 16) {
+      const __m256i sixteen = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+      return _mm512_i32gather_ps(_mm512_cvtepu16_epi32(sixteen), p, sizeof(float));
+    }
+#endif
+#ifdef __AVX2__
+    if constexpr (width == 8) {
+      const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(index));
+      return _mm256_i32gather_ps(p, _mm256_cvtepu16_epi32(eight), sizeof(float));
+    }
+#endif
+    if constexpr (width == 4) return _mm_setr_ps(p[index[0]], p[index[1]], p[index[2]], p[index[3]]);
+  }
   static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
   static Vector all(float a) noexcept { return Vector(a); }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
@@ -79,6 +95,9 @@ struct Lanes {
     for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
 #endif
   }
+
+  /// a, negated where the sign of b is set; b is ±0.
+  static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
 
   /// A vector of which only signs matter: negative where a or b is.
   static Vector either_negative(Vector a, Vector b) noexcept { return a | b; }

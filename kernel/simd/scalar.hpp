@@ -11,6 +11,7 @@ struct ScalarLanes {
   static constexpr unsigned width = 1;
 
   static Vector load(const float* p) noexcept { return *p; }
+  static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
   static void store(float* p, Vector a) noexcept { *p = a; }
   static Vector all(float a) noexcept { return a; }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
@@ -26,6 +27,7 @@ struct ScalarLanes {
   static Mask both(Mask a, Mask b) noexcept { return a && b; }
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
+  static Vector flip_sign(Vector a, Vector b) noexcept { return __builtin_signbitf(b) ? -a : a; }
   static Vector either_negative(Vector a, Vector b) noexcept { return a < 0 ? a : b; }
   static std::uint64_t signs(const Vector (&of)[4]) noexcept {
     std::uint64_t signs = 0;

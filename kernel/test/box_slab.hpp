@@ -84,13 +84,57 @@ template <class L, class SlabType>
          });
 }
 
-template <class L, unsigned uppers, CompiledShaft::SlabForm form>
-void box_slab_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                    std::uint64_t* kept) noexcept {
-  const Slab<L, uppers, form> slab(shaft, shaft.slab_margin);
+/// What the constraints of a shaft read: a corner of each box.
+template <class L>
+struct BoxCorners {
+  static constexpr bool exactly = true;
+  using Vector = typename L::Vector;
   const float* x[6];
-  for (unsigned i = 0; i < 6; ++i) x[i] = stream[shaft.slab_near[i]];
 
+  BoxCorners(const CompiledShaft& shaft, const float* const* box) noexcept {
+    for (unsigned i = 0; i < 6; ++i) x[i] = box[shaft.slab_near[i]];
+  }
+  [[nodiscard]] Vector coordinate(unsigned i, std::size_t at) const noexcept { return L::load(x[i] + at); }
+  [[nodiscard]] Vector room(Vector room, std::size_t /*at*/) const noexcept { return room; }
+};
+
+/// Likewise of boxes around spheres, whose answers are not the last word.
+template <class L>
+struct BoxedSphereCorners : BoxCorners<L> {
+  static constexpr bool exactly = false;
+  using BoxCorners<L>::BoxCorners;
+};
+
+/// Likewise of spheres that nobody has made boxes for.
+template <class L>
+struct SphereCorners {
+  static constexpr bool exactly = false;
+  using Vector = typename L::Vector;
+  const float* centre[6];
+  const float* radius;
+  Vector sign[6];  // of the radius: −0 where a constraint reads the lo corner
+
+  SphereCorners(const CompiledShaft& shaft, const float* const* sphere) noexcept : radius(sphere[3]) {
+    for (unsigned i = 0; i < 6; ++i) {
+      centre[i] = sphere[shaft.slab_near[i] % 3];
+      sign[i] = L::all(shaft.slab_near[i] < 3 ? -0.0F : 0.0F);
+    }
+  }
+  [[nodiscard]] Vector coordinate(unsigned i, std::size_t at) const noexcept {
+    return L::add(L::load(centre[i] + at), L::flip_sign(L::load(radius + at), sign[i]));
+  }
+  /// A negative radius is outside.
+  [[nodiscard]] Vector room(Vector room, std::size_t at) const noexcept {
+    return L::either_negative(room, L::load(radius + at));
+  }
+};
+
+/// Writes the kept bits of `words` whole words: exactly, or clears the bits of those that are outside for certain.
+template <class L, template <class> class Corners, unsigned uppers, CompiledShaft::SlabForm form>
+void slab_words(const CompiledShaft& shaft, float margin, const float* const* stream, std::size_t words,
+                std::uint64_t* kept) noexcept {
+  const Slab<L, uppers, form> slab(shaft, margin);
+  const Corners<L> corners(shaft, stream);
   for (std::size_t w = 0; w < words; ++w) {
     const std::size_t at = w * word_bits;
     std::uint64_t outside = 0;
@@ -100,12 +144,19 @@ void box_slab_words(const CompiledShaft& shaft, const float* const* stream, std:
       typename L::Vector room[4];
 #pragma GCC unroll 4
       for (unsigned v = 0; v < 4; ++v) {
-        room[v] = slab.room([&](unsigned i) { return L::load(x[i] + at + four + v * L::width); });
+        const std::size_t here = at + four + v * L::width;
+        room[v] = corners.room(slab.room([&](unsigned i) { return corners.coordinate(i, here); }), here);
       }
-      outside |= verdicts.read(room) << four;
+      if constexpr (Corners<L>::exactly) {
+        outside |= verdicts.read(room) << four;
+      } else {
+        outside |= L::signs(room) << four;
+      }
     }
-    if (verdicts.any_undecided()) [[unlikely]] {
-      outside = settle_slab_word<L>(shaft, slab, x, stream, at);
+    if constexpr (Corners<L>::exactly) {
+      if (verdicts.any_undecided()) [[unlikely]] {
+        outside = settle_slab_word<L>(shaft, slab, corners.x, stream, at);
+      }
     }
     kept[w] = ~outside;
   }
@@ -123,19 +174,37 @@ void box_exact_words(const CompiledShaft& shaft, const float* const* stream, std
   }
 }
 
+/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, which is at least one.
+template <class L, template <class> class Corners>
+void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, std::size_t words,
+                   std::uint64_t* kept) noexcept {
+  using enum CompiledShaft::SlabForm;
+  using Words = void(const CompiledShaft&, float, const float* const*, std::size_t, std::uint64_t*) noexcept;
+  static constexpr Words* by_uppers[2][6] = {
+      {slab_words<L, Corners, 1, fused>, slab_words<L, Corners, 2, fused>, slab_words<L, Corners, 3, fused>,
+       slab_words<L, Corners, 4, fused>, slab_words<L, Corners, 5, fused>, slab_words<L, Corners, 6, fused>},
+      {slab_words<L, Corners, 1, difference>, slab_words<L, Corners, 2, difference>, slab_words<L, Corners, 3, difference>,
+       slab_words<L, Corners, 4, difference>, slab_words<L, Corners, 5, difference>, slab_words<L, Corners, 6, difference>}};
+  by_uppers[shaft.slab_form == difference][shaft.slab_uppers - 1](shaft, margin, stream, words, kept);
+}
+
 /// First stage of the slab form: writes the kept bits of `words` whole words.
 template <class L>
 void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                     std::uint64_t* kept) noexcept {
-  using enum CompiledShaft::SlabForm;
-  using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[2][6] = {
-      {box_slab_words<L, 1, fused>, box_slab_words<L, 2, fused>, box_slab_words<L, 3, fused>, box_slab_words<L, 4, fused>,
-       box_slab_words<L, 5, fused>, box_slab_words<L, 6, fused>},
-      {box_slab_words<L, 1, difference>, box_slab_words<L, 2, difference>, box_slab_words<L, 3, difference>,
-       box_slab_words<L, 4, difference>, box_slab_words<L, 5, difference>, box_slab_words<L, 6, difference>}};
-  if (shaft.slab_form == exact) [[unlikely]] return box_exact_words<L>(shaft, stream, words, kept);
-  by_uppers[shaft.slab_form == difference][shaft.slab_uppers - 1](shaft, stream, words, kept);
+  if (shaft.slab_form == CompiledShaft::SlabForm::exact) [[unlikely]] {
+    return box_exact_words<L>(shaft, stream, words, kept);
+  }
+  slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, words, kept);
+}
+
+/// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside for certain. Their
+/// corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12 (docs/exactness.md).
+template <class L, template <class> class Corners>
+void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                       std::uint64_t* kept) noexcept {
+  constexpr float wider = 1.25F;
+  slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, words, kept);
 }
 
 }  // namespace shaftcull::kernel

@@ -5,6 +5,7 @@
 #include "simd/float_environment.hpp"
 #include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
+#include "test/boxed.hpp"
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
 #include "test/survivors.hpp"
@@ -44,23 +45,22 @@ struct BoxStages {
   }
 };
 
-/// The stages of sphere tests.
-template <class L, Form form>
+/// The stages of sphere tests in plane form, and what all sphere tests have in common.
+template <class L>
 struct SphereStages {
   static constexpr unsigned streams = 4;
   static constexpr float nowhere[streams] = {0, 0, 0, -1};
 
-  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
-    return form == Form::planes || shaft.slab_form != CompiledShaft::SlabForm::fused;
-  }
+  static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return true; }
 
   static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                    std::uint64_t* kept) noexcept {
-    if (cull_needs_planes(shaft)) {
-      sphere_planes_stage<L>(shaft, stream, words, kept);
-    } else {
-      sphere_slab_stage<L>(shaft, stream, words, kept);
-    }
+    sphere_planes_stage<L>(shaft, stream, words, kept);
+    settle(shaft, stream, words, kept);
+  }
+
+  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                     std::uint64_t* kept) noexcept {
     narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_settle_stage<L>(shaft, some, n, bits);
     });
@@ -72,6 +72,61 @@ struct SphereStages {
     narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_inside_stage<L>(shaft, some, n, bits);
     });
+  }
+};
+
+/// The same in slab form, with the six streams of the boxes around the spheres after their own four.
+template <class L>
+struct BoxedSphereStages {
+  static constexpr unsigned streams = 10;
+  static constexpr float nowhere[streams] = {0,
+                                             0,
+                                             0,
+                                             -1,
+                                             __builtin_inff(),
+                                             __builtin_inff(),
+                                             __builtin_inff(),
+                                             -__builtin_inff(),
+                                             -__builtin_inff(),
+                                             -__builtin_inff()};
+
+  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
+    return shaft.slab_form != CompiledShaft::SlabForm::fused;
+  }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                   std::uint64_t* kept) noexcept {
+    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, words, kept);
+    sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, words, kept);
+    SphereStages<L>::settle(shaft, stream, words, kept);
+  }
+
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      std::uint64_t* inside) noexcept {
+    SphereStages<L>::contain(shaft, stream, words, inside);
+  }
+};
+
+/// The same for spheres that nobody has made boxes for.
+template <class L>
+struct UnboxedSphereStages {
+  static constexpr unsigned streams = 4;
+  static constexpr const float (&nowhere)[streams] = SphereStages<L>::nowhere;
+
+  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
+    return BoxedSphereStages<L>::cull_needs_planes(shaft);
+  }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                   std::uint64_t* kept) noexcept {
+    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, words, kept);
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept);
+    SphereStages<L>::settle(shaft, stream, words, kept);
+  }
+
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      std::uint64_t* inside) noexcept {
+    SphereStages<L>::contain(shaft, stream, words, inside);
   }
 };
 
@@ -137,9 +192,13 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
 /// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
 template <class L, class FormationLanes = L>
 inline constexpr Kernels kernels_for = {
-    test_bounds<L, BoxStages<L, Form::slab>>,    test_bounds<L, BoxStages<L, Form::planes>>,
-    test_bounds<L, SphereStages<L, Form::slab>>, test_bounds<L, SphereStages<L, Form::planes>>,
-    compile_pairs<FormationLanes>,
+    .boxes_slab = test_bounds<L, BoxStages<L, Form::slab>>,
+    .boxes_planes = test_bounds<L, BoxStages<L, Form::planes>>,
+    .spheres_slab = test_bounds<L, UnboxedSphereStages<L>>,
+    .spheres_planes = test_bounds<L, SphereStages<L>>,
+    .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
+    .box_spheres = box_spheres<L>,
+    .compile_batch = compile_pairs<FormationLanes>,
 };
 
 }  // namespace shaftcull::kernel

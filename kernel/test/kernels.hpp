@@ -16,6 +16,9 @@ namespace shaftcull::kernel {
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
+/// Writes the boxes around `count` spheres, a multiple of 64, into six streams: what many shafts' tests would each make anew.
+using BoxSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
+
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
 using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
 
@@ -24,6 +27,8 @@ struct Kernels {
   Test* boxes_planes;
   Test* spheres_slab;
   Test* spheres_planes;
+  Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
+  BoxSpheres* box_spheres;
   CompileBatch* compile_batch;
 
   [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {

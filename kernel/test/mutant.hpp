@@ -7,10 +7,12 @@ namespace shaftcull::kernel {
 // Defined by the mutation tests alone: a library that is built like this by accident does not link.
 extern bool drops_exact_step;       // undecided lanes are answered "no": not outside, not inside
 extern float accept_margin_factor;  // on the margin of spheres that are accepted without the exact predicate
+extern float bound_margin_factor;   // on the margin of spheres that are culled without the exact predicate
 extern float radius_margin_factor;  // on what a sphere's radius adds to the margin of joining planes
 #else
 inline constexpr bool drops_exact_step = false;
 inline constexpr float accept_margin_factor = 1.0F;
+inline constexpr float bound_margin_factor = 1.0F;
 inline constexpr float radius_margin_factor = 1.0F;
 #endif
 

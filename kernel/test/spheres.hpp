@@ -19,39 +19,6 @@ struct CentreStreams {
   }
 };
 
-/// Slab form: the box around each sphere against the slab constraints. Clears nothing that could meet the shaft.
-template <class L, unsigned uppers>
-void sphere_slab_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                       std::uint64_t* kept) noexcept {
-  // centre ± radius is rounded once more than a box's coordinate: 22 and 14 units instead of 20 and 12.
-  const Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft, 1.25F * shaft.slab_margin);
-  const float* centre[6];
-  bool hi[6];
-  for (unsigned i = 0; i < 6; ++i) {
-    centre[i] = stream[shaft.slab_near[i] % 3];
-    hi[i] = shaft.slab_near[i] >= 3;
-  }
-  typename L::Vector sign[6];
-  for (unsigned i = 0; i < 6; ++i) sign[i] = L::all(hi[i] ? 1.0F : -1.0F);
-
-  for (std::size_t w = 0; w < words; ++w) {
-    std::uint64_t outside = 0;
-#pragma GCC unroll 4
-    for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
-      typename L::Vector room[4];
-#pragma GCC unroll 4
-      for (unsigned v = 0; v < 4; ++v) {
-        const std::size_t at = w * word_bits + four + v * L::width;
-        const auto radius = L::load(stream[3] + at);
-        room[v] = slab.room([&](unsigned i) { return L::multiply_add(radius, sign[i], L::load(centre[i] + at)); });
-        room[v] = L::either_negative(room[v], radius);
-      }
-      outside |= L::signs(room) << four;
-    }
-    kept[w] = ~outside;
-  }
-}
-
 /// Plane form: centres against faces and unit-normal planes moved out by the radius. Clears nothing that could meet the
 /// shaft; where faces nearly coincide or are purple it serves the slab form too.
 template <class L>
@@ -90,85 +57,154 @@ void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream,
   }
 }
 
-/// First stage of the slab form: writes the kept bits of `words` whole words.
+/// How far spheres' centres are from boxes on the way from a to b: f(u) = square of the distance to box(u), u from 0 to 1, and half of its
+/// derivative. f is convex, so its values anywhere bound its minimum from both sides.
 template <class L>
-void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                       std::uint64_t* kept) noexcept {
-  using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[6] = {sphere_slab_words<L, 1>, sphere_slab_words<L, 2>, sphere_slab_words<L, 3>,
-                                          sphere_slab_words<L, 4>, sphere_slab_words<L, 5>, sphere_slab_words<L, 6>};
-  by_uppers[shaft.slab_uppers - 1](shaft, stream, words, kept);
-}
+class SquareDistance {
+ public:
+  using Vector = typename L::Vector;
 
-/// Accepts every kept sphere that a point of one well-chosen box on the way from a to b is certainly within reach of; asks the exact
-/// predicate about the others, and about those near an added plane.
+  explicit SquareDistance(const CompiledShaft& shaft) noexcept
+      : shaft_(shaft),
+        t_at_a_(L::all(shaft.t_at_a)),
+        first_(L::all(__builtin_fminf(shaft.t_at_a, shaft.t_at_b))),
+        last_(L::all(__builtin_fmaxf(shaft.t_at_a, shaft.t_at_b))),
+        inverse_way_(L::all(1 / (shaft.t_at_b - shaft.t_at_a))) {
+    const float* a = reinterpret_cast<const float*>(&shaft.a);
+    const float* b = reinterpret_cast<const float*>(&shaft.b);
+    float slopes = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const float lo_slope = b[k] - a[k];
+      const float hi_slope = b[k + 3] - a[k + 3];
+      lo_[k] = L::all(a[k]);
+      hi_[k] = L::all(a[k + 3]);
+      lo_slope_[k] = L::all(lo_slope);
+      minus_hi_slope_[k] = L::all(-hi_slope);
+      lo_square_[k] = L::all(lo_slope * lo_slope);
+      hi_square_[k] = L::all(hi_slope * hi_slope);
+      slopes += __builtin_fmaxf(__builtin_fabsf(lo_slope), __builtin_fabsf(hi_slope));
+    }
+    // docs/exactness.md, spheres.
+    const float reach = shaft.reach;
+    error_ = L::all(bound_margin_factor * float_unit * reach * (17 * slopes + 0x1p-13F * reach));
+    error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * reach + 25 * slopes));
+  }
+
+  /// The middle of those u at which box(u) meets the box around the sphere, which is rarely a bad guess.
+  [[nodiscard]] Vector guess(const Vector (&centre)[3], Vector radius) const noexcept {
+    Vector upper = last_;
+    Vector lower = first_;
+    const auto bound = [&](unsigned i) {
+      const unsigned near = shaft_.slab_near[i];
+      const Vector x = near < 3 ? L::subtract(centre[near], radius) : L::add(centre[near - 3], radius);
+      const Vector scale = L::all(shaft_.slab_scale[i]);
+      const Vector shift = L::all(shaft_.slab_shift[i]);
+      return shaft_.slab_form == CompiledShaft::SlabForm::fused ? L::multiply_add(x, scale, shift)
+                                                                : L::multiply(L::subtract(x, shift), scale);
+    };
+    unsigned i = 0;
+    for (; i < shaft_.slab_uppers; ++i) upper = L::minimum(bound(i), upper);
+    for (; i < 6; ++i) lower = L::maximum(bound(i), lower);
+    const Vector middle = L::multiply(L::all(0.5F), L::add(lower, upper));
+    return clamped(L::multiply(L::subtract(middle, t_at_a_), inverse_way_));
+  }
+
+  struct Value {
+    Vector square;          ///< f
+    Vector half_slope;      ///< f′ / 2
+    Vector half_curvature;  ///< f″ / 2
+    Vector gaps;            ///< sum of the distances on the axes
+  };
+  [[nodiscard]] Value at(Vector u, const Vector (&centre)[3]) const noexcept {
+    const Vector zero = L::all(0.0F);
+    Value value{zero, zero, zero, zero};
+    for (unsigned k = 0; k < 3; ++k) {
+      const Vector below = L::subtract(L::multiply_add(u, lo_slope_[k], lo_[k]), centre[k]);
+      const Vector above = L::add(centre[k], L::subtract(L::multiply(u, minus_hi_slope_[k]), hi_[k]));
+      const Vector under = L::maximum(below, zero);
+      const Vector over = L::maximum(above, zero);
+      value.square = L::multiply_add(under, under, L::multiply_add(over, over, value.square));
+      value.half_slope = L::multiply_add(under, lo_slope_[k], L::multiply_add(over, minus_hi_slope_[k], value.half_slope));
+      value.half_curvature = L::add(value.half_curvature, L::choose(L::less(zero, below), lo_square_[k],
+                                                                    L::choose(L::less(zero, above), hi_square_[k], zero)));
+      value.gaps = L::add(value.gaps, L::add(under, over));
+    }
+    return value;
+  }
+
+  /// Newton's step towards the minimum, from where the value was taken.
+  [[nodiscard]] Vector better(Vector u, const Value& value) const noexcept {
+    const Vector zero = L::all(0.0F);
+    const Vector step = L::divide(value.half_slope, value.half_curvature);
+    return clamped(L::subtract(u, L::choose(L::less(zero, value.half_curvature), step, zero)));
+  }
+
+  /// What the square is certainly not below, anywhere: the tangent's end, less what rounding may have added.
+  [[nodiscard]] Vector bound(Vector u, const Value& value) const noexcept {
+    const Vector zero = L::all(0.0F);
+    const Vector fall = L::maximum(L::multiply(u, value.half_slope),
+                                   L::maximum(L::multiply(L::subtract(u, L::all(1.0F)), value.half_slope), zero));
+    const Vector error = L::multiply_add(value.gaps, error_per_gap_, error_);
+    const Vector tangent = L::subtract(value.square, L::add(fall, fall));
+    return L::subtract(L::multiply_add(value.square, L::all(-10 * float_unit * bound_margin_factor), tangent), error);
+  }
+
+ private:
+  [[nodiscard]] static Vector clamped(Vector u) noexcept {
+    return L::minimum(L::maximum(u, L::all(0.0F)), L::all(1.0F));
+  }
+
+  const CompiledShaft& shaft_;
+  Vector t_at_a_;
+  Vector first_;
+  Vector last_;
+  Vector inverse_way_;
+  Vector lo_[3];
+  Vector hi_[3];
+  Vector lo_slope_[3];
+  Vector minus_hi_slope_[3];
+  Vector lo_square_[3];
+  Vector hi_square_[3];
+  Vector error_;
+  Vector error_per_gap_;
+};
+
+/// Accepts every kept sphere that a point of one well-chosen box on the way from a to b is certainly within reach of, clears those that all are
+/// certainly beyond the reach of, and asks the exact predicate about the others, and about those near an added plane.
 template <class L>
 void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* kept) noexcept {
   using Vector = typename L::Vector;
-  const float* a = reinterpret_cast<const float*>(&shaft.a);
-  const float* b = reinterpret_cast<const float*>(&shaft.b);
-  Vector start[6];
-  Vector slope[6];
-  float reach = 0;
-  for (unsigned f = 0; f < 6; ++f) {
-    start[f] = L::all(a[f]);
-    slope[f] = L::all(b[f] - a[f]);
-    reach = __builtin_fmaxf(reach, __builtin_fmaxf(__builtin_fabsf(a[f]), __builtin_fabsf(b[f])));
-  }
+  const SquareDistance<L> square_distance(shaft);
   // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
-  const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * reach);
+  const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * shaft.reach);
   const Vector shrink = L::all(1 - 16 * float_unit * accept_margin_factor);
+  const Vector grow = L::all(1 + 4 * float_unit);
   const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away,
   const Vector most = L::all(0x1p60F);    // and the square of this far below overflow
   const Vector zero = L::all(0.0F);
-  const Vector one = L::all(1.0F);
-  const Vector half = L::all(0.5F);
-  const Vector t_at_a = L::all(shaft.t_at_a);
-  const Vector inverse_way = L::all(1 / (shaft.t_at_b - shaft.t_at_a));
-  const Vector first = L::all(__builtin_fminf(shaft.t_at_a, shaft.t_at_b));
-  const Vector last = L::all(__builtin_fmaxf(shaft.t_at_a, shaft.t_at_b));
   const CentreStreams<L> centres(stream);
 
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t accepted = 0;
+    std::uint64_t beyond = 0;
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
       if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
       const std::size_t at = w * word_bits + lane;
       const Vector radius = L::load(stream[3] + at);
       const Vector centre[3] = {L::load(stream[0] + at), L::load(stream[1] + at), L::load(stream[2] + at)};
-
-      // Any will do for a proof; the middle of those that meet the box around the sphere is rarely a bad one.
-      Vector upper = last;
-      Vector lower = first;
-      for (unsigned i = 0; i < 6; ++i) {
-        const unsigned near = shaft.slab_near[i];
-        const Vector c = centre[near % 3];
-        const Vector x = near < 3 ? L::subtract(c, radius) : L::add(c, radius);
-        const Vector scale = L::all(shaft.slab_scale[i]);
-        const Vector shift = L::all(shaft.slab_shift[i]);
-        const Vector t = shaft.slab_form == CompiledShaft::SlabForm::fused ? L::multiply_add(x, scale, shift)
-                                                                           : L::multiply(L::subtract(x, shift), scale);
-        if (i < shaft.slab_uppers) {
-          upper = L::minimum(t, upper);
-        } else {
-          lower = L::maximum(t, lower);
-        }
-      }
-      const Vector middle = L::multiply(half, L::add(lower, upper));
-      const Vector u = L::minimum(L::maximum(L::multiply(L::subtract(middle, t_at_a), inverse_way), zero), one);
-
-      Vector square = zero;
-      for (unsigned k = 0; k < 3; ++k) {
-        const Vector below = L::subtract(L::multiply_add(u, slope[k], start[k]), centre[k]);
-        const Vector above = L::subtract(centre[k], L::multiply_add(u, slope[k + 3], start[k + 3]));
-        const Vector gap = L::maximum(below, L::maximum(above, zero));
-        square = L::multiply_add(gap, gap, square);
-      }
+      const Vector u = square_distance.guess(centre, radius);
+      const auto first = square_distance.at(u, centre);
+      const Vector better = square_distance.better(u, first);
+      const auto second = square_distance.at(better, centre);
       const Vector sure = L::multiply_add(radius, shrink, minus_error);
       const auto usable = L::both(L::less(least, sure), L::less(sure, most));
-      accepted |= L::bits(L::both(usable, L::less_equal(square, L::multiply(sure, sure)))) << lane;
+      const Vector least_square = L::minimum(first.square, second.square);
+      accepted |= L::bits(L::both(usable, L::less_equal(least_square, L::multiply(sure, sure)))) << lane;
+      const Vector square = L::multiply(L::multiply(radius, radius), grow);
+      beyond |= L::bits(L::both(usable, L::less(square, square_distance.bound(better, second)))) << lane;
     }
+    kept[w] &= ~beyond;
     std::uint64_t undecided = kept[w] & ~accepted;
     for (unsigned i = 0; i < shaft.added_count; ++i) {
       for (unsigned lane = 0; lane < word_bits; lane += L::width) {

@@ -11,6 +11,7 @@ namespace kernel {
 
 bool drops_exact_step = false;
 float accept_margin_factor = 1.0F;
+float bound_margin_factor = 1.0F;
 float radius_margin_factor = 1.0F;
 
 }  // namespace kernel
@@ -35,6 +36,8 @@ bool apply(std::string_view fault) {
     mutate = weaken_added;
   } else if (fault == "accept_margin") {
     kernel::accept_margin_factor = weak;
+  } else if (fault == "bound_margin") {
+    kernel::bound_margin_factor = weak;
   } else if (fault == "radius_margin") {
     kernel::radius_margin_factor = weak;
   } else if (fault == "no_exact_step") {
