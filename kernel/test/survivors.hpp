@@ -66,7 +66,7 @@ class Survivors {
     }
   }
  private:
-  static constexpr unsigned at_once = 4;
+  static constexpr unsigned at_once = 3;
 
   float bound_[streams][most];
   std::uint16_t position_[most + 16];
