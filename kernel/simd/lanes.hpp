@@ -99,8 +99,8 @@ struct Lanes {
   /// a, negated where the sign of b is set; b is ±0.
   static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
 
-  /// A vector of which only signs matter: negative where a or b is.
-  static Vector either_negative(Vector a, Vector b) noexcept { return a | b; }
+  /// A vector of which only signs matter: negative where a or b is below 0. b may be −0 or NaN, whose sign says nothing.
+  static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
 
  private:
   /// The signs of four vectors, as those of bytes; on AVX2 in another order.

@@ -28,7 +28,7 @@ struct ScalarLanes {
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
   static Vector flip_sign(Vector a, Vector b) noexcept { return __builtin_signbitf(b) ? -a : a; }
-  static Vector either_negative(Vector a, Vector b) noexcept { return a < 0 ? a : b; }
+  static Vector either_negative(Vector a, Vector b) noexcept { return b < 0 ? b : a; }
   static std::uint64_t signs(const Vector (&of)[4]) noexcept {
     std::uint64_t signs = 0;
     for (unsigned v = 0; v < 4; ++v) signs |= std::uint64_t{of[v] < 0} << v;

@@ -82,6 +82,12 @@ TEST(SpecialValues, TheLargestFiniteBoundsAreNotTakenForInfinite) {
   }
 }
 
+TEST(SpecialValues, ARadiusOfMinusZeroMakesAPoint) {
+  for (const Subject& subject : subjects()) {
+    expect_exact(subject, {Sphere{{1, 0, 0}, -0.0F}, Sphere{{0.5F, 0.5F, 0.5F}, -0.0F}, Sphere{{-1, 0, 0}, -0.0F}});
+  }
+}
+
 TEST(SpecialValues, ASumThatOverflowsProvesNothing) {
   // n · c and r |n| are both beyond the largest float, and their difference has the sign of the smaller one's opposite.
   const Subject subject{Box{{0, 0, 0}, {1, 1, 1}},
@@ -112,9 +118,9 @@ std::vector<Sphere> spheres_with_nan(Dice& dice) {
     Sphere sphere{dice.vec3(-3, 6), dice.one_in(8) ? inf : dice.uniform(0, 2)};
     const unsigned which = 1 + dice.below(15);
     for (unsigned k = 0; k != 3; ++k) {
-      if ((which >> k & 1U) != 0) sphere.centre[k] = nan;
+      if ((which >> k & 1U) != 0) sphere.centre[k] = dice.one_in(2) ? nan : -nan;
     }
-    if ((which >> 3U) != 0) sphere.radius = nan;
+    if ((which >> 3U) != 0) sphere.radius = dice.one_in(2) ? nan : -nan;
     spheres.push_back(sphere);
   }
   return spheres;
@@ -155,8 +161,8 @@ TEST(SpecialValues, NanIsNeverInsideAndAnswersTheSameOnEveryInstructionSet) {
 TEST(SpecialValues, NanCoordinatesNeverCull) {
   for (const Subject& subject : subjects()) {
     expect_answers(subject, {Box{{nan, nan, nan}, {nan, nan, nan}}}, {Answer::overlap});
-    expect_answers(subject, {Sphere{{nan, nan, nan}, nan}, Sphere{{nan, nan, nan}, 1}},
-                   {Answer::overlap, Answer::overlap});
+    expect_answers(subject, {Sphere{{nan, nan, nan}, nan}, Sphere{{nan, nan, nan}, -nan}, Sphere{{nan, nan, nan}, 1}},
+                   {Answer::overlap, Answer::overlap, Answer::overlap});
     // The other coordinates still may: these boxes are beyond the shaft box on another axis.
     expect_answers(subject, {Box{{nan, 50, 0}, {nan, 60, 1}}, Box{{nan, 0.5F, 0.5F}, {nan, 0.5F, 0.5F}}},
                    {Answer::outside, subject.added.empty() ? answers(subject, {Box{{-inf, 0.5F, 0.5F}, {inf, 0.5F, 0.5F}}},
