@@ -88,6 +88,7 @@ template <class L, class SlabType>
 template <class L>
 struct BoxCorners {
   static constexpr bool exactly = true;
+  static constexpr bool has_radius = false;
   using Vector = typename L::Vector;
   const float* x[6];
 
@@ -95,7 +96,6 @@ struct BoxCorners {
     for (unsigned i = 0; i < 6; ++i) x[i] = box[shaft.slab_near[i]];
   }
   [[nodiscard]] Vector coordinate(unsigned i, std::size_t at) const noexcept { return L::load(x[i] + at); }
-  [[nodiscard]] Vector room(Vector room, std::size_t /*at*/) const noexcept { return room; }
 };
 
 /// Likewise of boxes around spheres, whose answers are not the last word.
@@ -109,6 +109,7 @@ struct BoxedSphereCorners : BoxCorners<L> {
 template <class L>
 struct SphereCorners {
   static constexpr bool exactly = false;
+  static constexpr bool has_radius = true;  // if negative, the sphere is outside
   using Vector = typename L::Vector;
   const float* centre[6];
   const float* radius;
@@ -121,12 +122,9 @@ struct SphereCorners {
     }
   }
   [[nodiscard]] Vector coordinate(unsigned i, std::size_t at) const noexcept {
-    return L::add(L::load(centre[i] + at), L::flip_sign(L::load(radius + at), sign[i]));
+    return L::add(L::load(centre[i] + at), L::flip_sign(radius_at(at), sign[i]));
   }
-  /// A negative radius is outside.
-  [[nodiscard]] Vector room(Vector room, std::size_t at) const noexcept {
-    return L::either_negative(room, L::load(radius + at));
-  }
+  [[nodiscard]] Vector radius_at(std::size_t at) const noexcept { return L::load(radius + at); }
 };
 
 /// Writes the kept bits of `words` whole words: exactly, or clears the bits of those that are outside for certain.
@@ -139,13 +137,14 @@ void slab_words(const CompiledShaft& shaft, float margin, const float* const* st
     const std::size_t at = w * word_bits;
     std::uint64_t outside = 0;
     typename L::Verdicts verdicts(slab.two_margins);
-#pragma GCC unroll 4
     for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
       typename L::Vector room[4];
 #pragma GCC unroll 4
       for (unsigned v = 0; v < 4; ++v) {
-        const std::size_t here = at + four + v * L::width;
-        room[v] = corners.room(slab.room([&](unsigned i) { return corners.coordinate(i, here); }), here);
+        room[v] = slab.room([&](unsigned i) { return corners.coordinate(i, at + four + v * L::width); });
+        if constexpr (Corners<L>::has_radius) {
+          room[v] = L::either_negative(room[v], corners.radius_at(at + four + v * L::width));
+        }
       }
       if constexpr (Corners<L>::exactly) {
         outside |= verdicts.read(room) << four;
