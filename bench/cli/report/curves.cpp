@@ -84,8 +84,8 @@ std::string cache_lines(const BenchSummary& summary, double least, double most) 
     if (cache.type == "Instruction" || bounds < least || bounds > most) continue;
     script += fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 1 dt (2,3) lc rgb '{1}'\n",
                           bounds, colour(ink_muted));
-    script += fmt::format("set label 'L{}, {}' at {}, graph 1.02 center textcolor rgb '{}'\n", cache.level,
-                          size_text(cache.bytes), bounds, colour(ink_muted));
+    script += fmt::format("set label 'L{}, {}' at {}, graph 0.04 left offset char 0.5,0 textcolor rgb '{}'\n",
+                          cache.level, size_text(cache.bytes), bounds, colour(ink_muted));
   }
   return script;
 }

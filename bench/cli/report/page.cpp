@@ -140,11 +140,12 @@ std::string report_page(const BenchSummary& summary) {
   std::string missing;
   std::size_t number = 0;
   for (const auto& [plot, what] :
-       std::array<std::pair<std::optional<Plot>, const char*>, 6>{{{plot_rates(summary), "by instruction set"},
+       std::array<std::pair<std::optional<Plot>, const char*>, 7>{{{plot_rates(summary), "by instruction set"},
                                                                    {plot_ratios(summary), "against the paper"},
                                                                    {plot_bounds(summary), "by number of boxes"},
                                                                    {plot_shafts(summary), "by number of shafts"},
                                                                    {plot_threads(summary), "by number of threads"},
+                                                                   {plot_shares(summary), "share of the limits"},
                                                                    {plot_roofline(summary), "roofline"}}}) {
     if (plot) {
       figures += figure(*plot, number++);

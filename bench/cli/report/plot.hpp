@@ -23,6 +23,7 @@ struct Plot {
 [[nodiscard]] std::optional<Plot> plot_bounds(const BenchSummary& summary);
 [[nodiscard]] std::optional<Plot> plot_shafts(const BenchSummary& summary);
 [[nodiscard]] std::optional<Plot> plot_threads(const BenchSummary& summary);
+[[nodiscard]] std::optional<Plot> plot_shares(const BenchSummary& summary);
 [[nodiscard]] std::optional<Plot> plot_roofline(const BenchSummary& summary);
 
 /// Colours are drawn as these numbers; the page turns them into its own, light or dark.

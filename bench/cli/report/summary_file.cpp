@@ -67,7 +67,9 @@ BenchSummary summary_of(const Json& json) {
   summary.bounds = run.at("bounds").get<double>();
   summary.shafts = run.at("shafts").get<double>();
   for (const auto& [name, result] : json.at("results").items()) {
-    summary.results[name] = {speed_of(result.at("per_s"), name), number_or_nothing(result.at("vs_paper"))};
+    const Json& ratio = result.at("vs_paper");
+    summary.results[name] = {speed_of(result.at("per_s"), name),
+                             ratio.is_null() ? std::nullopt : std::optional(speed_of(ratio, name))};
   }
   if (summary.results.empty()) throw InvalidArgument("there are no results");
   read_reach(json.at("reach"), summary);
@@ -86,6 +88,9 @@ BenchSummary read_summary(const std::string& path) {
   constexpr const char* remedy = "; make one with ./cmake/run bench";
   std::ifstream file(path);
   if (!file) throw InvalidArgument(fmt::format("--in {}: there is no such file, or it cannot be read{}", path, remedy));
+  if (file.peek() == std::ifstream::traits_type::eof()) {
+    throw InvalidArgument(fmt::format("--in {}: empty{}", path, remedy));
+  }
   try {
     return summary_of(Json::parse(file));
   } catch (const Json::parse_error& error) {
