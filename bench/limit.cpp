@@ -47,7 +47,10 @@ const LimitKernels* limit_kernels(Isa isa) noexcept {
 
 namespace {
 
-constexpr double slab_operations = 12;  ///< multiply-adds, minima and maxima of a box in slab form
+constexpr double measured_operations =
+    12;  ///< multiply-adds, minima and maxima that limit/slab_arithmetic counts as a box
+constexpr double slab_operations =
+    11;  ///< those that a box in slab form cannot do without: one face's position is t itself
 constexpr double box_bytes = 24;
 constexpr double sphere_bytes = 16;
 
@@ -159,13 +162,13 @@ struct Shares {
 void declare_paths(Suite& suite, const Shares& shares, const std::string& set) {
   constexpr double shafts = Workload::test_shafts;
   const auto path = [&](const std::string& name, double operations, const std::string& what, double bytes) {
-    suite.limit(name + set, "limit/slab_arithmetic/" + set, operations / slab_operations,
+    suite.limit(name + set, "limit/slab_arithmetic/" + set, operations / measured_operations,
                 fmt::format("{:.1f} operations: {}", operations, what));
     suite.limit(name + set, "limit/read_l1_bytes/" + set, bytes, fmt::format("{:.0f} bytes from the L1 cache", bytes));
     suite.limit(name + set, "memory/read/" + set, bytes / box_bytes / shafts,
                 fmt::format("{:.2f} bytes from memory, shared by {:.0f} shafts", bytes / shafts, shafts));
   };
-  path("test/boxes/cull/slab/", slab_operations, "6 multiply-adds, 6 minima or maxima", box_bytes);
+  path("test/boxes/cull/slab/", slab_operations, "5 multiply-adds, 6 minima or maxima", box_bytes);
   path("test/boxes/cull/planes/", 6 + 3 * shares.planes_there,
        fmt::format("6 comparisons, and 3 a plane for the {:.0f} % that meet the shaft box", 100 * shares.in_shaft_box),
        box_bytes);

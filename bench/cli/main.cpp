@@ -16,9 +16,9 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_verify};
+constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_verify, add_bench_report};
 #else
-constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw};
+constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_bench_report};
 #endif
 
 std::string version() {

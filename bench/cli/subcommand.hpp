@@ -9,6 +9,7 @@ void add_demo(CLI::App& program);
 void add_cull(CLI::App& program);
 void add_stats(CLI::App& program);
 void add_draw(CLI::App& program);
+void add_bench_report(CLI::App& program);
 void add_verify(CLI::App& program);  ///< in builds that found GMP
 
 /// Exit codes of the program.

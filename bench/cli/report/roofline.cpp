@@ -1,0 +1,135 @@
+/// The roofline: what memory and arithmetic allow, and where culling boxes with more and more shafts lies below it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "report/plot.hpp"
+#include "table.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+/// Multiply-adds, minima and maxima of a box in slab form (bench/limit.cpp), of the arithmetic that was measured, and
+/// bytes of a box.
+constexpr double box_operations = 11;
+constexpr double measured_operations = 12;
+constexpr double box_bytes = 24;
+
+struct Slope {
+  const char* benchmark;
+  const char* label;
+};
+constexpr std::array slopes{Slope{"limit/read_l1_bytes/", "L1"}, Slope{"limit/read_l2_bytes/", "L2"},
+                            Slope{"limit/read_l3_bytes/", "L3"}, Slope{"limit/read_dram_bytes/", "memory"}};
+
+constexpr Frame frame{.width = 1152, .height = 440, .left = 0.045, .right = 0.84, .bottom = 0.12, .top = 0.90};
+
+/// The x axis: shafts that share what is read, which is operations for each byte but for a factor.
+constexpr double least_x = 0.22;
+constexpr double most_x = 1536;
+
+/// Operations for each byte that is read once for `shafts` shafts.
+double intensity(double shafts) { return shafts * box_operations / box_bytes; }
+
+struct Axes {
+  double least_y;
+  double most_y;
+
+  /// Degrees of a line of slope 1 on both logarithmic axes.
+  [[nodiscard]] double angle() const {
+    const double across = frame.width * (frame.right - frame.left) / std::log10(most_x / least_x);
+    const double up = frame.height * (frame.top - frame.bottom) / std::log10(most_y / least_y);
+    return std::atan2(up, across) * 180 / std::numbers::pi;
+  }
+};
+
+/// Roofs of arithmetic, as (look, operations a second), best last.
+struct Roof {
+  const Look* look;
+  double rate;
+};
+
+std::vector<Roof> roofs_of(const BenchSummary& summary) {
+  std::vector<Roof> roofs;
+  for (const Look& look : looks) {
+    if (const auto boxes = summary.speed(std::string("limit/slab_arithmetic/") + look.isa)) {
+      roofs.push_back({&look, *boxes * measured_operations});
+    }
+  }
+  return roofs;
+}
+
+/// A row of points at 1, 2, 4, … shafts.
+std::string points_of(const BenchSummary& summary, const Look& look, std::size_t number) {
+  std::string data;
+  for (double shafts = 1; shafts <= 1024; shafts *= 2) {
+    const auto speed = summary.speed(fmt::format("sweep/shafts/{:.0f}/{}", shafts, look.isa));
+    if (speed) data += fmt::format("{} {}\n", shafts, *speed * box_operations);
+  }
+  return data.empty() ? data : fmt::format("$points{} << END\n{}END\n", number, data);
+}
+
+}  // namespace
+
+std::optional<Plot> plot_roofline(const BenchSummary& summary) {
+  const std::vector<Roof> roofs = roofs_of(summary);
+  if (roofs.empty()) return std::nullopt;
+  const Roof& highest =
+      *std::max_element(roofs.begin(), roofs.end(), [](const Roof& a, const Roof& b) { return a.rate < b.rate; });
+  std::vector<std::pair<std::string, double>> bandwidths;
+  for (const Slope& slope : slopes) {
+    if (const auto rate = summary.speed(std::string(slope.benchmark) + highest.look->isa))
+      bandwidths.emplace_back(slope.label, *rate);
+  }
+  if (bandwidths.empty()) return std::nullopt;
+  const Axes axes{bandwidths.back().second * intensity(least_x) * 0.7, highest.rate * 1.6};
+
+  std::string script = preamble(frame);
+  script += fmt::format(
+      "set logscale xy\nset xrange [{}:{}]\nset yrange [{}:{}]\nset grid noxtics\n"
+      "set ytics ('1 G' 1e9, '2 G' 2e9, '5 G' 5e9, '10 G' 1e10, '20 G' 2e10, '50 G' 5e10, '100 G' 1e11, '200 G' 2e11, "
+      "'500 G' 5e11)\n"
+      "set xtics ('1' 1, '2' 2, '4' 4, '8' 8, '16' 16, '32' 32, '64' 64, '128' 128, '256' 256, '512' 512, '1,024' "
+      "1024)\n"
+      "set label 'multiply-adds, minima and maxima a second' at graph 0,1.05 left offset char -4,0 textcolor rgb '{}'\n"
+      "set xlabel 'shafts that share what is read' textcolor rgb '{}' "
+      "offset 0,0.3\n",
+      least_x, most_x, axes.least_y, axes.most_y, colour(ink_muted), colour(ink_muted));
+  for (const auto& [label, rate] : bandwidths) {
+    const double end = std::min(most_x, highest.rate / rate / intensity(1));
+    script += fmt::format("set arrow from {},{} to {},{} nohead lw 1.5 lc rgb '{}'\n", least_x,
+                          rate * intensity(least_x), end, rate * intensity(end), colour(ink_muted));
+    script += fmt::format(
+        "set label '{}, {:.0f} GB/s' at {},{} left rotate by {:.1f} offset char 0,0.6 textcolor rgb '{}'\n", label,
+        rate / 1e9, least_x * 1.08, rate * intensity(least_x) * 1.08, axes.angle(), colour(ink_muted));
+  }
+  const double fastest = std::max_element(bandwidths.begin(), bandwidths.end(), [](const auto& a, const auto& b) {
+                           return a.second < b.second;
+                         })->second;
+  std::string command = "plot NaN";
+  for (std::size_t i = 0; i < roofs.size(); ++i) {
+    const auto& [look, rate] = roofs[i];
+    script += fmt::format("set arrow from {},{} to {},{} nohead lw 1.5 lc rgb '{}'\n", rate / fastest / intensity(1),
+                          rate, most_x, rate, colour(look->ink));
+    script += fmt::format("set label '{} can do {:.0f} G' at graph 1.01, first {} left textcolor rgb '{}'\n",
+                          look->label, rate / 1e9, rate, colour(look->ink));
+    const std::string data = points_of(summary, *look, i);
+    if (data.empty()) continue;
+    script += data;
+    command += fmt::format(", $points{} using 1:2 with linespoints lc rgb '{}' lw 1 pt {} ps 0.8", i, colour(look->ink),
+                           look->mark);
+  }
+  return Plot{
+      "Roofline",
+      fmt::format("A box takes {} bytes, and {} operations a shaft. Left of the bend reading is the limit, right of it "
+                  "arithmetic. Reading was measured on six streams, with {}; points are {} boxes, one thread.",
+                  box_bytes, box_operations, highest.look->label,
+                  grouped(static_cast<unsigned long long>(summary.bounds / 4))),
+      script + command + '\n', true};
+}
+
+}  // namespace shaftcull::cli
