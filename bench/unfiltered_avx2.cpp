@@ -34,9 +34,9 @@ void cull_words(const CompiledShaft& shaft, const float* const* stream, std::siz
 
 void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words, std::uint64_t* kept) noexcept {
   using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[6] = {cull_words<1>, cull_words<2>, cull_words<3>,
+  static constexpr Words* by_uppers[7] = {nullptr, cull_words<1>, cull_words<2>, cull_words<3>,
                                           cull_words<4>, cull_words<5>, cull_words<6>};
-  by_uppers[shaft.slab_uppers - 1](shaft, boxes.stream.data(), words, kept);
+  by_uppers[shaft.slab_uppers](shaft, boxes.stream.data(), words, kept);
 }
 
 }  // namespace shaftcull::bench

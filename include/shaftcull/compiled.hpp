@@ -16,10 +16,10 @@ namespace shaftcull {
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
 /// Arrays are plain so that kernels touch no inline function of the standard library (kernel/test/README.md).
 ///
-/// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t between t_at_a and
-/// t_at_b satisfies six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below
-/// that depends on a single coordinate of the bound. In the fused form t is the position of one lo face of box(t),
-/// the leading face, so that its own constraint is t ≤ x.
+/// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
+/// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single coordinate of
+/// the bound. In the fused form t is the position of the leading face, the lo x face of box(t), from a.lo[0] to b.lo[0], so that its own
+/// constraint is t ≤ x; in the difference form it runs from 0 to 1.
 ///
 /// *Plane form.* v = n0·x + n1·y + minus_offset at the corner that the selectors name; v > 0 is beyond the plane.
 /// The near corner has the smallest v (outside iff v > 0 there), the far corner the largest (inside iff v ≤ 0).
@@ -30,25 +30,23 @@ namespace shaftcull {
 struct alignas(64) CompiledShaft {
   /// How the slab constraints are evaluated.
   enum class SlabForm : std::uint8_t {
-    fused,       ///< t = x · scale + shift, and t = x for the first constraint, which is of the leading face
+    fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the leading face
     difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where shifts are too large
     exact,       ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
   };
 
   // First cache line: the slab constraints, bounds on t from above first.
   float slab_scale[6];           ///< slope of t over the slope of the face; ±∞ for a purple face
-  float slab_shift[6];           ///< see SlabForm
   float slab_margin;             ///< bound on the error of (largest lower − smallest upper); +∞ if none holds
-  std::uint8_t slab_near[6];     ///< stream that the constraint reads
-  std::uint8_t slab_uppers;      ///< how many of the six bound t from above, at least 1
-  SlabForm slab_form;
   float reach;                   ///< largest magnitude of a coordinate of a or b
+  float slab_shift[6];           ///< see SlabForm
+  std::uint8_t slab_near[6];     ///< stream that the constraint reads
+  std::uint8_t slab_uppers;      ///< how many of the six bound t from above
+  SlabForm slab_form;
 
   // Second cache line: what the shaft is.
   Box a;
   Box b;
-  float t_at_a;                  ///< t of box a, and of box b: which of them is larger depends on the shaft
-  float t_at_b;
   std::uint8_t joining_count;    ///< planes_pending until completed
   std::uint8_t added_count;
   bool answers_outside;

@@ -59,40 +59,39 @@ struct Lanes {
       return xsimd::fma(a, b, c);
   }
 
-  /// Lane i of the six vectors becomes the first six floats of row i; what follows them in a row is unspecified.
-  static void store_rows(const Vector (&columns)[6], float (&rows)[width][8]) noexcept {
+  /// Lane i of the eight vectors becomes row i.
+  static void store_rows(const Vector (&columns)[8], float (&rows)[width][8]) noexcept {
 #ifdef __AVX__
     for (unsigned lane = 0; lane < width; lane += 8) {  // 8 × 8, in pairs, then fours, then halves
-      const auto pair = [&](unsigned c) { return eight_of(columns[c], lane); };
-      const __m256 low01 = _mm256_unpacklo_ps(pair(0), pair(1));
-      const __m256 high01 = _mm256_unpackhi_ps(pair(0), pair(1));
-      const __m256 low23 = _mm256_unpacklo_ps(pair(2), pair(3));
-      const __m256 high23 = _mm256_unpackhi_ps(pair(2), pair(3));
-      const __m256 low45 = _mm256_unpacklo_ps(pair(4), pair(5));
-      const __m256 high45 = _mm256_unpackhi_ps(pair(4), pair(5));
-      const __m256 first[4] = {_mm256_shuffle_ps(low01, low23, 0x44), _mm256_shuffle_ps(low01, low23, 0xee),
-                               _mm256_shuffle_ps(high01, high23, 0x44), _mm256_shuffle_ps(high01, high23, 0xee)};
-      const __m256 last[4] = {low45, _mm256_permute_ps(low45, 0xee), high45, _mm256_permute_ps(high45, 0xee)};
+      __m256 pair[8];
+      for (unsigned c = 0; c < 8; c += 2) {
+        pair[c] = _mm256_unpacklo_ps(eight_of(columns[c], lane), eight_of(columns[c + 1], lane));
+        pair[c + 1] = _mm256_unpackhi_ps(eight_of(columns[c], lane), eight_of(columns[c + 1], lane));
+      }
       for (unsigned i = 0; i < 4; ++i) {
-        _mm256_storeu_ps(rows[lane + i], _mm256_permute2f128_ps(first[i], last[i], 0x20));
-        _mm256_storeu_ps(rows[lane + i + 4], _mm256_permute2f128_ps(first[i], last[i], 0x31));
+        const __m256 first = i % 2 == 0 ? _mm256_shuffle_ps(pair[i / 2], pair[i / 2 + 2], 0x44)
+                                        : _mm256_shuffle_ps(pair[i / 2], pair[i / 2 + 2], 0xee);
+        const __m256 last = i % 2 == 0 ? _mm256_shuffle_ps(pair[i / 2 + 4], pair[i / 2 + 6], 0x44)
+                                       : _mm256_shuffle_ps(pair[i / 2 + 4], pair[i / 2 + 6], 0xee);
+        _mm256_storeu_ps(rows[lane + i], _mm256_permute2f128_ps(first, last, 0x20));
+        _mm256_storeu_ps(rows[lane + i + 4], _mm256_permute2f128_ps(first, last, 0x31));
       }
     }
 #else
-    float column[6][width];
-    for (unsigned c = 0; c < 6; ++c) store(column[c], columns[c]);
+    float column[8][width];
+    for (unsigned c = 0; c < 8; ++c) store(column[c], columns[c]);
     for (unsigned lane = 0; lane < width; ++lane) {
-      for (unsigned c = 0; c < 6; ++c) rows[lane][c] = column[c][lane];
+      for (unsigned c = 0; c < 8; ++c) rows[lane][c] = column[c][lane];
     }
 #endif
   }
 
-  /// out[i] = row[order[i]] for six of eight floats; the other two that `out` has room for are unspecified.
+  /// out[i] = row[order[i]].
   static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float* out) noexcept {
 #ifdef __AVX2__
     _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), _mm256_loadu_si256(reinterpret_cast<const __m256i*>(order))));
 #else
-    for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
+    for (unsigned i = 0; i < 8; ++i) out[i] = row[order[i]];
 #endif
   }
 
@@ -183,13 +182,27 @@ struct Lanes {
     Packed decided_ = Packed(-1);
   };
 
-  /// Copies six floats, and two more where that is quicker.
   static void copy_row(const float (&row)[8], void* out) noexcept {
 #ifdef __AVX__
     _mm256_storeu_ps(static_cast<float*>(out), _mm256_loadu_ps(row));
 #else
-    __builtin_memcpy(out, row, 6 * sizeof(float));
+    __builtin_memcpy(out, row, sizeof row);
 #endif
+  }
+
+  /// Bit i is the sign of row[i].
+  static unsigned row_signs(const float (&row)[8]) noexcept {
+#ifdef __AVX__
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_loadu_ps(row)));
+#else
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_loadu_ps(row)) | _mm_movemask_ps(_mm_loadu_ps(row + 4)) << 4);
+#endif
+  }
+
+  /// The larger of the bit patterns, as unsigned integers.
+  static Vector maximum_of_bits(Vector a, Vector b) noexcept {
+    using Bits = xsimd::batch<std::uint32_t, Arch>;
+    return xsimd::bitwise_cast<Vector>(xsimd::max(xsimd::bitwise_cast<Bits>(a), xsimd::bitwise_cast<Bits>(b)));
   }
 
   /// Bit i is lane i.

@@ -49,13 +49,21 @@ struct ScalarLanes {
     Vector limit_;
     bool undecided_ = false;
   };
-  static void store_rows(const Vector (&columns)[6], float (&rows)[1][8]) noexcept {
-    for (unsigned c = 0; c < 6; ++c) rows[0][c] = columns[c];
+  static void store_rows(const Vector (&columns)[8], float (&rows)[1][8]) noexcept {
+    for (unsigned c = 0; c < 8; ++c) rows[0][c] = columns[c];
   }
   static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float* out) noexcept {
-    for (unsigned i = 0; i < 6; ++i) out[i] = row[order[i]];
+    for (unsigned i = 0; i < 8; ++i) out[i] = row[order[i]];
   }
-  static void copy_row(const float (&row)[8], void* out) noexcept { __builtin_memcpy(out, row, 6 * sizeof(float)); }
+  static void copy_row(const float (&row)[8], void* out) noexcept { __builtin_memcpy(out, row, sizeof row); }
+  static unsigned row_signs(const float (&row)[8]) noexcept {
+    unsigned signs = 0;
+    for (unsigned i = 0; i < 8; ++i) signs |= (__builtin_signbitf(row[i]) != 0 ? 1U : 0U) << i;
+    return signs;
+  }
+  static Vector maximum_of_bits(Vector a, Vector b) noexcept {
+    return __builtin_bit_cast(std::uint32_t, a) > __builtin_bit_cast(std::uint32_t, b) ? a : b;
+  }
   static std::uint64_t bits(Mask mask) noexcept { return mask; }
 };
 

@@ -20,10 +20,11 @@ struct Slab {
   Vector two_margins;
 
   Slab(const CompiledShaft& shaft, float error_margin) noexcept
-      : begin(L::all(shaft.t_at_a < shaft.t_at_b ? shaft.t_at_a : shaft.t_at_b)),
-        end(L::all(shaft.t_at_a < shaft.t_at_b ? shaft.t_at_b : shaft.t_at_a)),
-        margin(L::all(error_margin)),
-        two_margins(L::all(2 * error_margin)) {
+      : margin(L::all(error_margin)), two_margins(L::all(2 * error_margin)) {
+    const float t_at_a = fused ? *reinterpret_cast<const float*>(&shaft.a) : 0.0F;
+    const float t_at_b = fused ? *reinterpret_cast<const float*>(&shaft.b) : 1.0F;
+    begin = L::all(t_at_a < t_at_b ? t_at_a : t_at_b);
+    end = L::all(t_at_a < t_at_b ? t_at_b : t_at_a);
     for (unsigned i = 0; i < 6; ++i) {
       scale[i] = L::all(shaft.slab_scale[i]);
       shift[i] = L::all(shaft.slab_shift[i]);
@@ -173,18 +174,19 @@ void box_exact_words(const CompiledShaft& shaft, const float* const* stream, std
   }
 }
 
-/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, which is at least one.
+/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's always in the fused form.
 template <class L, template <class> class Corners>
 void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, std::size_t words,
                    std::uint64_t* kept) noexcept {
   using enum CompiledShaft::SlabForm;
   using Words = void(const CompiledShaft&, float, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[2][6] = {
-      {slab_words<L, Corners, 1, fused>, slab_words<L, Corners, 2, fused>, slab_words<L, Corners, 3, fused>,
+  static constexpr Words* by_uppers[2][7] = {
+      {nullptr, slab_words<L, Corners, 1, fused>, slab_words<L, Corners, 2, fused>, slab_words<L, Corners, 3, fused>,
        slab_words<L, Corners, 4, fused>, slab_words<L, Corners, 5, fused>, slab_words<L, Corners, 6, fused>},
-      {slab_words<L, Corners, 1, difference>, slab_words<L, Corners, 2, difference>, slab_words<L, Corners, 3, difference>,
-       slab_words<L, Corners, 4, difference>, slab_words<L, Corners, 5, difference>, slab_words<L, Corners, 6, difference>}};
-  by_uppers[shaft.slab_form == difference][shaft.slab_uppers - 1](shaft, margin, stream, words, kept);
+      {slab_words<L, Corners, 0, difference>, slab_words<L, Corners, 1, difference>, slab_words<L, Corners, 2, difference>,
+       slab_words<L, Corners, 3, difference>, slab_words<L, Corners, 4, difference>, slab_words<L, Corners, 5, difference>,
+       slab_words<L, Corners, 6, difference>}};
+  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, words, kept);
 }
 
 /// First stage of the slab form: writes the kept bits of `words` whole words.

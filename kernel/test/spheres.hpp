@@ -65,13 +65,16 @@ class SquareDistance {
   using Vector = typename L::Vector;
 
   explicit SquareDistance(const CompiledShaft& shaft) noexcept
-      : shaft_(shaft),
-        t_at_a_(L::all(shaft.t_at_a)),
-        first_(L::all(__builtin_fminf(shaft.t_at_a, shaft.t_at_b))),
-        last_(L::all(__builtin_fmaxf(shaft.t_at_a, shaft.t_at_b))),
-        inverse_way_(L::all(1 / (shaft.t_at_b - shaft.t_at_a))) {
+      : shaft_(shaft) {
     const float* a = reinterpret_cast<const float*>(&shaft.a);
     const float* b = reinterpret_cast<const float*>(&shaft.b);
+    const bool fused = shaft.slab_form == CompiledShaft::SlabForm::fused;
+    const float t_at_a = fused ? a[0] : 0.0F;
+    const float t_at_b = fused ? b[0] : 1.0F;
+    t_at_a_ = L::all(t_at_a);
+    first_ = L::all(__builtin_fminf(t_at_a, t_at_b));
+    last_ = L::all(__builtin_fmaxf(t_at_a, t_at_b));
+    inverse_way_ = L::all(1 / (t_at_b - t_at_a));
     float slopes = 0;
     for (unsigned k = 0; k < 3; ++k) {
       const float lo_slope = b[k] - a[k];

@@ -43,8 +43,7 @@ void expect_equal(const CompiledShaft& batch, const CompiledShaft& single) {
   EXPECT_EQ(batch.slab_form, single.slab_form);
   EXPECT_EQ(batch.a, single.a);
   EXPECT_EQ(batch.b, single.b);
-  EXPECT_EQ(batch.t_at_a, single.t_at_a);
-  EXPECT_EQ(batch.t_at_b, single.t_at_b);
+  EXPECT_EQ(batch.reach, single.reach);
   EXPECT_EQ(batch.added_count, single.added_count);
   EXPECT_EQ(batch.answers_outside, single.answers_outside);
   EXPECT_EQ(batch.answers_inside, single.answers_inside);
