@@ -11,7 +11,7 @@
 
 namespace shaftcull {
 
-/// A test-ready shaft: 768 bytes, no heap memory, freely copied, never changed by a test.
+/// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
 ///
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
 /// Arrays are plain so that kernels touch no inline function of the standard library (kernel/test/README.md).

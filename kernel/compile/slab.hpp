@@ -122,40 +122,38 @@ bool all_finite(const float* const* box, std::size_t count) noexcept {
   return true;
 }
 
-/// Slab coefficients of one shaft in difference form, for pairs that the fused form does not suit.
+/// Overwrites the slab coefficients of a shaft by those of the difference form, for pairs that the fused form does not suit.
 template <class L>
-void write_difference_slab(const float (&p)[8], const float (&other)[8], CompiledShaft& out) noexcept {
+[[gnu::noinline, gnu::cold]] void write_difference_slab(CompiledShaft& shaft) noexcept {
+  const float* const p = reinterpret_cast<const float*>(&shaft.a);
+  const float* const other = reinterpret_cast<const float*>(&shaft.b);
   unsigned negative = 0;
   float inverse[6];
-  bool regular = true;
-  out.reach = 0;
+  bool regular = shaft.reach <= regular_limit;
   for (unsigned f = 0; f < 6; ++f) {
     const float slope = other[f] - p[f];
     const float size = __builtin_fabsf(slope);
-    out.reach = __builtin_fmaxf(out.reach, __builtin_fmaxf(__builtin_fabsf(p[f]), __builtin_fabsf(other[f])));
     regular = regular && (size == 0 || size >= 1 / regular_limit);
     // A purple face bounds u from above, by +∞ (met) or −∞ (not met).
     inverse[f] = size == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : 1.0F / slope;
     if (inverse[f] < 0) negative |= 1U << f;
   }
-  regular = regular && out.reach <= regular_limit;
   const SlabOrder& order = slab_orders.by_negative[negative];
   for (unsigned i = 0; i < 6; ++i) {
     const unsigned f = order.face[i];
-    out.slab_scale[i] = inverse[f];
-    out.slab_shift[i] = p[f];
-    out.slab_near[i] = near_stream[f];
+    shaft.slab_scale[i] = inverse[f];
+    shaft.slab_shift[i] = p[f];
+    shaft.slab_near[i] = near_stream[f];
   }
-  out.slab_uppers = order.uppers;
-  out.slab_form = regular ? CompiledShaft::SlabForm::difference : CompiledShaft::SlabForm::exact;
-  out.slab_margin = regular ? difference_margin : __builtin_inff();
+  shaft.slab_uppers = order.uppers;
+  shaft.slab_form = regular ? CompiledShaft::SlabForm::difference : CompiledShaft::SlabForm::exact;
+  shaft.slab_margin = regular ? difference_margin : __builtin_inff();
 }
 
-/// Compiles out[i] from boxes a[·][first + i] and b[·][first + i], for one vector of pairs; joining planes are
+/// Compiles out[i] from boxes a[·][first + i] and b[·][first + i], for one whole vector of pairs; joining planes are
 /// left pending.
 template <class L>
-void compile_slab_vector(const float* const* a, const float* const* b, std::size_t first, unsigned count,
-                         CompiledShaft* out) noexcept {
+void compile_slab_vector(const float* const* a, const float* const* b, std::size_t first, CompiledShaft* out) noexcept {
   using Vector = typename L::Vector;
   constexpr unsigned width = L::width;
   const Vector zero = L::all(0.0F);
@@ -168,10 +166,6 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     other[f] = L::load(b[f] + first);
     slope[f] = L::subtract(other[f], p[f]);
     least_slope = L::minimum(L::magnitude(slope[f]), least_slope);
-  }
-  for (unsigned extra = 6; extra < 8; ++extra) {
-    p[extra] = zero;
-    other[extra] = L::all(batch_mark.of[extra - 6]);
   }
   Vector lowest = L::minimum(p[0], other[0]);
   Vector highest = L::maximum(p[3], other[3]);
@@ -193,57 +187,55 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   }
   const Vector length = L::magnitude(slope[0]);
   const Vector position = L::add(L::maximum(L::magnitude(p[0]), L::magnitude(other[0])), top_shift);
-  scale[6] = L::add(L::multiply(position, L::all(fused_margin_per_position)),
-                    L::multiply(length, L::all(fused_margin_per_way)));
-  scale[7] = reach;
-  shift[6] = shift[7] = zero;
   const std::uint64_t fused =
       L::bits(L::both(L::less_equal(reach, L::all(fused_regular_limit)),
                       L::both(L::less_equal(L::all(1 / fused_regular_limit), least_slope),
                               L::less_equal(position, L::multiply(length, L::all(fused_limit))))));
-  float p_rows[width][8];
-  float other_rows[width][8];
-  float scale_rows[width][8];
-  float shift_rows[width][8];
-  L::store_rows(p, p_rows);
-  L::store_rows(other, other_rows);
-  L::store_rows(scale, scale_rows);
-  L::store_rows(shift, shift_rows);
 
-  // Eight floats at a time are written onto six and what follows them, so in this order.
-  const auto write = [&](unsigned lane) {
+  // Each row of eight is written onto six floats and what follows them.
+  scale[6] = L::add(L::multiply(position, L::all(fused_margin_per_position)),
+                    L::multiply(length, L::all(fused_margin_per_way)));
+  scale[7] = reach;
+  shift[6] = shift[7] = p[6] = p[7] = zero;
+  other[6] = L::all(batch_mark.of[0]);
+  other[7] = L::all(batch_mark.of[1]);
+  typename L::Row scale_row[width];
+  typename L::Row shift_row[width];
+  typename L::Row a_row[width];
+  typename L::Row b_row[width];
+  L::transpose(scale, scale_row);
+  L::transpose(shift, shift_row);
+  L::transpose(p, a_row);
+  L::transpose(other, b_row);
+  for (unsigned lane = 0; lane < width; ++lane) {
     CompiledShaft& shaft = out[lane];
     __builtin_prefetch(&shaft + 16, 1);  // strides this long are beyond hardware prefetchers
     __builtin_prefetch(reinterpret_cast<const char*>(&shaft + 16) + 64, 1);
-    L::copy_row(p_rows[lane], &shaft.a);
-    L::copy_row(other_rows[lane], &shaft.b);
-    if (fused >> lane & 1) [[likely]] {
-      const SlabOrder& order = slab_orders.by_negative[L::row_signs(scale_rows[lane]) & 0x3f];
-      L::permute_row(scale_rows[lane], order.face, shaft.slab_scale);
-      L::permute_row(shift_rows[lane], order.face, shaft.slab_shift);
-      __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
-    } else {
-      write_difference_slab<L>(p_rows[lane], other_rows[lane], shaft);
+    L::store_row(a_row[lane], &shaft.a);
+    L::store_row(b_row[lane], &shaft.b);
+    const SlabOrder& order = slab_orders.by_negative[L::row_signs(scale_row[lane]) & 0x3f];
+    L::store_row(L::permuted(scale_row[lane], order.face), shaft.slab_scale);
+    L::store_row(L::permuted(shift_row[lane], order.face), shaft.slab_shift);
+    __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
+  }
+
+  if (fused != (std::uint64_t{1} << width) - 1) {
+    for (unsigned lane = 0; lane < width; ++lane) {
+      if ((fused >> lane & 1) == 0) write_difference_slab<L>(out[lane]);
     }
-  };
-  if (count == width) {
-#pragma GCC unroll 1
-    for (unsigned lane = 0; lane < width; ++lane) write(lane);
-  } else {
-    for (unsigned lane = 0; lane < count; ++lane) write(lane);
   }
 }
 
 template <class L>
 void compile_slabs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
   std::size_t i = 0;
-  for (; i + L::width <= count; i += L::width) compile_slab_vector<L>(a, b, i, L::width, out + i);
+  for (; i + L::width <= count; i += L::width) compile_slab_vector<L>(a, b, i, out + i);
   if (i == count) return;
   // The rest, padded with the last pair.
   float rest[12][L::width];
   const float* rest_a[6];
   const float* rest_b[6];
-  const auto left = static_cast<unsigned>(count - i);
+  const std::size_t left = count - i;
   for (unsigned f = 0; f < 6; ++f) {
     for (unsigned lane = 0; lane < L::width; ++lane) {
       const std::size_t source = lane < left ? i + lane : count - 1;
@@ -253,7 +245,11 @@ void compile_slabs(const float* const* a, const float* const* b, std::size_t cou
     rest_a[f] = rest[f];
     rest_b[f] = rest[f + 6];
   }
-  compile_slab_vector<L>(rest_a, rest_b, 0, left, out + i);
+  CompiledShaft shafts[L::width];
+  compile_slab_vector<L>(rest_a, rest_b, 0, shafts);
+  for (std::size_t lane = 0; lane < left; ++lane) {  // what comes before the planes
+    __builtin_memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(CompiledShaft, face));
+  }
 }
 
 }  // namespace shaftcull::kernel

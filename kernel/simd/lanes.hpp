@@ -59,8 +59,16 @@ struct Lanes {
       return xsimd::fma(a, b, c);
   }
 
+#ifdef __AVX__
+  using Row = __m256;
+#else
+  struct Row {
+    float of[8];
+  };
+#endif
+
   /// Lane i of the eight vectors becomes row i.
-  static void store_rows(const Vector (&columns)[8], float (&rows)[width][8]) noexcept {
+  static void transpose(const Vector (&columns)[8], Row (&rows)[width]) noexcept {
 #ifdef __AVX__
     for (unsigned lane = 0; lane < width; lane += 8) {  // 8 × 8, in pairs, then fours, then halves
       __m256 pair[8];
@@ -68,30 +76,52 @@ struct Lanes {
         pair[c] = _mm256_unpacklo_ps(eight_of(columns[c], lane), eight_of(columns[c + 1], lane));
         pair[c + 1] = _mm256_unpackhi_ps(eight_of(columns[c], lane), eight_of(columns[c + 1], lane));
       }
+      __m256 four[8];
+      for (unsigned i = 0; i < 8; i += 4) {
+        four[i] = _mm256_shuffle_ps(pair[i], pair[i + 2], 0x44);
+        four[i + 1] = _mm256_shuffle_ps(pair[i], pair[i + 2], 0xee);
+        four[i + 2] = _mm256_shuffle_ps(pair[i + 1], pair[i + 3], 0x44);
+        four[i + 3] = _mm256_shuffle_ps(pair[i + 1], pair[i + 3], 0xee);
+      }
       for (unsigned i = 0; i < 4; ++i) {
-        const __m256 first = i % 2 == 0 ? _mm256_shuffle_ps(pair[i / 2], pair[i / 2 + 2], 0x44)
-                                        : _mm256_shuffle_ps(pair[i / 2], pair[i / 2 + 2], 0xee);
-        const __m256 last = i % 2 == 0 ? _mm256_shuffle_ps(pair[i / 2 + 4], pair[i / 2 + 6], 0x44)
-                                       : _mm256_shuffle_ps(pair[i / 2 + 4], pair[i / 2 + 6], 0xee);
-        _mm256_storeu_ps(rows[lane + i], _mm256_permute2f128_ps(first, last, 0x20));
-        _mm256_storeu_ps(rows[lane + i + 4], _mm256_permute2f128_ps(first, last, 0x31));
+        rows[lane + i] = _mm256_permute2f128_ps(four[i], four[i + 4], 0x20);
+        rows[lane + i + 4] = _mm256_permute2f128_ps(four[i], four[i + 4], 0x31);
       }
     }
 #else
     float column[8][width];
     for (unsigned c = 0; c < 8; ++c) store(column[c], columns[c]);
     for (unsigned lane = 0; lane < width; ++lane) {
-      for (unsigned c = 0; c < 8; ++c) rows[lane][c] = column[c][lane];
+      for (unsigned c = 0; c < 8; ++c) rows[lane].of[c] = column[c][lane];
     }
 #endif
   }
 
-  /// out[i] = row[order[i]].
-  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float* out) noexcept {
+  /// Float i is row[order[i]].
+  static Row permuted(const Row& row, const std::uint32_t (&order)[8]) noexcept {
 #ifdef __AVX2__
-    _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(_mm256_loadu_ps(row), _mm256_loadu_si256(reinterpret_cast<const __m256i*>(order))));
+    return _mm256_permutevar8x32_ps(row, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(order)));
 #else
-    for (unsigned i = 0; i < 8; ++i) out[i] = row[order[i]];
+    Row permuted;
+    for (unsigned i = 0; i < 8; ++i) permuted.of[i] = row.of[order[i]];
+    return permuted;
+#endif
+  }
+
+  static void store_row(const Row& row, void* out) noexcept {
+#ifdef __AVX__
+    _mm256_storeu_ps(static_cast<float*>(out), row);
+#else
+    __builtin_memcpy(out, row.of, sizeof row.of);
+#endif
+  }
+
+  /// Bit i is the sign of row[i].
+  static unsigned row_signs(const Row& row) noexcept {
+#ifdef __AVX__
+    return static_cast<unsigned>(_mm256_movemask_ps(row));
+#else
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_loadu_ps(row.of)) | _mm_movemask_ps(_mm_loadu_ps(row.of + 4)) << 4);
 #endif
   }
 
@@ -181,23 +211,6 @@ struct Lanes {
     std::uint32_t undecided_ = 0;
     Packed decided_ = Packed(-1);
   };
-
-  static void copy_row(const float (&row)[8], void* out) noexcept {
-#ifdef __AVX__
-    _mm256_storeu_ps(static_cast<float*>(out), _mm256_loadu_ps(row));
-#else
-    __builtin_memcpy(out, row, sizeof row);
-#endif
-  }
-
-  /// Bit i is the sign of row[i].
-  static unsigned row_signs(const float (&row)[8]) noexcept {
-#ifdef __AVX__
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_loadu_ps(row)));
-#else
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_loadu_ps(row)) | _mm_movemask_ps(_mm_loadu_ps(row + 4)) << 4);
-#endif
-  }
 
   /// The larger of the bit patterns, as unsigned integers.
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {

@@ -49,16 +49,21 @@ struct ScalarLanes {
     Vector limit_;
     bool undecided_ = false;
   };
-  static void store_rows(const Vector (&columns)[8], float (&rows)[1][8]) noexcept {
-    for (unsigned c = 0; c < 8; ++c) rows[0][c] = columns[c];
+  struct Row {
+    float of[8];
+  };
+  static void transpose(const Vector (&columns)[8], Row (&rows)[1]) noexcept {
+    for (unsigned c = 0; c < 8; ++c) rows[0].of[c] = columns[c];
   }
-  static void permute_row(const float (&row)[8], const std::uint32_t (&order)[8], float* out) noexcept {
-    for (unsigned i = 0; i < 8; ++i) out[i] = row[order[i]];
+  static Row permuted(const Row& row, const std::uint32_t (&order)[8]) noexcept {
+    Row permuted;
+    for (unsigned i = 0; i < 8; ++i) permuted.of[i] = row.of[order[i]];
+    return permuted;
   }
-  static void copy_row(const float (&row)[8], void* out) noexcept { __builtin_memcpy(out, row, sizeof row); }
-  static unsigned row_signs(const float (&row)[8]) noexcept {
+  static void store_row(const Row& row, void* out) noexcept { __builtin_memcpy(out, row.of, sizeof row.of); }
+  static unsigned row_signs(const Row& row) noexcept {
     unsigned signs = 0;
-    for (unsigned i = 0; i < 8; ++i) signs |= (__builtin_signbitf(row[i]) != 0 ? 1U : 0U) << i;
+    for (unsigned i = 0; i < 8; ++i) signs |= (__builtin_signbitf(row.of[i]) != 0 ? 1U : 0U) << i;
     return signs;
   }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
