@@ -74,9 +74,10 @@ inline Sphere touching_sphere(Dice& dice, const oracle::QuickHull& hull, const V
   return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::min(hull.reach(centre), 3e38))))};
 }
 
-/// A sphere of a few ulps beside the path of a corner of the moving box: rounding errors are as large as its radius.
+/// A sphere of a few ulps, or none, beside the path of a corner of the moving box: rounding errors are as large as its radius.
 inline Sphere tiny_sphere(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
   const float t = dice.one_in(3) ? dice.integer(0, 1) : dice.uniform(dice.one_in(2) ? 0.9F : 0.0F, 1.0F);
+  const unsigned most_steps = dice.one_in(2) ? 5 : 1;
   Vec3 centre{};
   for (std::size_t k = 0; k != 3; ++k) {
     const bool hi = dice.one_in(2);
@@ -84,9 +85,9 @@ inline Sphere tiny_sphere(Dice& dice, const Subject& subject, const oracle::Quic
     const double to = static_cast<double>(hi ? subject.b.hi[k] : subject.b.lo[k]);
     centre[k] = static_cast<float>(from + static_cast<double>(t) * (to - from));
     const float away = hi != dice.one_in(3) ? INFINITY : -INFINITY;
-    for (unsigned steps = dice.below(6); steps != 0; --steps) centre[k] = std::nextafter(centre[k], away);
+    for (unsigned steps = dice.below(most_steps + 1); steps != 0; --steps) centre[k] = std::nextafter(centre[k], away);
   }
-  return touching_sphere(dice, hull, centre);
+  return dice.one_in(3) ? Sphere{centre, 0.0F} : touching_sphere(dice, hull, centre);
 }
 
 /// A sphere that rests on a joining plane, if the shaft has any: of any size, up to ten thousand times the shaft's.

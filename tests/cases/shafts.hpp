@@ -64,13 +64,20 @@ inline Subject distant_subject(Dice& dice, float distance, unsigned axes = 0) {
 }
 
 /// A shaft from one corner of a cube to the opposite one, around the origin or about `distance` from it on each axis:
-/// steep slopes, coordinates and slopes just above powers of 2, where rounding is relatively worst.
+/// steep slopes, coordinates and slopes just above powers of 2, where rounding is relatively worst. As often as not all axes
+/// are alike, which makes the coefficients of the slab form cancel, and its margins tightest.
 inline Subject long_subject(Dice& dice, bool distant = false) {
   const float distance = distant ? std::ldexp(dice.uniform(1.05F, 1.2F), static_cast<int>(dice.integer(5, 14))) : 0.0F;
+  const bool alike = dice.one_in(2);
+  const auto sign = [&] { return dice.one_in(2) ? 1.0F : -1.0F; };
+  float side = sign();
+  float shift = sign() * distance;
   Subject subject{};
   for (std::size_t k = 0; k != 3; ++k) {
-    const float side = dice.one_in(2) ? 1.0F : -1.0F;
-    const float shift = dice.one_in(2) ? distance : -distance;
+    if (!alike) {
+      side = sign();
+      shift = sign() * distance;
+    }
     for (Box* box : {&subject.a, &subject.b}) {
       const float centre = shift + (box == &subject.a ? side : -side) * dice.uniform(4.1F, 4.3F);
       const float half = dice.one_in(4) ? 0.0F : dice.uniform(0.0F, 0.08F);

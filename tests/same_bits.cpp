@@ -1,0 +1,166 @@
+/// A workload whose answers are on record: every compiler, optimisation level, instruction set and form must give them.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "columns.hpp"
+#include "instruction_sets.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// What all answers below hash to. Exact answers do not change: if this does, an answer was or is wrong.
+constexpr std::uint64_t recorded = 2012080876133702002U;
+
+constexpr std::size_t shafts = 600;
+constexpr std::size_t bounds = 131;  // two words and a rest
+
+/// Numbers that do not depend on the compiler: integers, and floats made of them without rounding or in one rounding.
+class Numbers {
+ public:
+  /// SplitMix64 (Steele, Lea and Flood, 2014).
+  std::uint64_t next() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+  }
+  int below(int limit) { return static_cast<int>(next() >> 33U) % limit; }
+  float grid() { return static_cast<float>(below(9) - 4); }
+  float fine() { return static_cast<float>(below(1 << 23) - (1 << 22)) * 0x1p-20F; }
+  /// A finite float of any bits.
+  float any() {
+    const float x = std::bit_cast<float>(static_cast<std::uint32_t>(next()));
+    return std::isfinite(x) ? x : 0.0F;
+  }
+  /// x, or a float up to two ulps from it.
+  float near(float x) {
+    const int steps = below(5) - 2;
+    for (int i = 0; i != std::abs(steps); ++i) {
+      const float next = std::nextafter(x, steps < 0 ? -INFINITY : INFINITY);
+      if (std::isfinite(next)) x = next;
+    }
+    return x;
+  }
+
+ private:
+  std::uint64_t state_ = 2026;
+};
+
+using Number = float (Numbers::*)();
+
+Box sorted(Vec3 p, Vec3 q) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (p[k] > q[k]) std::swap(p[k], q[k]);
+  }
+  return {p, q};
+}
+
+Vec3 point(Numbers& numbers, Number number) {
+  Vec3 p{};
+  for (float& x : p) x = (numbers.*number)();
+  return p;
+}
+
+Box box(Numbers& numbers, Number number) {
+  const Vec3 p = point(numbers, number);
+  return sorted(p, point(numbers, number));
+}
+
+/// A point on the path of a corner from a to b, or an ulp or two beside it.
+Vec3 edge_point(Numbers& numbers, const Box& a, const Box& b) {
+  const double t = numbers.below(17) / 16.0;
+  Vec3 p{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const bool hi = numbers.below(2) == 1;
+    const double from = static_cast<double>(hi ? a.hi[k] : a.lo[k]);
+    const double to = static_cast<double>(hi ? b.hi[k] : b.lo[k]);
+    // Exact in doubles for coordinates from fine() and grid(), so rounded once, with or without fused operations.
+    const double on_edge = from + t * (to - from);
+    p[k] = numbers.near(static_cast<float>(on_edge));
+  }
+  return p;
+}
+
+/// Answers of one instruction set and form for all shafts, as one number (FNV-1a, word by word).
+class Digest {
+ public:
+  void add(const std::vector<std::uint64_t>& words) {
+    for (const std::uint64_t word : words) value_ = (value_ ^ word) * 0x100000001b3U;
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+template <class View>
+void add_answers(const CompiledShaft& shaft, const View& view, Form form, Digest& digest) {
+  std::vector<std::uint64_t> kept(words_for(view.count));
+  std::vector<std::uint64_t> inside(kept.size());
+  cull(shaft, view, kept, form);
+  digest.add(kept);
+  classify(shaft, view, kept, inside, form);
+  digest.add(kept);
+  digest.add(inside);
+}
+
+std::uint64_t answers(Form form) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t s = 0; s != shafts; ++s) {
+    const bool is_wild = s % 4 == 3;
+    const Number number = is_wild ? &Numbers::any : s % 4 == 0 ? &Numbers::grid : &Numbers::fine;
+    const Box a = box(numbers, number);
+    Box b = box(numbers, number);
+    if (s % 4 == 2) {  // faces that nearly coincide
+      const auto axis = static_cast<std::size_t>(numbers.below(3));
+      b.lo[axis] = numbers.near(a.lo[axis]);
+      b.hi[axis] = numbers.near(a.hi[axis]);
+      b = sorted(b.lo, b.hi);
+    }
+    Shaft shaft(a, b);
+    for (int planes = s % 8 < 4 ? 0 : 1 + numbers.below(2); planes != 0; --planes) {
+      const Vec3 normal = point(numbers, number);
+      if (normal != Vec3{}) shaft.add_plane({normal, (numbers.*number)()});
+    }
+
+    std::vector<Box> boxes;
+    std::vector<Sphere> spheres;
+    for (std::size_t i = 0; i != bounds; ++i) {
+      const bool touches = !is_wild && numbers.below(2) == 0;
+      const Vec3 p = touches ? edge_point(numbers, a, b) : point(numbers, number);
+      boxes.push_back(numbers.below(4) == 0 ? Box{p, p} : sorted(p, point(numbers, number)));
+      spheres.push_back({p, numbers.below(4) == 0 ? 0.0F : std::abs((numbers.*number)())});
+    }
+    boxes[s % bounds].hi[s % 3] = nan;
+    spheres[s % bounds].centre[s % 3] = nan;
+
+    const CompiledShaft compiled = compile(shaft);
+    add_answers(compiled, BoxColumns(boxes).view(), form, digest);
+    add_answers(compiled, SphereColumns(spheres).view(), form, digest);
+  }
+  return digest.value();
+}
+
+TEST(SameBits, EveryBuildInstructionSetAndFormGivesTheAnswersOnRecord) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::slab, Form::planes}) {
+      EXPECT_EQ(answers(form), recorded) << name(isa) << ", form " << (form == Form::slab ? "slab" : "planes");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
