@@ -1,7 +1,7 @@
-/// A fixed workload, whose instructions `valgrind --tool=callgrind` counts: what check.cmake compares with the recorded budget.
+/// A fixed workload, whose instructions `valgrind --tool=callgrind` counts: what check.cmake compares with the budget.
 ///
-/// Prints a line "path items" for each path in the order in which it runs them, and makes callgrind dump the cost of each. Under anything but
-/// valgrind it does the same work, and nobody counts.
+/// Prints a line "path items" for each path in the order in which it runs them, and makes callgrind dump the cost of
+/// each. Under anything but valgrind it does the same work, and nobody counts.
 #include <valgrind/callgrind.h>
 
 #include <algorithm>
@@ -62,18 +62,15 @@ void run() {
     for (const CompiledShaft& shaft : compiled) test(shaft);
   };
   constexpr std::size_t tests = shafts * bounds;
-  count("boxes_cull_slab", tests, [&] {
-    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::slab); });
-  });
-  count("boxes_cull_planes", tests, [&] {
-    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::planes); });
-  });
+  count("boxes_cull_slab", tests,
+        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::slab); }); });
+  count("boxes_cull_planes", tests,
+        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::planes); }); });
   count("boxes_classify_slab", tests, [&] {
     each_shaft([&](const CompiledShaft& shaft) { classify(shaft, boxes.view(), kept, inside, Form::slab); });
   });
-  count("spheres_cull_slab", tests, [&] {
-    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, spheres.view(), kept, Form::slab); });
-  });
+  count("spheres_cull_slab", tests,
+        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, spheres.view(), kept, Form::slab); }); });
   count("spheres_classify_slab", tests, [&] {
     each_shaft([&](const CompiledShaft& shaft) { classify(shaft, spheres.view(), kept, inside, Form::slab); });
   });
