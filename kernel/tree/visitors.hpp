@@ -1,0 +1,179 @@
+/// What becomes of the leaves that a walk finds: counts, lists of indices, lists of runs; and what is left out.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "run/parallel.hpp"
+#include "shaftcull/query.hpp"
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+
+/// Room in the caller's memory: what does not fit is counted only.
+template <class Item>
+class SpanOutput {
+ public:
+  explicit SpanOutput(std::span<Item> room) noexcept : room_(room) {}
+  void push(Item item) noexcept {
+    if (count_ < room_.size()) room_[count_] = item;
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Item* last() noexcept { return count_ <= room_.size() ? room_.data() + count_ - 1 : nullptr; }
+
+ private:
+  std::span<Item> room_;
+  std::size_t count_ = 0;
+};
+
+/// Memory that grows.
+template <class Item>
+class GrowingOutput {
+ public:
+  void push(Item item) { items_.push_back(item); }
+  [[nodiscard]] std::size_t count() const noexcept { return items_.size(); }
+  [[nodiscard]] Item* last() noexcept { return &items_.back(); }
+  [[nodiscard]] const Item* data() const noexcept { return items_.data(); }
+  void clear() noexcept { items_.clear(); }
+
+ private:
+  std::vector<Item, TaskAllocator<Item>> items_;
+};
+
+/// Leaves as the user's indices.
+template <class Output>
+class IndexList {
+ public:
+  IndexList(const std::uint32_t* order, Output& output) noexcept : order_(order), output_(output) {}
+  void bits(std::size_t first, std::uint64_t bits) {
+    for (; bits != 0; bits &= bits - 1) output_.push(order_[first + static_cast<std::size_t>(std::countr_zero(bits))]);
+  }
+  void run(std::size_t first, std::size_t size) {
+    for (std::size_t p = first; p != first + size; ++p) output_.push(order_[p]);
+  }
+
+ private:
+  const std::uint32_t* order_;
+  Output& output_;
+};
+
+/// Leaves as runs, each as long as can be.
+template <class Output>
+class RunList {
+ public:
+  RunList(const std::uint32_t* /*order*/, Output& output) noexcept : output_(output) {}
+  void bits(std::size_t first, std::uint64_t bits) {
+    while (bits != 0) {
+      const int start = std::countr_zero(bits);
+      const int size = std::countr_one(bits >> start);
+      run(first + static_cast<std::size_t>(start), static_cast<std::size_t>(size));
+      if (start + size == 64) return;
+      bits &= ~std::uint64_t{0} << (start + size);
+    }
+  }
+  void run(std::size_t first, std::size_t size) {
+    // The end is remembered here: a span may have had no room for the run.
+    if (first == end_ && end_ != 0) {
+      if (TreeRun* const last = output_.last()) last->size += static_cast<std::uint32_t>(size);
+    } else {
+      output_.push({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
+    }
+    end_ = first + size;
+  }
+
+ private:
+  Output& output_;
+  std::size_t end_ = 0;
+};
+
+/// Visitor that counts what is kept.
+class Counter {
+ public:
+  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
+    count_ += static_cast<std::size_t>(std::popcount(kept));
+  }
+  void run(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+ private:
+  std::size_t count_ = 0;
+};
+
+/// Visitor that lists what is kept.
+template <class List>
+class KeptLister {
+ public:
+  explicit KeptLister(const List& kept) noexcept : kept_(kept) {}
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
+  void run(std::size_t first, std::size_t size) { kept_.run(first, size); }
+
+ private:
+  List kept_;
+};
+
+/// Visitor that lists what overlaps and what is inside.
+template <class List>
+class ClassLister {
+ public:
+  ClassLister(const List& overlap, const List& inside) noexcept : overlap_(overlap), inside_(inside) {}
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
+    overlap_.bits(first, kept & ~inside);
+    inside_.bits(first, inside);
+  }
+  void run(std::size_t first, std::size_t size) { inside_.run(first, size); }
+
+ private:
+  List overlap_;
+  List inside_;
+};
+
+/// Visitor in front of another that leaves bounds out.
+template <class Visitor>
+class Filter {
+ public:
+  /// `own` and `mask` as in Excluding, for one shaft.
+  Filter(const std::uint32_t* order, std::span<const std::uint32_t> own, std::span<const std::uint64_t> mask,
+         Visitor& visitor) noexcept
+      : order_(order), own_(own), mask_(mask), visitor_(visitor) {}
+
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
+    const std::uint64_t left = kept & ~excluded(first, kept);
+    if (left != 0) visitor_.word(first, left, inside & left);
+  }
+  void run(std::size_t first, std::size_t size) {
+    for (std::size_t w = first; w != first + size; w += 64) {
+      const std::uint64_t left = ~excluded(w, ~std::uint64_t{0});
+      if (left == ~std::uint64_t{0}) {
+        visitor_.run(w, 64);
+      } else if (left != 0) {
+        visitor_.word(w, left, left);
+      }
+    }
+  }
+
+ private:
+  /// Bits of the word of leaves from `first` on that are left out, of those in `asked`.
+  [[nodiscard]] std::uint64_t excluded(std::size_t first, std::uint64_t asked) const noexcept {
+    std::uint64_t out = 0;
+    for (std::uint64_t left = asked; left != 0; left &= left - 1) {
+      const std::uint32_t index = order_[first + static_cast<std::size_t>(std::countr_zero(left))];
+      bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
+      for (const std::uint32_t own : own_) is_out |= own == index;
+      if (is_out) out |= left & -left;
+    }
+    return out;
+  }
+
+  const std::uint32_t* order_;
+  std::span<const std::uint32_t> own_;
+  std::span<const std::uint64_t> mask_;
+  Visitor& visitor_;
+};
+
+}  // namespace shaftcull::kernel
