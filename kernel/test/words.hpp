@@ -8,14 +8,67 @@
 
 namespace shaftcull::kernel {
 
-/// Words ahead of the one tested whose bounds are prefetched.
-inline constexpr std::size_t prefetched_words = 2;
-
+/// Words from a list. Asked for one, fetches the bounds of one that comes later, which the processor could not guess.
 template <class L, unsigned streams>
-void prefetch_word(const float* const* stream, std::uint32_t word) noexcept {
-  for (unsigned s = 0; s < streams; ++s) {
-    const float* const start = stream[s] + std::size_t{word} * word_bits;
-    for (unsigned i = 0; i < word_bits; i += 16) __builtin_prefetch(start + i);
+class ListedWords {
+ public:
+  ListedWords(const float* const* stream, const std::uint32_t* word, std::size_t words) noexcept
+      : stream_(stream), word_(word), words_(words) {
+    for (std::size_t w = 0; w < words && w < ahead; ++w) fetch(w);
+  }
+  std::size_t operator()(std::size_t w) const noexcept {
+    if (w + ahead < words_) fetch(w + ahead);
+    return std::size_t{word_[w]} * word_bits;
+  }
+
+ private:
+  static constexpr std::size_t ahead = 2;
+
+  void fetch(std::size_t w) const noexcept {
+    constexpr unsigned line = 64 / sizeof(float);
+    for (unsigned s = 0; s < streams; ++s) {
+      const float* const start = stream_[s] + std::size_t{word_[w]} * word_bits;
+      for (unsigned i = 0; i < word_bits; i += line) __builtin_prefetch(start + i);
+    }
+  }
+
+  const float* const* stream_;
+  const std::uint32_t* word_;
+  std::size_t words_;
+};
+
+/// Calls use(stream, i) for every word i of a list that still has bits, with the streams from its first bound on.
+template <class L, unsigned streams, class Use>
+void for_each_word(const float* const* stream, const std::uint32_t* word, std::size_t words, const std::uint64_t* bits,
+                   unsigned least, Use use) noexcept {
+  for (std::size_t i = 0; i < words; ++i) {
+    if (static_cast<unsigned>(__builtin_popcountll(bits[i])) < least) continue;
+    const float* at[streams];
+    for (unsigned s = 0; s < streams; ++s) at[s] = stream[s] + std::size_t{word[i]} * word_bits;
+    use(at, i);
+  }
+}
+
+/// First stages, for boxes and for spheres: as Stages::cull, for words of a list.
+template <class L, class Stages>
+void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
+                       std::uint64_t* kept) noexcept {
+  const ListedWords<L, Stages::streams> position(stream, word, words);
+  if constexpr (Stages::streams == 6) {
+    box_slab_stage<L>(shaft, stream, words, kept, position);
+    if (shaft.added_count == 0) return;
+    for_each_word<L, 6>(stream, word, words, kept, 1, [&](const float* const* at, std::size_t i) {
+      narrow<L, 6>(at, 1, kept + i, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+        box_added_stage<L>(shaft, some, n, bits);
+      });
+    });
+  } else {
+    for (std::size_t i = 0; i < words; ++i) {
+      const float* at[Stages::streams];
+      const std::size_t first = position(i);
+      for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + first;
+      Stages::cull(shaft, at, 1, kept + i);
+    }
   }
 }
 
@@ -24,18 +77,13 @@ template <class L, class Stages>
 void test_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
                        std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
   const FloatEnvironment<L> environment;
-  for (std::size_t i = 0; i < words && i < prefetched_words; ++i) prefetch_word<L, Stages::streams>(stream, word[i]);
-  for (std::size_t i = 0; i < words; ++i) {
-    if (i + prefetched_words < words) prefetch_word<L, Stages::streams>(stream, word[i + prefetched_words]);
-    const float* at[Stages::streams];
-    for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + std::size_t{word[i]} * word_bits;
-    Stages::cull(shaft, at, 1, kept + i);
-    if (inside == nullptr) continue;
-    inside[i] = 0;
-    if (static_cast<unsigned>(__builtin_popcountll(kept[i])) < least_kept) continue;
+  cull_listed_words<L, Stages>(shaft, stream, word, words, kept);
+  if (inside == nullptr) return;
+  for (std::size_t i = 0; i < words; ++i) inside[i] = 0;
+  for_each_word<L, Stages::streams>(stream, word, words, kept, least_kept, [&](const float* const* at, std::size_t i) {
     inside[i] = kept[i];
     Stages::contain(shaft, at, 1, inside + i);
-  }
+  });
 }
 
 }  // namespace shaftcull::kernel
