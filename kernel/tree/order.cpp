@@ -1,3 +1,5 @@
+/// A k-d tree whose leaves are nodes of 64: halves are split at the median of the axis on which they are spread out most,
+/// moved to a multiple of a whole node, so that nodes of all levels are cells of it.
 #include "tree/order.hpp"
 
 #include <algorithm>
@@ -32,36 +34,93 @@ std::size_t cut_of(const Part& part) noexcept {
   return cut < part.last ? cut : cut - unit;
 }
 
-/// The axis on which the centres are spread out most.
-unsigned widest_axis(const OrderEntry* first, const OrderEntry* last) noexcept {
-  Vec3 lo = first->centre;
-  Vec3 hi = first->centre;
-  for (const OrderEntry* e = first; e != last; ++e) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      lo[k] = std::min(lo[k], e->centre[k]);
-      hi[k] = std::max(hi[k], e->centre[k]);
+/// Some of a part's entries, evenly spaced: about √n of n, at least 9.
+class Sample {
+ public:
+  Sample(const OrderEntry* entries, const Part& part) noexcept {
+    const std::size_t n = part.last - part.first;
+    size_ = std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(n))), std::min<std::size_t>(n, 9), most);
+    for (std::size_t i = 0; i != size_; ++i) centre_[i] = entries[part.first + i * n / size_].centre;
+  }
+
+  /// The axis on which the sample is spread out most.
+  [[nodiscard]] unsigned widest_axis() const noexcept {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Vec3 lo = {infinity, infinity, infinity};
+    Vec3 hi = {-infinity, -infinity, -infinity};
+    for (std::size_t i = 0; i != size_; ++i) {
+      for (std::size_t k = 0; k != 3; ++k) {
+        lo[k] = std::min(lo[k], centre_[i][k]);
+        hi[k] = std::max(hi[k], centre_[i][k]);
+      }
     }
+    unsigned axis = 0;
+    for (unsigned k = 1; k != 3; ++k) {
+      if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+    }
+    return axis;
   }
-  unsigned axis = 0;
-  for (unsigned k = 1; k != 3; ++k) {
-    if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+
+  /// The coordinate below which about `share` of the part is.
+  [[nodiscard]] float quantile(unsigned axis, double share) const noexcept {
+    float coordinate[most];
+    for (std::size_t i = 0; i != size_; ++i) coordinate[i] = centre_[i][axis];
+    const std::size_t rank = std::min(static_cast<std::size_t>(share * static_cast<double>(size_)), size_ - 1);
+    std::nth_element(coordinate, coordinate + rank, coordinate + size_);
+    return coordinate[rank];
   }
-  return axis;
+
+ private:
+  static constexpr std::size_t most = 255;
+  Vec3 centre_[most];
+  std::size_t size_;
+};
+
+/// Moves entries for which `before` holds to the front, and returns where they end. Every entry is swapped whether it
+/// must be or not: a branch that depends on the coordinate would be mispredicted half of the time.
+template <class Before>
+std::size_t partition(OrderEntry* entries, const Part& part, const Before& before) noexcept {
+  std::size_t end = part.first;
+  for (std::size_t i = part.first; i != part.last; ++i) {
+    const OrderEntry entry = entries[i];
+    entries[i] = entries[end];
+    entries[end] = entry;
+    end += static_cast<std::size_t>(before(entry));
+  }
+  return end;
 }
 
-/// Moves the entries below the cut on one axis before it, and returns the cut; 0 if there is none to make.
-std::size_t split(std::vector<OrderEntry>& entries, const Part& part) {
+/// Orders the entries of a part so that none before `cut` has a larger coordinate than any from there on: quickselect with
+/// pivots from samples (Floyd and Rivest, "Expected time bounds for selection", 1975).
+void select(OrderEntry* entries, Part part, std::size_t cut, unsigned axis) noexcept {
+  constexpr std::size_t few = 24;
+  while (part.last - part.first > few) {
+    const double share = (static_cast<double>(cut - part.first) + 0.5) / static_cast<double>(part.last - part.first);
+    const float pivot = Sample(entries, part).quantile(axis, share);
+    std::size_t end = partition(entries, part, [&](const OrderEntry& e) { return e.centre[axis] < pivot; });
+    if (cut < end) {
+      part.last = end;
+      continue;
+    }
+    if (end == part.first) {  // the pivot is the smallest: set all that equal it apart
+      end = partition(entries, part, [&](const OrderEntry& e) { return e.centre[axis] <= pivot; });
+      if (cut <= end) return;
+    }
+    part.first = end;
+    if (cut == end) return;
+  }
+  std::nth_element(entries + part.first, entries + cut, entries + part.last,
+                   [axis](const OrderEntry& a, const OrderEntry& b) { return a.centre[axis] < b.centre[axis]; });
+}
+
+/// Moves the entries below the cut before it, and returns the cut; 0 if there is none to make.
+std::size_t split(OrderEntry* entries, const Part& part) noexcept {
   const std::size_t cut = cut_of(part);
-  if (cut == 0) return 0;
-  OrderEntry* const start = entries.data();
-  const unsigned axis = widest_axis(start + part.first, start + part.last);
-  std::nth_element(start + part.first, start + cut, start + part.last, [axis](const OrderEntry& a, const OrderEntry& b) {
-    return a.centre[axis] < b.centre[axis];
-  });
+  if (cut != 0) select(entries, part, cut, Sample(entries, part).widest_axis());
   return cut;
 }
 
-void split_to_leaves(std::vector<OrderEntry>& entries, const Part& part) {
+void split_to_leaves(OrderEntry* entries, const Part& part) noexcept {
   const std::size_t cut = split(entries, part);
   if (cut == 0) return;
   split_to_leaves(entries, {part.first, cut});
@@ -79,7 +138,7 @@ void sort_into_tree_order(std::vector<OrderEntry>& entries, const std::size_t (&
   while (!parts.empty()) {
     std::vector<std::size_t> cut(parts.size());
     parallel_for(parts.size(), 1, [&](std::size_t i, std::size_t) {
-      if (parts[i].last - parts[i].first > task_entries) cut[i] = split(entries, parts[i]);
+      if (parts[i].last - parts[i].first > task_entries) cut[i] = split(entries.data(), parts[i]);
     });
     std::vector<Part> halves;
     for (std::size_t i = 0; i != parts.size(); ++i) {
@@ -92,7 +151,7 @@ void sort_into_tree_order(std::vector<OrderEntry>& entries, const std::size_t (&
     }
     parts.swap(halves);
   }
-  parallel_for(small.size(), 1, [&](std::size_t i, std::size_t) { split_to_leaves(entries, small[i]); });
+  parallel_for(small.size(), 1, [&](std::size_t i, std::size_t) { split_to_leaves(entries.data(), small[i]); });
 }
 
 }  // namespace shaftcull::kernel
