@@ -8,6 +8,7 @@
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"

@@ -34,8 +34,9 @@ class ViewSource {
     for (std::size_t s = 0; s != rows; ++s) __builtin_prefetch(view_.stream[s] + i);
   }
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
-    const Bound bound = view_[i];
-    return ReaderOf<Bound>(records({&bound, 1})).is_legal(0);
+    float bound[rows];
+    read(i, bound);
+    return ReaderOf<Bound>::is_legal(bound);
   }
   [[nodiscard]] std::string fault(std::size_t i) const {
     const Bound bound = view_[i];
