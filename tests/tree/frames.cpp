@@ -96,6 +96,20 @@ TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
   EXPECT_EQ(few.growth(), all.growth());
 }
 
+TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
+  Dice dice(78);
+  BoxTree tree{std::span<const Box>(scene<Box>(dice, Shape::uniform, 600000))};
+  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const std::vector<std::uint32_t> index = {123456};
+  for (const bool is_empty : {false, true, false}) {
+    tree.update(index, std::vector<Box>{is_empty ? empty_box : Box{{0, 0, 0}, {1, 1, 1}}});
+    tree.refit();
+    EXPECT_EQ(classify(everything, tree, std::span<TreeRun>(), std::span<TreeRun>()).inside, is_empty ? 2U : 1U);
+    EXPECT_EQ(classify(everything, tree, std::span<std::uint32_t>(), std::span<std::uint32_t>()),
+              (KeptCounts{0, is_empty ? 599999U : 600000U}));
+  }
+}
+
 TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
   Dice dice(74);
   BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, 20000))};
