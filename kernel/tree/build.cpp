@@ -68,7 +68,7 @@ std::vector<OrderEntry> entries_by_class(const Source& source, std::size_t (&cla
       float bound[Source::rows];
       source.read(i, bound);
       const Placement where = placement(bound);
-      entries[place[size_class(where.extent, node_size)]++] = {where.centre, static_cast<std::uint32_t>(i)};
+      entries[place[size_class(where.extent, node_size)]++] = OrderEntry(where.centre, static_cast<std::uint32_t>(i));
     }
   });
   return entries;
@@ -100,8 +100,8 @@ void lay_out(TreeParts<Bound>& parts, std::size_t size) {
   parts.gaps.assign(nodes / 64, ~std::uint64_t{0});
 }
 
-template <class Bound, class Source>
-TreeParts<Bound> build(const Source& source) {
+template <class Bound>
+TreeParts<Bound> build(const RecordSource<Bound>& source) {
   TreeParts<Bound> parts;
   lay_out(parts, source.count());
   std::size_t class_first[size_classes + 1];
@@ -113,10 +113,11 @@ TreeParts<Bound> build(const Source& source) {
   parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const Run block = piece(parts.size, source_block, b);
     for (std::size_t p = block.first; p != block.end(); ++p) {
+      if (p + prefetched_bounds < parts.size) source.prefetch(entries[p + prefetched_bounds].index);
       const std::uint32_t i = parts.order[p] = entries[p].index;
-      float bound[Source::rows];
+      float bound[rows_of<Bound>];
       source.read(i, bound);
-      for (std::size_t s = 0; s != Source::rows; ++s) row[s][p] = bound[s];
+      for (std::size_t s = 0; s != rows_of<Bound>; ++s) row[s][p] = bound[s];
     }
   });
   fit_all(parts);
@@ -124,9 +125,7 @@ TreeParts<Bound> build(const Source& source) {
   return parts;
 }
 
-template TreeParts<Box> build(const ViewSource<Box>& source);
 template TreeParts<Box> build(const RecordSource<Box>& source);
-template TreeParts<Sphere> build(const ViewSource<Sphere>& source);
 template TreeParts<Sphere> build(const RecordSource<Sphere>& source);
 
 }  // namespace shaftcull::kernel

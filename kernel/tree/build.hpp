@@ -6,9 +6,8 @@
 
 namespace shaftcull::kernel {
 
-/// Sorts the bounds of a source (ViewSource, RecordSource), which are legal, and fits nodes to them. Leaves `order` so that leaf p
-/// is bound order[p] of the source.
-template <class Bound, class Source>
-TreeParts<Bound> build(const Source& source);
+/// Sorts the bounds of a source, which are legal, and fits nodes to them. Leaf p is bound order[p] of the source.
+template <class Bound>
+TreeParts<Bound> build(const RecordSource<Bound>& source);
 
 }  // namespace shaftcull::kernel

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "run/parallel.hpp"
 #include "tree/parts.hpp"
@@ -40,77 +39,79 @@ class Sample {
   Sample(const OrderEntry* entries, const Part& part) noexcept {
     const std::size_t n = part.last - part.first;
     size_ = std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(n))), std::min<std::size_t>(n, 9), most);
-    for (std::size_t i = 0; i != size_; ++i) centre_[i] = entries[part.first + i * n / size_].centre;
+    for (std::size_t i = 0; i != size_; ++i) key_[i] = entries[part.first + i * n / size_].key;
   }
 
   /// The axis on which the sample is spread out most.
   [[nodiscard]] unsigned widest_axis() const noexcept {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    Vec3 lo = {infinity, infinity, infinity};
-    Vec3 hi = {-infinity, -infinity, -infinity};
-    for (std::size_t i = 0; i != size_; ++i) {
-      for (std::size_t k = 0; k != 3; ++k) {
-        lo[k] = std::min(lo[k], centre_[i][k]);
-        hi[k] = std::max(hi[k], centre_[i][k]);
-      }
-    }
     unsigned axis = 0;
-    for (unsigned k = 1; k != 3; ++k) {
-      if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+    float most_width = -1;
+    for (unsigned k = 0; k != 3; ++k) {
+      std::uint32_t lo = key_[0][k];
+      std::uint32_t hi = key_[0][k];
+      for (std::size_t i = 1; i < size_; ++i) {
+        lo = std::min(lo, key_[i][k]);
+        hi = std::max(hi, key_[i][k]);
+      }
+      const float width = coordinate_of(hi) - coordinate_of(lo);
+      if (width > most_width) {
+        axis = k;
+        most_width = width;
+      }
     }
     return axis;
   }
 
-  /// The coordinate below which about `share` of the part is.
-  [[nodiscard]] float quantile(unsigned axis, double share) const noexcept {
-    float coordinate[most];
-    for (std::size_t i = 0; i != size_; ++i) coordinate[i] = centre_[i][axis];
+  /// The key below which about `share` of the part is.
+  [[nodiscard]] std::uint32_t quantile(unsigned axis, double share) const noexcept {
+    std::uint32_t key[most];
+    for (std::size_t i = 0; i != size_; ++i) key[i] = key_[i][axis];
     const std::size_t rank = std::min(static_cast<std::size_t>(share * static_cast<double>(size_)), size_ - 1);
-    std::nth_element(coordinate, coordinate + rank, coordinate + size_);
-    return coordinate[rank];
+    std::nth_element(key, key + rank, key + size_);
+    return key[rank];
   }
 
  private:
   static constexpr std::size_t most = 255;
-  Vec3 centre_[most];
+  std::array<std::uint32_t, 3> key_[most];
   std::size_t size_;
 };
 
-/// Moves entries for which `before` holds to the front, and returns where they end. Every entry is swapped whether it
-/// must be or not: a branch that depends on the coordinate would be mispredicted half of the time.
-template <class Before>
-std::size_t partition(OrderEntry* entries, const Part& part, const Before& before) noexcept {
+/// Moves entries with keys below `limit` to the front, and returns where they end. Every entry is swapped whether it
+/// must be or not: a branch that depends on the key would be mispredicted half of the time.
+std::size_t partition(OrderEntry* entries, const Part& part, unsigned axis, std::uint64_t limit) noexcept {
   std::size_t end = part.first;
   for (std::size_t i = part.first; i != part.last; ++i) {
+    const std::uint64_t key = entries[i].key[axis];
     const OrderEntry entry = entries[i];
     entries[i] = entries[end];
     entries[end] = entry;
-    end += static_cast<std::size_t>(before(entry));
+    end += (key - limit) >> 63;
   }
   return end;
 }
 
-/// Orders the entries of a part so that none before `cut` has a larger coordinate than any from there on: quickselect with
+/// Orders the entries of a part so that none before `cut` has a larger key than any from there on: quickselect with
 /// pivots from samples (Floyd and Rivest, "Expected time bounds for selection", 1975).
 void select(OrderEntry* entries, Part part, std::size_t cut, unsigned axis) noexcept {
   constexpr std::size_t few = 24;
   while (part.last - part.first > few) {
     const double share = (static_cast<double>(cut - part.first) + 0.5) / static_cast<double>(part.last - part.first);
-    const float pivot = Sample(entries, part).quantile(axis, share);
-    std::size_t end = partition(entries, part, [&](const OrderEntry& e) { return e.centre[axis] < pivot; });
+    const std::uint64_t pivot = Sample(entries, part).quantile(axis, share);
+    std::size_t end = partition(entries, part, axis, pivot);
     if (cut < end) {
       part.last = end;
       continue;
     }
     if (end == part.first) {  // the pivot is the smallest: set all that equal it apart
-      end = partition(entries, part, [&](const OrderEntry& e) { return e.centre[axis] <= pivot; });
+      end = partition(entries, part, axis, pivot + 1);
       if (cut <= end) return;
     }
     part.first = end;
     if (cut == end) return;
   }
   std::nth_element(entries + part.first, entries + cut, entries + part.last,
-                   [axis](const OrderEntry& a, const OrderEntry& b) { return a.centre[axis] < b.centre[axis]; });
+                   [axis](const OrderEntry& a, const OrderEntry& b) { return a.key[axis] < b.key[axis]; });
 }
 
 /// Moves the entries below the cut before it, and returns the cut; 0 if there is none to make.

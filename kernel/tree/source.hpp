@@ -73,6 +73,9 @@ class RecordSource {
   std::size_t stride_;
 };
 
+/// Bounds ahead of the one read that are prefetched where tree order jumps about in the user's memory.
+inline constexpr std::size_t prefetched_bounds = 32;
+
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;
 

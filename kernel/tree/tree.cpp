@@ -6,19 +6,24 @@
 
 #include "shaftcull/error.hpp"
 #include "tree/build.hpp"
+#include "tree/gathered.hpp"
 #include "tree/parts.hpp"
 #include "tree/update.hpp"
 
 namespace shaftcull {
 namespace {
 
-template <class Bound, class Source>
-std::unique_ptr<kernel::TreeParts<Bound>> built_from(const Source& source) {
+/// `bounds`, or an exception.
+template <class Bounds>
+const Bounds& few_enough(const Bounds& bounds) {
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
-  if (source.count() > most) {
-    throw InvalidArgument("a tree of " + std::to_string(source.count()) + " bounds: its 32-bit indices reach to " +
-                          std::to_string(most) + "; build several trees");
-  }
+  if (bounds.count <= most) return bounds;
+  throw InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: its 32-bit indices reach to " +
+                        std::to_string(most) + "; build several trees");
+}
+
+template <class Bound>
+std::unique_ptr<kernel::TreeParts<Bound>> built_from(const kernel::RecordSource<Bound>& source) {
   kernel::require_legal<Bound>(source);
   return std::make_unique<kernel::TreeParts<Bound>>(kernel::build<Bound>(source));
 }
@@ -66,9 +71,9 @@ template <class Bound>
 BoundsTree<Bound>& BoundsTree<Bound>::operator=(BoundsTree&& other) noexcept = default;
 
 template <class Bound>
-BoundsTree<Bound>::BoundsTree(const View& bounds) : parts_(built_from<Bound>(kernel::ViewSource<Bound>(bounds))) {}
+BoundsTree<Bound>::BoundsTree(const View& bounds) : BoundsTree(kernel::Gathered<Bound>(few_enough(bounds)).records()) {}
 template <class Bound>
-BoundsTree<Bound>::BoundsTree(const Records& bounds) : parts_(built_from<Bound>(kernel::RecordSource<Bound>(bounds))) {}
+BoundsTree<Bound>::BoundsTree(const Records& bounds) : parts_(built_from(kernel::RecordSource<Bound>(few_enough(bounds)))) {}
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound>
@@ -160,7 +165,8 @@ double BoundsTree<Bound>::growth() const {
 template <class Bound>
 void BoundsTree<Bound>::rebuild() {
   if (!parts_) return;
-  kernel::TreeParts<Bound> anew = kernel::build<Bound>(kernel::ViewSource<Bound>(leaves()));
+  const kernel::Gathered<Bound> now(leaves());
+  kernel::TreeParts<Bound> anew = kernel::build<Bound>(kernel::RecordSource<Bound>(now.records()));
   for (std::uint32_t& index : anew.order) index = parts_->order[index];
   *parts_ = std::move(anew);
 }

@@ -11,9 +11,6 @@ namespace {
 /// Leaves that a task updates: one word of nodes.
 constexpr std::size_t block_leaves = fanout * fanout;
 
-/// Bounds ahead of the one read that are prefetched from the user's memory, in which tree order jumps about.
-constexpr std::size_t prefetched_bounds = 32;
-
 void require_count(std::size_t count, std::size_t size) {
   if (count == size) return;
   throw InvalidArgument("update of a tree of " + std::to_string(size) + " bounds got " + std::to_string(count) +
