@@ -5,9 +5,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "run/parallel.hpp"
 #include "shaftcull/query.hpp"
@@ -15,16 +14,25 @@
 
 namespace shaftcull::kernel {
 
+/// Items that a list adds at most between two looks at the room there is: a word of leaves.
+inline constexpr std::size_t most_added = 64;
+
 /// Room in the caller's memory: what does not fit is counted only.
 template <class Item>
 class SpanOutput {
  public:
   explicit SpanOutput(std::span<Item> room) noexcept : room_(room) {}
+
+  /// Where `most_added` items may be written, or null if there is no room for so many.
+  [[nodiscard]] Item* room() noexcept { return count_ + most_added <= room_.size() ? room_.data() + count_ : nullptr; }
+  /// So many were written there.
+  void advance(std::size_t items) noexcept { count_ += items; }
   void push(Item item) noexcept {
     if (count_ < room_.size()) room_[count_] = item;
     ++count_;
   }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  /// The item pushed last, or null if it did not fit.
   [[nodiscard]] Item* last() noexcept { return count_ <= room_.size() ? room_.data() + count_ - 1 : nullptr; }
 
  private:
@@ -32,18 +40,49 @@ class SpanOutput {
   std::size_t count_ = 0;
 };
 
-/// Memory that grows.
+/// Memory that grows, with the same interface.
 template <class Item>
 class GrowingOutput {
  public:
-  void push(Item item) { items_.push_back(item); }
-  [[nodiscard]] std::size_t count() const noexcept { return items_.size(); }
-  [[nodiscard]] Item* last() noexcept { return &items_.back(); }
-  [[nodiscard]] const Item* data() const noexcept { return items_.data(); }
-  void clear() noexcept { items_.clear(); }
+  GrowingOutput() noexcept = default;
+  GrowingOutput(GrowingOutput&& other) noexcept
+      : items_(std::exchange(other.items_, nullptr)),
+        count_(std::exchange(other.count_, 0)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
+  GrowingOutput& operator=(GrowingOutput&&) = delete;
+  ~GrowingOutput() {
+    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
+  }
+
+  [[nodiscard]] Item* room() {
+    if (capacity_ - count_ < most_added) grow();
+    return items_ + count_;
+  }
+  void advance(std::size_t items) noexcept { count_ += items; }
+  void push(Item item) {
+    *room() = item;
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Item* last() noexcept { return items_ + count_ - 1; }
+  [[nodiscard]] const Item* data() const noexcept { return items_; }
+  void clear() noexcept { count_ = 0; }
 
  private:
-  std::vector<Item, TaskAllocator<Item>> items_;
+  using Allocator = TaskAllocator<Item>;
+
+  void grow() {
+    const std::size_t capacity = std::max(16 * most_added, 2 * capacity_);
+    Item* const items = Allocator().allocate(capacity);
+    std::copy(items_, items_ + count_, items);
+    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
+    items_ = items;
+    capacity_ = capacity;
+  }
+
+  Item* items_ = nullptr;
+  std::size_t count_ = 0;
+  std::size_t capacity_ = 0;
 };
 
 /// Leaves as the user's indices.
@@ -51,11 +90,24 @@ template <class Output>
 class IndexList {
  public:
   IndexList(const std::uint32_t* order, Output& output) noexcept : order_(order), output_(output) {}
+
   void bits(std::size_t first, std::uint64_t bits) {
-    for (; bits != 0; bits &= bits - 1) output_.push(order_[first + static_cast<std::size_t>(std::countr_zero(bits))]);
+    const std::uint32_t* const here = order_ + first;
+    std::uint32_t* const out = output_.room();
+    if (out == nullptr) {
+      for (; bits != 0; bits &= bits - 1) output_.push(here[std::countr_zero(bits)]);
+    } else if (bits == ~std::uint64_t{0}) {
+      std::copy(here, here + 64, out);
+      output_.advance(64);
+    } else {
+      std::uint32_t* end = out;
+      for (; bits != 0; bits &= bits - 1) *end++ = here[std::countr_zero(bits)];
+      output_.advance(static_cast<std::size_t>(end - out));
+    }
   }
+  /// Whole words.
   void run(std::size_t first, std::size_t size) {
-    for (std::size_t p = first; p != first + size; ++p) output_.push(order_[p]);
+    for (std::size_t word = first; word != first + size; word += 64) bits(word, ~std::uint64_t{0});
   }
 
  private:
