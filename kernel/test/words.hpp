@@ -4,6 +4,8 @@
 #include "simd/float_environment.hpp"
 #include "test/box_slab.hpp"
 #include "test/kernels.hpp"
+#include "test/spheres.hpp"
+#include "test/survivors.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
@@ -49,7 +51,16 @@ void for_each_word(const float* const* stream, const std::uint32_t* word, std::s
   }
 }
 
-/// First stages, for boxes and for spheres: as Stages::cull, for words of a list.
+/// Runs stage(stream, words, bits), which clears bits, on the bounds of listed words whose bits are set.
+template <class L, unsigned streams, class Stage>
+void narrow_listed(const float* const* stream, const std::uint32_t* word, std::size_t words, std::uint64_t* bits,
+                   Stage stage) noexcept {
+  for_each_word<L, streams>(stream, word, words, bits, 1, [&](const float* const* at, std::size_t i) {
+    narrow<L, streams>(at, 1, bits + i, stage);
+  });
+}
+
+/// As Stages::cull, for words of a list.
 template <class L, class Stages>
 void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
                        std::uint64_t* kept) noexcept {
@@ -57,18 +68,21 @@ void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, c
   if constexpr (Stages::streams == 6) {
     box_slab_stage<L>(shaft, stream, words, kept, position);
     if (shaft.added_count == 0) return;
-    for_each_word<L, 6>(stream, word, words, kept, 1, [&](const float* const* at, std::size_t i) {
-      narrow<L, 6>(at, 1, kept + i, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-        box_added_stage<L>(shaft, some, n, bits);
-      });
+    narrow_listed<L, 6>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_added_stage<L>(shaft, some, n, bits);
     });
-  } else {
+  } else if (Stages::cull_needs_planes(shaft)) {
     for (std::size_t i = 0; i < words; ++i) {
       const float* at[Stages::streams];
       const std::size_t first = position(i);
       for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + first;
       Stages::cull(shaft, at, 1, kept + i);
     }
+  } else {
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept, position);
+    narrow_listed<L, 4>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_settle_stage<L>(shaft, some, n, bits);
+    });
   }
 }
 
