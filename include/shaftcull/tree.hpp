@@ -88,6 +88,10 @@ class BoundsTree {
   /// Sorts the bounds anew as they are now, and refits. Indices stay; order() changes.
   void rebuild();
 
+  /// Numbers the bounds anew, in tree order: the index of leaf p becomes p. For users who have sorted their own objects by order(),
+  /// as they should if all of them move: update() then reads their memory from front to back, four times as fast.
+  void renumber() noexcept;
+
   /// The tree's own format.
   [[nodiscard]] const kernel::TreeParts<Bound>* parts() const noexcept { return parts_.get(); }
 

@@ -1,6 +1,8 @@
 #include "shaftcull/tree.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -169,6 +171,13 @@ void BoundsTree<Bound>::rebuild() {
   kernel::TreeParts<Bound> anew = kernel::build<Bound>(kernel::RecordSource<Bound>(now.records()));
   for (std::uint32_t& index : anew.order) index = parts_->order[index];
   *parts_ = std::move(anew);
+}
+
+template <class Bound>
+void BoundsTree<Bound>::renumber() noexcept {
+  if (!parts_) return;
+  std::iota(parts_->order.begin(), parts_->order.end(), std::uint32_t{0});
+  std::iota(parts_->place.begin(), parts_->place.end(), std::uint32_t{0});
 }
 
 template class BoundsTree<Box>;

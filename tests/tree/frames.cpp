@@ -143,6 +143,28 @@ TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
   }
 }
 
+TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
+  Dice dice(79);
+  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 5000);
+  for (const bool updated_before : {false, true}) {
+    BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+    if (updated_before) {
+      tree.update(std::vector<std::uint32_t>{7}, std::span<const TypeParam>(bounds).subspan(7, 1));
+      tree.refit();
+    }
+    std::vector<TypeParam> sorted;
+    for (const std::uint32_t i : tree.order()) sorted.push_back(bounds[i]);
+    tree.renumber();
+    this->expect_flat_answers(tree, sorted, 791);
+    sorted[33] = sorted[4000];
+    tree.update(std::vector<std::uint32_t>{33}, std::span<const TypeParam>(sorted).subspan(33, 1));
+    tree.refit();
+    this->expect_flat_answers(tree, sorted, 792);
+    tree.update(std::span<const TypeParam>(bounds));
+    this->expect_flat_answers(tree, bounds, 793);
+  }
+}
+
 TYPED_TEST(TreeFrames, LeavesAndOrderShowTheBounds) {
   Dice dice(75);
   const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 777);
