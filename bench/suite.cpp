@@ -20,6 +20,7 @@ void Suite::add(const std::string& name, const std::string& paper, std::function
       name.c_str(),
       [run = std::move(body), threads](benchmark::State& state) { run_on(threads, [&] { run(state); }); });
   if (manner.wall_clock) entry->UseRealTime();
+  if (manner.once) entry->Repetitions(1)->Iterations(1);
   if (manner.brief) entry->Repetitions(brief_repetitions)->MinTime(quick_ ? brief_seconds / 2 : brief_seconds);
 }
 

@@ -44,6 +44,7 @@ struct Manner {
   unsigned threads = 1;
   bool wall_clock = false;  ///< else processor time, which other programs disturb less but which counts one thread
   bool brief = false;       ///< a point of a curve: fewer and shorter repetitions
+  bool once = false;        ///< takes seconds: a single run
 };
 
 class Suite {
@@ -84,5 +85,7 @@ void declare_small(Suite& suite, const Workload& workload);   ///< small/…: on
 void declare_sweep(Suite& suite, const Workload& workload);   ///< sweep/…: by bounds, by shafts, by threads
 void declare_limit(Suite& suite, const Workload& workload);   ///< limit/…: what this machine can do at most
 void declare_exact(Suite& suite, const Workload& workload);   ///< exact/…: what exact answers cost
+void declare_tree(Suite& suite, const Workload& workload);    ///< tree/…: bounds trees
+void declare_frame(Suite& suite, const Workload& workload);   ///< frame/…: moving bounds, updated and asked
 
 }  // namespace shaftcull::bench

@@ -139,6 +139,37 @@ TEST_F(Allocation, UpdatingAStreamInPlaceDoesNone) {
             0U);
 }
 
+TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
+  const BoxTree boxes{std::span<const Box>(boxes_)};
+  const SphereTree spheres{std::span<const Sphere>(spheres_)};
+  std::vector<std::uint32_t> kept(bound_count);
+  std::vector<std::uint32_t> inside(bound_count);
+  std::vector<TreeRun> runs(bound_count);
+  const std::vector<std::uint32_t> own = {1, 2};
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(allocations_in([&] {
+                for (const CompiledShaft& shaft : shafts_) {
+                  (void)count(shaft, boxes, {.own = own});
+                  cull(shaft, boxes, std::span(kept));
+                  cull(shaft, spheres, std::span(runs));
+                  classify(shaft, boxes, std::span(kept), std::span(inside));
+                  classify(shaft, spheres, std::span(kept), std::span(inside), {.own = own});
+                  refine(shaft, boxes.leaves(), own, kept);
+                }
+              }),
+              0U)
+        << name(isa);
+  }
+}
+
+TEST_F(Allocation, UpdatingAndRefittingATreeDoNone) {
+  BoxTree boxes{std::span<const Box>(boxes_)};
+  const auto calls = [&] { boxes.update(std::span<const Box>(boxes_)); };
+  calls();  // threads are started once
+  EXPECT_EQ(allocations_in(calls), 0U);
+}
+
 TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   // oneTBB's own task memory does not come from operator new.
   const BoxColumns boxes(boxes_);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "workers.hpp"
@@ -80,7 +81,23 @@ Box City::car_at(const Car& car, double time) const {
                      : box_around({car.across, along, half_height}, {half_width, half_length, half_height});
 }
 
+void City::use_tree() {
+  tree_ = BoxTree(stream_.view());
+  stream_ = BoxStream();
+  moving_.resize(cars_.size());
+  std::iota(moving_.begin(), moving_.end(), static_cast<std::uint32_t>(buildings_));
+  moved_.resize(cars_.size());
+}
+
 void City::move_to(double time) {
+  if (tree_.size() != 0) {
+    Workers::for_chunks(cars_.size(), cars_per_chunk, [&](std::size_t first, std::size_t count) {
+      for (std::size_t i = first; i < first + count; ++i) moved_[i] = car_at(cars_[i], time);
+    });
+    tree_.update(moving_, std::span<const Box>(moved_));
+    tree_.refit();
+    return;
+  }
   Workers::for_chunks(cars_.size(), cars_per_chunk, [&](std::size_t first, std::size_t count) {
     std::array<Box, cars_per_chunk> moved;
     for (std::size_t i = 0; i < count; ++i) moved[i] = car_at(cars_[first + i], time);
@@ -109,7 +126,11 @@ void City::place_shafts(double time, std::span<Box> a, std::span<Box> b) const {
 }
 
 void City::count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const {
-  count_many(shafts, stream_.view(), kept);
+  if (tree_.size() != 0) {
+    count_many(shafts, tree_, kept);
+  } else {
+    count_many(shafts, stream_.view(), kept);
+  }
 }
 
 }  // namespace shaftcull::cli

@@ -16,8 +16,9 @@ class City : public MovingScene {
   explicit City(std::size_t count);
 
   [[nodiscard]] std::string_view name() const override { return "city"; }
-  [[nodiscard]] std::size_t bounds() const override { return stream_.size(); }
+  [[nodiscard]] std::size_t bounds() const override { return buildings_ + cars_.size(); }
   [[nodiscard]] std::size_t moving() const override { return cars_.size(); }
+  void use_tree() override;
   void move_to(double time) override;
   void place_shafts(double time, std::span<Box> a, std::span<Box> b) const override;
   void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const override;
@@ -36,7 +37,10 @@ class City : public MovingScene {
   std::size_t buildings_;
   std::size_t blocks_;  ///< along each side of the city
   std::vector<Car> cars_;
-  BoxStream stream_;  ///< buildings, then cars
+  BoxStream stream_;  ///< buildings, then cars; or nothing, and
+  BoxTree tree_;      ///< the same
+  std::vector<std::uint32_t> moving_;  ///< with a tree: the cars' indices in it, and where they are now
+  std::vector<Box> moved_;
 };
 
 }  // namespace shaftcull::cli

@@ -1,4 +1,5 @@
 /// `shaftcull cull`: which bounds of a mesh file may lie between two of its objects?
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <map>
@@ -28,6 +29,7 @@ struct CullOptions {
   std::size_t random_pairs = 0;
   std::uint64_t seed = 1;
   ReportFormat format = ReportFormat::text;
+  bool tree = false;
   InstructionSet isa;
 };
 
@@ -69,6 +71,24 @@ std::vector<PairResult> random_pairs(const MeshScene& scene, const CullOptions& 
   return pairs;
 }
 
+void find_candidates(const MeshScene& scene, const BoxTree& bounds, PairResult& pair) {
+  const CompiledShaft shaft = compile(Shaft(pair.from.box, pair.to.box));
+  std::vector<std::uint32_t> overlap(bounds.size());
+  std::vector<std::uint32_t> inside(bounds.size());
+  const KeptCounts counts = classify(shaft, bounds, std::span(overlap), std::span(inside));
+  const auto add = [&](std::span<const std::uint32_t> indices, bool is_inside) {
+    for (const std::uint32_t bound : indices) {
+      const std::uint32_t object = scene.bounds[bound].object;
+      if (object != pair.from.object && object != pair.to.object) pair.candidates.push_back({bound, is_inside});
+    }
+  };
+  add(std::span(overlap).first(counts.overlap), false);
+  add(std::span(inside).first(counts.inside), true);
+  // In the order of the file, as a scan has them.
+  std::sort(pair.candidates.begin(), pair.candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
+}
+
 void find_candidates(const MeshScene& scene, const BoxStream& bounds, PairResult& pair) {
   const CompiledShaft shaft = compile(Shaft(pair.from.box, pair.to.box));
   std::vector<std::uint64_t> kept(words_for(bounds.size()));
@@ -100,9 +120,15 @@ void run(const CullOptions& options) {
                             end_from_option(scene, options.path, "--to", options.to),
                             {}});
   }
-  const BoxStream bounds(MinMaxRecords{&scene.bounds.front().box.lo, &scene.bounds.front().box.hi, sizeof(MeshBound),
-                                       scene.bounds.size()});
-  for (PairResult& pair : report.pairs) find_candidates(scene, bounds, pair);
+  const MinMaxRecords records{&scene.bounds.front().box.lo, &scene.bounds.front().box.hi, sizeof(MeshBound),
+                              scene.bounds.size()};
+  if (options.tree) {
+    const BoxTree tree(records);
+    for (PairResult& pair : report.pairs) find_candidates(scene, tree, pair);
+  } else {
+    const BoxStream stream(records);
+    for (PairResult& pair : report.pairs) find_candidates(scene, stream, pair);
+  }
   std::fputs(format_report(report, options.format).c_str(), stdout);
 }
 
@@ -133,6 +159,7 @@ void add_cull(CLI::App& program) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, ReportFormat>{
           {"text", ReportFormat::text}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}}))
       ->type_name("FORMAT");
+  cull.add_flag("--tree", options->tree, "Put the bounds into a tree instead of scanning all of them: the same answers");
   options->isa.add_option(cull);
   cull.footer(
       "The two objects themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"

@@ -22,6 +22,8 @@ class MovingScene {
   /// How many bounds there are, and how many of them move.
   [[nodiscard]] virtual std::size_t bounds() const = 0;
   [[nodiscard]] virtual std::size_t moving() const = 0;
+  /// Keeps the bounds in a tree from now on, no longer in a stream.
+  virtual void use_tree() = 0;
   /// Moves what moves and updates its bounds in place, in parallel.
   virtual void move_to(double time) = 0;
   /// Where the two ends of every shaft are: a[i] and b[i] have a.size() boxes each.

@@ -81,19 +81,37 @@ Sphereflake::Sphereflake(std::size_t count) {
   stream_ = SphereStream(at_rest_);
 }
 
+void Sphereflake::use_tree() {
+  tree_ = SphereTree(std::span<const Sphere>(at_rest_));
+  stream_ = SphereStream();
+  // Everything moves, so the spheres are kept as the tree keeps them.
+  moved_.swap(at_rest_);
+  at_rest_.clear();
+  for (const std::uint32_t i : tree_.order()) at_rest_.push_back(moved_[i]);
+  tree_.renumber();
+}
+
 void Sphereflake::move_to(double time) {
   constexpr double turn_per_second = 0.3;
   const double angle = turn_per_second * time;
   const auto size = static_cast<float>(1.0 + 0.05 * std::sin(2.0 * time));
   const auto c = static_cast<float>(std::cos(angle)) * size;
   const auto s = static_cast<float>(std::sin(angle)) * size;
+  const auto moved = [&](const Sphere& sphere) {
+    const auto& [p, radius] = sphere;
+    return Sphere{{c * p[0] - s * p[1], s * p[0] + c * p[1], size * p[2]}, size * radius};
+  };
+  if (tree_.size() != 0) {
+    Workers::for_chunks(at_rest_.size(), spheres_per_chunk, [&](std::size_t first, std::size_t count) {
+      for (std::size_t i = first; i < first + count; ++i) moved_[i] = moved(at_rest_[i]);
+    });
+    tree_.update(std::span<const Sphere>(moved_));
+    return;
+  }
   Workers::for_chunks(at_rest_.size(), spheres_per_chunk, [&](std::size_t first, std::size_t count) {
-    std::array<Sphere, spheres_per_chunk> moved;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& [p, radius] = at_rest_[first + i];
-      moved[i] = {{c * p[0] - s * p[1], s * p[0] + c * p[1], size * p[2]}, size * radius};
-    }
-    stream_.update(first, std::span<const Sphere>(moved.data(), count));
+    std::array<Sphere, spheres_per_chunk> some;
+    for (std::size_t i = 0; i < count; ++i) some[i] = moved(at_rest_[first + i]);
+    stream_.update(first, std::span<const Sphere>(some.data(), count));
   });
 }
 
@@ -112,7 +130,11 @@ void Sphereflake::place_shafts(double time, std::span<Box> a, std::span<Box> b) 
 }
 
 void Sphereflake::count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const {
-  count_many(shafts, stream_.view(), kept);
+  if (tree_.size() != 0) {
+    count_many(shafts, tree_, kept);
+  } else {
+    count_many(shafts, stream_.view(), kept);
+  }
 }
 
 }  // namespace shaftcull::cli

@@ -7,5 +7,8 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
+#include "shaftcull/tree.hpp"

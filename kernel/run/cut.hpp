@@ -32,6 +32,11 @@ struct Run {
   return {i * length, std::min(length, whole - i * length)};
 }
 
+/// How many pieces of `length` that makes.
+[[nodiscard]] constexpr std::size_t pieces(std::size_t whole, std::size_t length) noexcept {
+  return whole / length + (whole % length != 0);
+}
+
 /// A grid of tasks, each a block of tiles × a group of shafts.
 class Cut {
  public:
@@ -56,9 +61,6 @@ class Cut {
  private:
   constexpr Cut(std::size_t bounds, std::size_t shafts, std::size_t block_tiles) noexcept
       : bounds_(bounds), shafts_(shafts), block_tiles_(block_tiles) {}
-  [[nodiscard]] static constexpr std::size_t pieces(std::size_t whole, std::size_t length) noexcept {
-    return whole / length + (whole % length != 0);
-  }
 
   std::size_t bounds_;
   std::size_t shafts_;

@@ -47,6 +47,9 @@ class MinMaxReader {
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
     float bound[rows];
     read(i, bound);
+    return is_legal(bound);
+  }
+  [[nodiscard]] static bool is_legal(const float (&bound)[rows]) noexcept {
     // Comparisons with NaN are false.
     if ((bound[0] <= bound[3]) & (bound[1] <= bound[4]) & (bound[2] <= bound[5])) [[likely]]
       return true;
@@ -137,6 +140,9 @@ class SphereReader {
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
     float bound[rows];
     read(i, bound);
+    return is_legal(bound);
+  }
+  [[nodiscard]] static bool is_legal(const float (&bound)[rows]) noexcept {
     // x − x is 0 if x is finite, else NaN.
     return (bound[0] - bound[0] == 0) & (bound[1] - bound[1] == 0) & (bound[2] - bound[2] == 0) & (bound[3] >= 0);
   }

@@ -128,14 +128,20 @@ struct SphereCorners {
   [[nodiscard]] Vector radius_at(std::size_t at) const noexcept { return L::load(radius + at); }
 };
 
+/// Where words are: one behind the other. operator()(w) is the position of the first bound of word w.
+template <class L>
+struct WordsInARow {
+  std::size_t operator()(std::size_t w) const noexcept { return w * word_bits; }
+};
+
 /// Writes the kept bits of `words` whole words: exactly, or clears the bits of those that are outside for certain.
-template <class L, template <class> class Corners, unsigned uppers, CompiledShaft::SlabForm form>
-void slab_words(const CompiledShaft& shaft, float margin, const float* const* stream, std::size_t words,
-                std::uint64_t* kept) noexcept {
+template <class L, template <class> class Corners, class Words, unsigned uppers, CompiledShaft::SlabForm form>
+void slab_words(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
+                std::size_t words, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin);
   const Corners<L> corners(shaft, stream);
   for (std::size_t w = 0; w < words; ++w) {
-    const std::size_t at = w * word_bits;
+    const std::size_t at = position(w);
     std::uint64_t outside = 0;
     typename L::Verdicts verdicts(slab.two_margins);
     for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
@@ -163,49 +169,51 @@ void slab_words(const CompiledShaft& shaft, float margin, const float* const* st
 }
 
 /// For shafts that no margin holds for.
-template <class L>
-void box_exact_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+template <class L, class Words>
+void box_exact_words(const CompiledShaft& shaft, const float* const* stream, const Words& position, std::size_t words,
                      std::uint64_t* kept) noexcept {
   const SlabPredicate exact(shaft);
   for (std::size_t w = 0; w < words; ++w) {
     kept[w] = ~decide_lanes<L>(~std::uint64_t{0}, [&](unsigned lane) {
-      return exact.outside(BoundAt<L, 6>(stream, w * word_bits + lane).value);
+      return exact.outside(BoundAt<L, 6>(stream, position(w) + lane).value);
     });
   }
 }
 
-/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's always in the fused form.
-template <class L, template <class> class Corners>
-void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, std::size_t words,
-                   std::uint64_t* kept) noexcept {
+/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's always in the
+/// fused form.
+template <class L, template <class> class Corners, class Words>
+void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
+                   std::size_t words, std::uint64_t* kept) noexcept {
   using enum CompiledShaft::SlabForm;
-  using Words = void(const CompiledShaft&, float, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[2][7] = {
-      {nullptr, slab_words<L, Corners, 1, fused>, slab_words<L, Corners, 2, fused>, slab_words<L, Corners, 3, fused>,
-       slab_words<L, Corners, 4, fused>, slab_words<L, Corners, 5, fused>, slab_words<L, Corners, 6, fused>},
-      {slab_words<L, Corners, 0, difference>, slab_words<L, Corners, 1, difference>, slab_words<L, Corners, 2, difference>,
-       slab_words<L, Corners, 3, difference>, slab_words<L, Corners, 4, difference>, slab_words<L, Corners, 5, difference>,
-       slab_words<L, Corners, 6, difference>}};
-  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, words, kept);
+  using TestWords = void(const CompiledShaft&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
+  static constexpr TestWords* by_uppers[2][7] = {
+      {nullptr, slab_words<L, Corners, Words, 1, fused>, slab_words<L, Corners, Words, 2, fused>,
+       slab_words<L, Corners, Words, 3, fused>, slab_words<L, Corners, Words, 4, fused>,
+       slab_words<L, Corners, Words, 5, fused>, slab_words<L, Corners, Words, 6, fused>},
+      {slab_words<L, Corners, Words, 0, difference>, slab_words<L, Corners, Words, 1, difference>, slab_words<L, Corners, Words, 2, difference>,
+       slab_words<L, Corners, Words, 3, difference>, slab_words<L, Corners, Words, 4, difference>,
+       slab_words<L, Corners, Words, 5, difference>, slab_words<L, Corners, Words, 6, difference>}};
+  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, position, words, kept);
 }
 
 /// First stage of the slab form: writes the kept bits of `words` whole words.
-template <class L>
-void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                    std::uint64_t* kept) noexcept {
+template <class L, class Words = WordsInARow<L>>
+void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                    const Words& position = {}) noexcept {
   if (shaft.slab_form == CompiledShaft::SlabForm::exact) [[unlikely]] {
-    return box_exact_words<L>(shaft, stream, words, kept);
+    return box_exact_words<L>(shaft, stream, position, words, kept);
   }
-  slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, words, kept);
+  slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, position, words, kept);
 }
 
 /// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside for certain. Their
 /// corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12 (docs/exactness.md).
-template <class L, template <class> class Corners>
-void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                       std::uint64_t* kept) noexcept {
+template <class L, template <class> class Corners, class Words = WordsInARow<L>>
+void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                       const Words& position = {}) noexcept {
   constexpr float wider = 1.25F;
-  slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, words, kept);
+  slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, position, words, kept);
 }
 
 }  // namespace shaftcull::kernel

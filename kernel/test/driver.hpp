@@ -9,7 +9,9 @@
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
 #include "test/survivors.hpp"
+#include "test/unite.hpp"
 #include "test/word.hpp"
+#include "test/words.hpp"
 
 namespace shaftcull::kernel {
 
@@ -199,6 +201,10 @@ inline constexpr Kernels kernels_for = {
     .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
     .box_spheres = box_spheres<L>,
     .compile_batch = compile_pairs<FormationLanes>,
+    .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
+    .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
+    .unite_boxes = unite_boxes<L>,
+    .unite_spheres = unite_spheres<L>,
 };
 
 }  // namespace shaftcull::kernel

@@ -22,6 +22,16 @@ using BoxSpheres = void(const float* const* sphere, std::size_t count, float* co
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
 using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
 
+/// Tests `words` whole words of bounds, word i being those from stream[·][64 · word[i]] on. Writes their kept bits, and
+/// unless `inside` is null the inside bits of those words that keep `least_kept` bounds or more, zero for the
+/// others. The shaft must have its planes if `inside` is not null or the form or kind of bounds needs them.
+using TestListedWords = void(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
+                             std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept;
+
+/// Writes the box around each of `words` words of bounds, at most 64, to node[0 … 5]. Returns which of them hold a
+/// bound that is empty (for spheres: with a negative radius). NaN must not occur.
+using Unite = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
+
 struct Kernels {
   Test* boxes_slab;
   Test* boxes_planes;
@@ -30,6 +40,10 @@ struct Kernels {
   Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
   BoxSpheres* box_spheres;
   CompileBatch* compile_batch;
+  TestListedWords* listed_boxes;
+  TestListedWords* listed_spheres;
+  Unite* unite_boxes;
+  Unite* unite_spheres;
 
   [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {
     return form == Form::planes ? boxes_planes : boxes_slab;
@@ -37,6 +51,10 @@ struct Kernels {
   [[nodiscard]] Test* test(const SphereView& /*spheres*/, Form form) const noexcept {
     return form == Form::planes ? spheres_planes : spheres_slab;
   }
+  [[nodiscard]] TestListedWords* listed(const BoxView& /*boxes*/) const noexcept { return listed_boxes; }
+  [[nodiscard]] TestListedWords* listed(const SphereView& /*spheres*/) const noexcept { return listed_spheres; }
+  [[nodiscard]] Unite* unite(const BoxView& /*boxes*/) const noexcept { return unite_boxes; }
+  [[nodiscard]] Unite* unite(const SphereView& /*spheres*/) const noexcept { return unite_spheres; }
 };
 
 /// The kernels of active_isa(); throws as it does.

@@ -236,6 +236,19 @@ TEST_F(CliCull, RejectsBoxesThatNoShaftCanHave) {
   expect_one_line_and_exit_code_2(cull({"--from", "0,0,0,1,1", "--to", "right"}));
 }
 
+TEST_F(CliCull, SaysTheSameWithATree) {
+  for (const char* format : {"text", "json", "csv"}) {
+    const std::vector<std::string> arguments = {"--random", "10", "--bounds", "triangle", "--format", format};
+    std::vector<std::string> with_tree = arguments;
+    with_tree.push_back("--tree");
+    const Outcome scanned = cull(arguments);
+    const Outcome outcome = cull(with_tree);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_THAT(outcome.out, Not(IsEmpty()));
+    EXPECT_EQ(outcome.out, scanned.out);
+  }
+}
+
 TEST_F(CliCull, RejectsContradictoryOptions) {
   expect_one_line_and_exit_code_2(cull({}));
   expect_one_line_and_exit_code_2(cull({"--from", "left"}));

@@ -10,6 +10,7 @@
 
 #include "dice.hpp"
 #include "fuzz/check.hpp"
+#include "fuzz/trees.hpp"
 
 namespace shaftcull::fuzz {
 namespace {
@@ -43,6 +44,7 @@ void check(const Bytes& bytes, std::size_t most_exact) {
   try {
     check_answers(it);
     check_exact(it, most_exact);
+    check_trees(it);
   } catch (const Fault& fault) {
     FAIL() << fault.what() << "\n  input (xxd -r -p): " << hexadecimal(bytes);
   }

@@ -5,11 +5,15 @@
 #include <span>
 
 #include "fuzz/check.hpp"
+#include "fuzz/trees.hpp"
 
 namespace {
 
 /// One input in so many is compared with exact arithmetic, which takes some fifty times as long.
 constexpr unsigned exact_every = 64;
+
+/// And one in so many is put into trees.
+constexpr unsigned trees_every = 16;
 
 }  // namespace
 
@@ -21,7 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const auto it = shaftcull::fuzz::Case::read(input);
     shaftcull::fuzz::check_answers(it);
     // Drawn by content, so that an input that fails fails again.
-    if (std::accumulate(input.begin(), input.end(), 0U) % exact_every == 0) shaftcull::fuzz::check_exact(it, 4);
+    const unsigned draw = std::accumulate(input.begin(), input.end(), 0U);
+    if (draw % exact_every == 0) shaftcull::fuzz::check_exact(it, 4);
+    if (draw % trees_every == 1) shaftcull::fuzz::check_trees(it);
   } catch (const shaftcull::fuzz::Fault& fault) {
     std::fprintf(stderr, "%s\n", fault.what());
     std::abort();

@@ -1,0 +1,120 @@
+#include "shaftcull/refine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+#include <tuple>
+
+#include "run/cut.hpp"
+#include "run/job.hpp"
+#include "run/parallel.hpp"
+#include "shaftcull/error.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class View>
+inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>;
+
+/// Candidates ahead of the one collected whose bounds are prefetched.
+constexpr std::size_t prefetched_candidates = 16;
+
+template <class View>
+void require_candidates(const View& view, std::span<const std::uint32_t> candidates) {
+  std::uint32_t most = 0;
+  for (const std::uint32_t candidate : candidates) most = std::max(most, candidate);
+  if (candidates.empty() || most < view.count) return;
+  const auto bad = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t c) { return c >= view.count; });
+  throw InvalidArgument("refine: candidates[" + std::to_string(bad - candidates.begin()) + "] = " + std::to_string(*bad) +
+                        " is not below the number of bounds, " + std::to_string(view.count));
+}
+
+/// Copies the bounds of candidates [first, first + size) side by side.
+template <class View>
+void collect(const View& view, std::span<const std::uint32_t> candidates, std::size_t first, std::size_t size,
+             const std::array<float*, rows_of<View>>& row) noexcept {
+  for (std::size_t i = 0; i != size; ++i) {
+    if (first + i + prefetched_candidates < candidates.size()) {
+      for (const float* stream : view.stream) __builtin_prefetch(stream + candidates[first + i + prefetched_candidates]);
+    }
+    for (std::size_t s = 0; s != row.size(); ++s) row[s][i] = view.stream[s][candidates[first + i]];
+  }
+}
+
+template <class View>
+std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const std::uint32_t> candidates,
+                        std::span<std::uint32_t> kept) {
+  const kernel::Job<View> job({&shaft, 1}, view, false, Form::fastest);
+  require_candidates(view, candidates);
+  if (kept.size() < candidates.size()) {
+    throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) + " indices; it needs as much as the " +
+                          std::to_string(candidates.size()) + " candidates");
+  }
+  CompiledShaft ready = shaft;  // planes once, not block by block
+  if constexpr (std::is_same_v<View, SphereView>) complete(ready);
+  constexpr std::size_t block = 1024;
+  float memory[rows_of<View>][block];
+  std::array<float*, rows_of<View>> row;
+  for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory[s];
+  View some;
+  for (std::size_t s = 0; s != row.size(); ++s) some.stream[s] = memory[s];
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < candidates.size(); first += block) {
+    some.count = std::min(block, candidates.size() - first);
+    collect(view, candidates, first, some.count, row);
+    std::uint64_t bits[block / 64];
+    cull(ready, some, std::span(bits, words_for(some.count)));
+    for (std::size_t w = 0; w != words_for(some.count); ++w) {
+      for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
+        // Never ahead of what is read, so `kept` may be the candidates' own memory.
+        kept[count++] = candidates[first + w * 64 + static_cast<std::size_t>(std::countr_zero(left))];
+      }
+    }
+  }
+  return count;
+}
+
+template <class View>
+void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const std::uint32_t> candidates,
+                  IndexLists& lists) {
+  require_candidates(view, candidates);
+  const StreamMemory memory(rows_of<View>, words_for(candidates.size()) * 64);
+  View packed;
+  packed.count = candidates.size();
+  for (std::size_t s = 0; s != rows_of<View>; ++s) packed.stream[s] = memory.row(s);
+  constexpr std::size_t block = 16384;
+  kernel::parallel_for(kernel::pieces(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
+    const kernel::Run task = kernel::piece(candidates.size(), block, b);
+    std::array<float*, rows_of<View>> row;
+    for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory.row(s) + task.first;
+    collect(view, candidates, task.first, task.size, row);
+  });
+  list_many(shafts, packed, lists);
+  kernel::parallel_for(kernel::pieces(lists.indices.size(), block), 1, [&](std::size_t b, std::size_t) {
+    const kernel::Run task = kernel::piece(lists.indices.size(), block, b);
+    for (std::size_t i = task.first; i != task.end(); ++i) lists.indices[i] = candidates[lists.indices[i]];
+  });
+}
+
+}  // namespace
+
+std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> candidates,
+                   std::span<std::uint32_t> kept) {
+  return refine_list(shaft, boxes, candidates, kept);
+}
+std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
+                   std::span<std::uint32_t> kept) {
+  return refine_list(shaft, spheres, candidates, kept);
+}
+
+void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<const std::uint32_t> candidates,
+                 IndexLists& lists) {
+  refine_lists(shafts, boxes, candidates, lists);
+}
+void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<const std::uint32_t> candidates,
+                 IndexLists& lists) {
+  refine_lists(shafts, spheres, candidates, lists);
+}
+
+}  // namespace shaftcull

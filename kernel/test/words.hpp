@@ -1,0 +1,103 @@
+/// Whole words of bounds, wherever they lie: what a walk through a bounds tree asks at each level.
+#pragma once
+
+#include "simd/float_environment.hpp"
+#include "test/box_slab.hpp"
+#include "test/kernels.hpp"
+#include "test/spheres.hpp"
+#include "test/survivors.hpp"
+#include "test/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Words from a list. Asked for one, fetches the bounds of one that comes later, which the processor could not guess.
+template <class L, unsigned streams>
+class ListedWords {
+ public:
+  ListedWords(const float* const* stream, const std::uint32_t* word, std::size_t words) noexcept
+      : stream_(stream), word_(word), words_(words) {
+    for (std::size_t w = 0; w < words && w < ahead; ++w) fetch(w);
+  }
+  std::size_t operator()(std::size_t w) const noexcept {
+    if (w + ahead < words_) fetch(w + ahead);
+    return std::size_t{word_[w]} * word_bits;
+  }
+
+ private:
+  static constexpr std::size_t ahead = 2;
+
+  void fetch(std::size_t w) const noexcept {
+    constexpr unsigned line = 64 / sizeof(float);
+    for (unsigned s = 0; s < streams; ++s) {
+      const float* const start = stream_[s] + std::size_t{word_[w]} * word_bits;
+      for (unsigned i = 0; i < word_bits; i += line) __builtin_prefetch(start + i);
+    }
+  }
+
+  const float* const* stream_;
+  const std::uint32_t* word_;
+  std::size_t words_;
+};
+
+/// Calls use(stream, i) for every word i of a list that still has bits, with the streams from its first bound on.
+template <class L, unsigned streams, class Use>
+void for_each_word(const float* const* stream, const std::uint32_t* word, std::size_t words, const std::uint64_t* bits,
+                   unsigned least, Use use) noexcept {
+  for (std::size_t i = 0; i < words; ++i) {
+    if (static_cast<unsigned>(__builtin_popcountll(bits[i])) < least) continue;
+    const float* at[streams];
+    for (unsigned s = 0; s < streams; ++s) at[s] = stream[s] + std::size_t{word[i]} * word_bits;
+    use(at, i);
+  }
+}
+
+/// Runs stage(stream, words, bits), which clears bits, on the bounds of listed words whose bits are set.
+template <class L, unsigned streams, class Stage>
+void narrow_listed(const float* const* stream, const std::uint32_t* word, std::size_t words, std::uint64_t* bits,
+                   Stage stage) noexcept {
+  for_each_word<L, streams>(stream, word, words, bits, 1, [&](const float* const* at, std::size_t i) {
+    narrow<L, streams>(at, 1, bits + i, stage);
+  });
+}
+
+/// As Stages::cull, for words of a list.
+template <class L, class Stages>
+void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
+                       std::uint64_t* kept) noexcept {
+  const ListedWords<L, Stages::streams> position(stream, word, words);
+  if constexpr (Stages::streams == 6) {
+    box_slab_stage<L>(shaft, stream, words, kept, position);
+    if (shaft.added_count == 0) return;
+    narrow_listed<L, 6>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_added_stage<L>(shaft, some, n, bits);
+    });
+  } else if (Stages::cull_needs_planes(shaft)) {
+    for (std::size_t i = 0; i < words; ++i) {
+      const float* at[Stages::streams];
+      const std::size_t first = position(i);
+      for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + first;
+      Stages::cull(shaft, at, 1, kept + i);
+    }
+  } else {
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept, position);
+    narrow_listed<L, 4>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_settle_stage<L>(shaft, some, n, bits);
+    });
+  }
+}
+
+/// The test of listed words, as Kernels has it.
+template <class L, class Stages>
+void test_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
+                       std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
+  const FloatEnvironment<L> environment;
+  cull_listed_words<L, Stages>(shaft, stream, word, words, kept);
+  if (inside == nullptr) return;
+  for (std::size_t i = 0; i < words; ++i) inside[i] = 0;
+  for_each_word<L, Stages::streams>(stream, word, words, kept, least_kept, [&](const float* const* at, std::size_t i) {
+    inside[i] = kept[i];
+    Stages::contain(shaft, at, 1, inside + i);
+  });
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,131 @@
+#include "tree/build.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "tree/order.hpp"
+#include "tree/size_class.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// What lies in padding: outside of everything without a second look.
+constexpr float nowhere[6] = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
+constexpr float no_sphere[4] = {0, 0, 0, -1};
+
+template <std::size_t rows>
+void fill_from(const StreamMemory& memory, std::size_t from, const float (&value)[rows]) {
+  for (std::size_t s = 0; s != rows; ++s) std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
+}
+
+/// Some of the bounds' centres, evenly spaced in the user's order.
+template <class Source>
+std::vector<Vec3> sample_of(const Source& source) {
+  constexpr std::size_t most = 1024;
+  const std::size_t step = source.count() / most + 1;
+  std::vector<Vec3> sample;
+  for (std::size_t i = 0; i < source.count(); i += step) {
+    float bound[Source::rows];
+    source.read(i, bound);
+    const Placement place = placement(bound);
+    if (place.extent >= 0) sample.push_back(place.centre);
+  }
+  return sample;
+}
+
+/// Entries for all bounds, sorted by size class; where each class begins goes to class_first.
+template <class Source>
+std::vector<OrderEntry> entries_by_class(const Source& source, std::size_t (&class_first)[size_classes + 1]) {
+  const std::size_t count = source.count();
+  const float node_size = usual_node_size(sample_of(source), count);
+  const std::size_t blocks = pieces(count, source_block);
+  std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
+  parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
+    const Run block = piece(count, source_block, b);
+    std::array<std::size_t, size_classes> counts{};
+    for (std::size_t i = block.first; i != block.end(); ++i) {
+      float bound[Source::rows];
+      source.read(i, bound);
+      ++counts[size_class(placement(bound).extent, node_size)];
+    }
+    places[b] = counts;
+  });
+  std::size_t next = 0;
+  for (unsigned c = 0; c != size_classes; ++c) {
+    class_first[c] = next;
+    for (std::size_t b = 0; b != blocks; ++b) next += std::exchange(places[b][c], next);
+  }
+  class_first[size_classes] = next;
+
+  std::vector<OrderEntry> entries(count);
+  parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
+    const Run block = piece(count, source_block, b);
+    std::array<std::size_t, size_classes> place = places[b];
+    for (std::size_t i = block.first; i != block.end(); ++i) {
+      float bound[Source::rows];
+      source.read(i, bound);
+      const Placement where = placement(bound);
+      entries[place[size_class(where.extent, node_size)]++] = OrderEntry(where.centre, static_cast<std::uint32_t>(i));
+    }
+  });
+  return entries;
+}
+
+}  // namespace
+
+template <class Bound>
+void lay_out(TreeParts<Bound>& parts, std::size_t size) {
+  parts.size = size;
+  parts.leaves = StreamMemory(rows_of<Bound>, words_for(size) * 64);
+  if constexpr (std::is_same_v<Bound, Box>) {
+    fill_from(parts.leaves, size, nowhere);
+  } else {
+    fill_from(parts.leaves, size, no_sphere);
+  }
+  if (size == 0) return;
+  std::size_t nodes = 0;
+  parts.level[0] = {size, 0};
+  parts.levels = 1;
+  while (parts.level[parts.levels - 1].words() > top_words) {
+    TreeLevel& level = parts.level[parts.levels];
+    level = {parts.level[parts.levels - 1].words(), nodes};
+    nodes += level.words() * 64;
+    ++parts.levels;
+  }
+  parts.nodes = StreamMemory(6, nodes);
+  fill_from(parts.nodes, 0, nowhere);
+  parts.gaps.assign(nodes / 64, ~std::uint64_t{0});
+}
+
+template <class Bound>
+TreeParts<Bound> build(const RecordSource<Bound>& source) {
+  TreeParts<Bound> parts;
+  lay_out(parts, source.count());
+  std::size_t class_first[size_classes + 1];
+  std::vector<OrderEntry> entries = entries_by_class(source, class_first);
+  sort_into_tree_order(entries, class_first);
+
+  parts.order.resize(parts.size);
+  const auto row = parts.leaf_rows();
+  parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
+    const Run block = piece(parts.size, source_block, b);
+    for (std::size_t p = block.first; p != block.end(); ++p) {
+      if (p + prefetched_bounds < parts.size) source.prefetch(entries[p + prefetched_bounds].index);
+      const std::uint32_t i = parts.order[p] = entries[p].index;
+      float bound[rows_of<Bound>];
+      source.read(i, bound);
+      for (std::size_t s = 0; s != rows_of<Bound>; ++s) row[s][p] = bound[s];
+    }
+  });
+  fit_all(parts);
+  parts.surface_when_built = surface(parts);
+  return parts;
+}
+
+template TreeParts<Box> build(const RecordSource<Box>& source);
+template TreeParts<Sphere> build(const RecordSource<Sphere>& source);
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,13 @@
+/// A tree from bounds.
+#pragma once
+
+#include "tree/parts.hpp"
+#include "tree/source.hpp"
+
+namespace shaftcull::kernel {
+
+/// Sorts the bounds of a source, which are legal, and fits nodes to them. Leaf p is bound order[p] of the source.
+template <class Bound>
+TreeParts<Bound> build(const RecordSource<Bound>& source);
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,139 @@
+/// Nodes around what they hold: one pass over the leaves, or over those that changed.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "run/cut.hpp"
+#include "run/parallel.hpp"
+#include "test/kernels.hpp"
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// Fits `words` entries of level k, at most 64, from entry `first` on, a multiple of 64.
+template <class Bound>
+void fit_words(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t first, std::size_t words) {
+  const auto out = parts.node_rows(k, first);
+  std::uint64_t gaps = 0;
+  if (k == 1) {
+    const auto rows = parts.leaf_rows(first * fanout);
+    const float* in[rows_of<Bound>];
+    std::copy(rows.begin(), rows.end(), in);
+    gaps = kernels.unite(ViewOf<Bound>{})(in, words, out.data());
+  } else {
+    const auto rows = parts.node_rows(k - 1, first * fanout);
+    const float* in[6];
+    std::copy(rows.begin(), rows.end(), in);
+    gaps = kernels.unite_boxes(in, words, out.data());
+    const std::uint64_t* const below = parts.gap_words(k - 1) + first;
+    for (std::size_t w = 0; w != words; ++w) gaps |= std::uint64_t{below[w] != 0} << w;
+  }
+  if (words < fanout) gaps |= ~std::uint64_t{0} << words;  // padding
+  parts.gap_words(k)[first / fanout] = gaps;
+}
+
+/// Fits one entry of level k.
+template <class Bound>
+void fit_entry(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) {
+  const auto out = parts.node_rows(k, entry);
+  bool gap = false;
+  if (k == 1) {
+    const auto rows = parts.leaf_rows(entry * fanout);
+    const float* in[rows_of<Bound>];
+    std::copy(rows.begin(), rows.end(), in);
+    gap = kernels.unite(ViewOf<Bound>{})(in, 1, out.data()) != 0;
+  } else {
+    const auto rows = parts.node_rows(k - 1, entry * fanout);
+    const float* in[6];
+    std::copy(rows.begin(), rows.end(), in);
+    gap = kernels.unite_boxes(in, 1, out.data()) != 0 || parts.gap_words(k - 1)[entry] != 0;
+  }
+  const std::uint64_t bit = std::uint64_t{1} << entry % fanout;
+  std::uint64_t& word = parts.gap_words(k)[entry / fanout];
+  word = gap ? word | bit : word & ~bit;
+}
+
+/// Entries of level 1 that a task fits: 1.5 MiB of boxes.
+constexpr std::size_t task_entries = 1024;
+
+}  // namespace
+
+template <class Bound>
+void fit_leaf_words(TreeParts<Bound>& parts, std::size_t first, std::size_t words) {
+  fit_words(parts, active_kernels(), 1, first, words);
+}
+
+template <class Bound>
+void fit_upper(TreeParts<Bound>& parts) {
+  const Kernels& kernels = active_kernels();
+  for (std::size_t k = 2; k < parts.levels; ++k) {
+    for (std::size_t first = 0; first < parts.level[k].entries; first += fanout) {
+      fit_words(parts, kernels, k, first, std::min(fanout, parts.level[k].entries - first));
+    }
+  }
+}
+
+template <class Bound>
+void fit_all(TreeParts<Bound>& parts) {
+  if (parts.levels > 1) {
+    const std::size_t entries = parts.level[1].entries;
+    parallel_for(pieces(entries, task_entries), 1, [&](std::size_t t, std::size_t) {
+      const Kernels& kernels = active_kernels();
+      const Run task = piece(entries, task_entries, t);
+      for (std::size_t first = task.first; first < task.end(); first += fanout) {
+        fit_words(parts, kernels, 1, first, std::min(fanout, entries - first));
+      }
+    });
+    fit_upper(parts);
+  }
+  std::fill(parts.dirty.begin(), parts.dirty.end(), 0);
+  parts.dirty_words = 0;
+}
+
+template <class Bound>
+void fit_dirty(TreeParts<Bound>& parts) {
+  const Kernels& kernels = active_kernels();
+  std::vector<std::size_t> entries;  // of one level, ascending
+  for (std::size_t w = 0; w != parts.dirty.size(); ++w) {
+    for (std::uint64_t left = parts.dirty[w]; left != 0; left &= left - 1) {
+      entries.push_back(w * 64 + static_cast<std::size_t>(std::countr_zero(left)));
+    }
+    parts.dirty[w] = 0;
+  }
+  parts.dirty_words = 0;
+  for (std::size_t k = 1; k < parts.levels; ++k) {
+    for (const std::size_t entry : entries) fit_entry(parts, kernels, k, entry);
+    for (std::size_t& entry : entries) entry /= fanout;
+    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  }
+}
+
+template <class Bound>
+double surface(const TreeParts<Bound>& parts) {
+  if (parts.levels < 2) return 0;
+  double sum = 0;
+  const auto row = parts.node_rows(1);
+  for (std::size_t i = 0; i != parts.level[1].entries; ++i) {
+    const double x = static_cast<double>(row[3][i]) - static_cast<double>(row[0][i]);
+    const double y = static_cast<double>(row[4][i]) - static_cast<double>(row[1][i]);
+    const double z = static_cast<double>(row[5][i]) - static_cast<double>(row[2][i]);
+    const double half = x * y + y * z + z * x;
+    if (x >= 0 && std::isfinite(half)) sum += half;
+  }
+  return sum;
+}
+
+template void fit_leaf_words(TreeParts<Box>& parts, std::size_t first, std::size_t words);
+template void fit_leaf_words(TreeParts<Sphere>& parts, std::size_t first, std::size_t words);
+template void fit_upper(TreeParts<Box>& parts);
+template void fit_upper(TreeParts<Sphere>& parts);
+template void fit_all(TreeParts<Box>& parts);
+template void fit_all(TreeParts<Sphere>& parts);
+template void fit_dirty(TreeParts<Box>& parts);
+template void fit_dirty(TreeParts<Sphere>& parts);
+template double surface(const TreeParts<Box>& parts);
+template double surface(const TreeParts<Sphere>& parts);
+
+}  // namespace shaftcull::kernel

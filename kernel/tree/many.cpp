@@ -1,0 +1,210 @@
+/// Many shafts against a tree, in parallel: counts, lists and callbacks.
+#include <algorithm>
+#include <utility>
+
+#include "run/cut.hpp"
+#include "run/parallel.hpp"
+#include "tree/query.hpp"
+
+namespace shaftcull {
+namespace {
+
+using kernel::piece;
+using kernel::pieces;
+using kernel::Question;
+using kernel::Run;
+
+/// Shafts in a task: some ten to hundreds of microseconds.
+constexpr std::size_t task_shafts = 16;
+
+template <class Bound>
+void count_all(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, std::span<std::uint64_t> counts,
+               const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
+  if (counts.size() != shafts.size()) {
+    throw InvalidArgument("kept_counts has room for " + std::to_string(counts.size()) + " counts; " +
+                          std::to_string(shafts.size()) + " shafts need one each");
+  }
+  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const Run task = piece(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::Counter counter;
+      query.walk(s, counter);
+      counts[s] = counter.count();
+    }
+  });
+}
+
+std::vector<std::uint32_t>& items_of(IndexLists& lists) { return lists.indices; }
+std::vector<TreeRun>& items_of(RunLists& lists) { return lists.runs; }
+template <class Output>
+kernel::IndexList<Output> list_of(const std::uint32_t* order, Output& output, const IndexLists& /*kind*/) {
+  return {order, output};
+}
+template <class Output>
+kernel::RunList<Output> list_of(const std::uint32_t* order, Output& output, const RunLists& /*kind*/) {
+  return {order, output};
+}
+
+/// What tasks leave, piece by piece, to be put side by side.
+template <class Lists>
+class Pieces {
+ public:
+  using Item = typename std::remove_reference_t<decltype(items_of(std::declval<Lists&>()))>::value_type;
+  using Output = kernel::GrowingOutput<Item>;
+
+  Pieces(std::size_t shafts, Lists& lists) : shafts_(shafts), piece_(pieces(shafts, task_shafts)), lists_(lists) {
+    lists.offsets.assign(shafts + 1, 0);
+  }
+  [[nodiscard]] Output& operator[](std::size_t task) noexcept { return piece_[task]; }
+  /// Shaft s is done; what it added is at the end of its task's piece.
+  void close(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = piece_[task].count(); }
+
+  void put_together() {
+    std::uint64_t before = 0;
+    for (std::size_t t = 0; t != piece_.size(); ++t) {
+      const Run task = piece(shafts_, task_shafts, t);
+      for (std::size_t s = task.first; s != task.end(); ++s) lists_.offsets[s + 1] += before;
+      before = lists_.offsets[task.end()];
+    }
+    auto& items = items_of(lists_);
+    if (items.capacity() < before) items.clear();  // do not copy what is to be overwritten
+    items.resize(static_cast<std::size_t>(before));
+    kernel::parallel_for(piece_.size(), 1, [&](std::size_t t, std::size_t) {
+      const Output done = std::move(piece_[t]);
+      std::copy(done.data(), done.data() + done.count(), items.data() + lists_.offsets[t * task_shafts]);
+    });
+  }
+
+ private:
+  std::size_t shafts_;
+  std::vector<Output> piece_;
+  Lists& lists_;
+};
+
+template <class Bound, class Lists>
+void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& kept, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
+  Pieces<Lists> all(shafts.size(), kept);
+  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const Run task = piece(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::KeptLister lister(list_of(query.order(), all[t], kept));
+      query.walk(s, lister);
+      all.close(t, s);
+    }
+  });
+  all.put_together();
+}
+
+template <class Bound, class Lists>
+void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& overlap, Lists& inside,
+                  const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept_and_inside, excluding);
+  Pieces<Lists> overlaps(shafts.size(), overlap);
+  Pieces<Lists> insides(shafts.size(), inside);
+  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const Run task = piece(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::ClassLister lister(list_of(query.order(), overlaps[t], overlap), list_of(query.order(), insides[t], inside));
+      query.walk(s, lister);
+      overlaps.close(t, s);
+      insides.close(t, s);
+    }
+  });
+  overlaps.put_together();
+  insides.put_together();
+}
+
+/// Shafts whose answers wait for their turn, for each thread.
+constexpr std::size_t slots_per_thread = 8;
+
+template <class Bound>
+void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, const ShaftCallback& callback,
+              Question question, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, question, excluding);
+  using Output = kernel::GrowingOutput<TreeRun>;
+  struct Slot {
+    Output kept;
+    Output inside;
+  };
+  std::vector<Slot> slots(slots_per_thread * static_cast<std::size_t>(kernel::threads_here()));
+  const auto work = [&](std::size_t s, std::size_t slot) {
+    Slot& here = slots[slot];
+    here.kept.clear();
+    here.inside.clear();
+    using List = kernel::RunList<Output>;
+    if (question == Question::kept) {
+      kernel::KeptLister lister(List(query.order(), here.kept));
+      query.walk(s, lister);
+    } else {
+      kernel::ClassLister lister(List(query.order(), here.kept), List(query.order(), here.inside));
+      query.walk(s, lister);
+    }
+  };
+  const auto deliver = [&](std::size_t s, std::size_t slot) {
+    const Slot& here = slots[slot];
+    callback({s, {here.kept.data(), here.kept.count()}, {here.inside.data(), here.inside.count()}});
+  };
+  kernel::ordered_pipeline(shafts.size(), slots.size(), work, deliver);
+}
+
+}  // namespace
+
+void count_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, std::span<std::uint64_t> kept_counts,
+                const Excluding& excluding) {
+  count_all(shafts, tree, kept_counts, excluding);
+}
+void count_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, std::span<std::uint64_t> kept_counts,
+                const Excluding& excluding) {
+  count_all(shafts, tree, kept_counts, excluding);
+}
+
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& kept, const Excluding& excluding) {
+  list_kept(shafts, tree, kept, excluding);
+}
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& kept, const Excluding& excluding) {
+  list_kept(shafts, tree, kept, excluding);
+}
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& kept, const Excluding& excluding) {
+  list_kept(shafts, tree, kept, excluding);
+}
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& kept, const Excluding& excluding) {
+  list_kept(shafts, tree, kept, excluding);
+}
+
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& overlap, IndexLists& inside,
+               const Excluding& excluding) {
+  list_classes(shafts, tree, overlap, inside, excluding);
+}
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& overlap, IndexLists& inside,
+               const Excluding& excluding) {
+  list_classes(shafts, tree, overlap, inside, excluding);
+}
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& overlap, RunLists& inside,
+               const Excluding& excluding) {
+  list_classes(shafts, tree, overlap, inside, excluding);
+}
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& overlap, RunLists& inside,
+               const Excluding& excluding) {
+  list_classes(shafts, tree, overlap, inside, excluding);
+}
+
+void cull_each(std::span<const CompiledShaft> shafts, const BoxTree& tree, const ShaftCallback& callback,
+               const Excluding& excluding) {
+  hand_out(shafts, tree, callback, Question::kept, excluding);
+}
+void cull_each(std::span<const CompiledShaft> shafts, const SphereTree& tree, const ShaftCallback& callback,
+               const Excluding& excluding) {
+  hand_out(shafts, tree, callback, Question::kept, excluding);
+}
+void classify_each(std::span<const CompiledShaft> shafts, const BoxTree& tree, const ShaftCallback& callback,
+                   const Excluding& excluding) {
+  hand_out(shafts, tree, callback, Question::kept_and_inside, excluding);
+}
+void classify_each(std::span<const CompiledShaft> shafts, const SphereTree& tree, const ShaftCallback& callback,
+                   const Excluding& excluding) {
+  hand_out(shafts, tree, callback, Question::kept_and_inside, excluding);
+}
+
+}  // namespace shaftcull

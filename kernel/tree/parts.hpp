@@ -1,0 +1,93 @@
+/// What a bounds tree is made of: streams of leaves and of nodes, and nothing that points from one to the other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "shaftcull/streams.hpp"
+#include "shaftcull/tree.hpp"
+
+namespace shaftcull::kernel {
+
+inline constexpr std::size_t fanout = 64;
+
+/// A tree is not made narrower than this many words at the top: visiting them all costs less than one more level.
+inline constexpr std::size_t top_words = 2;
+
+/// Six levels hold 64⁶ bounds, more than can be.
+inline constexpr std::size_t most_levels = 6;
+
+/// One level: level 0 is the leaves, entry i of another is the box around entries 64 i … of the one below.
+struct TreeLevel {
+  std::size_t entries = 0;
+  std::size_t first = 0;  ///< where its entries begin in the streams of nodes: a multiple of 64. Not for level 0
+
+  [[nodiscard]] std::size_t words() const noexcept { return words_for(entries); }
+};
+
+/// Number of streams of a bound.
+template <class Bound>
+inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(ViewOf<Bound>::stream)>;
+
+template <class Bound>
+struct TreeParts {
+  std::size_t size = 0;
+  std::array<TreeLevel, most_levels> level;
+  std::size_t levels = 0;  ///< 0 for an empty tree
+
+  StreamMemory leaves;   ///< bounds in tree order; padding that is outside of everything
+  StreamMemory nodes;    ///< boxes of all levels above the leaves; padding is empty boxes
+
+  /// Bit i of word first / 64 + i / 64 of a level: something below entry i is empty, or padding, so that it is outside even
+  /// where the box of the entry is inside.
+  std::vector<std::uint64_t> gaps;
+
+  std::vector<std::uint32_t> order;      ///< leaf → the user's index
+  std::vector<std::uint32_t> place;      ///< the user's index → leaf; empty until somebody updates by index
+  std::vector<std::uint64_t> dirty;      ///< bit i: a leaf under entry i of level 1 has changed; empty until then
+  std::size_t dirty_words = 0;           ///< how many of those bits are set
+  double surface_when_built = 0;
+
+  [[nodiscard]] std::array<float*, rows_of<Bound>> leaf_rows(std::size_t from = 0) const noexcept {
+    std::array<float*, rows_of<Bound>> row;
+    for (std::size_t s = 0; s != row.size(); ++s) row[s] = leaves.row(s) + from;
+    return row;
+  }
+  /// The streams of level `k` from entry `from` on; k is at least 1.
+  [[nodiscard]] std::array<float*, 6> node_rows(std::size_t k, std::size_t from = 0) const noexcept {
+    std::array<float*, 6> row;
+    for (std::size_t s = 0; s != 6; ++s) row[s] = nodes.row(s) + level[k].first + from;
+    return row;
+  }
+  [[nodiscard]] std::uint64_t* gap_words(std::size_t k) noexcept { return gaps.data() + level[k].first / 64; }
+  [[nodiscard]] const std::uint64_t* gap_words(std::size_t k) const noexcept { return gaps.data() + level[k].first / 64; }
+};
+
+/// Lays out the levels over `size` bounds and gets the memory for them; nothing is written but padding.
+template <class Bound>
+void lay_out(TreeParts<Bound>& parts, std::size_t size);
+
+/// Fits all nodes, in parallel; leaves the list of dirty ones empty.
+template <class Bound>
+void fit_all(TreeParts<Bound>& parts);
+
+/// Fits `words` entries (at most 64) of level 1, from entry `first` on, a multiple of 64.
+template <class Bound>
+void fit_leaf_words(TreeParts<Bound>& parts, std::size_t first, std::size_t words);
+
+/// Fits the levels above level 1, whose entries are fitted.
+template <class Bound>
+void fit_upper(TreeParts<Bound>& parts);
+
+/// Fits the nodes above dirty words of leaves, and leaves none dirty.
+template <class Bound>
+void fit_dirty(TreeParts<Bound>& parts);
+
+/// Summed surface of the boxes of level 1; infinite ones are left out.
+template <class Bound>
+double surface(const TreeParts<Bound>& parts);
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,68 @@
+/// A checked question to a tree.
+#pragma once
+
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "shaftcull/error.hpp"
+#include "shaftcull/query.hpp"
+#include "test/kernels.hpp"
+#include "tree/parts.hpp"
+#include "tree/visitors.hpp"
+#include "tree/walk.hpp"
+
+namespace shaftcull::kernel {
+
+template <class Bound>
+class Query {
+ public:
+  /// Throws InvalidArgument as query.hpp says.
+  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Question question, const Excluding& excluding)
+      : shafts_(shafts),
+        parts_(tree.parts() == nullptr ? empty_ : *tree.parts()),
+        kernels_(active_kernels()),
+        question_(question),
+        own_(excluding.own),
+        own_per_shaft_(shafts.empty() ? 0 : excluding.own.size() / shafts.size()),
+        mask_(excluding.mask) {
+    if (parts_.dirty_words != 0) throw InvalidArgument("query of a tree whose bounds were updated; call refit() first");
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      require_answers(shafts[s], true, question == Question::kept_and_inside, std::is_same_v<Bound, Sphere>, s);
+    }
+    if (own_per_shaft_ * shafts.size() != own_.size()) {
+      throw InvalidArgument("excluding.own has " + std::to_string(own_.size()) + " indices, which is not a multiple of the " +
+                            std::to_string(shafts.size()) + " shafts; each needs as many");
+    }
+    if (!mask_.empty() && mask_.size() != words_for(parts_.size)) {
+      throw InvalidArgument("excluding.mask has " + std::to_string(mask_.size()) + " words; " + std::to_string(parts_.size) +
+                            " bounds take " + std::to_string(words_for(parts_.size)));
+    }
+  }
+
+  [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
+  [[nodiscard]] const std::uint32_t* order() const noexcept { return parts_.order.data(); }
+
+  /// Gives the visitor what shaft s keeps.
+  template <class Visitor>
+  void walk(std::size_t s, Visitor& visitor) const {
+    if (own_.empty() && mask_.empty()) {
+      Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
+    } else {
+      Filter<Visitor> filter(order(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
+      Walk<Bound, Filter<Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
+    }
+  }
+
+ private:
+  inline static const TreeParts<Bound> empty_{};
+  std::span<const CompiledShaft> shafts_;
+  const TreeParts<Bound>& parts_;
+  const Kernels& kernels_;
+  Question question_;
+  std::span<const std::uint32_t> own_;
+  std::size_t own_per_shaft_;
+  std::span<const std::uint64_t> mask_;
+};
+
+}  // namespace shaftcull::kernel

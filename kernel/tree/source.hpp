@@ -1,0 +1,104 @@
+/// Where bounds come from: the user's views and records, read one at a time and checked as in packing.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "run/cut.hpp"
+#include "run/parallel.hpp"
+#include "shaftcull/streams.hpp"
+#include "streams/records.hpp"
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+
+/// The reader of records of a kind of bound.
+template <class Bound>
+using ReaderOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxReader, SphereReader>;
+
+/// Separate streams. Same shape as the readers of records, plus prefetch().
+template <class Bound>
+class ViewSource {
+ public:
+  static constexpr std::size_t rows = rows_of<Bound>;
+  explicit ViewSource(const ViewOf<Bound>& view) noexcept : view_(view) {}
+
+  [[nodiscard]] std::size_t count() const noexcept { return view_.count; }
+  void read(std::size_t i, float (&bound)[rows]) const noexcept {
+    for (std::size_t s = 0; s != rows; ++s) bound[s] = view_.stream[s][i];
+  }
+  void prefetch(std::size_t i) const noexcept {
+    for (std::size_t s = 0; s != rows; ++s) __builtin_prefetch(view_.stream[s] + i);
+  }
+  [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
+    float bound[rows];
+    read(i, bound);
+    return ReaderOf<Bound>::is_legal(bound);
+  }
+  [[nodiscard]] std::string fault(std::size_t i) const {
+    const Bound bound = view_[i];
+    return ReaderOf<Bound>(records({&bound, 1})).fault(0);
+  }
+
+ private:
+  ViewOf<Bound> view_;
+};
+
+/// Records.
+template <class Bound>
+class RecordSource {
+ public:
+  static constexpr std::size_t rows = rows_of<Bound>;
+  explicit RecordSource(const RecordsOf<Bound>& records) : reader_(records), start_(start_of(records)), stride_(records.stride) {}
+
+  [[nodiscard]] std::size_t count() const noexcept { return reader_.count(); }
+  void read(std::size_t i, float (&bound)[rows]) const noexcept { reader_.read(i, bound); }
+  void prefetch(std::size_t i) const noexcept {
+    const char* const record = start_ + i * stride_;
+    __builtin_prefetch(record);
+    __builtin_prefetch(record + sizeof(Bound) - 1);  // may be in the next cache line
+  }
+  [[nodiscard]] bool is_legal(std::size_t i) const noexcept { return reader_.is_legal(i); }
+  [[nodiscard]] std::string fault(std::size_t i) const { return reader_.fault(i); }
+
+ private:
+  static const char* start_of(const MinMaxRecords& records) noexcept { return static_cast<const char*>(records.lo); }
+  static const char* start_of(const SphereRecords& records) noexcept { return static_cast<const char*>(records.centre); }
+
+  ReaderOf<Bound> reader_;
+  const char* start_;
+  std::size_t stride_;
+};
+
+/// Bounds ahead of the one read that are prefetched where tree order jumps about in the user's memory.
+inline constexpr std::size_t prefetched_bounds = 32;
+
+/// Bounds that a task looks at.
+inline constexpr std::size_t source_block = 16384;
+
+/// Throws BadBound for the first illegal bound; looks in parallel.
+template <class Bound, class Source>
+void require_legal(const Source& source) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::atomic<std::size_t> first_bad = none;
+  const std::size_t blocks = pieces(source.count(), source_block);
+  parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
+    const Run block = piece(source.count(), source_block, b);
+    bool is_legal = true;
+    for (std::size_t i = block.first; i != block.end(); ++i) is_legal &= source.is_legal(i);
+    if (is_legal) return;
+    std::size_t bad = block.first;
+    while (source.is_legal(bad)) ++bad;
+    std::size_t before = first_bad.load(std::memory_order_relaxed);
+    while (bad < before && !first_bad.compare_exchange_weak(before, bad, std::memory_order_relaxed)) {
+    }
+  });
+  const std::size_t i = first_bad.load(std::memory_order_relaxed);
+  if (i == none) return;
+  throw BadBound(i, std::string(ReaderOf<Bound>::noun) + " " + std::to_string(i) + ": " + source.fault(i));
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,86 @@
+#include "tree/update.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// Leaves that a task updates: one word of nodes.
+constexpr std::size_t block_leaves = fanout * fanout;
+
+void require_count(std::size_t count, std::size_t size) {
+  if (count == size) return;
+  throw InvalidArgument("update of a tree of " + std::to_string(size) + " bounds got " + std::to_string(count) +
+                        "; give one for each, or the indices of those that changed");
+}
+
+template <class Bound>
+void require_places(TreeParts<Bound>& parts) {
+  if (!parts.place.empty() || parts.size == 0) return;
+  parts.place.resize(parts.size);
+  for (std::size_t p = 0; p != parts.size; ++p) parts.place[parts.order[p]] = static_cast<std::uint32_t>(p);
+}
+
+}  // namespace
+
+template <class Bound, class Source>
+void update_all(TreeParts<Bound>& parts, const Source& source) {
+  require_count(source.count(), parts.size);
+  require_legal<Bound>(source);
+  const auto row = parts.leaf_rows();
+  parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
+    const Run block = piece(parts.size, block_leaves, b);
+    for (std::size_t p = block.first; p != block.end(); ++p) {
+      if (p + prefetched_bounds < parts.size) source.prefetch(parts.order[p + prefetched_bounds]);
+      float bound[Source::rows];
+      source.read(parts.order[p], bound);
+      for (std::size_t s = 0; s != Source::rows; ++s) row[s][p] = bound[s];
+    }
+    if (parts.levels > 1) fit_leaf_words(parts, block.first / fanout, words_for(block.size));
+  });
+  fit_upper(parts);
+  std::fill(parts.dirty.begin(), parts.dirty.end(), 0);
+  parts.dirty_words = 0;
+}
+
+template <class Bound, class Source>
+void update_some(TreeParts<Bound>& parts, std::span<const std::uint32_t> indices, const Source& source) {
+  if (indices.size() != source.count()) {
+    throw InvalidArgument("update got " + std::to_string(indices.size()) + " indices and " + std::to_string(source.count()) +
+                          " bounds; every index needs one bound");
+  }
+  for (std::size_t i = 0; i != indices.size(); ++i) {
+    if (indices[i] < parts.size) continue;
+    throw InvalidArgument("update: indices[" + std::to_string(i) + "] = " + std::to_string(indices[i]) +
+                          " is not below the number of bounds, " + std::to_string(parts.size));
+  }
+  require_legal<Bound>(source);
+  if (indices.empty()) return;
+  require_places(parts);
+  parts.dirty.resize(words_for(words_for(parts.size)));
+  const auto row = parts.leaf_rows();
+  for (std::size_t i = 0; i != indices.size(); ++i) {
+    const std::size_t p = parts.place[indices[i]];
+    float bound[Source::rows];
+    source.read(i, bound);
+    for (std::size_t s = 0; s != Source::rows; ++s) row[s][p] = bound[s];
+    std::uint64_t& word = parts.dirty[p / fanout / 64];
+    const std::uint64_t bit = std::uint64_t{1} << p / fanout % 64;
+    parts.dirty_words += (word & bit) == 0;
+    word |= bit;
+  }
+}
+
+template void update_all(TreeParts<Box>& parts, const ViewSource<Box>& source);
+template void update_all(TreeParts<Box>& parts, const RecordSource<Box>& source);
+template void update_all(TreeParts<Sphere>& parts, const ViewSource<Sphere>& source);
+template void update_all(TreeParts<Sphere>& parts, const RecordSource<Sphere>& source);
+template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices, const ViewSource<Box>& source);
+template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices, const RecordSource<Box>& source);
+template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices, const ViewSource<Sphere>& source);
+template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices, const RecordSource<Sphere>& source);
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,231 @@
+/// What becomes of the leaves that a walk finds: counts, lists of indices, lists of runs; and what is left out.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "run/parallel.hpp"
+#include "shaftcull/query.hpp"
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+
+/// Items that a list adds at most between two looks at the room there is: a word of leaves.
+inline constexpr std::size_t most_added = 64;
+
+/// Room in the caller's memory: what does not fit is counted only.
+template <class Item>
+class SpanOutput {
+ public:
+  explicit SpanOutput(std::span<Item> room) noexcept : room_(room) {}
+
+  /// Where `most_added` items may be written, or null if there is no room for so many.
+  [[nodiscard]] Item* room() noexcept { return count_ + most_added <= room_.size() ? room_.data() + count_ : nullptr; }
+  /// So many were written there.
+  void advance(std::size_t items) noexcept { count_ += items; }
+  void push(Item item) noexcept {
+    if (count_ < room_.size()) room_[count_] = item;
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  /// The item pushed last, or null if it did not fit.
+  [[nodiscard]] Item* last() noexcept { return count_ <= room_.size() ? room_.data() + count_ - 1 : nullptr; }
+
+ private:
+  std::span<Item> room_;
+  std::size_t count_ = 0;
+};
+
+/// Memory that grows, with the same interface.
+template <class Item>
+class GrowingOutput {
+ public:
+  GrowingOutput() noexcept = default;
+  GrowingOutput(GrowingOutput&& other) noexcept
+      : items_(std::exchange(other.items_, nullptr)),
+        count_(std::exchange(other.count_, 0)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
+  GrowingOutput& operator=(GrowingOutput&&) = delete;
+  ~GrowingOutput() {
+    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
+  }
+
+  [[nodiscard]] Item* room() {
+    if (capacity_ - count_ < most_added) grow();
+    return items_ + count_;
+  }
+  void advance(std::size_t items) noexcept { count_ += items; }
+  void push(Item item) {
+    *room() = item;
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Item* last() noexcept { return items_ + count_ - 1; }
+  [[nodiscard]] const Item* data() const noexcept { return items_; }
+  void clear() noexcept { count_ = 0; }
+
+ private:
+  using Allocator = TaskAllocator<Item>;
+
+  void grow() {
+    const std::size_t capacity = std::max(16 * most_added, 2 * capacity_);
+    Item* const items = Allocator().allocate(capacity);
+    std::copy(items_, items_ + count_, items);
+    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
+    items_ = items;
+    capacity_ = capacity;
+  }
+
+  Item* items_ = nullptr;
+  std::size_t count_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+/// Leaves as the user's indices.
+template <class Output>
+class IndexList {
+ public:
+  IndexList(const std::uint32_t* order, Output& output) noexcept : order_(order), output_(output) {}
+
+  void bits(std::size_t first, std::uint64_t bits) {
+    const std::uint32_t* const here = order_ + first;
+    std::uint32_t* const out = output_.room();
+    if (out == nullptr) {
+      for (; bits != 0; bits &= bits - 1) output_.push(here[std::countr_zero(bits)]);
+    } else if (bits == ~std::uint64_t{0}) {
+      std::copy(here, here + 64, out);
+      output_.advance(64);
+    } else {
+      std::uint32_t* end = out;
+      for (; bits != 0; bits &= bits - 1) *end++ = here[std::countr_zero(bits)];
+      output_.advance(static_cast<std::size_t>(end - out));
+    }
+  }
+  /// Whole words.
+  void run(std::size_t first, std::size_t size) {
+    for (std::size_t word = first; word != first + size; word += 64) bits(word, ~std::uint64_t{0});
+  }
+
+ private:
+  const std::uint32_t* order_;
+  Output& output_;
+};
+
+/// Leaves as runs, each as long as can be.
+template <class Output>
+class RunList {
+ public:
+  RunList(const std::uint32_t* /*order*/, Output& output) noexcept : output_(output) {}
+  void bits(std::size_t first, std::uint64_t bits) {
+    while (bits != 0) {
+      const int start = std::countr_zero(bits);
+      const int size = std::countr_one(bits >> start);
+      run(first + static_cast<std::size_t>(start), static_cast<std::size_t>(size));
+      if (start + size == 64) return;
+      bits &= ~std::uint64_t{0} << (start + size);
+    }
+  }
+  void run(std::size_t first, std::size_t size) {
+    // The end is remembered here: a span may have had no room for the run.
+    if (first == end_ && end_ != 0) {
+      if (TreeRun* const last = output_.last()) last->size += static_cast<std::uint32_t>(size);
+    } else {
+      output_.push({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
+    }
+    end_ = first + size;
+  }
+
+ private:
+  Output& output_;
+  std::size_t end_ = 0;
+};
+
+/// Visitor that counts what is kept.
+class Counter {
+ public:
+  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
+    count_ += static_cast<std::size_t>(std::popcount(kept));
+  }
+  void run(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+ private:
+  std::size_t count_ = 0;
+};
+
+/// Visitor that lists what is kept.
+template <class List>
+class KeptLister {
+ public:
+  explicit KeptLister(const List& kept) noexcept : kept_(kept) {}
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
+  void run(std::size_t first, std::size_t size) { kept_.run(first, size); }
+
+ private:
+  List kept_;
+};
+
+/// Visitor that lists what overlaps and what is inside.
+template <class List>
+class ClassLister {
+ public:
+  ClassLister(const List& overlap, const List& inside) noexcept : overlap_(overlap), inside_(inside) {}
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
+    overlap_.bits(first, kept & ~inside);
+    inside_.bits(first, inside);
+  }
+  void run(std::size_t first, std::size_t size) { inside_.run(first, size); }
+
+ private:
+  List overlap_;
+  List inside_;
+};
+
+/// Visitor in front of another that leaves bounds out.
+template <class Visitor>
+class Filter {
+ public:
+  /// `own` and `mask` as in Excluding, for one shaft.
+  Filter(const std::uint32_t* order, std::span<const std::uint32_t> own, std::span<const std::uint64_t> mask,
+         Visitor& visitor) noexcept
+      : order_(order), own_(own), mask_(mask), visitor_(visitor) {}
+
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
+    const std::uint64_t left = kept & ~excluded(first, kept);
+    if (left != 0) visitor_.word(first, left, inside & left);
+  }
+  void run(std::size_t first, std::size_t size) {
+    for (std::size_t w = first; w != first + size; w += 64) {
+      const std::uint64_t left = ~excluded(w, ~std::uint64_t{0});
+      if (left == ~std::uint64_t{0}) {
+        visitor_.run(w, 64);
+      } else if (left != 0) {
+        visitor_.word(w, left, left);
+      }
+    }
+  }
+
+ private:
+  /// Bits of the word of leaves from `first` on that are left out, of those in `asked`.
+  [[nodiscard]] std::uint64_t excluded(std::size_t first, std::uint64_t asked) const noexcept {
+    std::uint64_t out = 0;
+    for (std::uint64_t left = asked; left != 0; left &= left - 1) {
+      const std::uint32_t index = order_[first + static_cast<std::size_t>(std::countr_zero(left))];
+      bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
+      for (const std::uint32_t own : own_) is_out |= own == index;
+      if (is_out) out |= left & -left;
+    }
+    return out;
+  }
+
+  const std::uint32_t* order_;
+  std::span<const std::uint32_t> own_;
+  std::span<const std::uint64_t> mask_;
+  Visitor& visitor_;
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,124 @@
+/// The walk of one shaft through a tree: word by word of answers, from the top down, in tree order.
+///
+/// At every level some words of entries are tested at once, so that the memory of the next ones is on its way while one is
+/// tested. Entries that are not outside name the words to test one level down. An entry that is inside, and has nothing empty below,
+/// accepts its leaves as one run.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "shaftcull/compiled.hpp"
+#include "test/kernels.hpp"
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+
+/// What a walk is asked.
+enum class Question : std::uint8_t { kept, kept_and_inside };
+
+/// Gives a visitor everything that the shaft keeps, in tree order:
+///   visitor.word(first, kept, inside)   leaves first … first + 63, some of which are kept; inside is 0 for Question::kept
+///   visitor.run(first, size)            leaves that are all inside
+template <class Bound, class Visitor>
+class Walk {
+ public:
+  Walk(const TreeParts<Bound>& parts, const Kernels& kernels, const CompiledShaft& shaft, Question question,
+       Visitor& visitor) noexcept
+      : parts_(parts),
+        test_leaves_(kernels.listed(ViewOf<Bound>{})),
+        test_nodes_(kernels.listed_boxes),
+        question_(question),
+        visitor_(visitor),
+        shaft_(&shaft) {
+    const bool needs_planes = question == Question::kept_and_inside ||
+                              (std::is_same_v<Bound, Sphere> && shaft.slab_form != CompiledShaft::SlabForm::fused);
+    if (needs_planes && !shaft.has_planes()) {
+      completed_ = shaft;
+      complete(completed_);
+      shaft_ = &completed_;
+    }
+    tests_inside_ = shaft_->answers_inside && shaft_->has_planes();
+    for (std::size_t s = 0; s != rows_of<Bound>; ++s) leaf_[s] = parts.leaves.row(s);
+  }
+  Walk(const Walk&) = delete;
+  Walk& operator=(const Walk&) = delete;
+
+  void run() {
+    if (parts_.levels == 0) return;
+    std::uint32_t top[top_words];
+    const std::size_t words = parts_.level[parts_.levels - 1].words();
+    for (std::uint32_t w = 0; w != words; ++w) top[w] = w;
+    visit(parts_.levels - 1, top, words);
+  }
+
+ private:
+  /// Words tested at once.
+  static constexpr std::size_t batch = 32;
+
+  /// For Question::kept a run only saves time, so only nodes with many kept children are tested for inside.
+  static constexpr unsigned many_kept = 48;
+
+  void visit(std::size_t k, const std::uint32_t* word, std::size_t words) {
+    if (words == 0) return;
+    if (k == 0) return visit_leaves(word, words);
+    std::uint64_t kept[batch];
+    std::uint64_t inside[batch];
+    const auto rows = parts_.node_rows(k);
+    test_nodes_(*shaft_, rows_of_floats(rows).data(), word, words, kept, tests_inside_ ? inside : nullptr,
+                question_ == Question::kept ? many_kept : 1);
+    std::uint32_t below[batch];
+    std::size_t belows = 0;
+    const std::uint64_t* const gaps = parts_.gap_words(k);
+    for (std::size_t i = 0; i != words; ++i) {
+      const std::uint64_t runs = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
+      const std::uint32_t first = word[i] * static_cast<std::uint32_t>(fanout);
+      for (std::uint64_t left = kept[i]; left != 0; left &= left - 1) {
+        const std::uint64_t lowest = left & -left;
+        const std::uint32_t entry = first + static_cast<std::uint32_t>(std::countr_zero(left));
+        if ((runs & lowest) == 0) {
+          below[belows++] = entry;
+          if (belows < batch) continue;
+          visit(k - 1, below, belows);
+          belows = 0;
+        } else {
+          visit(k - 1, below, belows);
+          belows = 0;
+          const std::size_t leaves = std::size_t{1} << 6 * k;
+          visitor_.run(entry * leaves, leaves);
+        }
+      }
+    }
+    visit(k - 1, below, belows);
+  }
+
+  void visit_leaves(const std::uint32_t* word, std::size_t words) {
+    std::uint64_t kept[batch];
+    std::uint64_t inside[batch];
+    const bool both = question_ == Question::kept_and_inside;
+    test_leaves_(*shaft_, leaf_, word, words, kept, both ? inside : nullptr, 1);
+    for (std::size_t i = 0; i != words; ++i) {
+      if (kept[i] != 0) visitor_.word(std::size_t{word[i]} * fanout, kept[i], both ? inside[i] : 0);
+    }
+  }
+
+  static std::array<const float*, 6> rows_of_floats(const std::array<float*, 6>& rows) noexcept {
+    return {rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]};
+  }
+
+  const TreeParts<Bound>& parts_;
+  TestListedWords* test_leaves_;
+  TestListedWords* test_nodes_;
+  Question question_;
+  Visitor& visitor_;
+  const CompiledShaft* shaft_;
+  bool tests_inside_;
+  const float* leaf_[rows_of<Bound>];
+  CompiledShaft completed_;  // written only if the shaft came without planes that are needed
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,95 @@
+#include "fuzz/trees.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/check.hpp"
+#include "fuzz/packing.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "subject.hpp"
+#include "tree/flat.hpp"
+
+namespace shaftcull::fuzz {
+namespace {
+
+/// Enough copies of eight bounds for a level of nodes.
+constexpr std::size_t copies = 17;
+
+template <class Bound>
+void require_flat_answers(const Case& it, const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
+                          const std::vector<Bound>& bounds, const char* when) {
+  const FlatAnswers flat(shaft, bounds);
+  Indices kept(bounds.size());
+  kept.resize(cull(shaft, tree, std::span(kept)));
+  std::vector<TreeRun> overlap(bounds.size());
+  std::vector<TreeRun> inside(bounds.size());
+  const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
+  overlap.resize(counts.overlap);
+  inside.resize(counts.inside);
+  if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap && sorted(inside, tree.order()) == flat.inside) {
+    return;
+  }
+  std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) + " differs from a flat scan\n  " +
+                        source_text(Subject{it.a, it.b, it.planes});
+  for (const Bound& bound : bounds) message += "\n  " + source_text(bound);
+  throw Fault(message);
+}
+
+template <class Bound>
+void check_tree(const Case& it, const CompiledShaft& shaft, const std::vector<Bound>& all) {
+  std::vector<Bound> bounds;
+  for (std::size_t copy = 0; copy != copies; ++copy) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(bounds), [](const Bound& bound) { return is_legal(bound); });
+  }
+  if (bounds.empty()) return;
+  for (const Isa isa : available_isas()) {
+    select_isa(isa);
+    BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
+    require_flat_answers(it, shaft, tree, bounds, "as built");
+    std::vector<Bound> moved = bounds;
+    const std::vector<std::uint32_t> first = {0};
+    moved[0] = bounds.back();
+    tree.update(first, std::span<const Bound>(moved).first(1));
+    tree.refit();
+    require_flat_answers(it, shaft, tree, moved, "with one bound moved");
+  }
+}
+
+/// Forms the shaft with those planes that it takes; throws InvalidArgument if it may not be formed.
+CompiledShaft shaft_of(const Case& it) {
+  Shaft shaft(it.a, it.b, it.options);
+  for (const Plane& plane : it.planes) {
+    try {
+      shaft.add_plane(plane);
+    } catch (const InvalidArgument&) {  // check_answers() knows whether rightly
+    }
+  }
+  return compile(shaft);
+}
+
+void check_both_trees(const Case& it, const CompiledShaft& shaft) {
+  if (!shaft.answers_outside || !shaft.answers_inside) return;
+  check_tree(it, shaft, it.boxes);
+  if (shaft.answers_spheres) check_tree(it, shaft, it.spheres);
+}
+
+}  // namespace
+
+void check_trees(const Case& it) {
+  std::optional<CompiledShaft> shaft;
+  try {
+    shaft = shaft_of(it);
+  } catch (const InvalidArgument&) {
+    return;
+  }
+  const Isa before = active_isa();
+  check_both_trees(it, *shaft);
+  select_isa(before);
+}
+
+}  // namespace shaftcull::fuzz

@@ -1,0 +1,97 @@
+/// A tree answers what a flat scan answers.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/flat.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Every way of asking one shaft.
+template <class Bound>
+void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>& bounds, const CompiledShaft& shaft) {
+  const FlatAnswers flat(shaft, bounds);
+  const Indices kept = flat.kept();
+  EXPECT_EQ(count(shaft, tree), kept.size());
+
+  Indices indices(bounds.size());
+  indices.resize(cull(shaft, tree, std::span(indices)));
+  EXPECT_EQ(sorted(indices), kept);
+
+  std::vector<TreeRun> runs(bounds.size());
+  runs.resize(cull(shaft, tree, std::span(runs)));
+  EXPECT_EQ(sorted(runs, tree.order()), kept);
+  EXPECT_TRUE(are_maximal(runs));
+
+  Indices overlap(bounds.size());
+  Indices inside(bounds.size());
+  const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
+  overlap.resize(counts.overlap);
+  inside.resize(counts.inside);
+  EXPECT_EQ(sorted(overlap), flat.overlap);
+  EXPECT_EQ(sorted(inside), flat.inside);
+
+  std::vector<TreeRun> overlap_runs(bounds.size());
+  std::vector<TreeRun> inside_runs(bounds.size());
+  const KeptCounts run_counts = classify(shaft, tree, std::span(overlap_runs), std::span(inside_runs));
+  overlap_runs.resize(run_counts.overlap);
+  inside_runs.resize(run_counts.inside);
+  EXPECT_EQ(sorted(overlap_runs, tree.order()), flat.overlap);
+  EXPECT_EQ(sorted(inside_runs, tree.order()), flat.inside);
+  EXPECT_TRUE(are_maximal(overlap_runs));
+  EXPECT_TRUE(are_maximal(inside_runs));
+}
+
+template <class Bound>
+void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std::size_t shaft_count) {
+  Dice dice(seed);
+  const std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
+  const BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
+  ASSERT_EQ(tree.size(), count);
+  for (const CompiledShaft& shaft : shafts_for(dice, shaft_count)) {
+    expect_flat_answers(tree, bounds, shaft);
+    if (!testing::Test::HasFailure()) continue;
+    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere") << ">(" << seed << ", shape "
+                  << text(shape) << ", " << count << ", " << shaft_count << ')';
+    return;
+  }
+}
+
+TEST(TreeAgreement, HoldsForEveryShapeAndCount) {
+  std::uint64_t seed = 500;
+  for (const Shape shape : shapes) {
+    for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 128U, 129U, 4096U, 4097U, 8193U}) {
+      expect_flat_answers<Box>(++seed, shape, count, 10);
+      expect_flat_answers<Sphere>(++seed, shape, count, 10);
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(TreeAgreement, HoldsForTenThousandRandomScenes) {
+  for (std::uint64_t seed = 10000; seed != 15000; ++seed) {
+    Dice dice(seed * 7919);
+    const Shape shape = shapes[dice.below(std::size(shapes))];
+    const std::size_t count = dice.one_in(20) ? dice.below(6000) : dice.below(300);
+    expect_flat_answers<Box>(seed, shape, count, 2);
+    expect_flat_answers<Sphere>(seed, shape, count, 2);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(TreeAgreement, HoldsOnFourLevels) {
+  for (const Shape shape : {Shape::uniform, Shape::clustered, Shape::some_empty}) {
+    expect_flat_answers<Box>(31, shape, 530000, 6);
+    expect_flat_answers<Sphere>(32, shape, 530000, 6);
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,50 @@
+/// Two trees, one asked while the other is updated: the pattern of query.hpp's users who do not want to wait.
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "many/workload.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/flat.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+TEST(TreeDoubleBuffer, TheLastFrameIsAskedWhileTheNextIsUpdated) {
+  Dice dice(91);
+  const std::vector<CompiledShaft> shafts = shafts_for(dice, 40);
+  std::vector<Box> bounds = scene<Box>(dice, Shape::uniform, 20000);
+  BoxTree asked{std::span<const Box>(bounds)};
+  BoxTree updated = asked;
+  for (int frame = 0; frame != 4; ++frame) {
+    const std::vector<Box> next = scene<Box>(dice, Shape::uniform, 20000);
+    IndexLists kept;
+    std::thread asker([&] { with_threads(2, [&] { list_many(shafts, asked, kept); }); });
+    with_threads(2, [&] { updated.update(std::span<const Box>(next)); });
+    asker.join();
+    for (std::size_t s = 0; s != shafts.size(); ++s) EXPECT_EQ(sorted(kept[s]), FlatAnswers(shafts[s], bounds).kept());
+    std::swap(asked, updated);
+    bounds = next;
+  }
+}
+
+TEST(TreeDoubleBuffer, ManyThreadsMayAskOneTree) {
+  Dice dice(92);
+  const std::vector<CompiledShaft> shafts = shafts_for(dice, 40);
+  const std::vector<Sphere> bounds = scene<Sphere>(dice, Shape::uniform, 20000);
+  const SphereTree tree{std::span<const Sphere>(bounds)};
+  std::vector<IndexLists> kept(3);
+  std::vector<std::thread> askers;
+  for (IndexLists& lists : kept) askers.emplace_back([&] { list_many(shafts, tree, lists); });
+  for (std::thread& asker : askers) asker.join();
+  for (const IndexLists& lists : kept) {
+    for (std::size_t s = 0; s != shafts.size(); ++s) EXPECT_EQ(sorted(lists[s]), FlatAnswers(shafts[s], bounds).kept());
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

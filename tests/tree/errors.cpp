@@ -1,0 +1,139 @@
+/// What trees refuse, and what they say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "columns.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::HasSubstr;
+
+/// The message of the InvalidArgument that `call` throws.
+template <class Call>
+std::string message_of(const Call& call) {
+  try {
+    call();
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+const CompiledShaft& shaft() {
+  static const CompiledShaft compiled = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
+  return compiled;
+}
+
+std::vector<Box> boxes(std::size_t count) {
+  Dice dice(1);
+  return scene<Box>(dice, Shape::uniform, count);
+}
+
+TEST(TreeErrors, TheFirstBadBoundIsNamed) {
+  std::vector<Box> bad = boxes(40000);
+  bad[39000].lo[2] = 100;
+  bad[20001].hi[1] = NAN;
+  for (const bool streams : {false, true}) {
+    const auto build = [&] {
+      if (streams) {
+        const BoxTree tree(columns(bad).view());
+      } else {
+        const BoxTree tree{std::span<const Box>(bad)};
+      }
+    };
+    EXPECT_THAT(message_of(build), HasSubstr("box 20001: hi.y is not a number"));
+    try {
+      build();
+    } catch (const BadBound& error) {
+      EXPECT_EQ(error.index(), 20001U);
+    }
+  }
+  const std::vector<Sphere> spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, -2}};
+  EXPECT_THAT(message_of([&] { const SphereTree tree{std::span<const Sphere>(spheres)}; }),
+              HasSubstr("sphere 1: radius = -2 is negative"));
+}
+
+TEST(TreeErrors, ABadUpdateLeavesTheTreeAsItWas) {
+  BoxTree tree{std::span<const Box>(boxes(100))};
+  std::vector<Box> bad = boxes(100);
+  bad[7].lo[0] = NAN;
+  EXPECT_THAT(message_of([&] { tree.update(std::span<const Box>(bad)); }), HasSubstr("box 7"));
+  const std::vector<std::uint32_t> indices = {50, 51};
+  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(bad).subspan(6, 2)); }), HasSubstr("box 1: lo.x"));
+  EXPECT_FALSE(tree.needs_refit());
+  const std::vector<Box> before = boxes(100);
+  for (std::size_t p = 0; p != 100; ++p) EXPECT_EQ(tree.leaves()[p], before[tree.order()[p]]);
+}
+
+TEST(TreeErrors, SizesAndIndicesMustFit) {
+  BoxTree tree{std::span<const Box>(boxes(100))};
+  const std::vector<Box> some = boxes(3);
+  EXPECT_THAT(message_of([&] { tree.update(std::span<const Box>(some)); }), HasSubstr("a tree of 100 bounds got 3"));
+  std::vector<std::uint32_t> indices = {1, 2};
+  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }), HasSubstr("2 indices and 3 bounds"));
+  indices = {1, 100, 2};
+  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }),
+              HasSubstr("indices[1] = 100 is not below the number of bounds, 100"));
+}
+
+TEST(TreeErrors, QueriesOfAnUpdatedTreeAskForARefit) {
+  for (const std::size_t count : {10U, 10000U}) {
+    BoxTree tree{std::span<const Box>(boxes(count))};
+    const std::vector<std::uint32_t> indices = {3};
+    tree.update(indices, std::span<const Box>(boxes(1)));
+    EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(shaft(), tree)); }), HasSubstr("call refit() first"));
+    EXPECT_THAT(message_of([&] { static_cast<void>(tree.growth()); }), HasSubstr("call refit() first"));
+    tree.refit();
+    EXPECT_NO_THROW(static_cast<void>(shaftcull::count(shaft(), tree)));
+  }
+}
+
+TEST(TreeErrors, ShaftsMustAnswerWhatIsAsked) {
+  const BoxTree tree{std::span<const Box>(boxes(100))};
+  const CompiledShaft no_inside = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.inside = false}));
+  const CompiledShaft no_spheres = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.spheres = false}));
+  EXPECT_NO_THROW(static_cast<void>(shaftcull::count(no_inside, tree)));
+  const std::vector<CompiledShaft> shafts = {shaft(), no_inside};
+  IndexLists overlap;
+  IndexLists inside;
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, overlap, inside); }), HasSubstr("shaft 1 was formed without inside"));
+  const SphereTree spheres;
+  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(no_spheres, spheres)); }), HasSubstr("without spheres"));
+}
+
+TEST(TreeErrors, ExclusionsAndCountsMustFit) {
+  const BoxTree tree{std::span<const Box>(boxes(100))};
+  const std::vector<CompiledShaft> shafts(2, shaft());
+  const std::vector<std::uint32_t> three = {1, 2, 3};
+  const std::vector<std::uint64_t> one_word(1);
+  std::vector<std::uint64_t> counts(2);
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = three}); }),
+              HasSubstr("3 indices, which is not a multiple of the 2 shafts"));
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }), HasSubstr("100 bounds take 2"));
+  counts.resize(3);
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("room for 3 counts; 2 shafts"));
+}
+
+TEST(TreeErrors, CandidatesMustExistAndFit) {
+  const auto memory = columns(boxes(100));
+  std::vector<std::uint32_t> candidates = {4, 99, 100};
+  std::vector<std::uint32_t> kept(3);
+  EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("candidates[2] = 100"));
+  IndexLists lists;
+  EXPECT_THAT(message_of([&] { refine_many({&shaft(), 1}, memory.view(), candidates, lists); }), HasSubstr("candidates[2] = 100"));
+  candidates.pop_back();
+  kept.resize(1);
+  EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("room for 1 indices"));
+}
+
+}  // namespace
+}  // namespace shaftcull

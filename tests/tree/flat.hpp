@@ -1,0 +1,65 @@
+/// What a flat scan answers, as lists to compare those of a tree with.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "columns.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/query.hpp"
+
+namespace shaftcull {
+
+using Indices = std::vector<std::uint32_t>;
+
+/// Ascending indices of bounds that overlap and that are inside.
+struct FlatAnswers {
+  Indices overlap;
+  Indices inside;
+
+  template <class Bound>
+  FlatAnswers(const CompiledShaft& shaft, const std::vector<Bound>& bounds) {
+    const auto memory = columns(bounds);
+    std::vector<std::uint64_t> kept_bits(words_for(bounds.size()));
+    std::vector<std::uint64_t> inside_bits(kept_bits.size());
+    classify(shaft, memory.view(), kept_bits, inside_bits);
+    for (std::uint32_t i = 0; i != bounds.size(); ++i) {
+      if ((kept_bits[i / 64] >> i % 64 & 1) == 0) continue;
+      ((inside_bits[i / 64] >> i % 64 & 1) != 0 ? inside : overlap).push_back(i);
+    }
+  }
+  [[nodiscard]] Indices kept() const {
+    Indices all;
+    std::merge(overlap.begin(), overlap.end(), inside.begin(), inside.end(), std::back_inserter(all));
+    return all;
+  }
+};
+
+inline Indices sorted(std::span<const std::uint32_t> indices) {
+  Indices all(indices.begin(), indices.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The indices that runs stand for, ascending.
+inline Indices sorted(std::span<const TreeRun> runs, std::span<const std::uint32_t> order) {
+  Indices all;
+  for (const TreeRun& run : runs) {
+    for (std::uint32_t p = run.first; p != run.first + run.size; ++p) all.push_back(order[p]);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Whether runs ascend and no two of them could be one.
+inline bool are_maximal(std::span<const TreeRun> runs) {
+  for (std::size_t r = 0; r != runs.size(); ++r) {
+    if (runs[r].size == 0) return false;
+    if (r != 0 && runs[r].first <= runs[r - 1].first + runs[r - 1].size) return false;
+  }
+  return true;
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,210 @@
+/// Bounds that move: updates, refits and rebuilds leave a tree that answers what a flat scan of the new bounds answers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "columns.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/flat.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class Bound>
+class TreeFrames : public testing::Test {
+ protected:
+  /// Whether both answer the same, asked by some shafts.
+  static void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>& bounds, std::uint64_t seed) {
+    Dice dice(seed);
+    const std::vector<CompiledShaft> shafts = shafts_for(dice, 8);
+    IndexLists overlap;
+    IndexLists inside;
+    list_many(shafts, tree, overlap, inside);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      const FlatAnswers flat(shafts[s], bounds);
+      EXPECT_EQ(sorted(overlap[s]), flat.overlap) << "seed " << seed << ", shaft " << s;
+      EXPECT_EQ(sorted(inside[s]), flat.inside) << "seed " << seed << ", shaft " << s;
+    }
+  }
+};
+
+using Kinds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(TreeFrames, Kinds);
+
+constexpr std::size_t counts[] = {0, 1, 64, 65, 129, 4097, 20000};
+
+TYPED_TEST(TreeFrames, UpdatingEverythingFromRecordsOrStreamsEqualsTheNewBounds) {
+  Dice dice(71);
+  for (const std::size_t count : counts) {
+    BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, count))};
+    for (const Shape shape : shapes) {
+      const std::vector<TypeParam> moved = scene<TypeParam>(dice, shape, count);
+      if (dice.one_in(2)) {
+        tree.update(std::span<const TypeParam>(moved));
+      } else {
+        tree.update(columns(moved).view());
+      }
+      EXPECT_FALSE(tree.needs_refit());
+      this->expect_flat_answers(tree, moved, 710 + count);
+    }
+  }
+}
+
+TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
+  Dice dice(72);
+  for (const std::size_t count : counts) {
+    if (count == 0) continue;
+    for (const Shape shape : shapes) {
+      std::vector<TypeParam> bounds = scene<TypeParam>(dice, shape, count);
+      BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+      for (const std::size_t moves : {std::size_t{1}, count / 100 + 1, count}) {  // few and many dirty nodes
+        std::vector<std::uint32_t> indices;
+        const std::vector<TypeParam> values = scene<TypeParam>(dice, shapes[dice.below(std::size(shapes))], moves);
+        for (const TypeParam& value : values) {
+          indices.push_back(dice.below(static_cast<unsigned>(count)));  // some twice: the last value counts
+          bounds[indices.back()] = value;
+        }
+        tree.update(indices, std::span<const TypeParam>(values));
+        EXPECT_TRUE(tree.needs_refit());
+        tree.refit();
+        EXPECT_FALSE(tree.needs_refit());
+        this->expect_flat_answers(tree, bounds, 720 + count);
+        if (testing::Test::HasFailure()) FAIL() << text(shape) << ", " << count << " bounds, " << moves << " moved";
+      }
+    }
+  }
+}
+
+TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
+  Dice dice(73);
+  std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 20000);
+  BoundsTree<TypeParam> few{std::span<const TypeParam>(bounds)};
+  BoundsTree<TypeParam> all = few;
+  const std::vector<TypeParam> values = scene<TypeParam>(dice, Shape::uniform, 9);
+  std::vector<std::uint32_t> indices;
+  for (const TypeParam& value : values) {
+    indices.push_back(dice.below(20000));
+    bounds[indices.back()] = value;
+  }
+  few.update(indices, std::span<const TypeParam>(values));
+  few.refit();
+  all.update(std::span<const TypeParam>(bounds));
+  EXPECT_EQ(few.growth(), all.growth());
+}
+
+TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
+  Dice dice(78);
+  BoxTree tree{std::span<const Box>(scene<Box>(dice, Shape::uniform, 600000))};
+  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const std::vector<std::uint32_t> index = {123456};
+  for (const bool is_empty : {false, true, false}) {
+    tree.update(index, std::vector<Box>{is_empty ? empty_box : Box{{0, 0, 0}, {1, 1, 1}}});
+    tree.refit();
+    EXPECT_EQ(classify(everything, tree, std::span<TreeRun>(), std::span<TreeRun>()).inside, is_empty ? 2U : 1U);
+    EXPECT_EQ(classify(everything, tree, std::span<std::uint32_t>(), std::span<std::uint32_t>()),
+              (KeptCounts{0, is_empty ? 599999U : 600000U}));
+  }
+}
+
+TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
+  Dice dice(74);
+  BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, 20000))};
+  EXPECT_EQ(tree.growth(), 1.0);
+  const std::vector<TypeParam> shuffled = scene<TypeParam>(dice, Shape::uniform, 20000);
+  tree.update(std::span<const TypeParam>(shuffled));
+  EXPECT_GT(tree.growth(), 10.0);
+  tree.rebuild();
+  EXPECT_EQ(tree.growth(), 1.0);
+  this->expect_flat_answers(tree, shuffled, 741);
+  const std::vector<TypeParam> again = scene<TypeParam>(dice, Shape::uniform, 20000);
+  const std::vector<std::uint32_t> indices = {5, 19999};
+  tree.update(indices, std::span<const TypeParam>(again).first(2));
+  tree.refit();
+  std::vector<TypeParam> bounds = shuffled;
+  bounds[5] = again[0];
+  bounds[19999] = again[1];
+  this->expect_flat_answers(tree, bounds, 742);
+}
+
+TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
+  const std::vector<TypeParam> points(1000, TypeParam{});
+  BoundsTree<TypeParam> tree{std::span<const TypeParam>(points)};
+  EXPECT_EQ(tree.growth(), 1.0);
+  if constexpr (std::is_same_v<TypeParam, Box>) {  // the nodes of spheres are rounded outwards
+    const std::vector<std::uint32_t> one = {3};
+    const std::vector<TypeParam> away = {{{1, 1, 1}, {2, 2, 2}}};
+    tree.update(one, std::span<const TypeParam>(away));
+    tree.refit();
+    EXPECT_EQ(tree.growth(), HUGE_VAL);
+  }
+}
+
+TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
+  Dice dice(79);
+  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 5000);
+  for (const bool updated_before : {false, true}) {
+    BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+    if (updated_before) {
+      tree.update(std::vector<std::uint32_t>{7}, std::span<const TypeParam>(bounds).subspan(7, 1));
+      tree.refit();
+    }
+    std::vector<TypeParam> sorted;
+    for (const std::uint32_t i : tree.order()) sorted.push_back(bounds[i]);
+    tree.renumber();
+    this->expect_flat_answers(tree, sorted, 791);
+    sorted[33] = sorted[4000];
+    tree.update(std::vector<std::uint32_t>{33}, std::span<const TypeParam>(sorted).subspan(33, 1));
+    tree.refit();
+    this->expect_flat_answers(tree, sorted, 792);
+    tree.update(std::span<const TypeParam>(bounds));
+    this->expect_flat_answers(tree, bounds, 793);
+  }
+}
+
+TYPED_TEST(TreeFrames, LeavesAndOrderShowTheBounds) {
+  Dice dice(75);
+  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 777);
+  const BoundsTree<TypeParam> tree{columns(bounds).view()};
+  std::vector<bool> seen(bounds.size());
+  for (std::size_t p = 0; p != bounds.size(); ++p) {
+    EXPECT_EQ(tree.leaves()[p], bounds[tree.order()[p]]);
+    seen[tree.order()[p]] = true;
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), true), 777);
+}
+
+TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
+  Dice dice(76);
+  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 5000);
+  BoundsTree<TypeParam> first{std::span<const TypeParam>(bounds)};
+  BoundsTree<TypeParam> second = first;
+  const std::vector<TypeParam> moved = scene<TypeParam>(dice, Shape::clustered, 5000);
+  second.update(std::span<const TypeParam>(moved));
+  this->expect_flat_answers(first, bounds, 761);
+  this->expect_flat_answers(second, moved, 762);
+  first = std::move(second);
+  this->expect_flat_answers(first, moved, 763);
+  EXPECT_EQ(second.size(), 0U);  // NOLINT(bugprone-use-after-move)
+  EXPECT_TRUE(second.order().empty());
+  EXPECT_EQ(second.leaves().count, 0U);
+  this->expect_flat_answers(second, {}, 764);
+  second.update(std::span<const TypeParam>());
+  second.rebuild();
+  second.refit();
+  EXPECT_EQ(second.growth(), 1.0);
+}
+
+TYPED_TEST(TreeFrames, NodesTakeLessThanTwoPerCentOfLeavesAndOrder) {
+  Dice dice(77);
+  const std::size_t count = 400000;
+  const BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, count))};
+  const std::size_t needed = count * (tree.leaves().stream.size() * sizeof(float) + sizeof(std::uint32_t));
+  EXPECT_LT(tree.memory_bytes(), needed + needed / 50);
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,192 @@
+/// Many shafts, any number of threads: the same answers in the same order; and bounds left out.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "many/workload.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/flat.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class Bound>
+class TreeMany : public testing::Test {
+ protected:
+  TreeMany() {
+    Dice dice(61);
+    bounds_ = scene<Bound>(dice, Shape::uniform, 9000);
+    tree_ = BoundsTree<Bound>(std::span<const Bound>(bounds_));
+    shafts_ = shafts_for(dice, 53);
+  }
+  std::vector<Bound> bounds_;
+  BoundsTree<Bound> tree_;
+  std::vector<CompiledShaft> shafts_;
+};
+
+using Kinds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(TreeMany, Kinds);
+
+TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
+  for (const int threads : thread_counts) {
+    with_threads(threads, [&] {
+      std::vector<std::uint64_t> counts(this->shafts_.size(), 99);
+      count_many(this->shafts_, this->tree_, counts);
+      IndexLists kept;
+      IndexLists overlap;
+      IndexLists inside;
+      RunLists kept_runs;
+      RunLists overlap_runs;
+      RunLists inside_runs;
+      for (int again = 0; again != 2; ++again) {  // into used memory
+        list_many(this->shafts_, this->tree_, kept);
+        list_many(this->shafts_, this->tree_, overlap, inside);
+        list_many(this->shafts_, this->tree_, kept_runs);
+        list_many(this->shafts_, this->tree_, overlap_runs, inside_runs);
+      }
+      ASSERT_EQ(kept.size(), this->shafts_.size());
+      for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
+        SCOPED_TRACE("shaft " + std::to_string(s) + ", " + std::to_string(threads) + " threads");
+        Indices one(this->bounds_.size());
+        one.resize(cull(this->shafts_[s], this->tree_, std::span(one)));
+        EXPECT_EQ(counts[s], one.size());
+        EXPECT_EQ(Indices(kept[s].begin(), kept[s].end()), one);
+        const FlatAnswers flat(this->shafts_[s], this->bounds_);
+        EXPECT_EQ(sorted(kept[s]), flat.kept());
+        EXPECT_EQ(sorted(overlap[s]), flat.overlap);
+        EXPECT_EQ(sorted(inside[s]), flat.inside);
+        EXPECT_EQ(sorted(kept_runs[s], this->tree_.order()), flat.kept());
+        EXPECT_EQ(sorted(overlap_runs[s], this->tree_.order()), flat.overlap);
+        EXPECT_EQ(sorted(inside_runs[s], this->tree_.order()), flat.inside);
+      }
+    });
+  }
+}
+
+TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRunsOfEachShaft) {
+  RunLists kept;
+  RunLists overlap;
+  RunLists inside;
+  list_many(this->shafts_, this->tree_, kept);
+  list_many(this->shafts_, this->tree_, overlap, inside);
+  const auto vector_of = [](std::span<const TreeRun> runs) { return std::vector<TreeRun>(runs.begin(), runs.end()); };
+  for (const int threads : thread_counts) {
+    with_threads(threads, [&] {
+      std::size_t next = 0;
+      cull_each(this->shafts_, this->tree_, [&](const ShaftAnswers& answers) {
+        EXPECT_EQ(answers.shaft, next++);
+        EXPECT_EQ(vector_of(answers.overlap), vector_of(kept[answers.shaft]));
+        EXPECT_TRUE(answers.inside.empty());
+      });
+      EXPECT_EQ(next, this->shafts_.size());
+      next = 0;
+      classify_each(this->shafts_, this->tree_, [&](const ShaftAnswers& answers) {
+        EXPECT_EQ(answers.shaft, next++);
+        EXPECT_EQ(vector_of(answers.overlap), vector_of(overlap[answers.shaft]));
+        EXPECT_EQ(vector_of(answers.inside), vector_of(inside[answers.shaft]));
+      });
+      EXPECT_EQ(next, this->shafts_.size());
+    });
+  }
+}
+
+TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheRun) {
+  std::size_t calls = 0;
+  EXPECT_THROW(cull_each(this->shafts_, this->tree_,
+                         [&](const ShaftAnswers& answers) {
+                           ++calls;
+                           if (answers.shaft == 7) throw std::domain_error("enough");
+                         }),
+               std::domain_error);
+  EXPECT_EQ(calls, 8U);
+}
+
+TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
+  Dice dice(62);
+  std::vector<std::uint64_t> mask(words_for(this->bounds_.size()));
+  for (std::uint64_t& word : mask) word = dice.one_in(3) ? 0 : std::uint64_t{dice.below(0xffffffff)} << dice.below(33);
+  // What a shaft keeps is what is worth leaving out of it.
+  Indices own;
+  for (const CompiledShaft& shaft : this->shafts_) {
+    const Indices kept = FlatAnswers(shaft, this->bounds_).kept();
+    for (int i = 0; i != 3; ++i) {
+      own.push_back(kept.empty() ? 5U : kept[dice.below(static_cast<unsigned>(kept.size()))]);
+    }
+  }
+  for (const bool use_mask : {false, true}) {
+    for (const bool use_own : {false, true}) {
+      Excluding excluding;
+      if (use_mask) excluding.mask = mask;
+      if (use_own) excluding.own = own;
+      IndexLists kept;
+      IndexLists overlap;
+      IndexLists inside;
+      RunLists runs;
+      std::vector<std::uint64_t> counts(this->shafts_.size());
+      list_many(this->shafts_, this->tree_, kept, excluding);
+      list_many(this->shafts_, this->tree_, overlap, inside, excluding);
+      list_many(this->shafts_, this->tree_, runs, excluding);
+      count_many(this->shafts_, this->tree_, counts, excluding);
+      for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
+        FlatAnswers flat(this->shafts_[s], this->bounds_);
+        const std::span<const std::uint32_t> own_of_shaft = std::span(own).subspan(3 * s, 3);
+        const auto is_out = [&](std::uint32_t i) {
+          return (use_mask && (mask[i / 64] >> i % 64 & 1) != 0) ||
+                 (use_own && std::find(own_of_shaft.begin(), own_of_shaft.end(), i) != own_of_shaft.end());
+        };
+        std::erase_if(flat.overlap, is_out);
+        std::erase_if(flat.inside, is_out);
+        EXPECT_EQ(sorted(kept[s]), flat.kept());
+        EXPECT_EQ(sorted(overlap[s]), flat.overlap);
+        EXPECT_EQ(sorted(inside[s]), flat.inside);
+        EXPECT_EQ(sorted(runs[s], this->tree_.order()), flat.kept());
+        EXPECT_TRUE(are_maximal(runs[s]));
+        EXPECT_EQ(counts[s], flat.kept().size());
+      }
+    }
+  }
+}
+
+TYPED_TEST(TreeMany, TheOrderDoesNotDependOnTheNumberOfThreads) {
+  Dice dice(63);
+  const auto bounds = scene<TypeParam>(dice, Shape::wild_sizes, 70000);
+  const std::vector<std::uint32_t> order = [&] {
+    const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+    return std::vector<std::uint32_t>(tree.order().begin(), tree.order().end());
+  }();
+  for (const int threads : thread_counts) {
+    with_threads(threads, [&] {
+      const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+      EXPECT_EQ(std::vector<std::uint32_t>(tree.order().begin(), tree.order().end()), order);
+    });
+  }
+}
+
+TYPED_TEST(TreeMany, WhatDoesNotFitIsCountedAndNotWritten) {
+  for (const CompiledShaft& shaft : this->shafts_) {
+    Indices all(this->bounds_.size());
+    all.resize(cull(shaft, this->tree_, std::span(all)));
+    std::vector<TreeRun> all_runs(this->bounds_.size());
+    all_runs.resize(cull(shaft, this->tree_, std::span(all_runs)));
+    for (const std::size_t room : {std::size_t{0}, all.size() / 2, all.size()}) {
+      Indices some(room + 1, 12345);
+      EXPECT_EQ(cull(shaft, this->tree_, std::span(some).first(room)), all.size());
+      EXPECT_EQ(some.back(), 12345U);
+      EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all.begin()));
+    }
+    const std::size_t room = all_runs.size() / 2;
+    std::vector<TreeRun> some(room + 1, TreeRun{1, 0});
+    EXPECT_EQ(cull(shaft, this->tree_, std::span(some).first(room)), all_runs.size());
+    EXPECT_EQ(some.back(), (TreeRun{1, 0}));
+    EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all_runs.begin()));
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

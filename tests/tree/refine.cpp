@@ -1,0 +1,87 @@
+/// Candidates of a parent shaft, tested against its children: what a scan of everything would keep.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "columns.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
+#include "tree/flat.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class Bound>
+class Refine : public testing::Test {};
+
+using Kinds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(Refine, Kinds);
+
+/// The smallest box around both.
+Box around(const Box& a, const Box& b) {
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    box.lo[k] = std::min(a.lo[k], b.lo[k]);
+    box.hi[k] = std::max(a.hi[k], b.hi[k]);
+  }
+  return box;
+}
+
+TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
+  for (std::uint64_t seed = 81; seed != 91; ++seed) {
+    Dice dice(seed);
+    const auto bounds = scene<TypeParam>(dice, shapes[seed % std::size(shapes)], 5000);
+    const auto memory = columns(bounds);
+    std::vector<Box> a;
+    std::vector<Box> b;
+    for (int i = 0; i != 4; ++i) {
+      a.push_back(dice.box(-4, -2, 0.2F, 1.0F));
+      b.push_back(dice.box(2, 4, 0.2F, 1.0F));
+    }
+    Box group_a = a[0];
+    Box group_b = b[0];
+    for (int i = 1; i != 4; ++i) {
+      group_a = around(group_a, a[static_cast<std::size_t>(i)]);
+      group_b = around(group_b, b[static_cast<std::size_t>(i)]);
+    }
+    const Indices candidates = FlatAnswers(compile(Shaft(group_a, group_b)), bounds).kept();
+    std::vector<CompiledShaft> children(a.size());
+    compile_batch(BoxStream(std::span<const Box>(a)).view(), BoxStream(std::span<const Box>(b)).view(), children);
+    IndexLists lists;
+    refine_many(children, memory.view(), candidates, lists);
+    for (std::size_t s = 0; s != children.size(); ++s) {
+      const Indices right = FlatAnswers(children[s], bounds).kept();
+      EXPECT_EQ(Indices(lists[s].begin(), lists[s].end()), right) << "seed " << seed;
+      Indices kept(candidates.size());
+      kept.resize(refine(children[s], memory.view(), candidates, kept));
+      EXPECT_EQ(kept, right) << "seed " << seed;
+      Indices in_place = candidates;
+      in_place.resize(refine(children[s], memory.view(), in_place, in_place));
+      EXPECT_EQ(in_place, right) << "seed " << seed;
+    }
+  }
+}
+
+TYPED_TEST(Refine, CandidatesKeepTheirOrderAndMayRepeat) {
+  Dice dice(92);
+  const auto bounds = scene<TypeParam>(dice, Shape::uniform, 100);
+  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const Indices candidates = {70, 3, 3, 99, 0};
+  Indices kept(5);
+  EXPECT_EQ(refine(everything, columns(bounds).view(), candidates, kept), 5U);
+  EXPECT_EQ(kept, candidates);
+}
+
+TYPED_TEST(Refine, NoCandidatesGiveNothing) {
+  const auto bounds = std::vector<TypeParam>();
+  const CompiledShaft shaft = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
+  EXPECT_EQ(refine(shaft, columns(bounds).view(), {}, {}), 0U);
+  IndexLists lists;
+  refine_many({&shaft, 1}, columns(bounds).view(), {}, lists);
+  EXPECT_TRUE(lists[0].empty());
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,125 @@
+/// Scenes for the tests of trees: shapes that could break one, and random ones.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "dice.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/shaft.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull {
+
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+inline constexpr Box empty_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+
+/// Arrangements of bounds.
+enum class Shape : std::uint8_t { uniform, clustered, coincident, flat, line, wild_sizes, one_giant, grid, some_infinite, some_empty };
+inline constexpr Shape shapes[] = {Shape::uniform,    Shape::clustered, Shape::coincident, Shape::flat,          Shape::line,
+                                   Shape::wild_sizes, Shape::one_giant, Shape::grid,       Shape::some_infinite, Shape::some_empty};
+
+inline const char* text(Shape shape) {
+  static constexpr const char* names[] = {"uniform",    "clustered", "coincident", "flat",          "line",
+                                          "wild sizes", "one giant", "grid",       "some infinite", "some empty"};
+  return names[static_cast<std::size_t>(shape)];
+}
+
+/// Bound `i` of a scene, as a centre and three half extents.
+struct Blob {
+  Vec3 centre;
+  Vec3 half;
+};
+
+inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
+  Blob blob{dice.vec3(-5, 5), dice.vec3(0.01F, 0.2F)};
+  switch (shape) {
+    case Shape::clustered: {
+      const float home = static_cast<float>(dice.below(5)) - 2.0F;
+      blob = {{home + dice.uniform(-0.01F, 0.01F), 2 * home + dice.uniform(-0.01F, 0.01F), home}, dice.vec3(0, 0.01F)};
+      break;
+    }
+    case Shape::coincident: blob = {{1, 0.5F, -0.25F}, {0.25F, 0.25F, 0.25F}}; break;
+    case Shape::flat:
+      blob.centre[2] = 1;
+      blob.half[2] = 0;
+      break;
+    case Shape::line: blob = {{blob.centre[0], 0, 1}, {0, 0, 0}}; break;
+    case Shape::wild_sizes: {
+      const float scale = std::pow(10.0F, dice.uniform(-6, 3));
+      for (float& h : blob.half) h *= scale;
+      break;
+    }
+    case Shape::one_giant:
+      if (i == 17) blob.half = {1e6F, 1e30F, 40};
+      break;
+    case Shape::grid: blob = {{dice.integer(-5, 5), dice.integer(-5, 5), dice.integer(-5, 5)}, {0.5F, 0.5F, 0.5F}}; break;
+    default: break;
+  }
+  return blob;
+}
+
+inline Box box_of(Dice& dice, Shape shape, std::size_t i) {
+  const Blob b = blob(dice, shape, i);
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    box.lo[k] = b.centre[k] - b.half[k];
+    box.hi[k] = b.centre[k] + b.half[k];
+  }
+  if (shape == Shape::some_empty && dice.one_in(3)) return empty_box;
+  if (shape == Shape::some_infinite && dice.one_in(5)) {
+    box.lo[dice.below(3)] = -infinity;
+    if (dice.one_in(2)) box.hi[dice.below(3)] = infinity;
+  }
+  return box;
+}
+
+inline Sphere sphere_of(Dice& dice, Shape shape, std::size_t i) {
+  const Blob b = blob(dice, shape, i);
+  if (shape == Shape::some_infinite && dice.one_in(5)) return {b.centre, infinity};
+  return {b.centre, b.half[0]};
+}
+
+template <class Bound>
+std::vector<Bound> scene(Dice& dice, Shape shape, std::size_t count) {
+  std::vector<Bound> bounds;
+  for (std::size_t i = 0; i != count; ++i) {
+    if constexpr (std::is_same_v<Bound, Box>) {
+      bounds.push_back(box_of(dice, shape, i));
+    } else {
+      bounds.push_back(sphere_of(dice, shape, i));
+    }
+  }
+  return bounds;
+}
+
+/// Shafts thin and thick, of all kinds that compile differently.
+inline std::vector<CompiledShaft> shafts_for(Dice& dice, std::size_t count) {
+  std::vector<CompiledShaft> shafts;
+  while (shafts.size() != count) {
+    Box a{};
+    Box b{};
+    switch (dice.below(5)) {
+      case 0: a = dice.box(-5, 5, 0.2F, 1.0F), b = dice.box(-5, 5, 0.2F, 1.0F); break;
+      case 1: a = dice.box(-4, 4, 3.0F, 5.0F), b = dice.box(-4, 4, 3.0F, 5.0F); break;   // most bounds are inside
+      case 2: a = dice.grid_box(-5, 5), b = dice.grid_box(-5, 5); break;               // touching, purple faces
+      case 3: a = b = dice.grid_box(-5, 5); break;
+      default: a = dice.box(-5, 5, 0, 0.01F), b = dice.box(-5, 5, 0, 0.01F); break;
+    }
+    Shaft shaft(a, b);
+    if (dice.one_in(4)) shaft.add_plane({dice.vec3(-1, 1), dice.uniform(-1, 1)});
+    shafts.push_back(compile(shaft));
+    if (dice.one_in(3) && shafts.back().added_count == 0) {
+      const BoxStream as(std::vector<Box>{a});
+      const BoxStream bs(std::vector<Box>{b});
+      compile_batch(as.view(), bs.view(), {&shafts.back(), 1});  // planes pending
+    }
+  }
+  return shafts;
+}
+
+}  // namespace shaftcull
