@@ -212,7 +212,7 @@ void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std:
 template <class L, template <class> class Corners, class Words = WordsInARow<L>>
 void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                        const Words& position = {}) noexcept {
-  constexpr float wider = 1.25F;
+  constexpr float wider = 1.17F;
   slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, position, words, kept);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "tree/order.hpp"
 #include "tree/size_class.hpp"
