@@ -51,7 +51,7 @@ template <class Lists>
 class Pieces {
  public:
   using Item = typename std::remove_reference_t<decltype(items_of(std::declval<Lists&>()))>::value_type;
-  using Output = kernel::GrowingOutput<Item>;
+  using Output = kernel::PiecewiseOutput<Item>;
 
   Pieces(std::size_t shafts, Lists& lists) : shafts_(shafts), piece_(pieces(shafts, task_shafts)), lists_(lists) {
     lists.offsets.assign(shafts + 1, 0);
@@ -72,7 +72,7 @@ class Pieces {
     items.resize(static_cast<std::size_t>(before));
     kernel::parallel_for(piece_.size(), 1, [&](std::size_t t, std::size_t) {
       const Output done = std::move(piece_[t]);
-      std::copy(done.data(), done.data() + done.count(), items.data() + lists_.offsets[t * task_shafts]);
+      done.copy_to(items.data() + lists_.offsets[t * task_shafts]);
     });
   }
 
