@@ -19,7 +19,8 @@ constexpr float no_sphere[4] = {0, 0, 0, -1};
 
 template <std::size_t rows>
 void fill_from(const StreamMemory& memory, std::size_t from, const float (&value)[rows]) {
-  for (std::size_t s = 0; s != rows; ++s) std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
+  for (std::size_t s = 0; s != rows; ++s)
+    std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
 }
 
 /// Some of the bounds' centres, evenly spaced in the user's order.

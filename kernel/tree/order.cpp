@@ -1,5 +1,5 @@
-/// A k-d tree whose leaves are nodes of 64: halves are split at the median of the axis on which they are spread out most,
-/// moved to a multiple of a whole node, so that nodes of all levels are cells of it.
+/// A k-d tree whose leaves are nodes of 64: halves are split at the median of the axis on which they are spread out
+/// most, moved to a multiple of a whole node, so that nodes of all levels are cells of it.
 #include "tree/order.hpp"
 
 #include <algorithm>
@@ -39,7 +39,8 @@ class Sample {
  public:
   Sample(const OrderEntry* entries, const Part& part) noexcept {
     const std::size_t n = part.last - part.first;
-    size_ = std::clamp(static_cast<std::size_t>(0.5 * std::sqrt(static_cast<double>(n))), std::min<std::size_t>(n, 9), most);
+    size_ = std::clamp(static_cast<std::size_t>(0.5 * std::sqrt(static_cast<double>(n))), std::min<std::size_t>(n, 9),
+                       most);
     for (std::size_t i = 0; i != size_; ++i) key_[i] = entries[part.first + i * n / size_].key;
   }
 
