@@ -48,7 +48,8 @@ void BulletTree::sweep(const Box& from, const Box& to, std::vector<std::uint32_t
     signs[k] = inverse[k] < 0.0F ? 1U : 0U;
   }
   Collector collector(hits);
-  tree_->boxes.rayTestInternal(tree_->boxes.m_root, start, end, inverse, signs, length, -half, half, tree_->stack, collector);
+  tree_->boxes.rayTestInternal(tree_->boxes.m_root, start, end, inverse, signs, length, -half, half, tree_->stack,
+                               collector);
 }
 
 }  // namespace shaftcull::bench

@@ -1,7 +1,7 @@
 /// frame/…: all boxes move, then shafts are asked: with a tree, which is updated and refitted, and with a flat scan.
 ///
-/// The boxes' user keeps them in tree order, as it was when the tree was built (frame/S/tree), or in an order that has nothing to do
-/// with where they are (frame/S/tree_shuffled).
+/// The boxes' user keeps them in tree order, as it was when the tree was built (frame/S/tree), or in an order that has
+/// nothing to do with where they are (frame/S/tree_shuffled).
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -45,18 +45,24 @@ struct Frames {
 class Frame {
  public:
   Frame(const std::shared_ptr<std::unique_ptr<Frames>>& frames, std::size_t bounds, std::size_t shafts)
-      : frames_(frames), bounds_(bounds), swept_(shafts, swept_settings[1], std::cbrt(1e6F / static_cast<float>(bounds))) {}
+      : frames_(frames),
+        bounds_(bounds),
+        swept_(shafts, swept_settings[1], std::cbrt(1e6F / static_cast<float>(bounds))) {}
 
   void with_tree(benchmark::State& state, bool sorted) const {
     const auto& boxes = sorted ? frames().sorted : frames().shuffled;
     BoxTree tree{std::span<const Box>(boxes[0])};
-    run(state, [&](std::size_t time) { tree.update(std::span<const Box>(boxes[time])); },
-        [&](std::span<const CompiledShaft> shafts, std::span<std::uint64_t> counts) { count_many(shafts, tree, counts); });
+    run(
+        state, [&](std::size_t time) { tree.update(std::span<const Box>(boxes[time])); },
+        [&](std::span<const CompiledShaft> shafts, std::span<std::uint64_t> counts) {
+          count_many(shafts, tree, counts);
+        });
   }
   void with_flat_scan(benchmark::State& state) const {
     const auto& boxes = frames().shuffled;
     BoxStream stream{std::span<const Box>(boxes[0])};
-    run(state,
+    run(
+        state,
         [&](std::size_t time) {
           for_pieces(bounds_, std::size_t{1} << 14, [&](std::size_t first, std::size_t size) {
             stream.update(first, std::span<const Box>(boxes[time]).subspan(first, size));
@@ -102,9 +108,12 @@ void declare_frame(Suite& suite, const Workload& workload) {
   for (const std::size_t shafts : {64U, 1024U}) {
     const auto frame = std::make_shared<const Frame>(frames, workload.boxes.size(), shafts);
     const std::string name = fmt::format("frame/{}/", shafts);
-    suite.add(name + "tree", "", [=](benchmark::State& state) { frame->with_tree(state, true); }, manner);
-    suite.add(name + "tree_shuffled", "", [=](benchmark::State& state) { frame->with_tree(state, false); }, manner);
-    suite.add(name + "flat", "", [=](benchmark::State& state) { frame->with_flat_scan(state); }, manner);
+    suite.add(
+        name + "tree", "", [=](benchmark::State& state) { frame->with_tree(state, true); }, manner);
+    suite.add(
+        name + "tree_shuffled", "", [=](benchmark::State& state) { frame->with_tree(state, false); }, manner);
+    suite.add(
+        name + "flat", "", [=](benchmark::State& state) { frame->with_flat_scan(state); }, manner);
     suite.reach(name + "tree", name + "flat", shafts == 64 ? 1.5 : 8.0);
   }
 }

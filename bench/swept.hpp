@@ -22,10 +22,12 @@ struct SweptSetting {
 };
 
 /// For a million boxes with half extents of 0.005–0.035 in ±5. The last finds most by far.
-inline constexpr std::array swept_settings{SweptSetting{"tiny_short", 0.05F, 0.5F}, SweptSetting{"tiny_long", 0.05F, 5.0F},
+inline constexpr std::array swept_settings{SweptSetting{"tiny_short", 0.05F, 0.5F},
+                                           SweptSetting{"tiny_long", 0.05F, 5.0F},
                                            SweptSetting{"big_short", 0.5F, 0.5F}, SweptSetting{"big_long", 0.5F, 5.0F}};
 
-/// Boxes uniform in ±5, a million of half extents 0.005–0.035; more are smaller and fewer larger, so that together they fill as much.
+/// Boxes uniform in ±5, a million of half extents 0.005–0.035; more are smaller and fewer larger, so that together they
+/// fill as much.
 inline std::vector<Box> small_boxes(std::size_t count) {
   const float scale = std::cbrt(1e6F / static_cast<float>(count));
   Dice dice(4000);

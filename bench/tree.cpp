@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,14 +13,10 @@
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
-#include "shaftcull/tree.hpp"
 #include "suite.hpp"
 #include "swept.hpp"
 #include "threads.hpp"
-
-#ifdef SHAFTCULL_BENCH_WITH_BULLET
-#include "bullet.hpp"
-#endif
+#include "tree_scene.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -29,49 +24,6 @@ namespace {
 constexpr std::size_t queries = 1024;
 constexpr std::size_t full_bounds = 1000000;
 constexpr std::size_t quick_bounds = std::size_t{1} << 17;
-
-/// What is made at the first benchmark that needs it: seconds would be lost where a filter leaves all out.
-template <class Thing>
-class Lazy {
- public:
-  template <class Make>
-  Thing& get(const Make& make) {
-    if (!thing_) thing_ = std::make_unique<Thing>(make());
-    return *thing_;
-  }
-
- private:
-  std::unique_ptr<Thing> thing_;
-};
-
-struct Scene {
-  explicit Scene(std::size_t bounds) : count(bounds) {}
-
-  const std::vector<Box>& boxes() {
-    return boxes_.get([&] { return small_boxes(count); });
-  }
-  const BoxStream& stream() {
-    return stream_.get([&] { return BoxStream(std::span<const Box>(boxes())); });
-  }
-  BoxTree& tree() {
-    return tree_.get([&] { return BoxTree(stream().view()); });
-  }
-#ifdef SHAFTCULL_BENCH_WITH_BULLET
-  BulletTree& bullet() {
-    if (!bullet_) bullet_ = std::make_unique<BulletTree>(boxes());
-    return *bullet_;
-  }
-#endif
-  std::size_t count;
-
- private:
-  Lazy<std::vector<Box>> boxes_;
-  Lazy<BoxStream> stream_;
-  Lazy<BoxTree> tree_;
-#ifdef SHAFTCULL_BENCH_WITH_BULLET
-  std::unique_ptr<BulletTree> bullet_;
-#endif
-};
 
 /// Compiles the swept boxes and lists the boxes that each meets, one after the other.
 void query_tree(benchmark::State& state, const BoxTree& tree, const SweptBoxes& swept) {
@@ -100,9 +52,9 @@ void query_flat(benchmark::State& state, const BoxView& boxes, const SweptBoxes&
 
 #ifdef SHAFTCULL_BENCH_WITH_BULLET
 
-/// Throws unless Bullet finds what the tree finds, but for boxes that a change of the swept box's size by a few roundings
-/// decides about.
-void require_same_hits(Scene& scene, const SweptBoxes& swept, const SweptSetting& setting) {
+/// Throws unless Bullet finds what the tree finds, but for boxes that a change of the swept box's size by a few
+/// roundings decides about.
+void require_same_hits(TreeScene& scene, const SweptBoxes& swept, const SweptSetting& setting) {
   std::vector<std::uint32_t> bullet;
   std::vector<std::uint32_t> kept(scene.count);
   const auto grown = [](Box box, float by) {
@@ -114,7 +66,8 @@ void require_same_hits(Scene& scene, const SweptBoxes& swept, const SweptSetting
   };
   const auto hits_of = [&](std::size_t i, float by) {
     const CompiledShaft shaft = compile(Shaft(grown(swept.from[i], by), grown(swept.to[i], by)));
-    std::vector<std::uint32_t> hits(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(cull(shaft, scene.tree(), std::span(kept))));
+    std::vector<std::uint32_t> hits(
+        kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(cull(shaft, scene.tree(), std::span(kept))));
     std::sort(hits.begin(), hits.end());
     return hits;
   };
@@ -134,7 +87,7 @@ void require_same_hits(Scene& scene, const SweptBoxes& swept, const SweptSetting
   }
 }
 
-void query_bullet(benchmark::State& state, Scene& scene, const SweptBoxes& swept, const SweptSetting& setting) {
+void query_bullet(benchmark::State& state, TreeScene& scene, const SweptBoxes& swept, const SweptSetting& setting) {
   require_same_hits(scene, swept, setting);
   std::vector<Box> from;
   std::vector<Box> to;
@@ -154,7 +107,7 @@ void query_bullet(benchmark::State& state, Scene& scene, const SweptBoxes& swept
 
 #endif
 
-void declare_queries(Suite& suite, const std::shared_ptr<Scene>& scene) {
+void declare_queries(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
   for (const SweptSetting& setting : swept_settings) {
     const std::string name = fmt::format("tree/{}/", setting.name);
     const auto swept = std::make_shared<const SweptBoxes>(queries, setting);
@@ -175,7 +128,7 @@ void declare_sizes(Suite& suite) {
   constexpr std::size_t least = std::size_t{1} << 16;
   const std::size_t most = least << (suite.quick() ? 3U : 6U);
   for (std::size_t count = least; count <= most; count *= suite.quick() ? 8 : 4) {
-    const auto scene = std::make_shared<Scene>(count);
+    const auto scene = std::make_shared<TreeScene>(count);
     const float scale = std::cbrt(1e6F / static_cast<float>(count));
     const auto swept = std::make_shared<const SweptBoxes>(queries, swept_settings[0], scale);
     suite.add(fmt::format("tree/size/{}", count), "",
@@ -184,7 +137,7 @@ void declare_sizes(Suite& suite) {
   suite.reach(fmt::format("tree/size/{}", most), fmt::format("tree/size/{}", least), 0.25);
 }
 
-void declare_build(Suite& suite, const std::shared_ptr<Scene>& scene) {
+void declare_build(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
   const auto items = static_cast<std::int64_t>(scene->count);
   for (const unsigned threads : thread_counts()) {
     suite.add(fmt::format("tree/build/{}", threads), "",
@@ -208,7 +161,7 @@ void declare_build(Suite& suite, const std::shared_ptr<Scene>& scene) {
 }
 
 void declare_refit(Suite& suite, std::size_t bounds) {
-  const auto scene = std::make_shared<Scene>(bounds);
+  const auto scene = std::make_shared<TreeScene>(bounds);
   const auto items = static_cast<std::int64_t>(bounds);
   suite.add("tree/refit", "", [=](benchmark::State& state) {
     select_isa(available_isas().back());
@@ -236,7 +189,7 @@ void declare_refit(Suite& suite, std::size_t bounds) {
   suite.limit("tree/refit", "tree/read", 1.0, "reading the leaves");
 }
 
-void declare_threads(Suite& suite, const std::shared_ptr<Scene>& scene) {
+void declare_threads(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
   constexpr std::size_t many = 100000;
   const auto swept = std::make_shared<const SweptBoxes>(many, swept_settings[1]);
   for (const unsigned threads : thread_counts()) {
@@ -261,7 +214,7 @@ void declare_threads(Suite& suite, const std::shared_ptr<Scene>& scene) {
 }  // namespace
 
 void declare_tree(Suite& suite, const Workload& /*workload*/) {
-  const auto scene = std::make_shared<Scene>(suite.quick() ? quick_bounds : full_bounds);
+  const auto scene = std::make_shared<TreeScene>(suite.quick() ? quick_bounds : full_bounds);
   declare_queries(suite, scene);
   declare_sizes(suite);
   declare_build(suite, scene);
@@ -270,7 +223,9 @@ void declare_tree(Suite& suite, const Workload& /*workload*/) {
 #ifndef SHAFTCULL_BENCH_WITH_BULLET
   suite.note("tree/…/bullet is not measured: this build found no Bullet (Debian: libbullet-dev)");
 #endif
-  if (suite.quick()) suite.note(fmt::format("--quick: tree/… has {} boxes, not {}; its targets are set for those", quick_bounds, full_bounds));
+  if (suite.quick())
+    suite.note(
+        fmt::format("--quick: tree/… has {} boxes, not {}; its targets are set for those", quick_bounds, full_bounds));
 }
 
 }  // namespace shaftcull::bench

@@ -1,8 +1,8 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
-/// Results are in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument if the
-/// tree needs a refit, if a shaft was formed without the answer asked for, or if `excluding` does not fit.
-/// Cost: about 20 ns for each node or group of 64 bounds that the shaft reaches. Safe to call from many threads.
+/// Results are in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument
+/// if the tree needs a refit, if a shaft was formed without the answer asked for, or if `excluding` does not fit. Cost:
+/// about 20 ns for each node or group of 64 bounds that the shaft reaches. Safe to call from many threads.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,8 @@ struct TreeRun {
 
 /// Bounds that a query leaves out, by the user's indices.
 struct Excluding {
-  /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two objects, say.
+  /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two
+  /// objects, say.
   std::span<const std::uint32_t> own{};
   /// Bit i of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
   std::span<const std::uint64_t> mask{};
@@ -47,23 +48,26 @@ struct KeptCounts {
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const SphereTree& tree, const Excluding& excluding = {});
 
 /// Writes the indices of the bounds that the shaft keeps, and returns how many there are.
-std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> kept, const Excluding& excluding = {});
+std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> kept,
+                 const Excluding& excluding = {});
 std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<std::uint32_t> kept,
                  const Excluding& excluding = {});
 
 /// Writes the runs of leaves that the shaft keeps, each as long as can be, and returns how many there are.
-std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> kept, const Excluding& excluding = {});
-std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> kept, const Excluding& excluding = {});
+std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> kept,
+                 const Excluding& excluding = {});
+std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> kept,
+                 const Excluding& excluding = {});
 
 /// As cull(), but bounds that overlap and bounds inside apart. Nothing below a node that is inside is tested.
 KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> overlap,
                     std::span<std::uint32_t> inside, const Excluding& excluding = {});
 KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<std::uint32_t> overlap,
                     std::span<std::uint32_t> inside, const Excluding& excluding = {});
-KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> overlap, std::span<TreeRun> inside,
-                    const Excluding& excluding = {});
-KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> overlap, std::span<TreeRun> inside,
-                    const Excluding& excluding = {});
+KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> overlap,
+                    std::span<TreeRun> inside, const Excluding& excluding = {});
+KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> overlap,
+                    std::span<TreeRun> inside, const Excluding& excluding = {});
 
 // Many shafts, in parallel. Results do not depend on the number of threads.
 
@@ -85,10 +89,14 @@ struct RunLists {
 };
 
 /// Lists what each shaft keeps, as indices or as runs. Reuses the memory of the lists.
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& kept, const Excluding& excluding = {});
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& kept, const Excluding& excluding = {});
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& kept, const Excluding& excluding = {});
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& kept, const Excluding& excluding = {});
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& kept,
+               const Excluding& excluding = {});
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& kept,
+               const Excluding& excluding = {});
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& kept,
+               const Excluding& excluding = {});
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& kept,
+               const Excluding& excluding = {});
 
 /// Likewise, but bounds that overlap and bounds inside apart.
 void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& overlap, IndexLists& inside,

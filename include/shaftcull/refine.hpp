@@ -1,7 +1,7 @@
 /// Refining: what a shaft keeps, out of what a shaft around it kept.
 ///
-/// A shaft between two groups of objects contains every shaft between their members. Cull all bounds with the shaft between the groups,
-/// then only its candidates with those between members.
+/// A shaft between two groups of objects contains every shaft between their members. Cull all bounds with the shaft
+/// between the groups, then only its candidates with those between members.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,20 @@
 namespace shaftcull {
 
 /// Writes those of `candidates` that the shaft keeps, in their order, and returns how many there are. Candidates
-/// are positions in the view; for BoundsTree::leaves() these are leaves. `kept` needs room for all of them and may be the memory of
-/// `candidates`. Throws InvalidArgument for a candidate not below the view's count, too little room, or as cull() does.
-/// O(candidates.size()); no allocation; safe to call from many threads.
+/// are positions in the view; for BoundsTree::leaves() these are leaves. `kept` needs room for all of them and may be
+/// the memory of `candidates`. Throws InvalidArgument for a candidate not below the view's count, too little room, or
+/// as cull() does. O(candidates.size()); no allocation; safe to call from many threads.
 std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept);
 std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept);
 
-/// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are collected once, so
-/// many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`. Errors as refine().
+/// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
+/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`.
+/// Errors as refine().
 void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<const std::uint32_t> candidates,
                  IndexLists& lists);
-void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<const std::uint32_t> candidates,
-                 IndexLists& lists);
+void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                 std::span<const std::uint32_t> candidates, IndexLists& lists);
 
 }  // namespace shaftcull

@@ -24,12 +24,12 @@ template <class Bound>
 using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, SphereRecords>;
 
 /// A tree of nodes with 64 children each over bounds in memory of its own, which are sorted so that neighbours in
-/// space are neighbours in memory: the *tree order*. There are no pointers: entry i of a level is the box around entries
-/// 64 i … 64 i + 63 of the level below, and a visit to a node is one word of answers of the same tests as
+/// space are neighbours in memory: the *tree order*. There are no pointers: entry i of a level is the box around
+/// entries 64 i … 64 i + 63 of the level below, and a visit to a node is one word of answers of the same tests as
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
-/// Memory: the bounds, 4 bytes a bound for their order, and less than 2 % of both for nodes; 4 bytes a bound more from the
-/// first update by index on. At most 2³² − 1 bounds, else InvalidArgument.
+/// Memory: the bounds, 4 bytes a bound for their order, and less than 2 % of both for nodes; 4 bytes a bound more from
+/// the first update by index on. At most 2³² − 1 bounds, else InvalidArgument.
 ///
 /// Bounds are checked as in packing: a NaN, lo > hi (but for the empty box), a negative radius or a centre
 /// that is not finite throws BadBound, which names the first bad one, and leaves the tree unchanged.
@@ -43,8 +43,9 @@ class BoundsTree {
   using Records = RecordsOf<Bound>;
 
   BoundsTree() noexcept;
-  /// Copies and sorts the bounds; O(n log n). Bounds much larger than their share of space, and empty boxes, are kept apart from
-  /// the others, whose nodes they would spoil. The order depends on the bounds alone, not on the number of threads.
+  /// Copies and sorts the bounds; O(n log n). Bounds much larger than their share of space, and empty boxes, are kept
+  /// apart from the others, whose nodes they would spoil. The order depends on the bounds alone, not on the number of
+  /// threads.
   explicit BoundsTree(const View& bounds);
   explicit BoundsTree(const Records& bounds);
   explicit BoundsTree(std::span<const Bound> bounds);
@@ -63,14 +64,15 @@ class BoundsTree {
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
 
   /// Gives every bound a new value, bound i the value at i, and refits: one pass. Records are faster than separate
-  /// streams, since tree order jumps about in the user's memory. Throws InvalidArgument unless there are size() of them.
+  /// streams, since tree order jumps about in the user's memory. Throws InvalidArgument unless there are size() of
+  /// them.
   void update(const View& all);
   void update(const Records& all);
   void update(std::span<const Bound> all);
 
-  /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw until refit() is called.
-  /// O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for an index not below
-  /// size(), or unless there are as many indices as values.
+  /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw until refit()
+  /// is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for an index not
+  /// below size(), or unless there are as many indices as values.
   void update(std::span<const std::uint32_t> indices, const View& bounds);
   void update(std::span<const std::uint32_t> indices, const Records& bounds);
   void update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds);
@@ -81,15 +83,17 @@ class BoundsTree {
   [[nodiscard]] bool needs_refit() const noexcept;
 
   /// How much larger the smallest nodes have become since the tree was built or rebuilt, 1 at first: the sum of their
-  /// surfaces over what it was then. Queries slow down somewhat less than it grows; at 2 or 3 a rebuild() pays. Infinite nodes
-  /// are left out. +∞ if the sum was 0 and is not now. O(size() / 64); throws InvalidArgument if needs_refit().
+  /// surfaces over what it was then. Queries slow down somewhat less than it grows; at 2 or 3 a rebuild() pays.
+  /// Infinite nodes are left out. +∞ if the sum was 0 and is not now. O(size() / 64); throws InvalidArgument if
+  /// needs_refit().
   [[nodiscard]] double growth() const;
 
   /// Sorts the bounds anew as they are now, and refits. Indices stay; order() changes.
   void rebuild();
 
-  /// Numbers the bounds anew, in tree order: the index of leaf p becomes p. For users who have sorted their own objects by order(),
-  /// as they should if all of them move: update() then reads their memory from front to back, four times as fast.
+  /// Numbers the bounds anew, in tree order: the index of leaf p becomes p. For users who have sorted their own objects
+  /// by order(), as they should if all of them move: update() then reads their memory from front to back, four times as
+  /// fast.
   void renumber() noexcept;
 
   /// The tree's own format.

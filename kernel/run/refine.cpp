@@ -26,8 +26,8 @@ void require_candidates(const View& view, std::span<const std::uint32_t> candida
   for (const std::uint32_t candidate : candidates) most = std::max(most, candidate);
   if (candidates.empty() || most < view.count) return;
   const auto bad = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t c) { return c >= view.count; });
-  throw InvalidArgument("refine: candidates[" + std::to_string(bad - candidates.begin()) + "] = " + std::to_string(*bad) +
-                        " is not below the number of bounds, " + std::to_string(view.count));
+  throw InvalidArgument("refine: candidates[" + std::to_string(bad - candidates.begin()) + "] = " +
+                        std::to_string(*bad) + " is not below the number of bounds, " + std::to_string(view.count));
 }
 
 /// Copies the bounds of candidates [first, first + size) side by side.
@@ -36,7 +36,8 @@ void collect(const View& view, std::span<const std::uint32_t> candidates, std::s
              const std::array<float*, rows_of<View>>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
     if (first + i + prefetched_candidates < candidates.size()) {
-      for (const float* stream : view.stream) __builtin_prefetch(stream + candidates[first + i + prefetched_candidates]);
+      for (const float* stream : view.stream)
+        __builtin_prefetch(stream + candidates[first + i + prefetched_candidates]);
     }
     for (std::size_t s = 0; s != row.size(); ++s) row[s][i] = view.stream[s][candidates[first + i]];
   }
@@ -48,8 +49,8 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
   const kernel::Job<View> job({&shaft, 1}, view, false, Form::fastest);
   require_candidates(view, candidates);
   if (kept.size() < candidates.size()) {
-    throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) + " indices; it needs as much as the " +
-                          std::to_string(candidates.size()) + " candidates");
+    throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) +
+                          " indices; it needs as much as the " + std::to_string(candidates.size()) + " candidates");
   }
   CompiledShaft ready = shaft;  // planes once, not block by block
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
@@ -112,8 +113,8 @@ void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, st
                  IndexLists& lists) {
   refine_lists(shafts, boxes, candidates, lists);
 }
-void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<const std::uint32_t> candidates,
-                 IndexLists& lists) {
+void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                 std::span<const std::uint32_t> candidates, IndexLists& lists) {
   refine_lists(shafts, spheres, candidates, lists);
 }
 

@@ -64,8 +64,9 @@ float rounding_of(float x) noexcept {
   return __builtin_fabsf(x) * 0x1p-23F + 0x1p-149F;
 }
 
-/// As Unite in kernels.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word: what is subtracted grows
-/// more slowly than what it is subtracted from, so the smallest stays the smallest. Padding (a negative radius) is left out.
+/// As Unite in kernels.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word: what is
+/// subtracted grows more slowly than what it is subtracted from, so the smallest stays the smallest. Padding (a
+/// negative radius) is left out.
 template <class L>
 std::uint64_t unite_spheres(const float* const* stream, std::size_t words, float* const* node) noexcept {
   const FloatEnvironment<L> environment;

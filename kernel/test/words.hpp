@@ -55,15 +55,14 @@ void for_each_word(const float* const* stream, const std::uint32_t* word, std::s
 template <class L, unsigned streams, class Stage>
 void narrow_listed(const float* const* stream, const std::uint32_t* word, std::size_t words, std::uint64_t* bits,
                    Stage stage) noexcept {
-  for_each_word<L, streams>(stream, word, words, bits, 1, [&](const float* const* at, std::size_t i) {
-    narrow<L, streams>(at, 1, bits + i, stage);
-  });
+  for_each_word<L, streams>(stream, word, words, bits, 1,
+                            [&](const float* const* at, std::size_t i) { narrow<L, streams>(at, 1, bits + i, stage); });
 }
 
 /// As Stages::cull, for words of a list.
 template <class L, class Stages>
-void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
-                       std::uint64_t* kept) noexcept {
+void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
+                       std::size_t words, std::uint64_t* kept) noexcept {
   const ListedWords<L, Stages::streams> position(stream, word, words);
   if constexpr (Stages::streams == 6) {
     box_slab_stage<L>(shaft, stream, words, kept, position);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,8 @@ constexpr float no_sphere[4] = {0, 0, 0, -1};
 
 template <std::size_t rows>
 void fill_from(const StreamMemory& memory, std::size_t from, const float (&value)[rows]) {
-  for (std::size_t s = 0; s != rows; ++s) std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
+  for (std::size_t s = 0; s != rows; ++s)
+    std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
 }
 
 /// Some of the bounds' centres, evenly spaced in the user's order.
@@ -39,7 +41,7 @@ std::vector<Vec3> sample_of(const Source& source) {
 
 /// Entries for all bounds, sorted by size class; where each class begins goes to class_first.
 template <class Source>
-std::vector<OrderEntry> entries_by_class(const Source& source, std::size_t (&class_first)[size_classes + 1]) {
+std::unique_ptr<OrderEntry[]> entries_by_class(const Source& source, std::size_t (&class_first)[size_classes + 1]) {
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of(source), count);
   const std::size_t blocks = pieces(count, source_block);
@@ -61,7 +63,7 @@ std::vector<OrderEntry> entries_by_class(const Source& source, std::size_t (&cla
   }
   class_first[size_classes] = next;
 
-  std::vector<OrderEntry> entries(count);
+  auto entries = std::make_unique_for_overwrite<OrderEntry[]>(count);
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
     const Run block = piece(count, source_block, b);
     std::array<std::size_t, size_classes> place = places[b];
@@ -106,8 +108,8 @@ TreeParts<Bound> build(const RecordSource<Bound>& source) {
   TreeParts<Bound> parts;
   lay_out(parts, source.count());
   std::size_t class_first[size_classes + 1];
-  std::vector<OrderEntry> entries = entries_by_class(source, class_first);
-  sort_into_tree_order(entries, class_first);
+  const std::unique_ptr<OrderEntry[]> entries = entries_by_class(source, class_first);
+  sort_into_tree_order(entries.get(), class_first);
 
   parts.order.resize(parts.size);
   const auto row = parts.leaf_rows();

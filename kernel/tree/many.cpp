@@ -51,7 +51,7 @@ template <class Lists>
 class Pieces {
  public:
   using Item = typename std::remove_reference_t<decltype(items_of(std::declval<Lists&>()))>::value_type;
-  using Output = kernel::GrowingOutput<Item>;
+  using Output = kernel::PiecewiseOutput<Item>;
 
   Pieces(std::size_t shafts, Lists& lists) : shafts_(shafts), piece_(pieces(shafts, task_shafts)), lists_(lists) {
     lists.offsets.assign(shafts + 1, 0);
@@ -72,7 +72,7 @@ class Pieces {
     items.resize(static_cast<std::size_t>(before));
     kernel::parallel_for(piece_.size(), 1, [&](std::size_t t, std::size_t) {
       const Output done = std::move(piece_[t]);
-      std::copy(done.data(), done.data() + done.count(), items.data() + lists_.offsets[t * task_shafts]);
+      done.copy_to(items.data() + lists_.offsets[t * task_shafts]);
     });
   }
 
@@ -83,7 +83,8 @@ class Pieces {
 };
 
 template <class Bound, class Lists>
-void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& kept, const Excluding& excluding) {
+void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& kept,
+               const Excluding& excluding) {
   const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
   Pieces<Lists> all(shafts.size(), kept);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -106,7 +107,8 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::ClassLister lister(list_of(query.order(), overlaps[t], overlap), list_of(query.order(), insides[t], inside));
+      kernel::ClassLister lister(list_of(query.order(), overlaps[t], overlap),
+                                 list_of(query.order(), insides[t], inside));
       query.walk(s, lister);
       overlaps.close(t, s);
       insides.close(t, s);
@@ -160,16 +162,19 @@ void count_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, s
   count_all(shafts, tree, kept_counts, excluding);
 }
 
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& kept, const Excluding& excluding) {
+void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& kept,
+               const Excluding& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& kept, const Excluding& excluding) {
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& kept,
+               const Excluding& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
 void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& kept, const Excluding& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& kept, const Excluding& excluding) {
+void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& kept,
+               const Excluding& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
 

@@ -16,7 +16,8 @@ std::size_t count_kept(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
 
 /// `List` is kernel::IndexList or kernel::RunList.
 template <template <class> class List, class Bound, class Item>
-std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<Item> kept, const Excluding& excluding) {
+std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<Item> kept,
+                      const Excluding& excluding) {
   const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept, excluding);
   kernel::SpanOutput<Item> output(kept);
   kernel::KeptLister lister(List<kernel::SpanOutput<Item>>(query.order(), output));
@@ -45,16 +46,19 @@ std::size_t count(const CompiledShaft& shaft, const SphereTree& tree, const Excl
   return count_kept(shaft, tree, excluding);
 }
 
-std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> kept, const Excluding& excluding) {
+std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> kept,
+                 const Excluding& excluding) {
   return list_kept<kernel::IndexList>(shaft, tree, kept, excluding);
 }
-std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<std::uint32_t> kept, const Excluding& excluding) {
+std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<std::uint32_t> kept,
+                 const Excluding& excluding) {
   return list_kept<kernel::IndexList>(shaft, tree, kept, excluding);
 }
 std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> kept, const Excluding& excluding) {
   return list_kept<kernel::RunList>(shaft, tree, kept, excluding);
 }
-std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> kept, const Excluding& excluding) {
+std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> kept,
+                 const Excluding& excluding) {
   return list_kept<kernel::RunList>(shaft, tree, kept, excluding);
 }
 
@@ -66,12 +70,12 @@ KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::spa
                     std::span<std::uint32_t> inside, const Excluding& excluding) {
   return list_classes<kernel::IndexList>(shaft, tree, overlap, inside, excluding);
 }
-KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> overlap, std::span<TreeRun> inside,
-                    const Excluding& excluding) {
+KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> overlap,
+                    std::span<TreeRun> inside, const Excluding& excluding) {
   return list_classes<kernel::RunList>(shaft, tree, overlap, inside, excluding);
 }
-KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> overlap, std::span<TreeRun> inside,
-                    const Excluding& excluding) {
+KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> overlap,
+                    std::span<TreeRun> inside, const Excluding& excluding) {
   return list_classes<kernel::RunList>(shaft, tree, overlap, inside, excluding);
 }
 

@@ -1,9 +1,10 @@
-/// A k-d tree whose leaves are nodes of 64: halves are split at the median of the axis on which they are spread out most,
-/// moved to a multiple of a whole node, so that nodes of all levels are cells of it.
+/// A k-d tree whose leaves are nodes of 64: halves are split at the median of the axis on which they are spread out
+/// most, moved to a multiple of a whole node, so that nodes of all levels are cells of it.
 #include "tree/order.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "run/parallel.hpp"
 #include "tree/parts.hpp"
@@ -33,12 +34,13 @@ std::size_t cut_of(const Part& part) noexcept {
   return cut < part.last ? cut : cut - unit;
 }
 
-/// Some of a part's entries, evenly spaced: about √n of n, at least 9.
+/// Some of a part's entries, evenly spaced: about half of √n of n, at least 9.
 class Sample {
  public:
   Sample(const OrderEntry* entries, const Part& part) noexcept {
     const std::size_t n = part.last - part.first;
-    size_ = std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(n))), std::min<std::size_t>(n, 9), most);
+    size_ = std::clamp(static_cast<std::size_t>(0.5 * std::sqrt(static_cast<double>(n))), std::min<std::size_t>(n, 9),
+                       most);
     for (std::size_t i = 0; i != size_; ++i) key_[i] = entries[part.first + i * n / size_].key;
   }
 
@@ -130,7 +132,7 @@ void split_to_leaves(OrderEntry* entries, const Part& part) noexcept {
 
 }  // namespace
 
-void sort_into_tree_order(std::vector<OrderEntry>& entries, const std::size_t (&class_first)[size_classes + 1]) {
+void sort_into_tree_order(OrderEntry* entries, const std::size_t (&class_first)[size_classes + 1]) {
   std::vector<Part> parts;
   for (unsigned c = 0; c != size_classes; ++c) {
     if (class_first[c] != class_first[c + 1]) parts.push_back({class_first[c], class_first[c + 1]});
@@ -139,7 +141,7 @@ void sort_into_tree_order(std::vector<OrderEntry>& entries, const std::size_t (&
   while (!parts.empty()) {
     std::vector<std::size_t> cut(parts.size());
     parallel_for(parts.size(), 1, [&](std::size_t i, std::size_t) {
-      if (parts[i].last - parts[i].first > task_entries) cut[i] = split(entries.data(), parts[i]);
+      if (parts[i].last - parts[i].first > task_entries) cut[i] = split(entries, parts[i]);
     });
     std::vector<Part> halves;
     for (std::size_t i = 0; i != parts.size(); ++i) {
@@ -152,7 +154,7 @@ void sort_into_tree_order(std::vector<OrderEntry>& entries, const std::size_t (&
     }
     parts.swap(halves);
   }
-  parallel_for(small.size(), 1, [&](std::size_t i, std::size_t) { split_to_leaves(entries.data(), small[i]); });
+  parallel_for(small.size(), 1, [&](std::size_t i, std::size_t) { split_to_leaves(entries, small[i]); });
 }
 
 }  // namespace shaftcull::kernel

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "shaftcull/bounds.hpp"
 
@@ -35,6 +34,6 @@ inline constexpr unsigned size_classes = 10;
 
 /// Sorts entries of one class after the other, entries of class c being [class_first[c], class_first[c + 1]), so that
 /// any 64, 4096, … in a row from a multiple of that on are close together.
-void sort_into_tree_order(std::vector<OrderEntry>& entries, const std::size_t (&class_first)[size_classes + 1]);
+void sort_into_tree_order(OrderEntry* entries, const std::size_t (&class_first)[size_classes + 1]);
 
 }  // namespace shaftcull::kernel

@@ -38,17 +38,17 @@ struct TreeParts {
   std::array<TreeLevel, most_levels> level;
   std::size_t levels = 0;  ///< 0 for an empty tree
 
-  StreamMemory leaves;   ///< bounds in tree order; padding that is outside of everything
-  StreamMemory nodes;    ///< boxes of all levels above the leaves; padding is empty boxes
+  StreamMemory leaves;  ///< bounds in tree order; padding that is outside of everything
+  StreamMemory nodes;   ///< boxes of all levels above the leaves; padding is empty boxes
 
-  /// Bit i of word first / 64 + i / 64 of a level: something below entry i is empty, or padding, so that it is outside even
-  /// where the box of the entry is inside.
+  /// Bit i of word first / 64 + i / 64 of a level: something below entry i is empty, or padding, so that it is outside
+  /// even where the box of the entry is inside.
   std::vector<std::uint64_t> gaps;
 
-  std::vector<std::uint32_t> order;      ///< leaf → the user's index
-  std::vector<std::uint32_t> place;      ///< the user's index → leaf; empty until somebody updates by index
-  std::vector<std::uint64_t> dirty;      ///< bit i: a leaf under entry i of level 1 has changed; empty until then
-  std::size_t dirty_words = 0;           ///< how many of those bits are set
+  std::vector<std::uint32_t> order;  ///< leaf → the user's index
+  std::vector<std::uint32_t> place;  ///< the user's index → leaf; empty until somebody updates by index
+  std::vector<std::uint64_t> dirty;  ///< bit i: a leaf under entry i of level 1 has changed; empty until then
+  std::size_t dirty_words = 0;       ///< how many of those bits are set
   double surface_when_built = 0;
 
   [[nodiscard]] std::array<float*, rows_of<Bound>> leaf_rows(std::size_t from = 0) const noexcept {
@@ -63,7 +63,9 @@ struct TreeParts {
     return row;
   }
   [[nodiscard]] std::uint64_t* gap_words(std::size_t k) noexcept { return gaps.data() + level[k].first / 64; }
-  [[nodiscard]] const std::uint64_t* gap_words(std::size_t k) const noexcept { return gaps.data() + level[k].first / 64; }
+  [[nodiscard]] const std::uint64_t* gap_words(std::size_t k) const noexcept {
+    return gaps.data() + level[k].first / 64;
+  }
 };
 
 /// Lays out the levels over `size` bounds and gets the memory for them; nothing is written but padding.

@@ -18,7 +18,8 @@ template <class Bound>
 class Query {
  public:
   /// Throws InvalidArgument as query.hpp says.
-  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Question question, const Excluding& excluding)
+  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Question question,
+        const Excluding& excluding)
       : shafts_(shafts),
         parts_(tree.parts() == nullptr ? empty_ : *tree.parts()),
         kernels_(active_kernels()),
@@ -31,12 +32,13 @@ class Query {
       require_answers(shafts[s], true, question == Question::kept_and_inside, std::is_same_v<Bound, Sphere>, s);
     }
     if (own_per_shaft_ * shafts.size() != own_.size()) {
-      throw InvalidArgument("excluding.own has " + std::to_string(own_.size()) + " indices, which is not a multiple of the " +
-                            std::to_string(shafts.size()) + " shafts; each needs as many");
+      throw InvalidArgument("excluding.own has " + std::to_string(own_.size()) +
+                            " indices, which is not a multiple of the " + std::to_string(shafts.size()) +
+                            " shafts; each needs as many");
     }
     if (!mask_.empty() && mask_.size() != words_for(parts_.size)) {
-      throw InvalidArgument("excluding.mask has " + std::to_string(mask_.size()) + " words; " + std::to_string(parts_.size) +
-                            " bounds take " + std::to_string(words_for(parts_.size)));
+      throw InvalidArgument("excluding.mask has " + std::to_string(mask_.size()) + " words; " +
+                            std::to_string(parts_.size) + " bounds take " + std::to_string(words_for(parts_.size)));
     }
   }
 

@@ -37,8 +37,8 @@ inline Placement placement(const float (&sphere)[4]) noexcept {
   return {{sphere[0], sphere[1], sphere[2]}, 2 * sphere[3]};
 }
 
-/// The size that a node of 64 small bounds has: that of its share of the space (or plane, or line) that all but a few centres
-/// are in. `sample` holds some of the centres.
+/// The size that a node of 64 small bounds has: that of its share of the space (or plane, or line) that all but a few
+/// centres are in. `sample` holds some of the centres.
 inline float usual_node_size(std::vector<Vec3> sample, std::size_t count) {
   if (sample.empty()) return 0;
   std::array<double, 3> width{};
@@ -58,7 +58,9 @@ inline float usual_node_size(std::vector<Vec3> sample, std::size_t count) {
 inline unsigned size_class(float extent, float node_size) noexcept {
   if (extent < 0) return size_classes - 1;
   unsigned c = 0;
-  for (double limit = 2.0 * static_cast<double>(node_size); c != size_classes - 2 && static_cast<double>(extent) > limit; limit *= 8) ++c;
+  for (double limit = 2.0 * static_cast<double>(node_size);
+       c != size_classes - 2 && static_cast<double>(extent) > limit; limit *= 8)
+    ++c;
   return c;
 }
 

@@ -52,7 +52,8 @@ template <class Bound>
 class RecordSource {
  public:
   static constexpr std::size_t rows = rows_of<Bound>;
-  explicit RecordSource(const RecordsOf<Bound>& records) : reader_(records), start_(start_of(records)), stride_(records.stride) {}
+  explicit RecordSource(const RecordsOf<Bound>& records)
+      : reader_(records), start_(start_of(records)), stride_(records.stride) {}
 
   [[nodiscard]] std::size_t count() const noexcept { return reader_.count(); }
   void read(std::size_t i, float (&bound)[rows]) const noexcept { reader_.read(i, bound); }
@@ -66,7 +67,9 @@ class RecordSource {
 
  private:
   static const char* start_of(const MinMaxRecords& records) noexcept { return static_cast<const char*>(records.lo); }
-  static const char* start_of(const SphereRecords& records) noexcept { return static_cast<const char*>(records.centre); }
+  static const char* start_of(const SphereRecords& records) noexcept {
+    return static_cast<const char*>(records.centre);
+  }
 
   ReaderOf<Bound> reader_;
   const char* start_;

@@ -75,7 +75,8 @@ BoundsTree<Bound>& BoundsTree<Bound>::operator=(BoundsTree&& other) noexcept = d
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(const View& bounds) : BoundsTree(kernel::Gathered<Bound>(few_enough(bounds)).records()) {}
 template <class Bound>
-BoundsTree<Bound>::BoundsTree(const Records& bounds) : parts_(built_from(kernel::RecordSource<Bound>(few_enough(bounds)))) {}
+BoundsTree<Bound>::BoundsTree(const Records& bounds)
+    : parts_(built_from(kernel::RecordSource<Bound>(few_enough(bounds)))) {}
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound>

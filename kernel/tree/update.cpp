@@ -49,8 +49,8 @@ void update_all(TreeParts<Bound>& parts, const Source& source) {
 template <class Bound, class Source>
 void update_some(TreeParts<Bound>& parts, std::span<const std::uint32_t> indices, const Source& source) {
   if (indices.size() != source.count()) {
-    throw InvalidArgument("update got " + std::to_string(indices.size()) + " indices and " + std::to_string(source.count()) +
-                          " bounds; every index needs one bound");
+    throw InvalidArgument("update got " + std::to_string(indices.size()) + " indices and " +
+                          std::to_string(source.count()) + " bounds; every index needs one bound");
   }
   for (std::size_t i = 0; i != indices.size(); ++i) {
     if (indices[i] < parts.size) continue;
@@ -79,8 +79,11 @@ template void update_all(TreeParts<Box>& parts, const RecordSource<Box>& source)
 template void update_all(TreeParts<Sphere>& parts, const ViewSource<Sphere>& source);
 template void update_all(TreeParts<Sphere>& parts, const RecordSource<Sphere>& source);
 template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices, const ViewSource<Box>& source);
-template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices, const RecordSource<Box>& source);
-template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices, const ViewSource<Sphere>& source);
-template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices, const RecordSource<Sphere>& source);
+template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices,
+                          const RecordSource<Box>& source);
+template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices,
+                          const ViewSource<Sphere>& source);
+template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices,
+                          const RecordSource<Sphere>& source);
 
 }  // namespace shaftcull::kernel

@@ -6,84 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 
-#include "run/parallel.hpp"
 #include "shaftcull/query.hpp"
-#include "tree/parts.hpp"
+#include "tree/outputs.hpp"
 
 namespace shaftcull::kernel {
-
-/// Items that a list adds at most between two looks at the room there is: a word of leaves.
-inline constexpr std::size_t most_added = 64;
-
-/// Room in the caller's memory: what does not fit is counted only.
-template <class Item>
-class SpanOutput {
- public:
-  explicit SpanOutput(std::span<Item> room) noexcept : room_(room) {}
-
-  /// Where `most_added` items may be written, or null if there is no room for so many.
-  [[nodiscard]] Item* room() noexcept { return count_ + most_added <= room_.size() ? room_.data() + count_ : nullptr; }
-  /// So many were written there.
-  void advance(std::size_t items) noexcept { count_ += items; }
-  void push(Item item) noexcept {
-    if (count_ < room_.size()) room_[count_] = item;
-    ++count_;
-  }
-  [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  /// The item pushed last, or null if it did not fit.
-  [[nodiscard]] Item* last() noexcept { return count_ <= room_.size() ? room_.data() + count_ - 1 : nullptr; }
-
- private:
-  std::span<Item> room_;
-  std::size_t count_ = 0;
-};
-
-/// Memory that grows, with the same interface.
-template <class Item>
-class GrowingOutput {
- public:
-  GrowingOutput() noexcept = default;
-  GrowingOutput(GrowingOutput&& other) noexcept
-      : items_(std::exchange(other.items_, nullptr)),
-        count_(std::exchange(other.count_, 0)),
-        capacity_(std::exchange(other.capacity_, 0)) {}
-  GrowingOutput& operator=(GrowingOutput&&) = delete;
-  ~GrowingOutput() {
-    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
-  }
-
-  [[nodiscard]] Item* room() {
-    if (capacity_ - count_ < most_added) grow();
-    return items_ + count_;
-  }
-  void advance(std::size_t items) noexcept { count_ += items; }
-  void push(Item item) {
-    *room() = item;
-    ++count_;
-  }
-  [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  [[nodiscard]] Item* last() noexcept { return items_ + count_ - 1; }
-  [[nodiscard]] const Item* data() const noexcept { return items_; }
-  void clear() noexcept { count_ = 0; }
-
- private:
-  using Allocator = TaskAllocator<Item>;
-
-  void grow() {
-    const std::size_t capacity = std::max(16 * most_added, 2 * capacity_);
-    Item* const items = Allocator().allocate(capacity);
-    std::copy(items_, items_ + count_, items);
-    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
-    items_ = items;
-    capacity_ = capacity;
-  }
-
-  Item* items_ = nullptr;
-  std::size_t count_ = 0;
-  std::size_t capacity_ = 0;
-};
 
 /// Leaves as the user's indices.
 template <class Output>

@@ -1,8 +1,8 @@
 /// The walk of one shaft through a tree: word by word of answers, from the top down, in tree order.
 ///
-/// At every level some words of entries are tested at once, so that the memory of the next ones is on its way while one is
-/// tested. Entries that are not outside name the words to test one level down. An entry that is inside, and has nothing empty below,
-/// accepts its leaves as one run.
+/// At every level some words of entries are tested at once, so that the memory of the next ones is on its way while one
+/// is tested. Entries that are not outside name the words to test one level down. An entry that is inside, and has
+/// nothing empty below, accepts its leaves as one run.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace shaftcull::kernel {
 enum class Question : std::uint8_t { kept, kept_and_inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
-///   visitor.word(first, kept, inside)   leaves first … first + 63, some of which are kept; inside is 0 for Question::kept
-///   visitor.run(first, size)            leaves that are all inside
+///   visitor.word(first, kept, inside)   leaves first … first + 63, some of which are kept; inside is 0 for
+///   Question::kept visitor.run(first, size)            leaves that are all inside
 template <class Bound, class Visitor>
 class Walk {
  public:

@@ -31,11 +31,12 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
   const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
-  if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap && sorted(inside, tree.order()) == flat.inside) {
+  if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
+      sorted(inside, tree.order()) == flat.inside) {
     return;
   }
-  std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) + " differs from a flat scan\n  " +
-                        source_text(Subject{it.a, it.b, it.planes});
+  std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) +
+                        " differs from a flat scan\n  " + source_text(Subject{it.a, it.b, it.planes});
   for (const Bound& bound : bounds) message += "\n  " + source_text(bound);
   throw Fault(message);
 }
@@ -44,7 +45,8 @@ template <class Bound>
 void check_tree(const Case& it, const CompiledShaft& shaft, const std::vector<Bound>& all) {
   std::vector<Bound> bounds;
   for (std::size_t copy = 0; copy != copies; ++copy) {
-    std::copy_if(all.begin(), all.end(), std::back_inserter(bounds), [](const Bound& bound) { return is_legal(bound); });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(bounds),
+                 [](const Bound& bound) { return is_legal(bound); });
   }
   if (bounds.empty()) return;
   for (const Isa isa : available_isas()) {

@@ -57,8 +57,8 @@ void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std
   for (const CompiledShaft& shaft : shafts_for(dice, shaft_count)) {
     expect_flat_answers(tree, bounds, shaft);
     if (!testing::Test::HasFailure()) continue;
-    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere") << ">(" << seed << ", shape "
-                  << text(shape) << ", " << count << ", " << shaft_count << ')';
+    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere") << ">(" << seed
+                  << ", shape " << text(shape) << ", " << count << ", " << shaft_count << ')';
     return;
   }
 }

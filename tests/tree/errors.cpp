@@ -68,7 +68,8 @@ TEST(TreeErrors, ABadUpdateLeavesTheTreeAsItWas) {
   bad[7].lo[0] = NAN;
   EXPECT_THAT(message_of([&] { tree.update(std::span<const Box>(bad)); }), HasSubstr("box 7"));
   const std::vector<std::uint32_t> indices = {50, 51};
-  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(bad).subspan(6, 2)); }), HasSubstr("box 1: lo.x"));
+  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(bad).subspan(6, 2)); }),
+              HasSubstr("box 1: lo.x"));
   EXPECT_FALSE(tree.needs_refit());
   const std::vector<Box> before = boxes(100);
   for (std::size_t p = 0; p != 100; ++p) EXPECT_EQ(tree.leaves()[p], before[tree.order()[p]]);
@@ -79,7 +80,8 @@ TEST(TreeErrors, SizesAndIndicesMustFit) {
   const std::vector<Box> some = boxes(3);
   EXPECT_THAT(message_of([&] { tree.update(std::span<const Box>(some)); }), HasSubstr("a tree of 100 bounds got 3"));
   std::vector<std::uint32_t> indices = {1, 2};
-  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }), HasSubstr("2 indices and 3 bounds"));
+  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }),
+              HasSubstr("2 indices and 3 bounds"));
   indices = {1, 100, 2};
   EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }),
               HasSubstr("indices[1] = 100 is not below the number of bounds, 100"));
@@ -90,7 +92,8 @@ TEST(TreeErrors, QueriesOfAnUpdatedTreeAskForARefit) {
     BoxTree tree{std::span<const Box>(boxes(count))};
     const std::vector<std::uint32_t> indices = {3};
     tree.update(indices, std::span<const Box>(boxes(1)));
-    EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(shaft(), tree)); }), HasSubstr("call refit() first"));
+    EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(shaft(), tree)); }),
+                HasSubstr("call refit() first"));
     EXPECT_THAT(message_of([&] { static_cast<void>(tree.growth()); }), HasSubstr("call refit() first"));
     tree.refit();
     EXPECT_NO_THROW(static_cast<void>(shaftcull::count(shaft(), tree)));
@@ -105,9 +108,11 @@ TEST(TreeErrors, ShaftsMustAnswerWhatIsAsked) {
   const std::vector<CompiledShaft> shafts = {shaft(), no_inside};
   IndexLists overlap;
   IndexLists inside;
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, overlap, inside); }), HasSubstr("shaft 1 was formed without inside"));
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, overlap, inside); }),
+              HasSubstr("shaft 1 was formed without inside"));
   const SphereTree spheres;
-  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(no_spheres, spheres)); }), HasSubstr("without spheres"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(no_spheres, spheres)); }),
+              HasSubstr("without spheres"));
 }
 
 TEST(TreeErrors, ExclusionsAndCountsMustFit) {
@@ -118,7 +123,8 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
   std::vector<std::uint64_t> counts(2);
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = three}); }),
               HasSubstr("3 indices, which is not a multiple of the 2 shafts"));
-  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }), HasSubstr("100 bounds take 2"));
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }),
+              HasSubstr("100 bounds take 2"));
   counts.resize(3);
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("room for 3 counts; 2 shafts"));
 }
@@ -129,7 +135,10 @@ TEST(TreeErrors, CandidatesMustExistAndFit) {
   std::vector<std::uint32_t> kept(3);
   EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("candidates[2] = 100"));
   IndexLists lists;
-  EXPECT_THAT(message_of([&] { refine_many({&shaft(), 1}, memory.view(), candidates, lists); }), HasSubstr("candidates[2] = 100"));
+  EXPECT_THAT(message_of([&] {
+                refine_many({&shaft(), 1}, memory.view(), candidates, lists);
+              }),
+              HasSubstr("candidates[2] = 100"));
   candidates.pop_back();
   kept.resize(1);
   EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("room for 1 indices"));

@@ -19,9 +19,21 @@ inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr Box empty_box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 /// Arrangements of bounds.
-enum class Shape : std::uint8_t { uniform, clustered, coincident, flat, line, wild_sizes, one_giant, grid, some_infinite, some_empty };
-inline constexpr Shape shapes[] = {Shape::uniform,    Shape::clustered, Shape::coincident, Shape::flat,          Shape::line,
-                                   Shape::wild_sizes, Shape::one_giant, Shape::grid,       Shape::some_infinite, Shape::some_empty};
+enum class Shape : std::uint8_t {
+  uniform,
+  clustered,
+  coincident,
+  flat,
+  line,
+  wild_sizes,
+  one_giant,
+  grid,
+  some_infinite,
+  some_empty
+};
+inline constexpr Shape shapes[] = {Shape::uniform,       Shape::clustered,  Shape::coincident, Shape::flat,
+                                   Shape::line,          Shape::wild_sizes, Shape::one_giant,  Shape::grid,
+                                   Shape::some_infinite, Shape::some_empty};
 
 inline const char* text(Shape shape) {
   static constexpr const char* names[] = {"uniform",    "clustered", "coincident", "flat",          "line",
@@ -43,12 +55,16 @@ inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
       blob = {{home + dice.uniform(-0.01F, 0.01F), 2 * home + dice.uniform(-0.01F, 0.01F), home}, dice.vec3(0, 0.01F)};
       break;
     }
-    case Shape::coincident: blob = {{1, 0.5F, -0.25F}, {0.25F, 0.25F, 0.25F}}; break;
+    case Shape::coincident:
+      blob = {{1, 0.5F, -0.25F}, {0.25F, 0.25F, 0.25F}};
+      break;
     case Shape::flat:
       blob.centre[2] = 1;
       blob.half[2] = 0;
       break;
-    case Shape::line: blob = {{blob.centre[0], 0, 1}, {0, 0, 0}}; break;
+    case Shape::line:
+      blob = {{blob.centre[0], 0, 1}, {0, 0, 0}};
+      break;
     case Shape::wild_sizes: {
       const float scale = std::pow(10.0F, dice.uniform(-6, 3));
       for (float& h : blob.half) h *= scale;
@@ -57,8 +73,11 @@ inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
     case Shape::one_giant:
       if (i == 17) blob.half = {1e6F, 1e30F, 40};
       break;
-    case Shape::grid: blob = {{dice.integer(-5, 5), dice.integer(-5, 5), dice.integer(-5, 5)}, {0.5F, 0.5F, 0.5F}}; break;
-    default: break;
+    case Shape::grid:
+      blob = {{dice.integer(-5, 5), dice.integer(-5, 5), dice.integer(-5, 5)}, {0.5F, 0.5F, 0.5F}};
+      break;
+    default:
+      break;
   }
   return blob;
 }
@@ -104,11 +123,21 @@ inline std::vector<CompiledShaft> shafts_for(Dice& dice, std::size_t count) {
     Box a{};
     Box b{};
     switch (dice.below(5)) {
-      case 0: a = dice.box(-5, 5, 0.2F, 1.0F), b = dice.box(-5, 5, 0.2F, 1.0F); break;
-      case 1: a = dice.box(-4, 4, 3.0F, 5.0F), b = dice.box(-4, 4, 3.0F, 5.0F); break;   // most bounds are inside
-      case 2: a = dice.grid_box(-5, 5), b = dice.grid_box(-5, 5); break;               // touching, purple faces
-      case 3: a = b = dice.grid_box(-5, 5); break;
-      default: a = dice.box(-5, 5, 0, 0.01F), b = dice.box(-5, 5, 0, 0.01F); break;
+      case 0:
+        a = dice.box(-5, 5, 0.2F, 1.0F), b = dice.box(-5, 5, 0.2F, 1.0F);
+        break;
+      case 1:
+        a = dice.box(-4, 4, 3.0F, 5.0F), b = dice.box(-4, 4, 3.0F, 5.0F);
+        break;  // most bounds are inside
+      case 2:
+        a = dice.grid_box(-5, 5), b = dice.grid_box(-5, 5);
+        break;  // touching, purple faces
+      case 3:
+        a = b = dice.grid_box(-5, 5);
+        break;
+      default:
+        a = dice.box(-5, 5, 0, 0.01F), b = dice.box(-5, 5, 0, 0.01F);
+        break;
     }
     Shaft shaft(a, b);
     if (dice.one_in(4)) shaft.add_plane({dice.vec3(-1, 1), dice.uniform(-1, 1)});

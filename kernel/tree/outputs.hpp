@@ -1,0 +1,138 @@
+/// Where lists go: into the caller's memory, into memory that grows, or into pieces of it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "run/parallel.hpp"
+
+namespace shaftcull::kernel {
+
+// All have the same interface:
+//   room()          where `most_added` items may be written, or null
+//   advance(items)  so many were written there
+//   push(item)      adds one
+//   last()          the item added last, or null if it was not written
+//   count()         how many there are
+
+/// Items that a list adds at most between two looks at the room there is: a word of leaves.
+inline constexpr std::size_t most_added = 64;
+
+/// Room in the caller's memory: what does not fit is counted only.
+template <class Item>
+class SpanOutput {
+ public:
+  explicit SpanOutput(std::span<Item> room) noexcept : room_(room) {}
+
+  [[nodiscard]] Item* room() noexcept { return count_ + most_added <= room_.size() ? room_.data() + count_ : nullptr; }
+  void advance(std::size_t items) noexcept { count_ += items; }
+  void push(Item item) noexcept {
+    if (count_ < room_.size()) room_[count_] = item;
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Item* last() noexcept { return count_ <= room_.size() ? room_.data() + count_ - 1 : nullptr; }
+
+ private:
+  std::span<Item> room_;
+  std::size_t count_ = 0;
+};
+
+/// Memory that grows, in one piece.
+template <class Item>
+class GrowingOutput {
+ public:
+  GrowingOutput() noexcept = default;
+  GrowingOutput(GrowingOutput&& other) noexcept
+      : items_(std::exchange(other.items_, nullptr)),
+        count_(std::exchange(other.count_, 0)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
+  GrowingOutput& operator=(GrowingOutput&&) = delete;
+  ~GrowingOutput() {
+    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
+  }
+
+  [[nodiscard]] Item* room() {
+    if (capacity_ - count_ < most_added) grow();
+    return items_ + count_;
+  }
+  void advance(std::size_t items) noexcept { count_ += items; }
+  void push(Item item) {
+    *room() = item;
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Item* last() noexcept { return items_ + count_ - 1; }
+  [[nodiscard]] const Item* data() const noexcept { return items_; }
+  void clear() noexcept { count_ = 0; }
+
+ private:
+  using Allocator = TaskAllocator<Item>;
+
+  void grow() {
+    const std::size_t capacity = std::max(16 * most_added, 2 * capacity_);
+    Item* const items = Allocator().allocate(capacity);
+    std::copy(items_, items_ + count_, items);
+    if (items_ != nullptr) Allocator().deallocate(items_, capacity_);
+    items_ = items;
+    capacity_ = capacity;
+  }
+
+  Item* items_ = nullptr;
+  std::size_t count_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+/// Memory that grows in pieces, so that nothing is copied on the way.
+template <class Item>
+class PiecewiseOutput {
+ public:
+  [[nodiscard]] Item* room() {
+    if (pieces_.empty() || pieces_.back().size > pieces_.back().room - most_added) {
+      pieces_.emplace_back(std::clamp(count_, least_piece, most_piece));
+    }
+    return pieces_.back().end();
+  }
+  void advance(std::size_t items) noexcept {
+    pieces_.back().size += items;
+    count_ += items;
+  }
+  void push(Item item) {
+    *room() = item;
+    advance(1);
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] Item* last() noexcept { return pieces_.back().end() - 1; }
+
+  /// Copies all items to `out`.
+  void copy_to(Item* out) const noexcept {
+    for (const Piece& piece : pieces_) out = std::copy(piece.items, piece.items + piece.size, out);
+  }
+
+ private:
+  using Allocator = TaskAllocator<Item>;
+  static constexpr std::size_t least_piece = 1024;
+  static constexpr std::size_t most_piece = std::size_t{1} << 17;
+
+  struct Piece {
+    explicit Piece(std::size_t items_at_most) : items(Allocator().allocate(items_at_most)), room(items_at_most) {}
+    Piece(Piece&& other) noexcept : items(std::exchange(other.items, nullptr)), room(other.room), size(other.size) {}
+    Piece& operator=(Piece&&) = delete;
+    ~Piece() {
+      if (items != nullptr) Allocator().deallocate(items, room);
+    }
+    [[nodiscard]] Item* end() const noexcept { return items + size; }
+
+    Item* items;
+    std::size_t room;
+    std::size_t size = 0;
+  };
+
+  std::vector<Piece> pieces_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace shaftcull::kernel
