@@ -171,6 +171,14 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
 
   const auto rest = static_cast<unsigned>(count % word_bits);
   if (rest == 0) return;
+  if (count > word_bits) {  // the last 64 bounds once more; those in front were answered already
+    const unsigned again = word_bits - rest;
+    for (const float*& s : at) s -= again;
+    test_block<Stages>(*ready, at, 1, kept, inside);
+    if (kept != nullptr) *kept >>= again;
+    if (inside != nullptr) *inside >>= again;
+    return;
+  }
   float padded[Stages::streams][word_bits];
   for (unsigned s = 0; s < Stages::streams; ++s) {
     for (unsigned i = 0; i < word_bits; ++i) padded[s][i] = i < rest ? at[s][i] : Stages::nowhere[s];
