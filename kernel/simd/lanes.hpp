@@ -132,11 +132,17 @@ struct Lanes {
   static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
 
  private:
-  /// The signs of four vectors, as those of bytes; on AVX2 in another order.
+  /// The signs of four vectors, as those of bytes; on AVX2 and AVX-512 in another order.
   using Packed = xsimd::batch<std::int32_t, Arch>;
-  static Packed packed(const Vector (&of)[4]) noexcept {
+  static Packed packed(const Vector (&of)[4]) noexcept {  // packing saturates, which keeps signs
+#ifdef __AVX512BW__
+    if constexpr (width == 16) {
+      return _mm512_packs_epi16(_mm512_packs_epi32(_mm512_castps_si512(of[0]), _mm512_castps_si512(of[1])),
+                                _mm512_packs_epi32(_mm512_castps_si512(of[2]), _mm512_castps_si512(of[3])));
+    }
+#endif
 #ifdef __AVX2__
-    if constexpr (width == 8) {  // packing saturates, which keeps signs
+    if constexpr (width == 8) {
       return _mm256_packs_epi16(_mm256_packs_epi32(_mm256_castps_si256(of[0]), _mm256_castps_si256(of[1])),
                                 _mm256_packs_epi32(_mm256_castps_si256(of[2]), _mm256_castps_si256(of[3])));
     }
@@ -146,37 +152,30 @@ struct Lanes {
                              _mm_packs_epi32(_mm_castps_si128(of[2]), _mm_castps_si128(of[3])));
     }
   }
-  static std::uint64_t signs(Packed bytes) noexcept {
+  static std::uint64_t signs(Packed bytes) noexcept {  // packing works on quarters: fours of lanes 0–3 come before fours of lanes 4–7
+#ifdef __AVX512BW__
+    if constexpr (width == 16) {
+      const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+      return _mm512_movepi8_mask(_mm512_permutexvar_epi32(order, bytes));
+    }
+#endif
 #ifdef __AVX2__
-    if constexpr (width == 8) {  // packing works on halves: fours of lanes 0–3 come before fours of lanes 4–7
+    if constexpr (width == 8) {
       const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
       return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order)));
     }
 #endif
     if constexpr (width == 4) return static_cast<std::uint32_t>(_mm_movemask_epi8(bytes));
   }
-  static std::uint64_t signs([[maybe_unused]] Vector a) noexcept {
-#ifdef __AVX512F__
-    return _mm512_movepi32_mask(_mm512_castps_si512(a));
-#else
-    return 0;
-#endif
-  }
 
  public:
   /// Bit i is the sign of lane i of four vectors side by side.
-  static std::uint64_t signs(const Vector (&of)[4]) noexcept {
-    if constexpr (width == 16) {
-      return signs(of[0]) | signs(of[1]) << 16 | signs(of[2]) << 32 | signs(of[3]) << 48;
-    } else {
-      return signs(packed(of));
-    }
-  }
+  static std::uint64_t signs(const Vector (&of)[4]) noexcept { return signs(packed(of)); }
 
   /// Reads outcomes from signs: a negative float is a yes, one above the limit a no, and one in between undecided.
   ///
-  /// On AVX-512 comparisons make masks at once. Elsewhere signs of four vectors are packed into one, and all else is done on that:
-  /// a comparison would share the ports of the arithmetic, and each vector read by itself another one.
+  /// Signs of four vectors are packed into one and read at once: each vector read by itself would take a port of the arithmetic, and so
+  /// would a comparison. On AVX-512 alone comparisons make masks, which are quicker combined than packed.
   class Verdicts {
    public:
     explicit Verdicts(Vector limit) noexcept : limit_(limit) {}
