@@ -16,7 +16,7 @@ namespace {
 /// Multiply-adds, minima and maxima of a box in slab form (bench/limit.cpp), of the arithmetic that was measured, and
 /// bytes of a box.
 constexpr double box_operations = 11;
-constexpr double measured_operations = 12;
+constexpr double measured_operations = 11;
 constexpr double box_bytes = 24;
 
 struct Slope {
