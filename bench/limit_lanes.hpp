@@ -19,20 +19,22 @@ float slab_arithmetic(std::size_t vectors) noexcept {
   // Two independent tests at a time, so that the rate of issue is the limit and not the latency of a chain.
   auto scale = L::all(0.5F);
   auto shift = L::all(0.25F);
-  typename L::Vector bound[12];
-  for (auto& b : bound) b = L::all(0.125F);
-  typename L::Vector extreme[4] = {L::all(1.0F), L::all(0.0F), L::all(1.0F), L::all(0.0F)};
+  constexpr unsigned chains = 6;
+  typename L::Vector extreme[chains];
+  for (auto& e : extreme) e = L::all(0.125F);
   for (std::size_t v = 0; v < vectors; v += 2) {
 #pragma GCC unroll 12
     for (unsigned i = 0; i < 12; ++i) {
       // Hidden from the optimiser, which knows that the same operands give the same result.
       asm volatile("" : "+v"(scale.data), "+v"(shift.data));
-      bound[i] = i % 6 == 0 ? scale : L::multiply_add(scale, shift, scale);  // one of six bounds is a coordinate itself
-      const unsigned e = i % 4;
-      extreme[e] = e % 2 == 0 ? L::minimum(bound[i], extreme[e]) : L::maximum(bound[i], extreme[e]);
+      const auto bound = i % 6 == 0 ? scale : L::multiply_add(scale, shift, scale);  // one of six bounds is a coordinate itself
+      const unsigned e = i % chains;
+      extreme[e] = e % 2 == 0 ? L::minimum(bound, extreme[e]) : L::maximum(bound, extreme[e]);
     }
   }
-  return sum_of<L>(L::add(L::add(extreme[0], extreme[1]), L::add(extreme[2], extreme[3])));
+  auto sum = extreme[0];
+  for (unsigned e = 1; e < chains; ++e) sum = L::add(sum, extreme[e]);
+  return sum_of<L>(sum);
 }
 
 template <class L>
