@@ -35,7 +35,8 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// that is not finite throws BadBound, which names the first bad one, and leaves the tree unchanged.
 ///
 /// Building, updating and refitting run in parallel on oneTBB inside the caller's task_arena. Const members and
-/// queries are safe to call from many threads. Copies are deep; moves are O(1) and leave an empty tree.
+/// queries are safe to call from many threads. To ask the last frame while the next is made, keep two trees: update the
+/// one, ask the other, and swap them. Copies are deep; moves are O(1) and leave an empty tree.
 template <class Bound>
 class BoundsTree {
  public:

@@ -1,6 +1,8 @@
 #include "tree/build.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <string>
@@ -24,51 +26,64 @@ void fill_from(const StreamMemory& memory, std::size_t from, const float (&value
     std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
 }
 
-/// Some of the bounds' centres, evenly spaced in the user's order.
-template <class Source>
-std::vector<Vec3> sample_of(const Source& source) {
+/// Some of the legal bounds' centres, evenly spaced in the user's order.
+template <class Bound>
+std::vector<Vec3> sample_of(const RecordSource<Bound>& source) {
   constexpr std::size_t most = 1024;
   const std::size_t step = source.count() / most + 1;
   std::vector<Vec3> sample;
   for (std::size_t i = 0; i < source.count(); i += step) {
-    float bound[Source::rows];
+    float bound[rows_of<Bound>];
     source.read(i, bound);
     const Placement place = placement(bound);
-    if (place.extent >= 0) sample.push_back(place.centre);
+    if (ReaderOf<Bound>::is_legal(bound) && place.extent >= 0) sample.push_back(place.centre);
   }
   return sample;
 }
 
-/// Entries for all bounds, sorted by size class; where each class begins goes to class_first.
-template <class Source>
-std::unique_ptr<OrderEntry[]> entries_by_class(const Source& source, std::size_t (&class_first)[size_classes + 1]) {
+/// Entries for all bounds, sorted by size class; where each class begins goes to class_first. Throws BadBound for the
+/// first illegal bound.
+template <class Bound>
+std::unique_ptr<OrderEntry[]> entries_by_class(const RecordSource<Bound>& source,
+                                               std::size_t (&class_first)[size_classes + 1]) {
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of(source), count);
   const std::size_t blocks = pieces(count, source_block);
+  auto entries = std::make_unique_for_overwrite<OrderEntry[]>(count);
   std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
+  std::atomic<bool> all_legal = true;
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
     const Run block = piece(count, source_block, b);
     std::array<std::size_t, size_classes> counts{};
+    bool is_legal = true;
     for (std::size_t i = block.first; i != block.end(); ++i) {
-      float bound[Source::rows];
+      float bound[rows_of<Bound>];
       source.read(i, bound);
-      ++counts[size_class(placement(bound).extent, node_size)];
+      is_legal &= ReaderOf<Bound>::is_legal(bound);
+      const Placement where = placement(bound);
+      entries[i] = OrderEntry(where.centre, static_cast<std::uint32_t>(i));  // its place, if there is one class only
+      ++counts[size_class(where.extent, node_size)];
     }
     places[b] = counts;
+    if (!is_legal) all_legal.store(false, std::memory_order_relaxed);
   });
+  if (!all_legal.load(std::memory_order_relaxed)) require_legal<Bound>(source);
+
   std::size_t next = 0;
+  bool one_class = false;
   for (unsigned c = 0; c != size_classes; ++c) {
     class_first[c] = next;
     for (std::size_t b = 0; b != blocks; ++b) next += std::exchange(places[b][c], next);
+    one_class = one_class || next - class_first[c] == count;
   }
   class_first[size_classes] = next;
+  if (one_class) return entries;
 
-  auto entries = std::make_unique_for_overwrite<OrderEntry[]>(count);
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
     const Run block = piece(count, source_block, b);
     std::array<std::size_t, size_classes> place = places[b];
     for (std::size_t i = block.first; i != block.end(); ++i) {
-      float bound[Source::rows];
+      float bound[rows_of<Bound>];
       source.read(i, bound);
       const Placement where = placement(bound);
       entries[place[size_class(where.extent, node_size)]++] = OrderEntry(where.centre, static_cast<std::uint32_t>(i));
@@ -105,10 +120,10 @@ void lay_out(TreeParts<Bound>& parts, std::size_t size) {
 
 template <class Bound>
 TreeParts<Bound> build(const RecordSource<Bound>& source) {
-  TreeParts<Bound> parts;
-  lay_out(parts, source.count());
   std::size_t class_first[size_classes + 1];
   const std::unique_ptr<OrderEntry[]> entries = entries_by_class(source, class_first);
+  TreeParts<Bound> parts;
+  lay_out(parts, source.count());
   sort_into_tree_order(entries.get(), class_first);
 
   parts.order.resize(parts.size);

@@ -6,7 +6,8 @@
 
 namespace shaftcull::kernel {
 
-/// Sorts the bounds of a source, which are legal, and fits nodes to them. Leaf p is bound order[p] of the source.
+/// Sorts the bounds of a source and fits nodes to them. Leaf p is bound order[p] of the source. Throws BadBound for the
+/// first illegal bound.
 template <class Bound>
 TreeParts<Bound> build(const RecordSource<Bound>& source);
 

@@ -12,11 +12,12 @@ namespace shaftcull::kernel {
 
 /// Integers in the order of floats, −0 before 0; x must not be NaN. Differences of integers take no branch to compare.
 [[nodiscard]] constexpr std::uint32_t ordered_key(float x) noexcept {
+  // All bits of a negative number turn, and the sign of the others: again without a branch.
   const auto bits = std::bit_cast<std::uint32_t>(x);
-  return bits >> 31 != 0 ? ~bits : bits | 0x80000000U;
+  return bits ^ ((0U - (bits >> 31)) | 0x80000000U);
 }
 [[nodiscard]] constexpr float coordinate_of(std::uint32_t key) noexcept {
-  return std::bit_cast<float>(key >> 31 != 0 ? key & 0x7fffffffU : ~key);
+  return std::bit_cast<float>(key ^ (((key >> 31) - 1U) | 0x80000000U));
 }
 
 /// What the order is made from: where the centre of a bound is.

@@ -26,7 +26,6 @@ const Bounds& few_enough(const Bounds& bounds) {
 
 template <class Bound>
 std::unique_ptr<kernel::TreeParts<Bound>> built_from(const kernel::RecordSource<Bound>& source) {
-  kernel::require_legal<Bound>(source);
   return std::make_unique<kernel::TreeParts<Bound>>(kernel::build<Bound>(source));
 }
 
