@@ -213,8 +213,19 @@ struct Lanes {
 
   /// The larger of the bit patterns, as unsigned integers.
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
-    using Bits = xsimd::batch<std::uint32_t, Arch>;
-    return xsimd::bitwise_cast<Vector>(xsimd::max(xsimd::bitwise_cast<Bits>(a), xsimd::bitwise_cast<Bits>(b)));
+#ifdef __AVX512F__
+    if constexpr (width == 16) {
+      return _mm512_castsi512_ps(_mm512_max_epu32(_mm512_castps_si512(a), _mm512_castps_si512(b)));
+    }
+#endif
+#ifdef __AVX2__
+    if constexpr (width == 8) {
+      return _mm256_castsi256_ps(_mm256_max_epu32(_mm256_castps_si256(a), _mm256_castps_si256(b)));
+    }
+#endif
+    if constexpr (width == 4) {
+      return _mm_castsi128_ps(_mm_max_epu32(_mm_castps_si128(a), _mm_castps_si128(b)));
+    }
   }
 
   /// Bit i is lane i.
