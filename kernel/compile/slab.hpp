@@ -105,9 +105,14 @@ bool all_fine(const float* const* box, std::size_t count) noexcept {
       if (!(extent >= 0 && extent <= __FLT_MAX__)) rest = -1.0F;
     }
   }
-  const auto most = L::all(__FLT_MAX__);
-  const std::uint64_t fine = L::bits(L::both(L::less_equal(L::all(0.0F), largest), L::less_equal(largest, most)));
-  return rest == 0 && fine == (std::uint64_t{1} << L::width) - 1;
+  // As integers again: as a float, the −0 of a flat box would pass, and the NaN that it was above with it.
+  float lane[L::width];
+  L::store(lane, largest);
+  bool fine = rest == 0;
+  for (unsigned i = 0; i < L::width; ++i) {
+    fine = fine && __builtin_bit_cast(std::uint32_t, lane[i]) <= __builtin_bit_cast(std::uint32_t, __FLT_MAX__);
+  }
+  return fine;
 }
 
 /// Whether every box is finite with lo ≤ hi.
