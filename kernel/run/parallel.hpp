@@ -23,8 +23,15 @@ namespace shaftcull::kernel {
 
 /// Allocates memory that tasks fill and others read: oneTBB's allocator gives it again to the next call, where that of the
 /// C library hands it back to the system, and page faults cost more than the copying.
+///
+/// ThreadSanitizer does not see oneTBB's hand memory from a thread that is done with it to the next one, and knows that of the C library.
+#ifdef SHAFTCULL_THREAD_SANITIZER
+template <class T>
+using TaskAllocator = std::allocator<T>;
+#else
 template <class T>
 using TaskAllocator = tbb::cache_aligned_allocator<T>;
+#endif
 
 /// Threads that a loop started here may use.
 [[nodiscard]] inline int threads_here() noexcept { return tbb::this_task_arena::max_concurrency(); }
