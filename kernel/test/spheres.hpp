@@ -182,7 +182,7 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
   // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
   const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * shaft.reach);
   const Vector shrink = L::all(1 - 16 * float_unit * accept_margin_factor);
-  const Vector grow = L::all(1 + 4 * float_unit);
+  const Vector grow = L::all(1 + 4 * float_unit * bound_margin_factor);
   const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away,
   const Vector most = L::all(0x1p60F);    // and the square of this far below overflow
   const Vector zero = L::all(0.0F);
