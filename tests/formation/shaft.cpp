@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "message_of.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
@@ -15,18 +16,6 @@ using testing::HasSubstr;
 
 const Box unit_box{{0, 0, 0}, {1, 1, 1}};
 const Box far_box{{4, 5, 6}, {7, 8, 9}};
-
-/// The message of the InvalidArgument that `call` throws.
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InvalidArgument& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {};
-}
 
 TEST(Shaft, HasItsBoxesAndTheBoxAroundThem) {
   const Shaft shaft(unit_box, far_box);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "message_of.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull {
@@ -122,17 +123,6 @@ TEST(CentreExtentErrors, SayWhatIsWrongWithTheRecord) {
   EXPECT_THAT(centre_extent_fault({0, 0, 0, 1, 1, -2.5F}), HasSubstr("box 2: half_extent.z = -2.5 is negative"));
   EXPECT_THAT(centre_extent_fault({0, 0, 0, 1, -inf, 1}), HasSubstr("box 2: half_extent.y = -inf is negative"));
   EXPECT_THAT(centre_extent_fault({0, inf, 0, 1, inf, 1}), HasSubstr("box 2: centre.y = inf and half_extent.y = inf"));
-}
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InvalidArgument& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {};
 }
 
 TEST(UpdateErrors, NameTheRangeAndTheSize) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "message_of.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/refine.hpp"
 #include "shaftcull/tree.hpp"
@@ -16,17 +17,6 @@ namespace shaftcull {
 namespace {
 
 using testing::HasSubstr;
-
-/// The message of the InvalidArgument that `call` throws.
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InvalidArgument& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 const CompiledShaft& shaft() {
   static const CompiledShaft compiled = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));

@@ -1,0 +1,24 @@
+/// What a refused call says.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "shaftcull/error.hpp"
+
+namespace shaftcull {
+
+/// The message of the InvalidArgument that `call` throws; fails the test if it throws none.
+template <class Call>
+std::string message_of(const Call& call) {
+  try {
+    call();
+  } catch (const InvalidArgument& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+}  // namespace shaftcull
