@@ -92,7 +92,7 @@ inline constexpr float difference_margin = 16 * float_unit * margin_slack;
 template <class L>
 bool all_fine(const float* const* box, std::size_t count) noexcept {
   auto largest = L::all(0.0F);  // as unsigned integers: negative floats, infinities and NaN are above all others
-  float rest = 0.0F;
+  bool fine = true;
   for (unsigned k = 0; k < 3; ++k) {
     const float* lo = box[k];
     const float* hi = box[k + 3];
@@ -102,13 +102,12 @@ bool all_fine(const float* const* box, std::size_t count) noexcept {
     }
     for (; i < count; ++i) {
       const float extent = hi[i] - lo[i];
-      if (!(extent >= 0 && extent <= __FLT_MAX__)) rest = -1.0F;
+      fine = fine && extent >= 0 && extent <= __FLT_MAX__;
     }
   }
   // As integers again: as a float, the −0 of a flat box would pass, and the NaN that it was above with it.
   float lane[L::width];
   L::store(lane, largest);
-  bool fine = rest == 0;
   for (unsigned i = 0; i < L::width; ++i) {
     fine = fine && __builtin_bit_cast(std::uint32_t, lane[i]) <= __builtin_bit_cast(std::uint32_t, __FLT_MAX__);
   }
