@@ -12,6 +12,7 @@
 #include "quick_oracle.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
+#include "on_grid.hpp"
 #include "undecided.hpp"
 
 namespace shaftcull::cli {
@@ -178,6 +179,13 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
     compare(kept, kept_, question("classify, kept"));
     compare(inside, inside_, question("classify, inside"));
   }
+  const auto doublings = static_cast<unsigned>(mixed(number_) >> 32U) % 12;
+  const GridAnswers on_grid = grid_answers(shaft, view, doublings);
+  const auto question = [&](const char* bits) {
+    return [=] { return fmt::format("classify_many, {}, {}, {}, grid of 2^{}", bits, how, name(active_isa()), doublings); };
+  };
+  compare(on_grid.kept, kept_, question("kept"));
+  compare(on_grid.inside, inside_, question("inside"));
   contain(shaft, view, inside);
   compare(inside, inside_, [=] { return fmt::format("contain, {}, {}", how, name(active_isa())); });
 }

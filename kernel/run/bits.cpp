@@ -14,8 +14,8 @@ void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t
     const kernel::Run group = cut.group(g);
     const kernel::Rows all_kept{kept, job.row_words()};
     const kernel::Rows all_inside{inside, job.row_words()};
-    job.test(block, group, {all_kept.at(group.first, block.first / 64), job.row_words()},
-             {all_inside.at(group.first, block.first / 64), job.row_words()});
+    job.test(block, group, all_kept.from(group.first * job.row_words() + block.first / 64),
+             all_inside.from(group.first * job.row_words() + block.first / 64));
   });
 }
 

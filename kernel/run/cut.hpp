@@ -8,7 +8,7 @@ namespace shaftcull::kernel {
 
 /// Bounds in a tile: 24 KiB of boxes, so that a tile and the shafts tested against it stay in a 32 KiB L1 cache.
 /// A multiple of 512, so that tiles share no word of results and, in aligned rows, no cache line either.
-inline constexpr std::size_t tile_bounds = 1024;
+inline constexpr std::size_t tile_bounds = 2048;
 inline constexpr std::size_t tile_words = tile_bounds / 64;
 
 /// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a group.

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "run/cut.hpp"
+#include "run/group.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/error.hpp"
@@ -21,9 +22,11 @@ struct Rows {
   std::uint64_t* words = nullptr;
   std::size_t stride = 0;
 
-  [[nodiscard]] std::uint64_t* at(std::size_t shaft, std::size_t word) const noexcept {
-    return words == nullptr ? nullptr : words + shaft * stride + word;
+  [[nodiscard]] std::uint64_t* at(std::size_t shaft) const noexcept {
+    return words == nullptr ? nullptr : words + shaft * stride;
   }
+  /// The rows from another word on.
+  [[nodiscard]] Rows from(std::size_t word) const noexcept { return {words == nullptr ? nullptr : words + word, stride}; }
 };
 
 template <class View>
@@ -44,37 +47,66 @@ class Job {
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
   void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
+    GroupOnGrid on_grid;
+    if (form_ != Form::planes) on_grid.form(kernels_.grid, shafts_.subspan(group.first, group.size), is_sphere);
     for (std::size_t first = block.first; first < block.end(); first += tile_bounds) {
       const View tile = bounds_.slice(first, std::min(tile_bounds, block.end() - first));
-      const std::size_t word = (first - block.first) / 64;
-      if constexpr (std::is_same_v<View, SphereView>) {
-        // Boxes around spheres are the same for all shafts. A tile that is not full may end anywhere: each test makes its own.
-        if (form_ != Form::planes && tile.count == tile_bounds) {
-          alignas(64) float box[6][tile_bounds];
-          float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
-          kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
+      const Rows tile_kept = kept.from((first - block.first) / 64);
+      const Rows tile_inside = inside.from((first - block.first) / 64);
+      // What all shafts share is made once for all. A tile that is not full may end anywhere: each test makes its own.
+      if (form_ == Form::planes || tile.count != tile_bounds) {
+        test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, tile_kept, tile_inside);
+      } else if constexpr (is_sphere) {
+        alignas(64) float box[6][tile_bounds];
+        float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+        kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
+        if (on_grid.exists()) {
+          test_tile_on_grid(on_grid, boxes, tile, first, group, tile_kept, tile_inside);
+        } else {
           const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
                                            box[1],         box[2],         box[3],         box[4],         box[5]};
-          test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, word, kept, inside);
-          continue;
+          test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, tile_kept, tile_inside);
         }
+      } else if (on_grid.exists()) {
+        test_tile_on_grid(on_grid, tile.stream.data(), tile, first, group, tile_kept, tile_inside);
+      } else {
+        test_tile(kernels_.boxes_slab, tile.stream.data(), first, tile.count, group, tile_kept, tile_inside);
       }
-      test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, word, kept, inside);
     }
   }
 
  private:
-  void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, std::size_t word,
-                 Rows kept, Rows inside) const noexcept {
+  static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
+
+  void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, Rows kept,
+                 Rows inside) const noexcept {
     for (std::size_t s = 0; s != group.size; ++s) {
       fetch_share_of_next(first, s, group.size);
-      kernel(shafts_[group.first + s], stream, count, kept.at(s, word), inside.at(s, word));
+      kernel(shafts_[group.first + s], stream, count, kept.at(s), inside.at(s));
+    }
+  }
+
+  void test_tile_on_grid(const GroupOnGrid& on_grid, const float* const* box, const View& tile, std::size_t first, Run group,
+                         Rows kept, Rows inside) const noexcept {
+    alignas(64) std::int16_t snapped[6][tile_bounds];
+    std::int16_t* const grid[6] = {snapped[0], snapped[1], snapped[2], snapped[3], snapped[4], snapped[5]};
+    kernels_.grid.snap_boxes(on_grid.frame, box, tile_words, grid);
+    GridKernels::TestOnGrid* const kernel = kernels_.grid.test(tile);
+    for (std::size_t s = 0; s != group.size; ++s) {
+      fetch_share_of_next(first, s, group.size);
+      const CompiledShaft& shaft = shafts_[group.first + s];
+      if (on_grid.shaft[s].exists) {
+        kernel(shaft, on_grid.shaft[s], grid, tile.stream.data(), tile_words, kept.at(s), inside.at(s));
+      } else {
+        kernels_.test(tile, form_)(shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
+      }
     }
   }
 
   /// Fetches the share `i` of `shares` of the tile after the one at `first` into the second-level cache, while the tile at `first` is
-  /// tested: otherwise the first shaft of each group waits for memory.
-  void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
+  /// tested: otherwise the first shaft of each group waits for memory. Inlined, because a call of a function that only fetches is no
+  /// call to g++ 12: it leaves it out.
+  [[gnu::always_inline]] void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
     if (bounds_.count - first < 2 * tile_bounds) return;
     const std::size_t next = first + tile_bounds;

@@ -13,7 +13,11 @@
 namespace shaftcull::kernel {
 
 template <class Arch>
+struct Shorts;
+
+template <class Arch>
 struct Lanes {
+  using Shorts = kernel::Shorts<Arch>;
   using Vector = xsimd::batch<float, Arch>;
   using Mask = xsimd::batch_bool<float, Arch>;
   static constexpr unsigned width = sizeof(Vector) / sizeof(float);

@@ -6,6 +6,7 @@
 #include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
 #include "test/boxed.hpp"
+#include "test/grid.hpp"
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
 #include "test/survivors.hpp"
@@ -32,6 +33,12 @@ struct BoxStages {
     } else {
       box_slab_stage<L>(shaft, stream, words, kept);
     }
+    settle(shaft, stream, words, kept);
+  }
+
+  /// Clears the bits of boxes that are beyond an added plane.
+  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                     std::uint64_t* kept) noexcept {
     if (shaft.added_count == 0) return;
     narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       box_added_stage<L>(shaft, some, n, bits);
@@ -142,18 +149,32 @@ void test_block(const CompiledShaft& shaft, const float* const* stream, std::siz
   Stages::contain(shaft, stream, words, inside);
 }
 
+/// A shaft, or a copy of it with its planes if they are needed and pending.
+template <class L>
+class Ready {
+ public:
+  Ready(const CompiledShaft& shaft, bool needs_planes) noexcept : shaft_(&shaft) {
+    if (shaft.joining_count != CompiledShaft::planes_pending || !needs_planes) return;
+    completed_ = shaft;
+    complete(completed_);
+    shaft_ = &completed_;
+  }
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  [[nodiscard]] const CompiledShaft& shaft() const noexcept { return *shaft_; }
+
+ private:
+  const CompiledShaft* shaft_;
+  CompiledShaft completed_;
+};
+
 /// The test of an instruction set, as Kernels has it.
 template <class L, class Stages>
 void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                  std::uint64_t* inside) noexcept {
   const FloatEnvironment<L> environment;
-  const CompiledShaft* ready = &shaft;
-  CompiledShaft completed;
-  if (shaft.joining_count == CompiledShaft::planes_pending && (inside != nullptr || Stages::cull_needs_planes(shaft))) {
-    completed = shaft;
-    complete(completed);
-    ready = &completed;
-  }
+  const Ready<L> ready(shaft, inside != nullptr || Stages::cull_needs_planes(shaft));
 
   const float* at[Stages::streams];
   for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s];
@@ -162,7 +183,7 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
   std::size_t words = count / word_bits;
   while (words != 0) {
     const std::size_t block = words < block_words ? words : block_words;
-    test_block<Stages>(*ready, at, block, kept, inside);
+    test_block<Stages>(ready.shaft(), at, block, kept, inside);
     for (const float*& s : at) s += block * word_bits;
     kept = advanced(kept, block);
     inside = advanced(inside, block);
@@ -174,7 +195,7 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
   if (count > word_bits) {  // the last 64 bounds once more; those in front were answered already
     const unsigned again = word_bits - rest;
     for (const float*& s : at) s -= again;
-    test_block<Stages>(*ready, at, 1, kept, inside);
+    test_block<Stages>(ready.shaft(), at, 1, kept, inside);
     if (kept != nullptr) *kept >>= again;
     if (inside != nullptr) *inside >>= again;
     return;
@@ -184,10 +205,27 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
     for (unsigned i = 0; i < word_bits; ++i) padded[s][i] = i < rest ? at[s][i] : Stages::nowhere[s];
     at[s] = padded[s];
   }
-  test_block<Stages>(*ready, at, 1, kept, inside);
+  test_block<Stages>(ready.shaft(), at, 1, kept, inside);
   const std::uint64_t mask = (std::uint64_t{1} << rest) - 1;
   if (kept != nullptr) *kept &= mask;
   if (inside != nullptr) *inside &= mask;
+}
+
+/// The test of whole words of bounds on a grid, as Kernels has it.
+template <class L, class Stages>
+void test_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
+                  const float* const* stream, std::size_t words, std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  const FloatEnvironment<L> environment;
+  const Ready<L> ready(shaft, inside != nullptr);
+  if constexpr (Stages::streams == 6) {
+    box_grid_stage<L>(ready.shaft(), on_grid, grid, stream, words, kept);
+  } else {
+    sphere_grid_stage<L>(on_grid, grid, words, kept);
+  }
+  Stages::settle(ready.shaft(), stream, words, kept);
+  if (inside == nullptr) return;
+  for (std::size_t w = 0; w < words; ++w) inside[w] = kept[w];
+  Stages::contain(ready.shaft(), stream, words, inside);
 }
 
 /// Forms shafts in batches, as Kernels has it.
@@ -199,6 +237,20 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
   return true;
 }
 
+/// Tests on a grid, where there are vectors of 16-bit integers.
+template <class L>
+constexpr GridKernels grid_kernels() noexcept {
+  if constexpr (requires { typename L::Shorts; }) {
+    return {.frame = grid_frame<L>,
+            .form_shafts = form_grid_shafts<L>,
+            .snap_boxes = snap_boxes<L>,
+            .boxes = test_on_grid<L, BoxStages<L, Form::slab>>,
+            .spheres = test_on_grid<L, SphereStages<L>>};
+  } else {
+    return {};
+  }
+}
+
 /// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
 template <class L, class FormationLanes = L>
 inline constexpr Kernels kernels_for = {
@@ -208,6 +260,7 @@ inline constexpr Kernels kernels_for = {
     .spheres_planes = test_bounds<L, SphereStages<L>>,
     .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
     .box_spheres = box_spheres<L>,
+    .grid = grid_kernels<L>(),
     .compile_batch = compile_pairs<FormationLanes>,
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,

@@ -1,7 +1,7 @@
 // xsimd gets a name of its own in this unit, so that none of its inline functions is shared with another one.
 #define xsimd xsimd_avx512
 #include "isa/table.hpp"
-#include "simd/lanes.hpp"
+#include "simd/shorts.hpp"
 #include "test/driver.hpp"
 
 // Formation transposes eight lanes at a time and is a quarter faster on vectors of eight.

@@ -32,6 +32,28 @@ using TestListedWords = void(const CompiledShaft& shaft, const float* const* str
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
 using Unite = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
 
+struct GridFrame;
+struct GridShaft;
+
+/// Tests of the bounds of a tile by a group of shafts on a grid (kernel/compile/grid.hpp). Null where vectors would not gain by it.
+struct GridKernels {
+  /// The frame around shafts, if there is one.
+  GridFrame (*frame)(const CompiledShaft* shafts, std::size_t count) noexcept;
+  /// Makes out[i] of shafts[i].
+  void (*form_shafts)(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept;
+  /// Writes `words` words of boxes' coordinates on the grid to six streams, aligned to 64 bytes.
+  void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t words, std::int16_t* const* grid) noexcept;
+
+  /// As Test, for at most block_words whole words, with the bounds on the grid too; kept is not null.
+  using TestOnGrid = void(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
+                          const float* const* stream, std::size_t words, std::uint64_t* kept, std::uint64_t* inside) noexcept;
+  TestOnGrid* boxes;
+  TestOnGrid* spheres;
+
+  [[nodiscard]] TestOnGrid* test(const BoxView& /*boxes*/) const noexcept { return boxes; }
+  [[nodiscard]] TestOnGrid* test(const SphereView& /*spheres*/) const noexcept { return spheres; }
+};
+
 struct Kernels {
   Test* boxes_slab;
   Test* boxes_planes;
@@ -39,6 +61,7 @@ struct Kernels {
   Test* spheres_planes;
   Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
   BoxSpheres* box_spheres;
+  GridKernels grid;
   CompileBatch* compile_batch;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;

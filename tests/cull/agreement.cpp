@@ -7,13 +7,22 @@
 #include "columns.hpp"
 #include "instruction_sets.hpp"
 #include "oracle.hpp"
+#include "run/cut.hpp"
+#include "run/group.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
+#include "on_grid.hpp"
 
 namespace shaftcull {
 namespace {
 
+static_assert(tile_bounds == kernel::tile_bounds && group_shafts >= kernel::GroupOnGrid::fewest);
+
 bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
+
+Answer answer(const std::vector<std::uint64_t>& kept, const std::vector<std::uint64_t>& inside, std::size_t i) {
+  return !bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap;
+}
 
 CompiledShaft compiled(const Subject& subject) {
   Shaft shaft(subject.a, subject.b);
@@ -37,28 +46,44 @@ std::vector<Answer> all_answers(const Subject& subject, const std::vector<Bound>
   std::vector<Answer> answers;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
     EXPECT_TRUE(bit(kept, i) || !bit(inside, i)) << "inside but not kept: " << source_text(bounds[i]);
-    answers.push_back(!bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap);
+    answers.push_back(answer(kept, inside, i));
   }
   return answers;
+}
+
+/// Answers on a grid whose steps double that often.
+template <class Bound>
+std::vector<Answer> all_on_grid(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings) {
+  const auto memory = columns(bounds);
+  const GridAnswers on_grid = grid_answers(compiled(subject), memory.view(), doublings);
+  std::vector<Answer> answers;
+  for (std::size_t i = 0; i != bounds.size(); ++i) answers.push_back(answer(on_grid.kept, on_grid.inside, i));
+  return answers;
+}
+
+template <class Bound>
+void expect_right(const Subject& subject, const std::vector<Bound>& bounds, const std::vector<Answer>& right,
+                  const std::vector<Answer>& answers, const char* form) {
+  std::size_t wrong = 0;
+  std::size_t first = 0;
+  for (std::size_t i = bounds.size(); i-- != 0;) {
+    if (answers[i] == right[i]) continue;
+    ++wrong;
+    first = i;
+  }
+  EXPECT_EQ(wrong, 0U) << "of " << bounds.size() << " on " << name(active_isa()) << ", form " << form << "; the first is bound "
+                       << first << ":\n  " << source_text(subject) << "\n  " << source_text(bounds[first]) << "\n  is "
+                       << text(right[first]) << ", answered " << text(answers[first]);
 }
 
 template <class Bound>
 void expect_all(const Subject& subject, const std::vector<Bound>& bounds, const std::vector<Answer>& right) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) {
-      const std::vector<Answer> answers = all_answers(subject, bounds, form);
-      std::size_t wrong = 0;
-      std::size_t first = 0;
-      for (std::size_t i = bounds.size(); i-- != 0;) {
-        if (answers[i] == right[i]) continue;
-        ++wrong;
-        first = i;
-      }
-      EXPECT_EQ(wrong, 0U) << "of " << bounds.size() << " on " << name(isa) << ", form "
-                           << (form == Form::slab ? "slab" : "planes") << "; the first is bound " << first << ":\n  "
-                           << source_text(subject) << "\n  " << source_text(bounds[first]) << "\n  is "
-                           << text(right[first]) << ", answered " << text(answers[first]);
+    expect_right(subject, bounds, right, all_answers(subject, bounds, Form::slab), "slab");
+    expect_right(subject, bounds, right, all_answers(subject, bounds, Form::planes), "planes");
+    for (const unsigned doublings : {0U, 6U}) {
+      expect_right(subject, bounds, right, all_on_grid(subject, bounds, doublings), "grid");
     }
   }
 }

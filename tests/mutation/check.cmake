@@ -55,10 +55,15 @@ if(ISA MATCHES "^(scalar|sse4_2)$")  # with fused multiply-adds, errors stay wit
   must_notice(bound_margin ExactSpheres.* planes)
 endif()
 must_notice(radius_margin ExactSpheres.* planes)
+if(NOT ISA STREQUAL scalar)  # which has no grid
+  must_notice(grid_slack ExactBoxes.* grid)
+  must_notice(grid_slack ExactSpheres.* grid)
+  must_notice(grid_limit ExactBoxes.* grid)
+endif()
 must_notice(added_margin ${added_boxes} slab planes)
 must_notice(added_margin ${added_spheres} slab planes)
 foreach(filter IN ITEMS ExactBoxes.* ExactSpheres.* ${added_boxes} ${added_spheres})
-  must_notice(no_exact_step ${filter} slab planes)
+  must_notice(no_exact_step ${filter} slab planes grid)
 endforeach()
 
 # It is the faults that they notice.

@@ -13,6 +13,8 @@ bool drops_exact_step = false;
 float accept_margin_factor = 1.0F;
 float bound_margin_factor = 1.0F;
 float radius_margin_factor = 1.0F;
+float grid_slack_factor = 1.0F;
+unsigned grid_limit_divisor = 1;
 
 }  // namespace kernel
 
@@ -40,6 +42,10 @@ bool apply(std::string_view fault) {
     kernel::bound_margin_factor = weak;
   } else if (fault == "radius_margin") {
     kernel::radius_margin_factor = weak;
+  } else if (fault == "grid_slack") {
+    kernel::grid_slack_factor = weak;
+  } else if (fault == "grid_limit") {
+    kernel::grid_limit_divisor = 10;
   } else if (fault == "no_exact_step") {
     kernel::drops_exact_step = true;
   } else if (fault != "none") {

@@ -1,0 +1,81 @@
+/// A few bounds asked of a shaft as many are of many: in a whole tile, by a group of shafts around it, so that it is tested on a grid
+/// (kernel/compile/grid.hpp).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull {
+
+/// What it takes to be tested on a grid; cull/agreement.cpp sees to it that the kernels agree.
+inline constexpr std::size_t tile_bounds = 2048;
+inline constexpr std::size_t group_shafts = 8;
+
+/// As classify() gives them.
+struct GridAnswers {
+  std::vector<std::uint64_t> kept;
+  std::vector<std::uint64_t> inside;  ///< empty if nobody asked
+};
+
+/// A box around both boxes of a shaft, larger by 2^doublings than it must be.
+inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
+  double size = 0;
+  for (std::size_t k = 0; k != 3; ++k) {
+    const auto lo = static_cast<double>(std::min(shaft.a.lo[k], shaft.b.lo[k]));
+    const auto hi = static_cast<double>(std::max(shaft.a.hi[k], shaft.b.hi[k]));
+    size = std::max(size, hi - lo);
+  }
+  const double beyond = 0.5 * size * static_cast<double>((1U << doublings) - 1U);
+  const auto as_float = [](double x) {
+    constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
+    return static_cast<float>(std::clamp(x, -most, most));
+  };
+  Box frame{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    frame.lo[k] = as_float(static_cast<double>(std::min(shaft.a.lo[k], shaft.b.lo[k])) - beyond);
+    frame.hi[k] = as_float(static_cast<double>(std::max(shaft.a.hi[k], shaft.b.hi[k])) + beyond);
+  }
+  return frame;
+}
+
+/// The grid's steps double with `doublings`. At most `tile_bounds` bounds; the shaft must answer outside and, where asked, inside.
+template <class View>
+GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, bool ask_inside = true) {
+  constexpr std::size_t streams = std::tuple_size_v<decltype(View::stream)>;
+  constexpr bool boxes = streams == 6;
+  std::vector<float> memory(streams * tile_bounds);
+  View tile;
+  tile.count = tile_bounds;
+  for (std::size_t s = 0; s != streams; ++s) {
+    // The rest is empty boxes, or spheres with a negative radius: outside of everything.
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const float nowhere = boxes ? (s < 3 ? infinity : -infinity) : (s < 3 ? 0.0F : -1.0F);
+    float* const stream = memory.data() + s * tile_bounds;
+    std::fill(std::copy_n(few.stream[s], few.count, stream), stream + tile_bounds, nowhere);
+    tile.stream[s] = stream;
+  }
+  const Box frame = frame_around(shaft, doublings);
+  std::vector<CompiledShaft> group(group_shafts, compile(Shaft(frame, frame)));
+  group.front() = shaft;
+  GridAnswers rows;
+  rows.kept.resize(group.size() * words_for(tile_bounds));
+  if (ask_inside) {
+    rows.inside.resize(rows.kept.size());
+    classify_many(group, tile, rows.kept, rows.inside);
+  } else {
+    cull_many(group, tile, rows.kept);
+  }
+  rows.kept.resize(words_for(few.count));
+  if (ask_inside) rows.inside.resize(words_for(few.count));
+  return rows;
+}
+
+}  // namespace shaftcull
