@@ -43,8 +43,8 @@ inline constexpr float grid_edge = 27000.0F;   ///< steps from a frame's origin 
 inline constexpr float standing_way = 200.0F;  ///< faces that move fewer steps stand
 inline constexpr float float_slack = 0.0625F;                ///< roundings of floats
 inline constexpr float snap_slack = 0.5F + float_slack;      ///< and half a step by rounding to the grid
-inline constexpr float bound_slack = 3 * 0.5F + float_slack;  ///< half a step each of the scale, a product and the shift
-inline constexpr std::uint8_t least_limit = 7;
+inline constexpr float bound_slack = 2 * 0.5F + float_slack;  ///< half a step each by rounding a product and the shift
+inline constexpr float scale_slack = 0x1p-17F;               ///< and what the scale is off by, over half the way of a face
 
 /// The frame around shafts.
 template <class L>
@@ -102,6 +102,7 @@ void form_grid_shaft(const CompiledShaft& shaft, const GridFrame& frame, GridSha
     way[f] = (b[f] - a[f]) * steps;
   }
   float length = 2 * grid_edge;
+  float longest = 0;
   unsigned standing = 0;
   unsigned uppers = 0;
   for (unsigned f = 0; f < 6; ++f) {
@@ -110,6 +111,7 @@ void form_grid_shaft(const CompiledShaft& shaft, const GridFrame& frame, GridSha
     standing |= (stands ? 1U : 0U) << f;
     uppers |= (!stands && way[f] < 0 ? 1U : 0U) << f;
     length = !stands && size < length ? size : length;
+    longest = size > longest ? size : longest;
   }
   length *= 0.5F;
 
@@ -117,9 +119,9 @@ void form_grid_shaft(const CompiledShaft& shaft, const GridFrame& frame, GridSha
   const unsigned lowers = 0x3fU & ~(standing | uppers);
   grid.uppers = static_cast<std::uint8_t>(__builtin_popcount(uppers));
   grid.standing = static_cast<std::uint8_t>(__builtin_popcount(standing));
-  grid.limit = static_cast<std::uint8_t>(least_limit / grid_limit_divisor);
   grid.begin = static_cast<std::int16_t>(__builtin_floorf(0.5F - 0.5F * length - snap_slack * grid_slack_factor));
   grid.end = static_cast<std::int16_t>(-grid.begin);
+  float limit = 2 * (2 * bound_slack + 2 * scale_slack * longest) + 2 * snap_slack;
   for (unsigned f = 0; f < 6; ++f) {
     const bool stands = (standing >> f & 1) != 0;
     const bool is_upper = (uppers >> f & 1) != 0;
@@ -131,18 +133,20 @@ void form_grid_shaft(const CompiledShaft& shaft, const GridFrame& frame, GridSha
       scale = 0.5F;
       shift = 0.5F * (middle[f] + 0.5F * size);
       position = 6U - grid.standing + rank(standing, f);
-      const auto limit = static_cast<std::uint8_t>((0.5F * size + 5) / static_cast<float>(grid_limit_divisor));
-      grid.limit = limit > grid.limit ? limit : grid.limit;
+      const float room = 0.5F * size + 2 * bound_slack + snap_slack;
+      limit = room > limit ? room : limit;
     } else {
       scale = length / way[f];
       shift = -scale * middle[f];
       position = is_upper ? rank(uppers, f) : grid.uppers + rank(lowers, f);
     }
-    const float outward = (stands || is_upper ? bound_slack : -bound_slack) * grid_slack_factor;
+    const float slack = (bound_slack + scale_slack * size) * grid_slack_factor;
+    const float outward = stands || is_upper ? slack : -slack;
     grid.scale[position] = static_cast<std::int16_t>(__builtin_floorf(scale * 0x1p15F + 0.5F));
     grid.shift[position] = static_cast<std::int16_t>(__builtin_floorf(shift + outward + 0.5F));
     grid.near_stream[position] = near_stream[f];
   }
+  grid.limit = static_cast<std::uint8_t>(limit * grid_limit_factor);
 }
 
 /// Makes out[i] of shafts[i].

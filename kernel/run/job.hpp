@@ -36,8 +36,9 @@ class Job {
   Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
       : shafts_(shafts), bounds_(bounds), kernels_(active_kernels()), form_(form) {
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      require_answers(shafts[s], true, inside, std::is_same_v<View, SphereView>, s);
+      require_answers(shafts[s], true, inside, is_sphere, s);
     }
+    if (shafts.size() <= group_shafts) form_on_grid(only_group_, shafts);
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
@@ -47,8 +48,9 @@ class Job {
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
   void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
-    GroupOnGrid on_grid;
-    if (form_ != Form::planes) on_grid.form(kernels_.grid, shafts_.subspan(group.first, group.size), is_sphere);
+    GroupOnGrid this_group;
+    if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size));
+    const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
     for (std::size_t first = block.first; first < block.end(); first += tile_bounds) {
       const View tile = bounds_.slice(first, std::min(tile_bounds, block.end() - first));
       const Rows tile_kept = kept.from((first - block.first) / 64);
@@ -77,6 +79,10 @@ class Job {
 
  private:
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
+
+  void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts) const noexcept {
+    if (form_ != Form::planes && bounds_.count >= tile_bounds) group.form(kernels_.grid, shafts, is_sphere);
+  }
 
   void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, Rows kept,
                  Rows inside) const noexcept {
@@ -120,6 +126,7 @@ class Job {
   View bounds_;
   const Kernels& kernels_;
   Form form_;
+  GroupOnGrid only_group_;  // if there is only one, it is formed once for all tasks
 };
 
 /// Throws InvalidArgument unless the span called `what` has `rows` rows of `row_words` words.

@@ -27,12 +27,22 @@ class JoiningPlanes {
 
   /// Largest value of all planes for the bounds at `at`: positive if beyond any. −∞ without planes.
   [[nodiscard]] Vector largest_value(std::size_t at) const noexcept {
-    Vector largest = L::all(-__builtin_inff());
+    Vector largest[1];
+    largest_values(at, largest);
+    return largest[0];
+  }
+
+  /// Likewise for several vectors side by side, which share the loads of coefficients: loads are the limit.
+  template <unsigned vectors>
+  void largest_values(std::size_t at, Vector (&largest)[vectors]) const noexcept {
+    for (Vector& each : largest) each = L::all(-__builtin_inff());
     for (unsigned i = 0; i < count_; ++i) {
-      const Vector partial = L::multiply_add(L::load(y_[i] + at), normal1_[i], minus_offset_[i]);
-      largest = L::maximum(L::multiply_add(L::load(x_[i] + at), normal0_[i], partial), largest);
+      for (unsigned v = 0; v < vectors; ++v) {
+        const std::size_t here = at + v * L::width;
+        const Vector partial = L::multiply_add(L::load(y_[i] + here), normal1_[i], minus_offset_[i]);
+        largest[v] = L::maximum(L::multiply_add(L::load(x_[i] + here), normal0_[i], partial), largest[v]);
+      }
     }
-    return largest;
   }
 
  private:
@@ -77,6 +87,7 @@ void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, st
   const auto margin = L::all(shaft.joining_margin);
   const auto minus_margin = L::all(-shaft.joining_margin);
   const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, stream);
+  constexpr unsigned at_once = L::width < 8 ? 1 : 4;
   typename L::Vector face[6];
   for (unsigned f = 0; f < 6; ++f) face[f] = L::all(shaft.face[f]);
 
@@ -94,15 +105,18 @@ void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, st
     }
     kept[w] = ~outside;
     if (kept[w] == 0) continue;
-    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+    for (unsigned lane = 0; lane < word_bits; lane += at_once * L::width) {
       // Wide vectors nearly always have a lane left, and guessing wrong costs more than the planes.
       if (L::width < 8 && (kept[w] & lanes_of<L>(lane)) == 0) continue;
-      const std::size_t at = w * word_bits + lane;
-      const auto value = planes.largest_value(at);
-      const std::uint64_t positive = L::bits(L::less(margin, value)) << lane;
-      const std::uint64_t negative = L::bits(L::less(value, minus_margin)) << lane;
-      outside |= positive;
-      undecided |= ~(positive | negative) & lanes_of<L>(lane);
+      typename L::Vector value[at_once];
+      planes.largest_values(w * word_bits + lane, value);
+      for (unsigned v = 0; v < at_once; ++v) {
+        const unsigned here = lane + v * L::width;
+        const std::uint64_t positive = L::bits(L::less(margin, value[v])) << here;
+        const std::uint64_t negative = L::bits(L::less(value[v], minus_margin)) << here;
+        outside |= positive;
+        undecided |= ~(positive | negative) & lanes_of<L>(here);
+      }
     }
     undecided &= ~outside;
     if (undecided != 0) [[unlikely]] {

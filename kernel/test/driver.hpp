@@ -154,7 +154,7 @@ template <class L>
 class Ready {
  public:
   Ready(const CompiledShaft& shaft, bool needs_planes) noexcept : shaft_(&shaft) {
-    if (shaft.joining_count != CompiledShaft::planes_pending || !needs_planes) return;
+    if (!needs_planes || shaft.joining_count != CompiledShaft::planes_pending) return;
     completed_ = shaft;
     complete(completed_);
     shaft_ = &completed_;

@@ -10,14 +10,14 @@ extern float accept_margin_factor;  // on the margin of spheres that are accepte
 extern float bound_margin_factor;   // on the margin of spheres that are culled without the exact predicate
 extern float radius_margin_factor;  // on what a sphere's radius adds to the margin of joining planes
 extern float grid_slack_factor;     // on what snapping and rounding on a grid may be off by
-extern unsigned grid_limit_divisor; // of the room above which a bound on a grid is certainly not outside
+extern float grid_limit_factor;     // of the room above which a bound on a grid is certainly not outside
 #else
 inline constexpr bool drops_exact_step = false;
 inline constexpr float accept_margin_factor = 1.0F;
 inline constexpr float bound_margin_factor = 1.0F;
 inline constexpr float radius_margin_factor = 1.0F;
 inline constexpr float grid_slack_factor = 1.0F;
-inline constexpr unsigned grid_limit_divisor = 1;
+inline constexpr float grid_limit_factor = 1.0F;
 #endif
 
 }  // namespace shaftcull::kernel

@@ -14,7 +14,7 @@ float accept_margin_factor = 1.0F;
 float bound_margin_factor = 1.0F;
 float radius_margin_factor = 1.0F;
 float grid_slack_factor = 1.0F;
-unsigned grid_limit_divisor = 1;
+float grid_limit_factor = 1.0F;
 
 }  // namespace kernel
 
@@ -45,7 +45,7 @@ bool apply(std::string_view fault) {
   } else if (fault == "grid_slack") {
     kernel::grid_slack_factor = weak;
   } else if (fault == "grid_limit") {
-    kernel::grid_limit_divisor = 10;
+    kernel::grid_limit_factor = weak;
   } else if (fault == "no_exact_step") {
     kernel::drops_exact_step = true;
   } else if (fault != "none") {
