@@ -81,6 +81,7 @@ void run() {
   });
   with_threads(1, [&] {
     count("boxes_count", tests, [&] { count_many(compiled, boxes.view(), counts); });
+    count("spheres_count", tests, [&] { count_many(compiled, spheres.view(), counts); });
     count("boxes_list", tests, [&] { list_many(compiled, boxes.view(), lists); });
   });
   std::vector<CompiledShaft> formed(pairs);
