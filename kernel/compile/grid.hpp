@@ -12,6 +12,7 @@
 
 #include "compile/slab.hpp"
 #include "shaftcull/compiled.hpp"
+#include "simd/float_environment.hpp"
 #include "test/mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -49,6 +50,7 @@ inline constexpr float scale_slack = 0x1p-17F;               ///< and what the s
 /// The frame around shafts.
 template <class L>
 [[nodiscard]] GridFrame grid_frame(const CompiledShaft* shafts, std::size_t count) noexcept {
+  const FloatEnvironment<L> environment;
   float least[6];  // of all faces' coordinates, and from 3 on of their negatives
   for (float& each : least) each = __builtin_inff();
   float reach = 0;
@@ -152,6 +154,7 @@ void form_grid_shaft(const CompiledShaft& shaft, const GridFrame& frame, GridSha
 /// Makes out[i] of shafts[i].
 template <class L>
 void form_grid_shafts(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept {
+  const FloatEnvironment<L> environment;
   for (std::size_t s = 0; s < count; ++s) form_grid_shaft<L>(shafts[s], frame, out[s]);
 }
 

@@ -6,7 +6,8 @@
 
 namespace shaftcull::kernel {
 
-/// Bounds in a tile: 24 KiB of boxes, so that a tile and the shafts tested against it stay in a 32 KiB L1 cache.
+/// Bounds in a tile: 24 KiB of boxes on a grid (kernel/compile/grid.hpp), so that these and the shafts tested against them stay in a 32 KiB
+/// L1 cache; the floats that they were made from are 48 KiB.
 /// A multiple of 512, so that tiles share no word of results and, in aligned rows, no cache line either.
 inline constexpr std::size_t tile_bounds = 2048;
 inline constexpr std::size_t tile_words = tile_bounds / 64;
@@ -14,8 +15,11 @@ inline constexpr std::size_t tile_words = tile_bounds / 64;
 /// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a group.
 inline constexpr std::size_t group_shafts = 64;
 
-/// Tiles × shafts in a task: 2¹⁸ tests, some 50 µs, which makes the cost of starting a task vanish.
+/// Tiles × shafts in a task: 2¹⁹ tests, some 50 µs, which makes the cost of starting a task vanish.
 inline constexpr std::size_t task_tiles_times_shafts = 256;
+
+/// Most tiles in a task: so many take as long to come from memory.
+inline constexpr std::size_t most_task_tiles = 64;
 
 /// Most words of one kind of bits that a task produces.
 inline constexpr std::size_t task_words = task_tiles_times_shafts * tile_words;
@@ -37,12 +41,13 @@ struct Run {
   return whole / length + (whole % length != 0);
 }
 
-/// A grid of tasks, each a block of tiles × a group of shafts.
+/// Tasks in rows and columns, each a block of tiles × a group of shafts.
 class Cut {
  public:
   /// For results that may be made in any order.
   [[nodiscard]] static constexpr Cut free(std::size_t bounds, std::size_t shafts) noexcept {
-    return {bounds, shafts, task_tiles_times_shafts / std::clamp<std::size_t>(shafts, 1, group_shafts)};
+    constexpr std::size_t fewest = task_tiles_times_shafts / most_task_tiles;
+    return {bounds, shafts, task_tiles_times_shafts / std::clamp(shafts, fewest, group_shafts)};
   }
   /// For results ordered by tile and then by shaft: a block is one tile if there is more than one group.
   [[nodiscard]] static constexpr Cut ordered(std::size_t bounds, std::size_t shafts) noexcept {

@@ -1,6 +1,7 @@
 /// The boxes around spheres: what the slab form tests first.
 #pragma once
 
+#include "simd/float_environment.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
@@ -9,6 +10,7 @@ namespace shaftcull::kernel {
 /// the sphere's stage allows for; a negative radius makes a box that is outside of everything.
 template <class L>
 void box_spheres(const float* const* sphere, std::size_t count, float* const* box) noexcept {
+  const FloatEnvironment<L> environment;
   const auto zero = L::all(0.0F);
   const auto infinite = L::all(__builtin_inff());
   for (std::size_t i = 0; i < count; i += L::width) {

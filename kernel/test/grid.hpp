@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compile/grid.hpp"
+#include "simd/float_environment.hpp"
 #include "test/box_slab.hpp"
 #include "test/word.hpp"
 
@@ -10,6 +11,7 @@ namespace shaftcull::kernel {
 /// Writes `words` words of bounds' coordinates on the grid, rounded outwards: hi coordinates are negated.
 template <class L>
 void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t words, std::int16_t* const* grid) noexcept {
+  const FloatEnvironment<L> environment;
   const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
   const auto top = L::all(0x1p15F);
   for (unsigned s = 0; s < 6; ++s) {

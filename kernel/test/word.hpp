@@ -15,7 +15,7 @@ namespace shaftcull::kernel {
 
 inline constexpr unsigned word_bits = 64;
 
-/// Words in a block: stages after the first find 1024 bounds still in the first-level cache.
+/// Words in a block: stages after the first find 2,048 bounds still in the cache.
 inline constexpr std::size_t block_words = 32;
 
 /// The lanes of one vector within a word.
