@@ -1,6 +1,7 @@
 /// limit/…: what this machine can do at most, and which of it limits each main path.
 ///
-/// limit/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. limit/read_… counts bytes, read
+/// limit/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. So does limit/grid_arithmetic, with six
+/// multiplications of 16-bit integers and as many minima or maxima. limit/read_… counts bytes, read
 /// as six streams that together fill half of a cache, or twice the largest one. limit/divide counts divisions,
 /// limit/write_shafts shafts.
 #include <algorithm>
@@ -50,6 +51,9 @@ namespace {
 /// Multiply-adds, minima and maxima that a box in slab form cannot do without, and that limit/slab_arithmetic does for each: one face's
 /// position is t itself.
 constexpr double slab_operations = 11;
+
+/// Likewise of limit/grid_arithmetic, on vectors of twice as many lanes.
+constexpr double grid_operations = 12;
 constexpr double box_bytes = 24;
 constexpr double sphere_bytes = 16;
 
@@ -89,6 +93,7 @@ void declare_arithmetic(Suite& suite, const LimitKernels& kernels, const std::st
     });
   };
   add("limit/slab_arithmetic/", "paper/boxes_cull", kernels.slab_arithmetic);
+  add("limit/grid_arithmetic/", "paper/boxes_cull", kernels.grid_arithmetic);
   add("limit/divide/", "", kernels.divide);
 }
 
@@ -156,26 +161,36 @@ struct Shares {
   }
 };
 
-/// Limits of the main paths: multiply-adds, minima, maxima and comparisons that their methods cannot do without, at the
-/// rate of limit/slab_arithmetic, and bytes. Additions are left out: some processors have ports of their own for them.
+/// Limits of the main paths: multiplications, multiply-adds, minima, maxima and comparisons that their methods cannot do without, at the
+/// rate of limit/slab_arithmetic or limit/grid_arithmetic, and bytes. Additions are left out: some processors have ports of their own for
+/// them.
 void declare_paths(Suite& suite, const Shares& shares, const std::string& set) {
   constexpr double shafts = Workload::test_shafts;
-  const auto path = [&](const std::string& name, double operations, const std::string& what, double bytes) {
-    suite.limit(name + set, "limit/slab_arithmetic/" + set, operations / slab_operations,
-                fmt::format("{:.1f} operations: {}", operations, what));
+  const auto path = [&](const std::string& name, const std::string& arithmetic, double units, const std::string& what,
+                        double bytes, double from_memory = box_bytes) {
+    suite.limit(name + set, arithmetic + set, units, what);
     suite.limit(name + set, "limit/read_l1_bytes/" + set, bytes, fmt::format("{:.0f} bytes from the L1 cache", bytes));
-    suite.limit(name + set, "memory/read/" + set, bytes / box_bytes / shafts,
-                fmt::format("{:.2f} bytes from memory, shared by {:.0f} shafts", bytes / shafts, shafts));
+    suite.limit(name + set, "memory/read/" + set, from_memory / box_bytes / shafts,
+                fmt::format("{:.2f} bytes from memory, shared by {:.0f} shafts", from_memory / shafts, shafts));
   };
-  path("test/boxes/cull/slab/", slab_operations, "5 multiply-adds, 6 minima or maxima", box_bytes);
-  path("test/boxes/cull/planes/", 6 + 3 * shares.planes_there,
-       fmt::format("6 comparisons, and 3 a plane for the {:.0f} % that meet the shaft box", 100 * shares.in_shaft_box),
+  // A float operation takes as long as one on twice as many 16-bit integers.
+  const auto grid_path = [&](const std::string& name, double floats, const std::string& what, double from_memory) {
+    path(name, "limit/grid_arithmetic/", (grid_operations + 2 * floats) / grid_operations,
+         fmt::format("{:.1f} operations, half of those on 16-bit integers counted: {}", grid_operations / 2 + floats, what),
+         box_bytes / 2, from_memory);
+  };
+  const double planes = 6 + 3 * shares.planes_there;
+  path("test/boxes/cull/planes/", "limit/slab_arithmetic/", planes / slab_operations,
+       fmt::format("{:.1f} operations: 6 comparisons, and 3 a plane for the {:.0f} % that meet the shaft box", planes,
+                   100 * shares.in_shaft_box),
        box_bytes);
-  path("test/boxes/classify/slab/", slab_operations + 6 * shares.kept + 3 * shares.kept_planes,
-       fmt::format("culling, and 6 comparisons and 3 a plane for the {:.1f} % kept", 100 * shares.kept), box_bytes);
-  path("test/spheres/cull/slab/", slab_operations + 15 * shares.kept_spheres,
-       fmt::format("culling the sphere's box, and 15 of the distance for the {:.1f} % kept", 100 * shares.kept_spheres),
-       sphere_bytes);
+  const std::string culling = "6 multiplications, 6 minima or maxima in 16 bits";
+  grid_path("test/boxes/cull/slab/", 0, culling, box_bytes);
+  grid_path("test/boxes/classify/slab/", 6 * shares.kept + 3 * shares.kept_planes,
+            fmt::format("{}; 6 comparisons and 3 a plane for the {:.1f} % kept", culling, 100 * shares.kept), box_bytes);
+  grid_path("test/spheres/cull/slab/", 15 * shares.kept_spheres,
+            fmt::format("{} for the sphere's box; 15 of the distance for the {:.1f} % kept", culling, 100 * shares.kept_spheres),
+            sphere_bytes);
 }
 
 }  // namespace

@@ -13,9 +13,11 @@ namespace shaftcull::bench {
 struct LimitKernels {
   /// Lanes of a vector of floats.
   std::size_t width;
-  /// The arithmetic of `vectors` slab tests and nothing else: six multiply-adds and six minima or maxima a vector, on
+  /// The arithmetic of `vectors` slab tests and nothing else: five multiply-adds and six minima or maxima a vector, on
   /// registers, without loads, comparisons or results.
   float (*slab_arithmetic)(std::size_t vectors) noexcept;
+  /// Likewise on a grid: six multiplications and six minima or maxima for as many boxes as two vectors of floats hold.
+  float (*grid_arithmetic)(std::size_t vectors) noexcept;
   /// `vectors` divisions that do not depend on each other.
   float (*divide)(std::size_t vectors) noexcept;
   /// Reads `count` floats, a multiple of 64, of each of six streams in step, as a test does.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "limit_kernels.hpp"
-#include "simd/lanes.hpp"
+#include "simd/shorts.hpp"
 
 namespace shaftcull::bench {
 
@@ -35,6 +35,30 @@ float slab_arithmetic(std::size_t vectors) noexcept {
   auto sum = extreme[0];
   for (unsigned e = 1; e < chains; ++e) sum = L::add(sum, extreme[e]);
   return sum_of<L>(sum);
+}
+
+template <class L>
+float grid_arithmetic(std::size_t vectors) noexcept {
+  using S = typename L::Shorts;
+  auto scale = S::all(12345);
+  auto coordinate = S::all(23456);
+  constexpr unsigned chains = 6;
+  typename S::Vector extreme[chains];
+  for (auto& e : extreme) e = coordinate;
+  for (std::size_t v = 0; v < vectors; v += 4) {  // of floats: two of these
+#pragma GCC unroll 12
+    for (unsigned i = 0; i < 12; ++i) {
+      asm volatile("" : "+v"(scale.data), "+v"(coordinate.data));
+      const auto product = S::multiply(scale, coordinate);
+      const unsigned e = i % chains;
+      extreme[e] = e % 2 == 0 ? S::minimum(product, extreme[e]) : S::maximum(product, extreme[e]);
+    }
+  }
+  auto sum = extreme[0];
+  for (unsigned e = 1; e < chains; ++e) sum = S::add(sum, extreme[e]);
+  alignas(64) std::int16_t lanes[S::width];
+  sum.store_aligned(lanes);
+  return static_cast<float>(lanes[0] + lanes[S::width - 1]);
 }
 
 template <class L>
@@ -83,6 +107,6 @@ void write_shafts(CompiledShaft* shafts, std::size_t count) noexcept {
 }
 
 template <class L>
-constexpr LimitKernels limit_kernels_for = {L::width, slab_arithmetic<L>, divide<L>, read<L>, write_shafts<L>};
+constexpr LimitKernels limit_kernels_for = {L::width, slab_arithmetic<L>, grid_arithmetic<L>, divide<L>, read<L>, write_shafts<L>};
 
 }  // namespace shaftcull::bench

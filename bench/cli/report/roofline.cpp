@@ -13,10 +13,6 @@
 namespace shaftcull::cli {
 namespace {
 
-/// Multiply-adds, minima and maxima of a box in slab form (bench/limit.cpp), of the arithmetic that was measured, and
-/// bytes of a box.
-constexpr double box_operations = 11;
-constexpr double measured_operations = 11;
 constexpr double box_bytes = 24;
 
 struct Slope {
@@ -28,12 +24,12 @@ constexpr std::array slopes{Slope{"limit/read_l1_bytes/", "L1"}, Slope{"limit/re
 
 constexpr Frame frame{.width = 1152, .height = 440, .left = 0.045, .right = 0.84, .bottom = 0.12, .top = 0.90};
 
-/// The x axis: shafts that share what is read, which is operations for each byte but for a factor.
+/// The x axis: shafts that share what is read, which is tests for each byte but for a factor.
 constexpr double least_x = 0.22;
 constexpr double most_x = 1536;
 
-/// Operations for each byte that is read once for `shafts` shafts.
-double intensity(double shafts) { return shafts * box_operations / box_bytes; }
+/// Tests for each byte that is read once for `shafts` shafts.
+double intensity(double shafts) { return shafts / box_bytes; }
 
 struct Axes {
   double least_y;
@@ -47,18 +43,18 @@ struct Axes {
   }
 };
 
-/// Roofs of arithmetic, as (look, operations a second), best last.
+/// What a kind of arithmetic allows, in tests a second (bench/limit.cpp).
 struct Roof {
   const Look* look;
+  const char* numbers;
   double rate;
 };
 
 std::vector<Roof> roofs_of(const BenchSummary& summary) {
   std::vector<Roof> roofs;
   for (const Look& look : looks) {
-    if (const auto boxes = summary.speed(std::string("limit/slab_arithmetic/") + look.isa)) {
-      roofs.push_back({&look, *boxes * measured_operations});
-    }
+    if (const auto rate = summary.speed(std::string("limit/slab_arithmetic/") + look.isa)) roofs.push_back({&look, "floats", *rate});
+    if (const auto rate = summary.speed(std::string("limit/grid_arithmetic/") + look.isa)) roofs.push_back({&look, "16 bits", *rate});
   }
   return roofs;
 }
@@ -68,7 +64,7 @@ std::string points_of(const BenchSummary& summary, const Look& look, std::size_t
   std::string data;
   for (double shafts = 1; shafts <= 1024; shafts *= 2) {
     const auto speed = summary.speed(fmt::format("sweep/shafts/{:.0f}/{}", shafts, look.isa));
-    if (speed) data += fmt::format("{} {}\n", shafts, *speed * box_operations);
+    if (speed) data += fmt::format("{} {}\n", shafts, *speed);
   }
   return data.empty() ? data : fmt::format("$points{} << END\n{}END\n", number, data);
 }
@@ -91,11 +87,10 @@ std::optional<Plot> plot_roofline(const BenchSummary& summary) {
   std::string script = preamble(frame);
   script += fmt::format(
       "set logscale xy\nset xrange [{}:{}]\nset yrange [{}:{}]\nset grid noxtics\n"
-      "set ytics ('1 G' 1e9, '2 G' 2e9, '5 G' 5e9, '10 G' 1e10, '20 G' 2e10, '50 G' 5e10, '100 G' 1e11, '200 G' 2e11, "
-      "'500 G' 5e11)\n"
+      "set ytics ('0.5 G' 5e8, '1 G' 1e9, '2 G' 2e9, '5 G' 5e9, '10 G' 1e10, '20 G' 2e10, '50 G' 5e10)\n"
       "set xtics ('1' 1, '2' 2, '4' 4, '8' 8, '16' 16, '32' 32, '64' 64, '128' 128, '256' 256, '512' 512, '1,024' "
       "1024)\n"
-      "set label 'multiply-adds, minima and maxima a second' at graph 0,1.05 left offset char -4,0 textcolor rgb '{}'\n"
+      "set label 'tests a second' at graph 0,1.05 left offset char -4,0 textcolor rgb '{}'\n"
       "set xlabel 'shafts that share what is read' textcolor rgb '{}' "
       "offset 0,0.3\n",
       least_x, most_x, axes.least_y, axes.most_y, colour(ink_muted), colour(ink_muted));
@@ -112,11 +107,12 @@ std::optional<Plot> plot_roofline(const BenchSummary& summary) {
                          })->second;
   std::string command = "plot NaN";
   for (std::size_t i = 0; i < roofs.size(); ++i) {
-    const auto& [look, rate] = roofs[i];
+    const auto& [look, numbers, rate] = roofs[i];
     script += fmt::format("set arrow from {},{} to {},{} nohead lw 1.5 lc rgb '{}'\n", rate / fastest / intensity(1),
                           rate, most_x, rate, colour(look->ink));
-    script += fmt::format("set label '{} can do {:.0f} G' at graph 1.01, first {} left textcolor rgb '{}'\n",
-                          look->label, rate / 1e9, rate, colour(look->ink));
+    script += fmt::format("set label '{}, {}: {:.1f} G' at graph 1.01, first {} left textcolor rgb '{}'\n",
+                          look->label, numbers, rate / 1e9, rate, colour(look->ink));
+    if (i != 0 && roofs[i - 1].look == look) continue;  // one curve of points each
     const std::string data = points_of(summary, *look, i);
     if (data.empty()) continue;
     script += data;
@@ -125,9 +121,9 @@ std::optional<Plot> plot_roofline(const BenchSummary& summary) {
   }
   return Plot{
       "Roofline",
-      fmt::format("A box takes {} bytes, and {} operations a shaft. Left of the bend reading is the limit, right of it "
-                  "arithmetic. Reading was measured on six streams, with {}; points are {} boxes, one thread.",
-                  box_bytes, box_operations, highest.look->label,
+      fmt::format("A box takes {} bytes. Left of the bend reading is the limit, right of it arithmetic: of floats, or, for groups of eight "
+                  "shafts and more, of 16-bit integers. Reading was measured on six streams, with {}; points are {} boxes, one thread.",
+                  box_bytes, highest.look->label,
                   grouped(static_cast<unsigned long long>(summary.bounds / 4))),
       script + command + '\n', true};
 }
