@@ -14,6 +14,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/streams.hpp"
 #include "test/kernels.hpp"
+#include "test/word.hpp"
 
 namespace shaftcull::kernel {
 
@@ -48,8 +49,9 @@ class Job {
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
   void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
+    static_assert(tile_words <= block_words);
     GroupOnGrid this_group;
-    if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size));
+    if (shafts_.size() > group_shafts && block.size >= tile_bounds) form_on_grid(this_group, shafts_.subspan(group.first, group.size));
     const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
     for (std::size_t first = block.first; first < block.end(); first += tile_bounds) {
       const View tile = bounds_.slice(first, std::min(tile_bounds, block.end() - first));
@@ -58,19 +60,10 @@ class Job {
       // What all shafts share is made once for all. A tile that is not full may end anywhere: each test makes its own.
       if (form_ == Form::planes || tile.count != tile_bounds) {
         test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, tile_kept, tile_inside);
-      } else if constexpr (is_sphere) {
-        alignas(64) float box[6][tile_bounds];
-        float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
-        kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
-        if (on_grid.exists()) {
-          test_tile_on_grid(on_grid, boxes, tile, first, group, tile_kept, tile_inside);
-        } else {
-          const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
-                                           box[1],         box[2],         box[3],         box[4],         box[5]};
-          test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, tile_kept, tile_inside);
-        }
       } else if (on_grid.exists()) {
-        test_tile_on_grid(on_grid, tile.stream.data(), tile, first, group, tile_kept, tile_inside);
+        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside);
+      } else if constexpr (is_sphere) {
+        test_boxed_tile(tile, first, group, tile_kept, tile_inside);
       } else {
         test_tile(kernels_.boxes_slab, tile.stream.data(), first, tile.count, group, tile_kept, tile_inside);
       }
@@ -92,11 +85,25 @@ class Job {
     }
   }
 
-  void test_tile_on_grid(const GroupOnGrid& on_grid, const float* const* box, const View& tile, std::size_t first, Run group,
-                         Rows kept, Rows inside) const noexcept {
+  // Apart from each other, so that the memory of one is not on the stack of the other.
+  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+    alignas(64) float box[6][tile_bounds];
+    float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+    kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
+    const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
+                                     box[1],         box[2],         box[3],         box[4],         box[5]};
+    test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
+  }
+
+  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first, Run group, Rows kept,
+                                           Rows inside) const noexcept {
     alignas(64) std::int16_t snapped[6][tile_bounds];
     std::int16_t* const grid[6] = {snapped[0], snapped[1], snapped[2], snapped[3], snapped[4], snapped[5]};
-    kernels_.grid.snap_boxes(on_grid.frame, box, tile_words, grid);
+    if constexpr (is_sphere) {
+      snap_spheres(on_grid.frame, tile, grid);
+    } else {
+      kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile_words, grid);
+    }
     GridKernels::TestOnGrid* const kernel = kernels_.grid.test(tile);
     for (std::size_t s = 0; s != group.size; ++s) {
       fetch_share_of_next(first, s, group.size);
@@ -106,6 +113,19 @@ class Job {
       } else {
         kernels_.test(tile, form_)(shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
       }
+    }
+  }
+
+  /// Snaps the boxes around a tile's spheres, a few at a time.
+  [[gnu::noinline]] void snap_spheres(const GridFrame& frame, const View& tile, std::int16_t* const* grid) const noexcept {
+    constexpr std::size_t some = tile_bounds / 8;
+    alignas(64) float box[6][some];
+    float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+    for (std::size_t i = 0; i != tile_bounds; i += some) {
+      const View part = tile.slice(i, some);
+      std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
+      kernels_.box_spheres(part.stream.data(), some, boxes);
+      kernels_.grid.snap_boxes(frame, boxes, some / 64, out);
     }
   }
 

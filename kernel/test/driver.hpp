@@ -36,6 +36,13 @@ struct BoxStages {
     settle(shaft, stream, words, kept);
   }
 
+  /// The same with the boxes on a grid too.
+  static void cull_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
+                           const float* const* stream, std::size_t words, std::uint64_t* kept) noexcept {
+    box_grid_stage<L>(shaft, on_grid, grid, stream, words, kept);
+    settle(shaft, stream, words, kept);
+  }
+
   /// Clears the bits of boxes that are beyond an added plane.
   static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                      std::uint64_t* kept) noexcept {
@@ -65,6 +72,13 @@ struct SphereStages {
   static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                    std::uint64_t* kept) noexcept {
     sphere_planes_stage<L>(shaft, stream, words, kept);
+    settle(shaft, stream, words, kept);
+  }
+
+  /// In slab form, with the boxes around the spheres on a grid.
+  static void cull_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
+                           const float* const* stream, std::size_t words, std::uint64_t* kept) noexcept {
+    sphere_grid_stage<L>(on_grid, grid, words, kept);
     settle(shaft, stream, words, kept);
   }
 
@@ -139,14 +153,21 @@ struct UnboxedSphereStages {
   }
 };
 
+/// After culling, finds those that are inside, if anybody wants to know.
+template <class Stages>
+void contain_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
+                   std::uint64_t* inside) noexcept {
+  if (inside == nullptr) return;
+  for (std::size_t w = 0; w < words; ++w) inside[w] = kept != nullptr ? kept[w] : ~std::uint64_t{0};
+  Stages::contain(shaft, stream, words, inside);
+}
+
 /// Runs one block through the stages that the caller wants answers of.
 template <class Stages>
 void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
   if (kept != nullptr) Stages::cull(shaft, stream, words, kept);
-  if (inside == nullptr) return;
-  for (std::size_t w = 0; w < words; ++w) inside[w] = kept != nullptr ? kept[w] : ~std::uint64_t{0};
-  Stages::contain(shaft, stream, words, inside);
+  contain_block<Stages>(shaft, stream, words, kept, inside);
 }
 
 /// A shaft, or a copy of it with its planes if they are needed and pending.
@@ -217,15 +238,8 @@ void test_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const st
                   const float* const* stream, std::size_t words, std::uint64_t* kept, std::uint64_t* inside) noexcept {
   const FloatEnvironment<L> environment;
   const Ready<L> ready(shaft, inside != nullptr);
-  if constexpr (Stages::streams == 6) {
-    box_grid_stage<L>(ready.shaft(), on_grid, grid, stream, words, kept);
-  } else {
-    sphere_grid_stage<L>(on_grid, grid, words, kept);
-  }
-  Stages::settle(ready.shaft(), stream, words, kept);
-  if (inside == nullptr) return;
-  for (std::size_t w = 0; w < words; ++w) inside[w] = kept[w];
-  Stages::contain(ready.shaft(), stream, words, inside);
+  Stages::cull_on_grid(ready.shaft(), on_grid, grid, stream, words, kept);
+  contain_block<Stages>(ready.shaft(), stream, words, kept, inside);
 }
 
 /// Forms shafts in batches, as Kernels has it.

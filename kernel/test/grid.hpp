@@ -108,7 +108,7 @@ void box_grid_stage(const CompiledShaft& shaft, const GridShaft& on_grid, const 
 /// Likewise for boxes around spheres: clears the bits of those that are certainly outside.
 template <class L>
 void sphere_grid_stage(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept) noexcept {
-  std::uint32_t undecided[block_words];
+  std::uint32_t undecided[block_words];  // later stages look at all that are left anyway
   grid_words_of<L>(on_grid, grid, words, kept, undecided);
 }
 

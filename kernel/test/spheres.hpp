@@ -4,7 +4,7 @@
 #include "exact/predicates.hpp"
 #include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
-#include "test/mutant.hpp"
+#include "mutant.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {

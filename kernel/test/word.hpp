@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "shaftcull/compiled.hpp"
-#include "test/mutant.hpp"
+#include "mutant.hpp"
 
 namespace shaftcull::kernel {
 

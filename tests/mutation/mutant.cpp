@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "cull/agreement.hpp"
-#include "test/mutant.hpp"
+#include "mutant.hpp"
 
 namespace shaftcull {
 namespace kernel {
