@@ -16,8 +16,8 @@
 namespace shaftcull {
 
 /// What it takes to be tested on a grid; cull/agreement.cpp sees to it that the kernels agree.
-inline constexpr std::size_t tile_bounds = 2048;
-inline constexpr std::size_t group_shafts = 8;
+inline constexpr std::size_t bounds_on_grid = 2048;
+inline constexpr std::size_t shafts_on_grid = 8;
 
 /// As classify() gives them.
 struct GridAnswers {
@@ -46,27 +46,27 @@ inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
   return frame;
 }
 
-/// The grid's steps double with `doublings`. At most `tile_bounds` bounds; the shaft must answer outside and, where asked, inside.
+/// The grid's steps double with `doublings`. At most `bounds_on_grid` bounds; the shaft must answer outside and, where asked, inside.
 template <class View>
 GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, bool ask_inside = true) {
   constexpr std::size_t streams = std::tuple_size_v<decltype(View::stream)>;
   constexpr bool boxes = streams == 6;
-  std::vector<float> memory(streams * tile_bounds);
+  std::vector<float> memory(streams * bounds_on_grid);
   View tile;
-  tile.count = tile_bounds;
+  tile.count = bounds_on_grid;
   for (std::size_t s = 0; s != streams; ++s) {
     // The rest is empty boxes, or spheres with a negative radius: outside of everything.
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const float nowhere = boxes ? (s < 3 ? infinity : -infinity) : (s < 3 ? 0.0F : -1.0F);
-    float* const stream = memory.data() + s * tile_bounds;
-    std::fill(std::copy_n(few.stream[s], few.count, stream), stream + tile_bounds, nowhere);
+    float* const stream = memory.data() + s * bounds_on_grid;
+    std::fill(std::copy_n(few.stream[s], few.count, stream), stream + bounds_on_grid, nowhere);
     tile.stream[s] = stream;
   }
   const Box frame = frame_around(shaft, doublings);
-  std::vector<CompiledShaft> group(group_shafts, compile(Shaft(frame, frame)));
+  std::vector<CompiledShaft> group(shafts_on_grid, compile(Shaft(frame, frame)));
   group.front() = shaft;
   GridAnswers rows;
-  rows.kept.resize(group.size() * words_for(tile_bounds));
+  rows.kept.resize(group.size() * words_for(bounds_on_grid));
   if (ask_inside) {
     rows.inside.resize(rows.kept.size());
     classify_many(group, tile, rows.kept, rows.inside);

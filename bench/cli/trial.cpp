@@ -8,11 +8,11 @@
 
 #include "cases/families.hpp"
 #include "dice.hpp"
+#include "on_grid.hpp"
 #include "oracle.hpp"
 #include "quick_oracle.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
-#include "on_grid.hpp"
 #include "undecided.hpp"
 
 namespace shaftcull::cli {

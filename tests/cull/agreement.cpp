@@ -6,17 +6,17 @@
 
 #include "columns.hpp"
 #include "instruction_sets.hpp"
+#include "on_grid.hpp"
 #include "oracle.hpp"
 #include "run/cut.hpp"
 #include "run/group.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
-#include "on_grid.hpp"
 
 namespace shaftcull {
 namespace {
 
-static_assert(tile_bounds == kernel::tile_bounds && group_shafts >= kernel::GroupOnGrid::fewest);
+static_assert(bounds_on_grid == kernel::tile_bounds && shafts_on_grid >= kernel::GroupOnGrid::fewest);
 
 bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 

@@ -127,7 +127,7 @@ TEST(FloatEnvironment, TilesAreMadeTheSameInEveryMode) {
   Dice dice(seed);
   std::vector<Sphere> spheres;
   std::vector<CompiledShaft> shafts;
-  for (unsigned i = 0; i != tile_bounds; ++i) spheres.push_back({dice.vec3(-5, 5), dice.uniform(0.0F, 1.0F)});
+  for (unsigned i = 0; i != bounds_on_grid; ++i) spheres.push_back({dice.vec3(-5, 5), dice.uniform(0.0F, 1.0F)});
   for (unsigned i = 0; i != 64; ++i) {
     const Subject subject = random_subject(dice);
     shafts.push_back(compile(Shaft(subject.a, subject.b)));
@@ -137,18 +137,18 @@ TEST(FloatEnvironment, TilesAreMadeTheSameInEveryMode) {
     const UseIsa use(isa);
     const kernel::Kernels& kernels = kernel::active_kernels();
     const auto made = [&] {
-      std::vector<float> boxes(6 * tile_bounds);
+      std::vector<float> boxes(6 * bounds_on_grid);
       float* box[6];
-      for (std::size_t s = 0; s != 6; ++s) box[s] = boxes.data() + s * tile_bounds;
-      kernels.box_spheres(memory.view().stream.data(), tile_bounds, box);
+      for (std::size_t s = 0; s != 6; ++s) box[s] = boxes.data() + s * bounds_on_grid;
+      kernels.box_spheres(memory.view().stream.data(), bounds_on_grid, box);
       std::vector<std::int16_t> numbers;
       if (kernels.grid.frame != nullptr) {
         const kernel::GridFrame frame = kernels.grid.frame(shafts.data(), shafts.size());
         std::vector<kernel::GridShaft> on_grid(shafts.size());
         kernels.grid.form_shafts(shafts.data(), shafts.size(), frame, on_grid.data());
-        alignas(64) static std::int16_t snapped[6][tile_bounds];
+        alignas(64) static std::int16_t snapped[6][bounds_on_grid];
         std::int16_t* const grid[6] = {snapped[0], snapped[1], snapped[2], snapped[3], snapped[4], snapped[5]};
-        kernels.grid.snap_boxes(frame, box, words_for(tile_bounds), grid);
+        kernels.grid.snap_boxes(frame, box, words_for(bounds_on_grid), grid);
         for (const auto& stream : snapped) numbers.insert(numbers.end(), std::begin(stream), std::end(stream));
         for (const kernel::GridShaft& each : on_grid) {
           numbers.insert(numbers.end(), std::begin(each.scale), std::end(each.scale));
