@@ -21,9 +21,19 @@ struct Shorts {
   static Vector all(std::int16_t a) noexcept { return Vector(a); }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector subtract_saturated(Vector a, Vector b) noexcept { return xsimd::ssub(a, b); }
   static Vector minimum(Vector a, Vector b) noexcept { return xsimd::min(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return xsimd::max(a, b); }
+
+  /// a − b, or the nearest to it of what there is. (xsimd 8 has ssub(), but not without optimisation.)
+  static Vector subtract_saturated(Vector a, Vector b) noexcept {
+#ifdef __AVX512BW__
+    if constexpr (width == 32) return _mm512_subs_epi16(a, b);
+#endif
+#ifdef __AVX2__
+    if constexpr (width == 16) return _mm256_subs_epi16(a, b);
+#endif
+    if constexpr (width == 8) return _mm_subs_epi16(a, b);
+  }
 
   /// a · b / 2¹⁵, rounded to nearest. Not for −2¹⁵ times itself.
   static Vector multiply(Vector a, Vector b) noexcept {
