@@ -62,8 +62,8 @@ TEST(ExactSpheres, ShaftsFarFromTheOrigin) {
 }
 
 TEST(ExactSpheres, RadiiAsSmallAsRoundingErrors) {
-  check(32, 120, 32, [](Dice& dice) { return long_subject(dice); }, tiny_sphere);
-  check(33, 200, 32, [](Dice& dice) { return long_subject(dice, true); }, tiny_sphere);
+  check(32, 400, 32, [](Dice& dice) { return long_subject(dice); }, tiny_sphere);
+  check(33, 1000, 32, [](Dice& dice) { return long_subject(dice, true); }, tiny_sphere);
 }
 
 TEST(ExactSpheres, SpheresOnJoiningPlanes) {
