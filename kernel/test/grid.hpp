@@ -28,8 +28,8 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t wor
   }
 }
 
-/// Clears the bits in `kept` of bounds that are certainly outside, and lists the words that hold bounds which may be either. Returns how many
-/// those are.
+/// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold bounds which may be either.
+/// Returns how many those are.
 template <class L, unsigned uppers, unsigned standing>
 std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                        std::uint32_t* undecided) noexcept {
@@ -105,7 +105,7 @@ void box_grid_stage(const CompiledShaft& shaft, const GridShaft& on_grid, const 
   for (std::size_t i = 0; i < listed; ++i) kept[undecided[i]] = decided[i];
 }
 
-/// Likewise for boxes around spheres: clears the bits of those that are certainly outside.
+/// Likewise for boxes around spheres, whose bits are 0 only if they are certainly outside.
 template <class L>
 void sphere_grid_stage(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept) noexcept {
   std::uint32_t undecided[block_words];  // later stages look at all that are left anyway
