@@ -8,32 +8,14 @@
 #include "run/job.hpp"
 #include "run/parallel.hpp"
 #include "run/set_bits.hpp"
+#include "run/task_memory.hpp"
 #include "shaftcull/many.hpp"
 
 namespace shaftcull {
 namespace {
 
-/// What a task lists: indices of its first shaft, then of the second, … Not initialised.
-class Piece {
- public:
-  Piece() noexcept = default;
-  explicit Piece(std::size_t size) : indices_(kernel::TaskAllocator<std::uint32_t>().allocate(size)), size_(size) {}
-  Piece(Piece&& other) noexcept
-      : indices_(std::exchange(other.indices_, nullptr)), size_(std::exchange(other.size_, 0)) {}
-  Piece& operator=(Piece&& other) noexcept {
-    std::swap(indices_, other.indices_);
-    std::swap(size_, other.size_);
-    return *this;
-  }
-  ~Piece() {
-    if (indices_ != nullptr) kernel::TaskAllocator<std::uint32_t>().deallocate(indices_, size_);
-  }
-  [[nodiscard]] std::uint32_t* get() const noexcept { return indices_; }
-
- private:
-  std::uint32_t* indices_ = nullptr;
-  std::size_t size_ = 0;
-};
+/// What a task lists: indices of its first shaft, then of the second, …
+using Piece = kernel::TaskMemory<std::uint32_t>;
 
 /// Turns counts, one row of shafts for every block, into the places in `indices` where they go; fills `offsets`.
 void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts, std::vector<std::uint64_t>& offsets) {

@@ -7,8 +7,11 @@
 
 #include <immintrin.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
+
+#include "simd/left_packing.hpp"
 
 namespace shaftcull::kernel {
 
@@ -40,6 +43,61 @@ struct Lanes {
     if constexpr (width == 4) return _mm_setr_ps(p[index[0]], p[index[1]], p[index[2]], p[index[3]]);
   }
   static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
+
+  /// Puts the lanes whose bits are set side by side.
+  class Packing {
+   public:
+    explicit Packing(std::uint64_t lanes) noexcept {
+#ifdef __AVX512F__
+      if constexpr (width == 16) {
+        const __m512i all = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+        from_ = _mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), all);
+      }
+#endif
+#ifdef __AVX2__
+      if constexpr (width == 8) {
+        from_ = _mm256_cvtepu8_epi32(
+            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(left_packing<8, 1>.part[lanes])));
+      }
+#endif
+      if constexpr (width == 4) from_ = _mm_load_si128(reinterpret_cast<const __m128i*>(left_packing<4, 4>.part[lanes]));
+    }
+
+    /// Stores them, and anything in the rest of a whole vector.
+    void store(float* p, Vector a) const noexcept { Lanes::store(p, packed(a)); }
+
+    /// Stores the first `count` of them, which is less than a whole vector, and nothing else.
+    void store(float* p, Vector a, std::size_t count) const noexcept {
+#ifdef __AVX512F__
+      if constexpr (width == 16) return _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1U << count) - 1), packed(a));
+#endif
+#ifdef __AVX2__
+      if constexpr (width == 8) {
+        const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+        return _mm256_maskstore_ps(p, _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(count)), lane), packed(a));
+      }
+#endif
+      if constexpr (width == 4) {
+        float lane[4];
+        Lanes::store(lane, packed(a));
+        for (std::size_t i = 0; i < count; ++i) p[i] = lane[i];
+      }
+    }
+
+   private:
+    [[nodiscard]] Vector packed(Vector a) const noexcept {
+#ifdef __AVX512F__
+      if constexpr (width == 16) return _mm512_permutexvar_ps(from_, a);
+#endif
+#ifdef __AVX2__
+      if constexpr (width == 8) return _mm256_permutevar8x32_ps(a, from_);
+#endif
+      if constexpr (width == 4) return _mm_castsi128_ps(_mm_shuffle_epi8(_mm_castps_si128(a), from_));
+    }
+
+    xsimd::batch<std::int32_t, Arch> from_;
+  };
+
   static Vector all(float a) noexcept { return Vector(a); }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }

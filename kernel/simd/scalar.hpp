@@ -1,6 +1,7 @@
 /// One float as a vector of width 1, with the interface of Lanes: the scalar path, on any processor.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace shaftcull::kernel {
@@ -13,6 +14,12 @@ struct ScalarLanes {
   static Vector load(const float* p) noexcept { return *p; }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
   static void store(float* p, Vector a) noexcept { *p = a; }
+  class Packing {
+   public:
+    explicit Packing(std::uint64_t /*lanes*/) noexcept {}
+    void store(float* p, Vector a) const noexcept { *p = a; }
+    void store(float* /*p*/, Vector /*a*/, std::size_t /*count*/) const noexcept {}
+  };
   static Vector all(float a) noexcept { return a; }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }

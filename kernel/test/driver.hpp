@@ -13,6 +13,7 @@
 #include "test/unite.hpp"
 #include "test/word.hpp"
 #include "test/words.hpp"
+#include "tree/split.hpp"
 
 namespace shaftcull::kernel {
 
@@ -280,6 +281,7 @@ inline constexpr Kernels kernels_for = {
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .unite_boxes = unite_boxes<L>,
     .unite_spheres = unite_spheres<L>,
+    .split_entries = split_entries<L>,
 };
 
 }  // namespace shaftcull::kernel

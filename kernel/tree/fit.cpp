@@ -34,25 +34,21 @@ void fit_words(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, s
   parts.gap_words(k)[first / fanout] = gaps;
 }
 
-/// Fits one entry of level k.
 template <class Bound>
-void fit_entry(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) {
-  const auto out = parts.node_rows(k, entry);
-  bool gap = false;
-  if (k == 1) {
-    const auto rows = parts.leaf_rows(entry * fanout);
-    const float* in[rows_of<Bound>];
-    std::copy(rows.begin(), rows.end(), in);
-    gap = kernels.unite(ViewOf<Bound>{})(in, 1, out.data()) != 0;
-  } else {
-    const auto rows = parts.node_rows(k - 1, entry * fanout);
-    const float* in[6];
-    std::copy(rows.begin(), rows.end(), in);
-    gap = kernels.unite_boxes(in, 1, out.data()) != 0 || parts.gap_words(k - 1)[entry] != 0;
-  }
+void set_gap(TreeParts<Bound>& parts, std::size_t k, std::size_t entry, bool is_gap) {
   const std::uint64_t bit = std::uint64_t{1} << entry % fanout;
   std::uint64_t& word = parts.gap_words(k)[entry / fanout];
-  word = gap ? word | bit : word & ~bit;
+  word = is_gap ? word | bit : word & ~bit;
+}
+
+/// Fits one entry of a level above the first.
+template <class Bound>
+void fit_node_word(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) {
+  const auto rows = parts.node_rows(k - 1, entry * fanout);
+  const float* in[6];
+  std::copy(rows.begin(), rows.end(), in);
+  const bool is_gap = kernels.unite_boxes(in, 1, parts.node_rows(k, entry).data()) != 0;
+  set_gap(parts, k, entry, is_gap || parts.gap_words(k - 1)[entry] != 0);
 }
 
 /// Entries of level 1 that a task fits: 1.5 MiB of boxes.
@@ -61,8 +57,9 @@ constexpr std::size_t task_entries = 1024;
 }  // namespace
 
 template <class Bound>
-void fit_leaf_words(TreeParts<Bound>& parts, std::size_t first, std::size_t words) {
-  fit_words(parts, active_kernels(), 1, first, words);
+void fit_leaf_word(TreeParts<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]) {
+  const std::uint64_t gap = active_kernels().unite(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
+  set_gap(parts, 1, entry, gap != 0);
 }
 
 template <class Bound>
@@ -73,6 +70,8 @@ void fit_upper(TreeParts<Bound>& parts) {
       fit_words(parts, kernels, k, first, std::min(fanout, parts.level[k].entries - first));
     }
   }
+  std::fill(parts.dirty.begin(), parts.dirty.end(), 0);
+  parts.dirty_words = 0;
 }
 
 template <class Bound>
@@ -86,10 +85,8 @@ void fit_all(TreeParts<Bound>& parts) {
         fit_words(parts, kernels, 1, first, std::min(fanout, entries - first));
       }
     });
-    fit_upper(parts);
   }
-  std::fill(parts.dirty.begin(), parts.dirty.end(), 0);
-  parts.dirty_words = 0;
+  fit_upper(parts);
 }
 
 template <class Bound>
@@ -104,7 +101,16 @@ void fit_dirty(TreeParts<Bound>& parts) {
   }
   parts.dirty_words = 0;
   for (std::size_t k = 1; k < parts.levels; ++k) {
-    for (const std::size_t entry : entries) fit_entry(parts, kernels, k, entry);
+    for (const std::size_t entry : entries) {
+      if (k == 1) {
+        const auto rows = parts.leaf_rows(entry * fanout);
+        const float* leaves[rows_of<Bound>];
+        std::copy(rows.begin(), rows.end(), leaves);
+        fit_leaf_word(parts, entry, leaves);
+      } else {
+        fit_node_word(parts, kernels, k, entry);
+      }
+    }
     for (std::size_t& entry : entries) entry /= fanout;
     entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
   }
@@ -125,8 +131,8 @@ double surface(const TreeParts<Bound>& parts) {
   return sum;
 }
 
-template void fit_leaf_words(TreeParts<Box>& parts, std::size_t first, std::size_t words);
-template void fit_leaf_words(TreeParts<Sphere>& parts, std::size_t first, std::size_t words);
+template void fit_leaf_word(TreeParts<Box>& parts, std::size_t entry, const float* const (&leaves)[6]);
+template void fit_leaf_word(TreeParts<Sphere>& parts, std::size_t entry, const float* const (&leaves)[4]);
 template void fit_upper(TreeParts<Box>& parts);
 template void fit_upper(TreeParts<Sphere>& parts);
 template void fit_all(TreeParts<Box>& parts);

@@ -76,11 +76,11 @@ void lay_out(TreeParts<Bound>& parts, std::size_t size);
 template <class Bound>
 void fit_all(TreeParts<Bound>& parts);
 
-/// Fits `words` entries (at most 64) of level 1, from entry `first` on, a multiple of 64.
+/// Fits an entry of level 1 to the word of leaves below it, which is in `leaves`.
 template <class Bound>
-void fit_leaf_words(TreeParts<Bound>& parts, std::size_t first, std::size_t words);
+void fit_leaf_word(TreeParts<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]);
 
-/// Fits the levels above level 1, whose entries are fitted.
+/// Fits the levels above level 1, whose entries are all fitted; leaves the list of dirty ones empty.
 template <class Bound>
 void fit_upper(TreeParts<Bound>& parts);
 

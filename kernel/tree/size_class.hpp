@@ -8,27 +8,28 @@
 #include <limits>
 #include <vector>
 
-#include "tree/order.hpp"
+#include "shaftcull/bounds.hpp"
+#include "streams/records.hpp"
+#include "tree/entries.hpp"
 
 namespace shaftcull::kernel {
 
 /// Centre and largest extent of a bound; the centre is finite even if the bound is not.
 struct Placement {
   Vec3 centre;
-  float extent;  ///< +∞ for infinite bounds, negative for the empty box
+  float extent;  ///< 3e38 and more for infinite bounds, negative for the empty box
 };
 
 /// Of a box as in a BoxView.
 inline Placement placement(const float (&box)[6]) noexcept {
   constexpr float most = std::numeric_limits<float>::max();
-  Placement place{{}, 0};
+  Placement place{};
   for (std::size_t k = 0; k != 3; ++k) {
     const float lo = std::clamp(box[k], -most, most);
     const float hi = std::clamp(box[k + 3], -most, most);
     place.centre[k] = 0.5F * lo + 0.5F * hi;
-    place.extent = k == 0 ? box[3] - box[0] : std::max(place.extent, box[k + 3] - box[k]);
+    place.extent = k == 0 ? hi - lo : std::max(place.extent, hi - lo);
   }
-  if (!(place.extent >= 0)) place.extent = box[3] < box[0] ? -1.0F : std::numeric_limits<float>::infinity();  // ∞ − ∞
   return place;
 }
 
@@ -36,6 +37,23 @@ inline Placement placement(const float (&box)[6]) noexcept {
 inline Placement placement(const float (&sphere)[4]) noexcept {
   return {{sphere[0], sphere[1], sphere[2]}, 2 * sphere[3]};
 }
+
+/// Whether a bound is legal, finite, and not the empty box.
+inline bool is_plain(const float (&box)[6]) noexcept {
+  constexpr float most = std::numeric_limits<float>::max();
+  return (box[0] <= box[3]) & (box[1] <= box[4]) & (box[2] <= box[5]) &  //
+         (box[3] - box[0] <= most) & (box[4] - box[1] <= most) & (box[5] - box[2] <= most);
+}
+inline bool is_plain(const float (&sphere)[4]) noexcept { return SphereReader::is_legal(sphere); }
+
+/// placement() of a plain bound: nothing in it is a branch, so that loops become vectors.
+inline Placement plain_placement(const float (&box)[6]) noexcept {
+  const float width[3] = {box[3] - box[0], box[4] - box[1], box[5] - box[2]};
+  const float two = width[0] < width[1] ? width[1] : width[0];
+  return {{0.5F * box[0] + 0.5F * box[3], 0.5F * box[1] + 0.5F * box[4], 0.5F * box[2] + 0.5F * box[5]},
+          two < width[2] ? width[2] : two};
+}
+inline Placement plain_placement(const float (&sphere)[4]) noexcept { return placement(sphere); }
 
 /// The size that a node of 64 small bounds has: that of its share of the space (or plane, or line) that all but a few
 /// centres are in. `sample` holds some of the centres.
@@ -54,11 +72,15 @@ inline float usual_node_size(std::vector<Vec3> sample, std::size_t count) {
   return static_cast<float>(std::min(size, 3e38));
 }
 
-/// 0 for bounds up to twice the usual node, one more for every further factor of 8; the last class is of empty boxes.
+/// Whether a bound is of class 0: one of at most twice the usual node.
+inline bool is_small(float extent, float node_size) noexcept { return (extent >= 0) & (0.5F * extent <= node_size); }
+
+/// 0 for small bounds, one more for every further factor of 8; the last class is of empty boxes.
 inline unsigned size_class(float extent, float node_size) noexcept {
   if (extent < 0) return size_classes - 1;
-  unsigned c = 0;
-  for (double limit = 2.0 * static_cast<double>(node_size);
+  if (is_small(extent, node_size)) return 0;
+  unsigned c = 1;
+  for (double limit = 16.0 * static_cast<double>(node_size);
        c != size_classes - 2 && static_cast<double>(extent) > limit; limit *= 8)
     ++c;
   return c;

@@ -77,7 +77,7 @@ class RecordSource {
 };
 
 /// Bounds ahead of the one read that are prefetched where tree order jumps about in the user's memory.
-inline constexpr std::size_t prefetched_bounds = 32;
+inline constexpr std::size_t prefetched_bounds = 64;
 
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;

@@ -8,8 +8,8 @@
 
 #include "shaftcull/error.hpp"
 #include "tree/build.hpp"
-#include "tree/gathered.hpp"
 #include "tree/parts.hpp"
+#include "tree/source.hpp"
 #include "tree/update.hpp"
 
 namespace shaftcull {
@@ -24,8 +24,8 @@ const Bounds& few_enough(const Bounds& bounds) {
                         std::to_string(most) + "; build several trees");
 }
 
-template <class Bound>
-std::unique_ptr<kernel::TreeParts<Bound>> built_from(const kernel::RecordSource<Bound>& source) {
+template <class Bound, class Source>
+std::unique_ptr<kernel::TreeParts<Bound>> built_from(const Source& source) {
   return std::make_unique<kernel::TreeParts<Bound>>(kernel::build<Bound>(source));
 }
 
@@ -72,10 +72,11 @@ template <class Bound>
 BoundsTree<Bound>& BoundsTree<Bound>::operator=(BoundsTree&& other) noexcept = default;
 
 template <class Bound>
-BoundsTree<Bound>::BoundsTree(const View& bounds) : BoundsTree(kernel::Gathered<Bound>(few_enough(bounds)).records()) {}
+BoundsTree<Bound>::BoundsTree(const View& bounds)
+    : parts_(built_from<Bound>(kernel::ViewSource<Bound>(few_enough(bounds)))) {}
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(const Records& bounds)
-    : parts_(built_from(kernel::RecordSource<Bound>(few_enough(bounds)))) {}
+    : parts_(built_from<Bound>(kernel::RecordSource<Bound>(few_enough(bounds)))) {}
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound>
@@ -167,8 +168,7 @@ double BoundsTree<Bound>::growth() const {
 template <class Bound>
 void BoundsTree<Bound>::rebuild() {
   if (!parts_) return;
-  const kernel::Gathered<Bound> now(leaves());
-  kernel::TreeParts<Bound> anew = kernel::build<Bound>(kernel::RecordSource<Bound>(now.records()));
+  kernel::TreeParts<Bound> anew = kernel::build<Bound>(kernel::ViewSource<Bound>(leaves()));
   for (std::uint32_t& index : anew.order) index = parts_->order[index];
   *parts_ = std::move(anew);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "shaftcull/error.hpp"
+#include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -30,20 +31,13 @@ template <class Bound, class Source>
 void update_all(TreeParts<Bound>& parts, const Source& source) {
   require_count(source.count(), parts.size);
   require_legal<Bound>(source);
-  const auto row = parts.leaf_rows();
   parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    const Run block = piece(parts.size, block_leaves, b);
-    for (std::size_t p = block.first; p != block.end(); ++p) {
+    write_leaves(parts, piece(parts.size, block_leaves, b), [&](std::size_t p, float (&bound)[Source::rows]) {
       if (p + prefetched_bounds < parts.size) source.prefetch(parts.order[p + prefetched_bounds]);
-      float bound[Source::rows];
       source.read(parts.order[p], bound);
-      for (std::size_t s = 0; s != Source::rows; ++s) row[s][p] = bound[s];
-    }
-    if (parts.levels > 1) fit_leaf_words(parts, block.first / fanout, words_for(block.size));
+    });
   });
   fit_upper(parts);
-  std::fill(parts.dirty.begin(), parts.dirty.end(), 0);
-  parts.dirty_words = 0;
 }
 
 template <class Bound, class Source>

@@ -1,0 +1,174 @@
+#include "tree/entries.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "tree/size_class.hpp"
+#include "tree/source.hpp"
+#include "tree/write_past_caches.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// Some of the legal bounds' centres, evenly spaced in the user's order.
+template <class Bound, class Source>
+std::vector<Vec3> sample_of(const Source& source) {
+  constexpr std::size_t most = 1024;
+  const std::size_t step = source.count() / most + 1;
+  std::vector<Vec3> sample;
+  for (std::size_t i = 0; i < source.count(); i += step) {
+    float bound[rows_of<Bound>];
+    source.read(i, bound);
+    const Placement place = placement(bound);
+    if (ReaderOf<Bound>::is_legal(bound) && place.extent >= 0) sample.push_back(place.centre);
+  }
+  return sample;
+}
+
+/// Some bounds in separate rows: loops over plain ones become vectors.
+template <class Bound>
+class Chunk {
+ public:
+  static constexpr std::size_t most = 64;
+
+  template <class Source>
+  Chunk(const Source& source, std::size_t first, std::size_t count) noexcept : first_(first), count_(count) {
+    for (std::size_t i = 0; i != count; ++i) {
+      float bound[rows_of<Bound>];
+      source.read(first + i, bound);
+      for (std::size_t s = 0; s != rows_of<Bound>; ++s) row_[s][i] = bound[s];
+    }
+    unsigned others = 0;
+    for (std::size_t i = 0; i != count; ++i) others |= is_plain(at(i).row) ? 0U : 1U;
+    if (others == 0) {
+      for (std::size_t i = 0; i != count; ++i) put(i, plain_placement(at(i).row));
+    } else {
+      for (std::size_t i = 0; i != count; ++i) put(i, placement(at(i).row));
+      for (std::size_t i = 0; i != count; ++i) is_legal_ &= ReaderOf<Bound>::is_legal(at(i).row);
+    }
+  }
+
+  [[nodiscard]] bool is_legal() const noexcept { return is_legal_; }
+
+  void write_records(float* record) const noexcept {
+    alignas(64) float records[most * rows_of<Bound>];
+    for (std::size_t i = 0; i != count_; ++i) {
+      for (std::size_t s = 0; s != rows_of<Bound>; ++s) records[i * rows_of<Bound> + s] = row_[s][i];
+    }
+    write_past_caches(record, records, count_ * rows_of<Bound>);
+  }
+
+  void write_entries(const EntryStreams& entries) const noexcept {
+    alignas(64) float index[most];
+    for (std::size_t i = 0; i != count_; ++i) index[i] = std::bit_cast<float>(static_cast<std::uint32_t>(first_ + i));
+    for (std::size_t k = 0; k != 3; ++k) write_past_caches(entries[k] + first_, centre_[k], count_);
+    write_past_caches(entries[3] + first_, index, count_);
+  }
+
+  void count_classes(float node_size, std::array<std::size_t, size_classes>& counts) const noexcept {
+    unsigned others = 0;
+    for (std::size_t i = 0; i != count_; ++i) others |= is_small(extent_[i], node_size) ? 0U : 1U;
+    if (others == 0) {
+      counts[0] += count_;
+      return;
+    }
+    for (std::size_t i = 0; i != count_; ++i) ++counts[size_class(extent_[i], node_size)];
+  }
+
+ private:
+  struct BoundAt {
+    float row[rows_of<Bound>];
+  };
+  [[nodiscard]] BoundAt at(std::size_t i) const noexcept {
+    BoundAt bound;
+    for (std::size_t s = 0; s != rows_of<Bound>; ++s) bound.row[s] = row_[s][i];
+    return bound;
+  }
+  void put(std::size_t i, const Placement& place) noexcept {
+    for (std::size_t k = 0; k != 3; ++k) centre_[k][i] = place.centre[k];
+    extent_[i] = place.extent;
+  }
+
+  std::size_t first_;
+  std::size_t count_;
+  bool is_legal_ = true;
+  float row_[rows_of<Bound>][most];
+  alignas(64) float centre_[3][most];
+  float extent_[most];
+};
+
+/// Writes the record and the entry of every bound in the user's order and counts classes; returns whether all bounds
+/// are legal.
+template <class Bound, class Source>
+bool write_in_order(const Source& source, const Run& run, float node_size, const Workshop<Bound>& workshop,
+                    std::array<std::size_t, size_classes>& counts) noexcept {
+  const EntryStreams entries = workshop.entries();
+  bool is_legal = true;
+  for (std::size_t first = run.first; first < run.end(); first += Chunk<Bound>::most) {
+    const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, run.end() - first));
+    is_legal &= chunk.is_legal();
+    chunk.write_records(workshop.record(first));
+    chunk.write_entries(entries);
+    chunk.count_classes(node_size, counts);
+  }
+  finish_writing();
+  return is_legal;
+}
+
+/// Writes entries where those of their class go next.
+template <class Bound>
+void write_by_class(const Workshop<Bound>& workshop, const Run& run, float node_size,
+                    std::array<std::size_t, size_classes> next) noexcept {
+  const EntryStreams entries = workshop.entries();
+  for (std::size_t i = run.first; i != run.end(); ++i) {
+    float bound[rows_of<Bound>];
+    std::copy_n(workshop.record(i), rows_of<Bound>, bound);
+    const Placement place = placement(bound);
+    const std::size_t to = next[size_class(place.extent, node_size)]++;
+    for (std::size_t k = 0; k != 3; ++k) entries[k][to] = place.centre[k];
+    entries[3][to] = std::bit_cast<float>(static_cast<std::uint32_t>(i));
+  }
+}
+
+}  // namespace
+
+template <class Bound, class Source>
+ClassBounds write_entries(const Source& source, const Workshop<Bound>& workshop) {
+  const std::size_t count = source.count();
+  const float node_size = usual_node_size(sample_of<Bound>(source), count);
+  const std::size_t blocks = pieces(count, source_block);
+  std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
+  std::atomic<bool> all_legal = true;
+  parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
+    if (write_in_order(source, piece(count, source_block, b), node_size, workshop, places[b])) return;
+    all_legal.store(false, std::memory_order_relaxed);
+  });
+  if (!all_legal.load(std::memory_order_relaxed)) require_legal<Bound>(source);
+
+  ClassBounds class_first;
+  std::size_t next = 0;
+  bool one_class = false;
+  for (unsigned c = 0; c != size_classes; ++c) {
+    class_first[c] = next;
+    for (std::size_t b = 0; b != blocks; ++b) next += std::exchange(places[b][c], next);
+    one_class = one_class || next - class_first[c] == count;
+  }
+  class_first[size_classes] = next;
+  if (one_class) return class_first;  // they are in order already
+
+  parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
+    write_by_class(workshop, piece(count, source_block, b), node_size, places[b]);
+  });
+  return class_first;
+}
+
+template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box>& workshop);
+template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere>& workshop);
+template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box>& workshop);
+template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere>& workshop);
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,198 @@
+/// Halving entries: the kernel under tree order.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dice.hpp"
+#include "instruction_sets.hpp"
+#include "shaftcull/tree.hpp"
+#include "test/kernels.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+struct Entry {
+  std::array<float, 3> centre;
+  std::uint32_t index;
+  bool operator==(const Entry&) const = default;
+};
+using Entries = std::vector<Entry>;
+
+/// What is written around the streams that a split may touch.
+constexpr float untouched = 123.5F;
+constexpr std::size_t margin = 32;
+
+class Streams {
+ public:
+  explicit Streams(std::size_t size) : size_(size) {
+    for (std::vector<float>& stream : stream_) stream.assign(size + 2 * margin, untouched);
+  }
+  explicit Streams(const Entries& entries) : Streams(entries.size()) {
+    for (std::size_t i = 0; i != size_; ++i) {
+      for (std::size_t k = 0; k != 3; ++k) stream_[k][margin + i] = entries[i].centre[k];
+      stream_[3][margin + i] = std::bit_cast<float>(entries[i].index);
+    }
+  }
+  [[nodiscard]] std::array<float*, 4> pointers() {
+    std::array<float*, 4> pointers;
+    for (std::size_t s = 0; s != 4; ++s) pointers[s] = stream_[s].data() + margin;
+    return pointers;
+  }
+  [[nodiscard]] Entry operator[](std::size_t i) const {
+    const std::size_t at = margin + i;
+    return {{stream_[0][at], stream_[1][at], stream_[2][at]}, std::bit_cast<std::uint32_t>(stream_[3][at])};
+  }
+  [[nodiscard]] bool margins_are_untouched() const {
+    return std::all_of(stream_.begin(), stream_.end(), [&](const std::vector<float>& stream) {
+      const auto is_untouched = [](float x) { return x == untouched; };
+      return std::all_of(stream.begin(), stream.begin() + margin, is_untouched) &&
+             std::all_of(stream.end() - margin, stream.end(), is_untouched);
+    });
+  }
+
+ private:
+  std::array<std::vector<float>, 4> stream_;
+  std::size_t size_;
+};
+
+Entries split(const Entries& entries, std::size_t first_half) {
+  Streams from(entries);
+  Streams to(entries.size());
+  kernel::active_kernels().split_entries(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
+  EXPECT_TRUE(from.margins_are_untouched());
+  EXPECT_TRUE(to.margins_are_untouched());
+  Entries halves;
+  for (std::size_t i = 0; i != entries.size(); ++i) halves.push_back(i < first_half ? from[i] : to[i]);
+  return halves;
+}
+
+/// The same by sorting; `axis` is where entries are spread out most.
+Entries sorted_halves(const Entries& entries, std::size_t first_half, std::size_t axis) {
+  Entries sorted = entries;
+  const auto is_less = [axis](const Entry& a, const Entry& b) { return a.centre[axis] < b.centre[axis]; };
+  std::stable_sort(sorted.begin(), sorted.end(), is_less);
+  // Within a half entries have the order they came in; ties fill up the first half, and go before larger ones in the
+  // other.
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(first_half);
+  const auto by_index = [](const Entry& a, const Entry& b) { return a.index < b.index; };
+  const float pivot = middle->centre[axis];
+  const auto group = [&](auto first, auto last) { std::sort(first, last, by_index); };
+  const auto first_equal =
+      std::find_if(sorted.begin(), middle, [&](const Entry& e) { return e.centre[axis] == pivot; });
+  const auto first_larger = std::find_if(middle, sorted.end(), [&](const Entry& e) { return e.centre[axis] > pivot; });
+  group(sorted.begin(), first_equal);
+  if (first_equal == middle) {
+    group(middle, sorted.end());
+  } else {
+    group(first_larger, sorted.end());
+  }
+  return sorted;
+}
+
+void expect_split(const Entries& entries, std::size_t first_half, std::size_t axis, const std::string& what) {
+  const Entries expected = sorted_halves(entries, first_half, axis);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    ASSERT_EQ(split(entries, first_half) == expected, true)
+        << what << ", " << entries.size() << " entries, " << first_half << " first, " << name(isa);
+  }
+}
+
+/// Keys on an axis, from one to the largest number of entries that no sample is taken of, and beyond.
+using Keys = float (*)(Dice&);
+const std::map<std::string, Keys> distributions = {
+    {"uniform", [](Dice& dice) { return dice.uniform(-1, 1); }},
+    {"equal", [](Dice&) { return 0.25F; }},
+    {"few values", [](Dice& dice) { return dice.integer(-1, 1); }},
+    {"signed zeros", [](Dice& dice) { return dice.below(2) == 0   ? -0.0F
+                                             : dice.below(4) == 0 ? 1e-45F
+                                                                  : 0.0F; }},
+    {"denormals", [](Dice& dice) { return dice.integer(-50, 50) * 1e-45F; }},
+    {"largest", [](Dice& dice) { return dice.below(2) == 0 ? std::numeric_limits<float>::max() : dice.integer(0, 3); }},
+    {"all magnitudes",
+     [](Dice& dice) { return std::bit_cast<float>(static_cast<std::uint32_t>(dice.below(0x7f800000))); }},
+    {"outlier", [](Dice& dice) { return dice.below(500) == 0 ? 1e30F : dice.uniform(0, 1e-3F); }}};
+
+Entries entries_of(Dice& dice, Keys key, std::size_t axis, std::size_t count) {
+  Entries entries(count);
+  for (std::size_t i = 0; i != count; ++i) {
+    entries[i].centre = {0.5F, 0.5F, 0.5F};  // the other axes are not spread out at all
+    entries[i].centre[axis] = key(dice);
+    entries[i].index = static_cast<std::uint32_t>(i);
+  }
+  return entries;
+}
+
+TEST(SplitEntries, HalvesAreThoseOfSorting) {
+  Dice dice(5100);
+  for (const auto& [what, key] : distributions) {
+    for (std::size_t count = 2; count != 200; ++count) {
+      const std::size_t axis = dice.below(3);
+      expect_split(entries_of(dice, key, axis, count), 1 + dice.below(static_cast<unsigned>(count) - 1), axis, what);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(SplitEntries, LargePartsAreSampled) {
+  Dice dice(5200);
+  for (const auto& [what, key] : distributions) {
+    for (const std::size_t count : {4096U, 4097U, 5000U, 20001U}) {
+      // Where no key of the sample differs, the axis is the first.
+      expect_split(entries_of(dice, key, 0, count), 1 + dice.below(static_cast<unsigned>(count) - 1), 0, what);
+      expect_split(entries_of(dice, key, 0, count), count / 2, 0, what);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
+  Entries entries(20000);
+  for (std::size_t i = 0; i != entries.size(); ++i) {  // every 64th is sampled
+    const auto x = static_cast<float>(i);
+    entries[i] = {{i % 64 == 0 ? 1e6F + x : x, 0, 0}, static_cast<std::uint32_t>(i)};
+  }
+  expect_split(entries, 9984, 0, "misleading sample");
+}
+
+TEST(SplitEntries, AxisThatIsSpreadOutMost) {
+  Dice dice(5300);
+  for (std::size_t axis = 0; axis != 3; ++axis) {
+    Entries entries(300);
+    for (std::size_t i = 0; i != entries.size(); ++i) {
+      entries[i] = {dice.vec3(-1, 1), static_cast<std::uint32_t>(i)};
+      entries[i].centre[axis] *= 10;
+    }
+    expect_split(entries, 128, axis, "axis");
+    entries[0].centre[axis] = std::numeric_limits<float>::max();  // wider than a float holds
+    entries[1].centre[axis] = -std::numeric_limits<float>::max();
+    expect_split(entries, 128, axis, "infinitely wide");
+  }
+}
+
+TEST(TreeOrder, IsTheSameOnEveryInstructionSet) {
+  for (const Shape shape : shapes) {
+    Dice dice(5400);
+    const std::vector<Box> boxes = scene<Box>(dice, shape, 30000);  // its halves are sampled at first
+    std::vector<std::uint32_t> first;
+    for (const Isa isa : available_isas()) {
+      const UseIsa use(isa);
+      const BoxTree tree{std::span<const Box>(boxes)};
+      const std::vector<std::uint32_t> order(tree.order().begin(), tree.order().end());
+      if (first.empty()) first = order;
+      EXPECT_EQ(order == first, true) << text(shape) << ", " << name(isa);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
