@@ -82,7 +82,7 @@ Box City::car_at(const Car& car, double time) const {
 }
 
 void City::use_tree() {
-  tree_ = BoxTree(stream_.view());
+  trees_.use(BoxTree(stream_.view()));
   stream_ = BoxStream();
   moving_.resize(cars_.size());
   std::iota(moving_.begin(), moving_.end(), static_cast<std::uint32_t>(buildings_));
@@ -90,12 +90,12 @@ void City::use_tree() {
 }
 
 void City::move_to(double time) {
-  if (tree_.size() != 0) {
+  if (trees_.in_use()) {
     Workers::for_chunks(cars_.size(), cars_per_chunk, [&](std::size_t first, std::size_t count) {
       for (std::size_t i = first; i < first + count; ++i) moved_[i] = car_at(cars_[i], time);
     });
-    tree_.update(moving_, std::span<const Box>(moved_));
-    tree_.refit();
+    trees_.updated().update(moving_, std::span<const Box>(moved_));
+    trees_.updated().refit();
     return;
   }
   Workers::for_chunks(cars_.size(), cars_per_chunk, [&](std::size_t first, std::size_t count) {
@@ -126,8 +126,8 @@ void City::place_shafts(double time, std::span<Box> a, std::span<Box> b) const {
 }
 
 void City::count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const {
-  if (tree_.size() != 0) {
-    count_many(shafts, tree_, kept);
+  if (trees_.in_use()) {
+    count_many(shafts, trees_.asked(), kept);
   } else {
     count_many(shafts, stream_.view(), kept);
   }

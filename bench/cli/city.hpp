@@ -19,7 +19,9 @@ class City : public MovingScene {
   [[nodiscard]] std::size_t bounds() const override { return buildings_ + cars_.size(); }
   [[nodiscard]] std::size_t moving() const override { return cars_.size(); }
   void use_tree() override;
+  void use_second_tree() override { trees_.use_second(); }
   void move_to(double time) override;
+  void swap_trees() noexcept override { trees_.swap(); }
   void place_shafts(double time, std::span<Box> a, std::span<Box> b) const override;
   void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const override;
 
@@ -38,8 +40,8 @@ class City : public MovingScene {
   std::size_t blocks_;  ///< along each side of the city
   std::vector<Car> cars_;
   BoxStream stream_;  ///< buildings, then cars; or nothing, and
-  BoxTree tree_;      ///< the same
-  std::vector<std::uint32_t> moving_;  ///< with a tree: the cars' indices in it, and where they are now
+  TreeBuffers<BoxTree> trees_;         ///< the same
+  std::vector<std::uint32_t> moving_;  ///< with trees: the cars' indices in them, and where they are now
   std::vector<Box> moved_;
 };
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,13 +35,14 @@ struct DemoOptions {
 };
 
 constexpr double frames_per_second = 30;
-/// Each scene is shown with its bounds in streams, which are scanned, and in a tree.
-constexpr int ways = 2;
+/// Each scene is shown with its bounds in streams, which are scanned, in a tree, and in two.
+constexpr int ways = 3;
 /// A median needs a few frames, however slow they are.
 constexpr std::size_t fewest_frames = 3;
 
-/// Milliseconds that a frame took.
+/// Milliseconds that a frame and its parts took.
 struct FrameTime {
+  double total;
   double move;
   double cull;
 };
@@ -64,6 +66,8 @@ double tests(const MovingScene& scene, std::size_t shafts) {
   return static_cast<double>(scene.bounds()) * static_cast<double>(shafts);
 }
 
+double time_of(std::size_t frame) { return static_cast<double>(frame) / frames_per_second; }
+
 /// Runs the frames of one scene. Everything that a frame needs is allocated before the first.
 class FrameLoop {
  public:
@@ -75,23 +79,36 @@ class FrameLoop {
         stream_b_(shafts),
         shafts_(shafts),
         kept_(shafts) {}
+  virtual ~FrameLoop() = default;
+  FrameLoop(const FrameLoop&) = delete;
+  FrameLoop& operator=(const FrameLoop&) = delete;
 
-  FrameTime run_frame(std::size_t number) {
-    const double time = static_cast<double>(number) / frames_per_second;
+  virtual FrameTime run_frame(std::size_t number) {
+    const double move = move_to(number);
+    const double cull = ask_about(number);
+    return {move + cull, move, cull};
+  }
+
+  /// What all shafts kept in the last frame.
+  [[nodiscard]] std::uint64_t kept() const { return std::accumulate(kept_.begin(), kept_.end(), std::uint64_t{0}); }
+
+ protected:
+  /// Both return the milliseconds that they took.
+  double move_to(std::size_t frame) {
     const auto begin = std::chrono::steady_clock::now();
-    scene_.move_to(time);
-    const double move = milliseconds_since(begin);
-    const auto moved = std::chrono::steady_clock::now();
-    scene_.place_shafts(time, ends_a_, ends_b_);
+    scene_.move_to(time_of(frame));
+    return milliseconds_since(begin);
+  }
+  double ask_about(std::size_t frame) {
+    const auto begin = std::chrono::steady_clock::now();
+    scene_.place_shafts(time_of(frame), ends_a_, ends_b_);
     stream_a_.update(0, ends_a_);
     stream_b_.update(0, ends_b_);
     compile_batch(stream_a_.view(), stream_b_.view(), shafts_);
     scene_.count(shafts_, kept_);
-    return {move, milliseconds_since(moved)};
+    return milliseconds_since(begin);
   }
-
-  /// What all shafts kept in the last frame.
-  std::uint64_t kept() const { return std::accumulate(kept_.begin(), kept_.end(), std::uint64_t{0}); }
+  MovingScene& scene() noexcept { return scene_; }
 
  private:
   MovingScene& scene_;
@@ -103,8 +120,33 @@ class FrameLoop {
   std::vector<std::uint64_t> kept_;
 };
 
-SceneResult run_scene(MovingScene& scene, const DemoOptions& options, Progress& progress) {
-  FrameLoop loop(scene, options.shafts);
+/// Asks about a frame while the next one is made: nothing waits, and answers come a frame later.
+class OverlappedFrameLoop final : public FrameLoop {
+ public:
+  using FrameLoop::FrameLoop;
+
+  /// Numbers follow each other; the first call also makes the frame that it asks about.
+  FrameTime run_frame(std::size_t number) override {
+    const auto begin = std::chrono::steady_clock::now();
+    FrameTime time{};
+    if (made_ != number) make(number);
+    Workers::do_both([&] { time.cull = ask_about(number); }, [&] { time.move = move_to(number + 1); });
+    scene().swap_trees();
+    made_ = number + 1;
+    time.total = milliseconds_since(begin);
+    return time;
+  }
+
+ private:
+  void make(std::size_t frame) {
+    move_to(frame);
+    scene().swap_trees();
+  }
+
+  std::optional<std::size_t> made_;  ///< the frame that can be asked about
+};
+
+SceneResult run_frames(FrameLoop& loop, const MovingScene& scene, const DemoOptions& options, Progress& progress) {
   // The first frame meets cold caches and threads that are not started yet; it is not counted.
   loop.run_frame(0);
   SceneResult result;
@@ -122,13 +164,13 @@ SceneResult run_scene(MovingScene& scene, const DemoOptions& options, Progress& 
   return result;
 }
 
-void add_row(Table& table, const MovingScene& scene, const SceneResult& result, const DemoOptions& options,
-             int threads, const char* way) {
+void add_row(Table& table, const MovingScene& scene, const SceneResult& result, const DemoOptions& options, int threads,
+             const char* way) {
   std::vector<double> total;
   std::vector<double> move;
   std::vector<double> cull;
   for (const FrameTime& frame : result.frames) {
-    total.push_back(frame.move + frame.cull);
+    total.push_back(frame.total);
     move.push_back(frame.move);
     cull.push_back(frame.cull);
   }
@@ -148,6 +190,34 @@ std::unique_ptr<MovingScene> make_scene(std::string_view name, std::size_t bound
   return std::make_unique<Sphereflake>(bounds > 0 ? bounds : Sphereflake::full_size);
 }
 
+/// Runs a scene's frames with its bounds in streams, and then as many in a tree and in two, whose answers must be the
+/// same.
+void show(MovingScene& scene, const DemoOptions& options, Table& table, Progress& progress) {
+  FrameLoop loop(scene, options.shafts);
+  const SceneResult scanned = run_frames(loop, scene, options, progress);
+  add_row(table, scene, scanned, options, concurrency(), "streams");
+
+  DemoOptions as_many = options;
+  as_many.frames = scanned.frames.size();
+  as_many.seconds = 0;
+  const auto show_trees = [&](FrameLoop& trees, const char* way) {
+    const SceneResult walked = run_frames(trees, scene, as_many, progress);
+    add_row(table, scene, walked, options, concurrency(), way);
+    if (walked.kept != scanned.kept)
+      throw std::logic_error(fmt::format("{}: the {} and the scan differ", scene.name(), way));
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  scene.use_tree();
+  progress.milestone(
+      fmt::format("{}: the same bounds in a tree, built in {:.1f} s", scene.name(), milliseconds_since(begin) / 1000));
+  show_trees(loop, "tree");
+  scene.use_second_tree();
+  progress.milestone(
+      fmt::format("{}: and in two trees, one asked while the other is updated for the next frame", scene.name()));
+  OverlappedFrameLoop overlapped(scene, options.shafts);
+  show_trees(overlapped, "2 trees");
+}
+
 void run(const DemoOptions& options) {
   options.isa.select();
   const Workers workers(options.threads);
@@ -161,20 +231,7 @@ void run(const DemoOptions& options) {
     progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
                                    grouped(scene->bounds()), grouped(scene->moving()), options.shafts,
                                    milliseconds_since(begin) / 1000));
-    workers.run([&] {
-      const SceneResult scanned = run_scene(*scene, options, progress);
-      add_row(table, *scene, scanned, options, concurrency(), "streams");
-      const auto sorting = std::chrono::steady_clock::now();
-      scene->use_tree();
-      progress.milestone(
-          fmt::format("{}: the same bounds in a tree, built in {:.1f} s", name, milliseconds_since(sorting) / 1000));
-      DemoOptions as_long = options;
-      as_long.frames = scanned.frames.size();
-      as_long.seconds = 0;
-      const SceneResult walked = run_scene(*scene, as_long, progress);
-      add_row(table, *scene, walked, options, concurrency(), "tree");
-      if (walked.kept != scanned.kept) throw std::logic_error(fmt::format("{}: the tree and the scan differ", name));
-    });
+    workers.run([&] { show(*scene, options, table, progress); });
   }
   progress.milestone("");
   fmt::print("{}", table.text());
@@ -182,7 +239,9 @@ void run(const DemoOptions& options) {
       "\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): "
       "medians.\n"
       "tests/s: bounds x shafts per second of cull, answered if not tested. kept: what the shafts do not cull.\n"
-      "bounds in streams are all tested; in a tree, only those near the shafts (and moving refits its nodes).\n");
+      "bounds in streams are all tested; in a tree, only those near the shafts (and moving refits its nodes).\n"
+      "Of 2 trees one is asked while the other moves on to the next frame: both parts of a frame run at the same time, "
+      "and answers come one frame later.\n");
 }
 
 }  // namespace

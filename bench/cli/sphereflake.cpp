@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "workers.hpp"
 
@@ -82,13 +83,14 @@ Sphereflake::Sphereflake(std::size_t count) {
 }
 
 void Sphereflake::use_tree() {
-  tree_ = SphereTree(std::span<const Sphere>(at_rest_));
+  SphereTree tree{std::span<const Sphere>(at_rest_)};
   stream_ = SphereStream();
   // Everything moves, so the spheres are kept as the tree keeps them.
   moved_.swap(at_rest_);
   at_rest_.clear();
-  for (const std::uint32_t i : tree_.order()) at_rest_.push_back(moved_[i]);
-  tree_.renumber();
+  for (const std::uint32_t i : tree.order()) at_rest_.push_back(moved_[i]);
+  tree.renumber();
+  trees_.use(std::move(tree));
 }
 
 void Sphereflake::move_to(double time) {
@@ -101,11 +103,11 @@ void Sphereflake::move_to(double time) {
     const auto& [p, radius] = sphere;
     return Sphere{{c * p[0] - s * p[1], s * p[0] + c * p[1], size * p[2]}, size * radius};
   };
-  if (tree_.size() != 0) {
+  if (trees_.in_use()) {
     Workers::for_chunks(at_rest_.size(), spheres_per_chunk, [&](std::size_t first, std::size_t count) {
       for (std::size_t i = first; i < first + count; ++i) moved_[i] = moved(at_rest_[i]);
     });
-    tree_.update(std::span<const Sphere>(moved_));
+    trees_.updated().update(std::span<const Sphere>(moved_));
     return;
   }
   Workers::for_chunks(at_rest_.size(), spheres_per_chunk, [&](std::size_t first, std::size_t count) {
@@ -130,8 +132,8 @@ void Sphereflake::place_shafts(double time, std::span<Box> a, std::span<Box> b) 
 }
 
 void Sphereflake::count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const {
-  if (tree_.size() != 0) {
-    count_many(shafts, tree_, kept);
+  if (trees_.in_use()) {
+    count_many(shafts, trees_.asked(), kept);
   } else {
     count_many(shafts, stream_.view(), kept);
   }

@@ -25,14 +25,16 @@ class Sphereflake : public MovingScene {
   [[nodiscard]] std::size_t bounds() const override { return at_rest_.size(); }
   [[nodiscard]] std::size_t moving() const override { return at_rest_.size(); }
   void use_tree() override;
+  void use_second_tree() override { trees_.use_second(); }
   void move_to(double time) override;
+  void swap_trees() noexcept override { trees_.swap(); }
   void place_shafts(double time, std::span<Box> a, std::span<Box> b) const override;
   void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const override;
 
  private:
-  std::vector<Sphere> at_rest_;  ///< in tree order if there is a tree
-  SphereStream stream_;          ///< either this, or
-  SphereTree tree_;              ///< this, with what it is updated from:
+  std::vector<Sphere> at_rest_;    ///< in tree order if there are trees
+  SphereStream stream_;            ///< either this, or
+  TreeBuffers<SphereTree> trees_;  ///< these, with what they are updated from:
   std::vector<Sphere> moved_;
 };
 

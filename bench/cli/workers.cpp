@@ -7,6 +7,7 @@
 #ifdef SHAFTCULL_CLI_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -50,6 +51,10 @@ void Workers::for_chunks(std::size_t count, std::size_t chunk,
                     [&](std::size_t i) { work(i * chunk, std::min(chunk, count - i * chunk)); });
 }
 
+void Workers::do_both(const std::function<void()>& one, const std::function<void()>& other) {
+  tbb::parallel_invoke(one, other);
+}
+
 #else
 
 struct Workers::Arena {};
@@ -66,6 +71,11 @@ void Workers::run(const std::function<void()>& work) const { work(); }
 void Workers::for_chunks(std::size_t count, std::size_t chunk,
                          const std::function<void(std::size_t, std::size_t)>& work) {
   for (std::size_t first = 0; first < count; first += chunk) work(first, std::min(chunk, count - first));
+}
+
+void Workers::do_both(const std::function<void()>& one, const std::function<void()>& other) {
+  one();
+  other();
 }
 
 #endif

@@ -23,6 +23,9 @@ class Workers {
   static void for_chunks(std::size_t count, std::size_t chunk,
                          const std::function<void(std::size_t, std::size_t)>& work);
 
+  /// Calls both at the same time, if there are two threads. For use inside run().
+  static void do_both(const std::function<void()>& one, const std::function<void()>& other);
+
  private:
   struct Arena;
   std::unique_ptr<Arena> arena_;

@@ -128,7 +128,7 @@ TEST(CliDemo, PrintsATableOfBothScenes) {
     EXPECT_THAT(outcome.error, HasSubstr(scene));
   }
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("ms/frame"), HasSubstr("worst"), HasSubstr("tests/s"), HasSubstr("kept"),
-                                 HasSubstr("scalar"), HasSubstr("threads")));
+                                 HasSubstr("scalar"), HasSubstr("threads"), HasSubstr("streams"), HasSubstr("2 trees")));
   EXPECT_THAT(outcome.error, testing::Not(HasSubstr("\r"))) << "a live line needs a terminal";
 }
 
