@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
+#include <new>
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/blocked_range2d.h>
@@ -19,6 +19,16 @@
 
 namespace shaftcull::kernel {
 
+/// Allocates whole cache lines, for T of any alignment up to that.
+template <class T>
+class LineAllocator {
+ public:
+  [[nodiscard]] T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t{64}));
+  }
+  void deallocate(T* items, std::size_t /*count*/) noexcept { ::operator delete(items, std::align_val_t{64}); }
+};
+
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 
 /// Allocates memory that tasks fill and others read: oneTBB's allocator gives it again to the next call, where that of the
@@ -27,7 +37,7 @@ namespace shaftcull::kernel {
 /// ThreadSanitizer does not see oneTBB's hand memory from a thread that is done with it to the next one, and knows that of the C library.
 #ifdef SHAFTCULL_THREAD_SANITIZER
 template <class T>
-using TaskAllocator = std::allocator<T>;
+using TaskAllocator = LineAllocator<T>;
 #else
 template <class T>
 using TaskAllocator = tbb::cache_aligned_allocator<T>;
@@ -102,7 +112,7 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
 #else
 
 template <class T>
-using TaskAllocator = std::allocator<T>;
+using TaskAllocator = LineAllocator<T>;
 
 [[nodiscard]] inline int threads_here() noexcept { return 1; }
 

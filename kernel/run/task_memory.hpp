@@ -26,6 +26,7 @@ class TaskMemory {
   }
 
   [[nodiscard]] T* get() const noexcept { return items_; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
  private:
   T* items_ = nullptr;

@@ -7,12 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "simd/float_environment.hpp"
 #include "tree/size_class.hpp"
 #include "tree/source.hpp"
-#include "tree/write_past_caches.hpp"
+#include "tree/word_writer.hpp"
 
 namespace shaftcull::kernel {
 namespace {
+
+/// What is decided about bounds and their order is the same in every floating-point mode of the caller.
+struct EntryEnvironment {};
 
 /// Some of the legal bounds' centres, evenly spaced in the user's order.
 template <class Bound, class Source>
@@ -54,19 +58,19 @@ class Chunk {
 
   [[nodiscard]] bool is_legal() const noexcept { return is_legal_; }
 
-  void write_records(float* record) const noexcept {
+  void write_records(float* record, const WordWriter& writer) const noexcept {
     alignas(64) float records[most * rows_of<Bound>];
     for (std::size_t i = 0; i != count_; ++i) {
       for (std::size_t s = 0; s != rows_of<Bound>; ++s) records[i * rows_of<Bound> + s] = row_[s][i];
     }
-    write_past_caches(record, records, count_ * rows_of<Bound>);
+    writer.write(record, records, count_ * rows_of<Bound>);
   }
 
-  void write_entries(const EntryStreams& entries) const noexcept {
+  void write_entries(const EntryStreams& entries, const WordWriter& writer) const noexcept {
     alignas(64) float index[most];
     for (std::size_t i = 0; i != count_; ++i) index[i] = std::bit_cast<float>(static_cast<std::uint32_t>(first_ + i));
-    for (std::size_t k = 0; k != 3; ++k) write_past_caches(entries[k] + first_, centre_[k], count_);
-    write_past_caches(entries[3] + first_, index, count_);
+    for (std::size_t k = 0; k != 3; ++k) writer.write(entries[k] + first_, centre_[k], count_);
+    writer.write(entries[3] + first_, index, count_);
   }
 
   void count_classes(float node_size, std::array<std::size_t, size_classes>& counts) const noexcept {
@@ -106,16 +110,17 @@ class Chunk {
 template <class Bound, class Source>
 bool write_in_order(const Source& source, const Run& run, float node_size, const Workshop<Bound>& workshop,
                     std::array<std::size_t, size_classes>& counts) noexcept {
+  const FloatEnvironment<EntryEnvironment> environment;
   const EntryStreams entries = workshop.entries();
+  const WordWriter writer(workshop.bytes());
   bool is_legal = true;
   for (std::size_t first = run.first; first < run.end(); first += Chunk<Bound>::most) {
     const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, run.end() - first));
     is_legal &= chunk.is_legal();
-    chunk.write_records(workshop.record(first));
-    chunk.write_entries(entries);
+    chunk.write_records(workshop.record(first), writer);
+    chunk.write_entries(entries, writer);
     chunk.count_classes(node_size, counts);
   }
-  finish_writing();
   return is_legal;
 }
 
@@ -123,6 +128,7 @@ bool write_in_order(const Source& source, const Run& run, float node_size, const
 template <class Bound>
 void write_by_class(const Workshop<Bound>& workshop, const Run& run, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
+  const FloatEnvironment<EntryEnvironment> environment;
   const EntryStreams entries = workshop.entries();
   for (std::size_t i = run.first; i != run.end(); ++i) {
     float bound[rows_of<Bound>];
@@ -138,6 +144,7 @@ void write_by_class(const Workshop<Bound>& workshop, const Run& run, float node_
 
 template <class Bound, class Source>
 ClassBounds write_entries(const Source& source, const Workshop<Bound>& workshop) {
+  const FloatEnvironment<EntryEnvironment> environment;
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
   const std::size_t blocks = pieces(count, source_block);

@@ -34,6 +34,8 @@ class Workshop {
   /// The streams' coordinates of bound i.
   [[nodiscard]] float* record(std::size_t i) const noexcept { return records_.get() + i * rows_of<Bound>; }
 
+  [[nodiscard]] std::size_t bytes() const noexcept { return (entries_.size() + records_.size()) * sizeof(float); }
+
  private:
   /// Streams a power of two apart would share few places in the caches.
   static constexpr std::size_t apart = 80;

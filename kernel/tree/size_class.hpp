@@ -17,7 +17,7 @@ namespace shaftcull::kernel {
 /// Centre and largest extent of a bound; the centre is finite even if the bound is not.
 struct Placement {
   Vec3 centre;
-  float extent;  ///< 3e38 and more for infinite bounds, negative for the empty box
+  float extent;  ///< that of the nearest finite bound; negative for the empty box
 };
 
 /// Of a box as in a BoxView.

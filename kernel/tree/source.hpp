@@ -10,6 +10,7 @@
 #include "run/cut.hpp"
 #include "run/parallel.hpp"
 #include "shaftcull/streams.hpp"
+#include "simd/float_environment.hpp"
 #include "streams/records.hpp"
 #include "tree/parts.hpp"
 
@@ -82,13 +83,16 @@ inline constexpr std::size_t prefetched_bounds = 64;
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;
 
-/// Throws BadBound for the first illegal bound; looks in parallel.
+struct LegalEnvironment {};
+
+/// Throws BadBound for the first illegal bound; looks in parallel, whatever floating-point mode the caller runs in.
 template <class Bound, class Source>
 void require_legal(const Source& source) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::atomic<std::size_t> first_bad = none;
   const std::size_t blocks = pieces(source.count(), source_block);
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
+    const FloatEnvironment<LegalEnvironment> environment;
     const Run block = piece(source.count(), source_block, b);
     bool is_legal = true;
     for (std::size_t i = block.first; i != block.end(); ++i) is_legal &= source.is_legal(i);

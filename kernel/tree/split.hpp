@@ -75,6 +75,35 @@ std::size_t count_less(const float* key, std::size_t count, float limit) noexcep
   return less;
 }
 
+/// The smallest key that is not less than a limit; there is one.
+template <class L>
+float smallest_from(const float* key, std::size_t count, float limit) noexcept {
+  const auto none = L::all(__builtin_inff());
+  auto smallest = none;
+  std::size_t i = 0;
+  for (; i + L::width <= count; i += L::width) {
+    const auto x = L::load(key + i);
+    smallest = L::minimum(L::choose(L::less(x, L::all(limit)), none, x), smallest);
+  }
+  float least = smallest_lane<L>(smallest);
+  for (; i < count; ++i) least = key[i] >= limit && key[i] < least ? key[i] : least;
+  return least;
+}
+/// The largest key that is less than a limit; there is one.
+template <class L>
+float largest_below(const float* key, std::size_t count, float limit) noexcept {
+  const auto none = L::all(-__builtin_inff());
+  auto largest = none;
+  std::size_t i = 0;
+  for (; i + L::width <= count; i += L::width) {
+    const auto x = L::load(key + i);
+    largest = L::maximum(L::choose(L::less(x, L::all(limit)), x, none), largest);
+  }
+  float most = largest_lane<L>(largest);
+  for (; i < count; ++i) most = key[i] < limit && key[i] > most ? key[i] : most;
+  return most;
+}
+
 /// A key, and how many are less.
 struct Pivot {
   float key;
@@ -100,11 +129,12 @@ Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyR
     middle = middle <= lo ? lo + 1 : middle > hi ? hi : middle;
     const std::size_t below = count_less<L>(key, count, Number::at(middle));
     if (below == rank) return {Number::at(middle), below};
+    // Where no key was between, the range ends at the next one: few values that many share are soon told apart.
     if (below < rank) {
-      lo = middle;
+      lo = below == below_lo ? Number::of(smallest_from<L>(key, count, Number::at(middle))) : middle;
       below_lo = below;
     } else {
-      hi = middle - 1;
+      hi = below == below_hi ? Number::of(largest_below<L>(key, count, Number::at(middle))) : middle - 1;
       below_hi = below;
     }
   }

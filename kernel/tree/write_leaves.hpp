@@ -6,7 +6,7 @@
 
 #include "run/cut.hpp"
 #include "tree/parts.hpp"
-#include "tree/write_past_caches.hpp"
+#include "tree/word_writer.hpp"
 
 namespace shaftcull::kernel {
 
@@ -18,6 +18,7 @@ namespace shaftcull::kernel {
 template <class Bound, class Read>
 void write_leaves(TreeParts<Bound>& parts, const Run& run, const Read& read) {
   const auto row = parts.leaf_rows();
+  const WordWriter writer(parts.leaves.bytes());
   alignas(64) float word[rows_of<Bound>][fanout];
   const float* words[rows_of<Bound>];
   for (std::size_t s = 0; s != row.size(); ++s) words[s] = word[s];
@@ -30,10 +31,9 @@ void write_leaves(TreeParts<Bound>& parts, const Run& run, const Read& read) {
     }
     for (std::size_t s = 0; s != row.size(); ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding
-    for (std::size_t s = 0; s != row.size(); ++s) write_past_caches(row[s] + first, word[s], fanout);
+    for (std::size_t s = 0; s != row.size(); ++s) writer.write(row[s] + first, word[s], fanout);
     if (parts.levels > 1) fit_leaf_word(parts, first / fanout, words);
   }
-  finish_writing();
 }
 
 }  // namespace shaftcull::kernel

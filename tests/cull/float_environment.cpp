@@ -1,10 +1,6 @@
 /// Answers do not depend on the floating-point mode that the caller runs in, and calls leave it as it was.
 #include <gtest/gtest.h>
 
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
-
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -14,6 +10,7 @@
 #include "columns.hpp"
 #include "compile/grid.hpp"
 #include "dice.hpp"
+#include "float_modes.hpp"
 #include "instruction_sets.hpp"
 #include "on_grid.hpp"
 #include "shaftcull/compiled.hpp"
@@ -25,25 +22,6 @@
 
 namespace shaftcull {
 namespace {
-
-constexpr unsigned control_bits = 0xffc0;
-
-struct Mode {
-  const char* name;
-  unsigned bits;
-};
-constexpr Mode modes[] = {{"denormals are zero", 0x9fc0}, {"down", 0x3f80}, {"up", 0x5f80}, {"towards zero, flushing", 0xffc0}};
-
-class InMode {
- public:
-  explicit InMode(const Mode& mode) : saved_(_mm_getcsr()) { _mm_setcsr(mode.bits); }
-  ~InMode() { _mm_setcsr(saved_); }
-  InMode(const InMode&) = delete;
-  InMode& operator=(const InMode&) = delete;
-
- private:
-  unsigned saved_;
-};
 
 /// The answers of all calls, one word behind the other.
 template <class View>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "float_modes.hpp"
 #include "message_of.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/refine.hpp"
@@ -27,6 +28,19 @@ std::vector<Box> boxes(std::size_t count) {
   Dice dice(1);
   return scene<Box>(dice, Shape::uniform, count);
 }
+
+#ifdef __SSE__
+TEST(TreeErrors, BadBoundsAreBadInEveryMode) {
+  const std::vector<Box> bad = {{{0, 0, 0}, {1, 1, 1}}, {{1e-40F, 0, 0}, {0, 1, 1}}};  // lo > hi, unless denormals are zero
+  const std::vector<Box> good = {{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}};
+  for (const Mode& mode : modes) {
+    const InMode in(mode);
+    EXPECT_THROW(BoxTree{std::span<const Box>(bad)}, BadBound) << mode.name;
+    BoxTree tree{std::span<const Box>(good)};
+    EXPECT_THROW(tree.update(std::span<const Box>(bad)), BadBound) << mode.name;
+  }
+}
+#endif
 
 TEST(TreeErrors, TheFirstBadBoundIsNamed) {
   std::vector<Box> bad = boxes(40000);

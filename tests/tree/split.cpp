@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dice.hpp"
+#include "float_modes.hpp"
 #include "instruction_sets.hpp"
 #include "shaftcull/tree.hpp"
 #include "test/kernels.hpp"
@@ -102,12 +103,19 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
   const Entries expected = sorted_halves(entries, first_half, axis);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    ASSERT_EQ(split(entries, first_half) == expected, true)
-        << what << ", " << entries.size() << " entries, " << first_half << " first, " << name(isa);
+    const auto expect_halves = [&](const char* mode) {
+      ASSERT_EQ(split(entries, first_half) == expected, true)
+          << what << ", " << entries.size() << " entries, " << first_half << " first, " << name(isa) << mode;
+    };
+    expect_halves("");
+#ifdef __SSE__
+    const InMode in(modes[0]);
+    expect_halves(", denormals are zero");
+#endif
   }
 }
 
-/// Keys on an axis, from one to the largest number of entries that no sample is taken of, and beyond.
+/// Ways to throw keys.
 using Keys = float (*)(Dice&);
 const std::map<std::string, Keys> distributions = {
     {"uniform", [](Dice& dice) { return dice.uniform(-1, 1); }},
@@ -118,8 +126,8 @@ const std::map<std::string, Keys> distributions = {
                                                                   : 0.0F; }},
     {"denormals", [](Dice& dice) { return dice.integer(-50, 50) * 1e-45F; }},
     {"largest", [](Dice& dice) { return dice.below(2) == 0 ? std::numeric_limits<float>::max() : dice.integer(0, 3); }},
-    {"all magnitudes",
-     [](Dice& dice) { return std::bit_cast<float>(static_cast<std::uint32_t>(dice.below(0x7f800000))); }},
+    {"all magnitudes", [](Dice& dice) { return dice.wild(); }},
+    {"two values", [](Dice& dice) { return dice.below(2) == 0 ? -std::numeric_limits<float>::max() : 1e-45F; }},
     {"outlier", [](Dice& dice) { return dice.below(500) == 0 ? 1e30F : dice.uniform(0, 1e-3F); }}};
 
 Entries entries_of(Dice& dice, Keys key, std::size_t axis, std::size_t count) {
@@ -156,12 +164,14 @@ TEST(SplitEntries, LargePartsAreSampled) {
 }
 
 TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
-  Entries entries(20000);
-  for (std::size_t i = 0; i != entries.size(); ++i) {  // every 64th is sampled
-    const auto x = static_cast<float>(i);
-    entries[i] = {{i % 64 == 0 ? 1e6F + x : x, 0, 0}, static_cast<std::uint32_t>(i)};
+  for (const float off : {1e6F, -1e6F}) {
+    Entries entries(20000);
+    for (std::size_t i = 0; i != entries.size(); ++i) {  // every 64th is sampled
+      const auto x = static_cast<float>(i);
+      entries[i] = {{i % 64 == 0 ? off + x : x, 0, 0}, static_cast<std::uint32_t>(i)};
+    }
+    expect_split(entries, 9984, 0, "misleading sample");
   }
-  expect_split(entries, 9984, 0, "misleading sample");
 }
 
 TEST(SplitEntries, AxisThatIsSpreadOutMost) {
@@ -176,6 +186,10 @@ TEST(SplitEntries, AxisThatIsSpreadOutMost) {
     entries[0].centre[axis] = std::numeric_limits<float>::max();  // wider than a float holds
     entries[1].centre[axis] = -std::numeric_limits<float>::max();
     expect_split(entries, 128, axis, "infinitely wide");
+    if (axis == 0) continue;
+    entries[2].centre[axis - 1] = std::numeric_limits<float>::max();
+    entries[3].centre[axis - 1] = -std::numeric_limits<float>::max();
+    expect_split(entries, 128, axis - 1, "two axes infinitely wide");
   }
 }
 
