@@ -47,12 +47,12 @@ struct PairStreams {
 
 void declare_form(Suite& suite, const Workload& workload) {
   const std::string paper = "paper/form_table";
-  const auto each = [&](const char* name, Formation formation) {
-    suite.add(name, paper, [&workload, formation](benchmark::State& state) { form_each(state, workload, formation); });
+  const auto each = [&](const char* name, const std::string& against, Formation formation) {
+    suite.add(name, against, [&workload, formation](benchmark::State& state) { form_each(state, workload, formation); });
   };
-  each("form/runtime", Formation::search);
-  each("form/table64", Formation::table64);
-  each("form/table729", Formation::table729);
+  each("form/runtime", "paper/form_runtime", Formation::search);
+  each("form/table64", paper, Formation::table64);
+  each("form/table729", paper, Formation::table729);
 
   const auto pairs = std::make_shared<const PairStreams>(workload);
   // Other benchmarks leave other instruction sets behind, in random order.
@@ -69,7 +69,7 @@ void declare_form(Suite& suite, const Workload& workload) {
     set_items(state);
   });
 
-  suite.reach("form/batch", paper, 25.0);
+  for (const double ratio : {10.0, 25.0}) suite.reach("form/batch", paper, ratio);
   suite.note(
       "form/batch leaves joining planes pending, so its shafts are ready for slab form only; paper/form_table and "
       "form/{runtime,table64,table729} make the planes");

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <random>
 #include <utility>
@@ -23,15 +22,22 @@ namespace {
 
 struct CullOptions {
   std::string path;
-  Grain grain = Grain::object;
+  std::string bounds = "object";
   std::string from;
   std::string to;
   std::size_t random_pairs = 0;
   std::uint64_t seed = 1;
-  ReportFormat format = ReportFormat::text;
+  std::string format = "text";
   bool tree = false;
   InstructionSet isa;
 };
+
+Grain grain_of(const CullOptions& options) { return options.bounds == "triangle" ? Grain::triangle : Grain::object; }
+
+ReportFormat format_of(const CullOptions& options) {
+  if (options.format == "json") return ReportFormat::json;
+  return options.format == "csv" ? ReportFormat::csv : ReportFormat::text;
+}
 
 ShaftEnd object_end(const MeshScene& scene, std::uint32_t object) {
   return {scene.boxes[object], scene.names[object], object};
@@ -108,9 +114,9 @@ void find_candidates(const MeshScene& scene, const BoxStream& bounds, PairResult
 void run(const CullOptions& options) {
   options.isa.select();
   CullReport report{options.path,
-                    options.grain,
+                    grain_of(options),
                     std::string(name(active_isa())),
-                    load_mesh_isolated(options.path, options.grain),
+                    load_mesh_isolated(options.path, grain_of(options)),
                     {}};
   const MeshScene& scene = report.scene;
   if (options.random_pairs > 0) {
@@ -129,7 +135,7 @@ void run(const CullOptions& options) {
     const BoxStream stream(records);
     for (PairResult& pair : report.pairs) find_candidates(scene, stream, pair);
   }
-  std::fputs(format_report(report, options.format).c_str(), stdout);
+  std::fputs(format_report(report, format_of(options)).c_str(), stdout);
 }
 
 }  // namespace
@@ -140,9 +146,8 @@ void add_cull(CLI::App& program) {
   cull.add_option("--scene", options->path, "Mesh file, in any format that assimp reads")
       ->required()
       ->type_name("FILE");
-  cull.add_option("--bounds", options->grain, "What gets a bound: object or triangle (default: object)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Grain>{{"object", Grain::object}, {"triangle", Grain::triangle}}))
+  cull.add_option("--bounds", options->bounds, "What gets a bound: object or triangle (default: object)")
+      ->check(CLI::IsMember({"object", "triangle"}))
       ->type_name("KIND");
   CLI::Option* from =
       cull.add_option("--from", options->from, "One end: an object's name, or lo x,lo y,lo z,hi x,hi y,hi z")
@@ -156,10 +161,10 @@ void add_cull(CLI::App& program) {
   random->excludes(from)->excludes(to);
   cull.add_option("--seed", options->seed, "Seed of --random (default: 1)")->type_name("S")->needs(random);
   cull.add_option("--format", options->format, "Output: text, json or csv (default: text)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, ReportFormat>{
-          {"text", ReportFormat::text}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}}))
+      ->check(CLI::IsMember({"text", "json", "csv"}))
       ->type_name("FORMAT");
-  cull.add_flag("--tree", options->tree, "Put the bounds into a tree instead of scanning all of them: the same answers");
+  cull.add_flag("--tree", options->tree,
+                "Put the bounds into a tree instead of scanning all of them: the same answers");
   options->isa.add_option(cull);
   cull.footer(
       "The two objects themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"

@@ -38,10 +38,17 @@ std::string list_of_available() {
   return list;
 }
 
-/// The choice of the environment, or the best there is.
+/// All there are, the better ones later.
+constexpr Isa all_isas[] = {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512};
+
+/// The choice of the environment, or the best there is. Allocates for an exception only: it is part of the first call.
 Isa initial_isa() {
   const char* text = std::getenv("SHAFTCULL_ISA");
-  if (text == nullptr || *text == '\0') return available_isas().back();
+  if (text == nullptr || *text == '\0') {
+    Isa best = Isa::scalar;
+    for (const Isa isa : all_isas) best = available(isa) ? isa : best;
+    return best;
+  }
   const std::optional<Isa> wanted = isa_from_name(text);
   if (!wanted) {
     throw InvalidArgument("SHAFTCULL_ISA=" + std::string(text) + " is not an instruction set; this machine has " +
@@ -70,7 +77,7 @@ std::optional<Isa> isa_from_name(std::string_view text) noexcept {
 
 std::vector<Isa> available_isas() {
   std::vector<Isa> isas;
-  for (const Isa isa : {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : all_isas) {
     if (available(isa)) isas.push_back(isa);
   }
   return isas;

@@ -103,8 +103,25 @@ struct Lanes {
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
-  static Vector minimum(Vector a, Vector b) noexcept { return xsimd::min(a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return xsimd::max(a, b); }
+  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and before that the second.
+  static Vector minimum(Vector a, Vector b) noexcept {
+#ifdef __AVX512F__
+    if constexpr (width == 16) return _mm512_min_ps(a, b);
+#endif
+#ifdef __AVX__
+    if constexpr (width == 8) return _mm256_min_ps(a, b);
+#endif
+    if constexpr (width == 4) return _mm_min_ps(a, b);
+  }
+  static Vector maximum(Vector a, Vector b) noexcept {
+#ifdef __AVX512F__
+    if constexpr (width == 16) return _mm512_max_ps(a, b);
+#endif
+#ifdef __AVX__
+    if constexpr (width == 8) return _mm256_max_ps(a, b);
+#endif
+    if constexpr (width == 4) return _mm_max_ps(a, b);
+  }
   static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
   static Mask less(Vector a, Vector b) noexcept { return a < b; }
   static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }

@@ -60,6 +60,15 @@ TEST(Cli, RejectsBadOptionsInOneLine) {
   }
 }
 
+TEST(Program, SaysWhatAnOptionMayBe) {
+  EXPECT_THAT(run_program({"cull", "--scene", "x", "--bounds", "foo"}).error,
+              AllOf(HasSubstr("--bounds"), HasSubstr("foo"), HasSubstr("object"), HasSubstr("triangle")));
+  EXPECT_THAT(run_program({"cull", "--scene", "x", "--format", "xml"}).error,
+              AllOf(HasSubstr("--format"), HasSubstr("xml"), HasSubstr("text"), HasSubstr("json"), HasSubstr("csv")));
+  const std::string help = run_program({"cull", "--help"}).out;
+  EXPECT_TRUE(std::all_of(help.begin(), help.end(), [](unsigned char c) { return c >= ' ' || c == '\n'; })) << help;
+}
+
 TEST(Cli, RejectsAnUnknownInstructionSetInTheEnvironment) {
   for (const char* subcommand : {"demo", "draw", "stats"}) {
     const Outcome outcome = run_program({subcommand}, "SHAFTCULL_ISA=mmx");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/shafts.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "dice.hpp"
@@ -97,6 +98,17 @@ TEST(CompileBatch, RandomPairs) {
 
 TEST(CompileBatch, GridAlignedPairsWithFacesInCommon) {
   expect_batch_of(72, [](Dice& dice) { return dice.grid_box(-2, 2); });
+}
+
+TEST(CompileBatch, EveryColouringOfTheFaces) {
+  std::vector<Box> a;
+  std::vector<Box> b;
+  for (unsigned colouring = 0; colouring != colourings; ++colouring) {
+    const Subject subject = coloured_subject(colouring);
+    a.push_back(subject.a);
+    b.push_back(subject.b);
+  }
+  expect_batch(a, b);
 }
 
 TEST(CompileBatch, PairsFarFromTheOrigin) {

@@ -12,6 +12,7 @@
 #include "dice.hpp"
 #include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
+#include "misaligned.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -95,18 +96,8 @@ void expect_every_misalignment(const std::vector<Bound>& bounds) {
         for (const std::size_t apart : {0U, 1U, 5U}) {  // floats by which each stream is further out than the one before
           for (const std::size_t count : {std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{129}, most_bounds}) {
             SCOPED_TRACE(std::string(name(isa)) + ", first stream " + std::to_string(offset) + " floats off");
-            auto view = memory.view();
-            view.count = count;
-            std::array<std::vector<float>, std::tuple_size_v<decltype(view.stream)>> moved;
-            for (std::size_t k = 0; k != moved.size(); ++k) {
-              // Room to start a known number of floats after a cache line, whatever the allocator gave.
-              moved[k].resize(most_bounds + 32);
-              const std::size_t into_line = reinterpret_cast<std::uintptr_t>(moved[k].data()) % 64 / sizeof(float);
-              float* const start = moved[k].data() + (16 - into_line) % 16 + (offset + k * apart) % 16;
-              std::copy_n(view.stream[k], count, start);
-              view.stream[k] = start;
-            }
-            expect_view(shaft, view, right, form);
+            const Misaligned moved(memory.view().slice(0, count), offset, apart);
+            expect_view(shaft, moved.view(), right, form);
             if (testing::Test::HasFatalFailure()) return;
           }
         }

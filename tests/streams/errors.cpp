@@ -111,6 +111,10 @@ std::string centre_extent_fault(const Record& record) {
   } catch (const BadBound& error) {
     EXPECT_EQ(error.index(), 2U);
     EXPECT_EQ(stream[0], before);
+    EXPECT_EQ(message_of([&] {
+                const BoxStream packed(CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof(Record), 3});
+              }),
+              error.what());
     return error.what();
   }
   ADD_FAILURE() << "accepted";
