@@ -34,8 +34,8 @@ class Dice {
   }
   /// `x`, or one of the two finite floats on either side of it.
   float nudge(float x) {
-    const unsigned steps = below(5);
-    for (unsigned i = 0; i != steps % 3; ++i) {
+    const unsigned steps = below(5);  // up by none, one or two, or down by one or two
+    for (unsigned i = steps < 3 ? steps : steps - 2; i != 0; --i) {
       const float next = std::nextafter(x, steps < 3 ? INFINITY : -INFINITY);
       if (std::isfinite(next)) x = next;
     }

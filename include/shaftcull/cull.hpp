@@ -1,4 +1,10 @@
 /// One shaft against many bounds.
+///
+/// Answers are exact. For all finite floats, degenerate and huge ones included, and on every instruction set the same bits:
+/// a box is outside, overlapping or inside as in real arithmetic for the floats given, and touching is not outside; a corner is beyond an
+/// added plane by the real sign of n·p − d; a sphere is outside iff its centre is farther than its radius from the shaft, and inside
+/// iff every face is at least that far away. A bound with a NaN is never inside. Both forms agree, whatever floating-point mode the caller runs in.
+/// docs/exactness.md has the proof. many.hpp, query.hpp and refine.hpp promise the same.
 #pragma once
 
 #include <cstdint>

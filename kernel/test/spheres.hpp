@@ -89,7 +89,8 @@ class SquareDistance {
     }
     // docs/exactness.md, spheres.
     const float reach = shaft.reach;
-    error_ = L::all(bound_margin_factor * float_unit * reach * (17 * slopes + 0x1p-13F * reach));
+    const float error = bound_margin_factor * float_unit * reach * (17 * slopes + 0x1p-13F * reach);
+    error_ = L::all(reach > fused_regular_limit ? __builtin_inff() : error);  // products with slopes may overflow: nothing is certain
     error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * reach + 25 * slopes));
   }
 

@@ -106,6 +106,29 @@ inline Sphere resting_sphere(Dice& dice, const Subject& subject, const oracle::Q
   return touching_sphere(dice, hull, centre);
 }
 
+/// A sphere of 2⁴⁴ to 2⁶⁰ beside a huge_subject(), not far from where it starts.
+inline Sphere sphere_beside_huge(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
+  const auto power = [&](float low, float high) { return std::exp2(dice.uniform(low, high)); };
+  const float radius = dice.one_in(2) ? 0x1p60F : power(44, 60);
+  std::size_t along = 0;
+  for (std::size_t k = 1; k != 3; ++k) {
+    const auto way = [&](std::size_t axis) { return std::abs(subject.b.lo[axis] - subject.a.lo[axis]); };
+    if (way(k) > way(along)) along = k;
+  }
+  const float passed = power(60, 64);
+  Vec3 centre = subject.a.lo;
+  for (std::size_t k = 0; k != 3; ++k) {
+    const float way = subject.b.lo[k] - subject.a.lo[k];
+    if (k == along) {
+      centre[k] += way > 0 ? passed : -passed;
+    } else {
+      const float beside = power(-4, 0) * radius;
+      centre[k] += dice.one_in(2) ? beside : -beside;
+    }
+  }
+  return dice.one_in(3) ? touching_sphere(dice, hull, centre) : Sphere{centre, radius};
+}
+
 /// A box with one corner on an added plane, as nearly as can be.
 inline Box box_at_plane(Dice& dice, const Subject& subject) {
   const Plane& plane = subject.added[dice.below(static_cast<unsigned>(subject.added.size()))];

@@ -90,6 +90,7 @@ inline constexpr Family families[] = {
        const Vec3 centre = wild_point(dice);
        return dice.one_in(2) ? Sphere{centre, std::abs(dice.wild())} : touching_sphere(dice, hull, centre);
      }},
+    {"huge shafts", [](Dice& dice, unsigned) { return huge_subject(dice); }, touching_box, sphere_beside_huge},
     {"all 729 colourings", [](Dice&, unsigned index) { return coloured_subject(index % colourings); },
      [](Dice& dice, const Subject& subject) {
        return dice.one_in(3)   ? dice.grid_box(-1, 5)

@@ -113,6 +113,26 @@ inline Subject wild_subject(Dice& dice, int low = -149, int high = 127) {
   return {a, wild_box(dice, low, high)};
 }
 
+/// A point, now and then with an extent, that moves 2⁶⁷ to 2⁷⁵ along one axis and about 2⁶⁸ along another: products of what it moves and of distances that a sphere of
+/// ordinary size has from it are near the largest float.
+inline Subject huge_subject(Dice& dice) {
+  const auto power = [&](float low, float high) { return std::exp2(dice.uniform(low, high)); };
+  const std::size_t along = dice.below(3);
+  const std::size_t across = (along + 1 + dice.below(2)) % 3;
+  Subject subject{};
+  subject.a.lo[along] = power(66, 74.5F);
+  subject.b.lo[along] = -subject.a.lo[along];
+  subject.b.lo[across] = power(67, 70);
+  if (dice.one_in(2)) std::swap(subject.a.lo[along], subject.b.lo[along]);
+  subject.a.hi = subject.a.lo;
+  subject.b.hi = subject.b.lo;
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (dice.one_in(4)) subject.a.hi[k] += power(40, 60);
+    if (dice.one_in(4)) subject.b.hi[k] += power(40, 60);
+  }
+  return subject;
+}
+
 /// Number of ways to colour six faces red, blue or purple.
 inline constexpr unsigned colourings = 729;
 

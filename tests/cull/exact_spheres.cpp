@@ -87,6 +87,18 @@ TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {
         });
 }
 
+// Squares of slopes overflowed, and what they should have bounded was taken for nothing: in both forms, or with rounded multiply-adds only.
+TEST(ExactSpheres, SpheresBesideHugeShafts) {
+  const Box point{{0, 0x1p+73F, 0}, {0, 0x1p+73F, 0}};
+  const Box end{{0x1.9fdf8cp+68F, -0x1p+73F, 0}, {0x1.9fdf8cp+68F, -0x1p+73F, 0}};
+  const Sphere sphere{{-0x1.3b2c48p+59F, 0x1.ff1124p+72F, 0}, 0x1p+60F};
+  expect_exact(Subject{point, end, {}}, std::vector<Sphere>{sphere});
+  const auto turned = [](const Vec3& v) { return Vec3{v[1], v[0], v[2]}; };
+  expect_exact(Subject{{turned(point.lo), turned(point.hi)}, {turned(end.lo), turned(end.hi)}, {}},
+               std::vector<Sphere>{{turned(sphere.centre), sphere.radius}});
+  check(37, 100, 64, huge_subject, sphere_beside_huge);
+}
+
 TEST(ExactSpheres, SpheresOfAnySizeAroundAnOrdinaryShaft) { check(36, 60, 32, random_subject, boundless_sphere); }
 
 TEST(ExactSpheres, EveryColouringOfTheFaces) {

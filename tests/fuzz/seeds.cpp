@@ -100,6 +100,17 @@ void write_odd_values(const std::filesystem::path& folder) {
   write({unit, away, {{{0, 0, 0}, 1}, {{nan, 0, 1}, 1}, {{1, 0, 0}, inf}}}, "bad-planes", 0, {unit});
 }
 
+/// Spheres that were culled though they meet the shaft.
+void write_found(const std::filesystem::path& folder) {
+  Subject huge{};
+  huge.a.lo[1] = huge.a.hi[1] = 0x1p+73F;
+  huge.b.lo[1] = huge.b.hi[1] = -0x1p+73F;
+  huge.b.lo[0] = huge.b.hi[0] = 0x1.9fdf8cp+68F;
+  Seed seed(huge, 0, 0);
+  for (int i = 0; i != 6; ++i) seed.add(Sphere{{-0x1.3b2c48p+59F, 0x1.ff1124p+72F, 0}, 0x1p+60F});
+  seed.write(folder, "found-huge-slopes");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -109,5 +120,6 @@ int main(int argc, char** argv) {
   }
   write_families(argv[1]);
   write_odd_values(argv[1]);
+  write_found(argv[1]);
   return 0;
 }
