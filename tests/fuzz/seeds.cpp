@@ -21,6 +21,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 class Seed {
  public:
   Seed(const Subject& subject, std::uint8_t options, std::uint8_t flags) {
+    bytes_.reserve(1024);  // g++ 12 warns of copies that cannot happen if this may have to grow
     bytes_.push_back(options);
     const auto planes = std::min<std::size_t>(subject.added.size(), 3);
     bytes_.push_back(static_cast<std::uint8_t>(flags | planes));
@@ -100,14 +101,14 @@ void write_odd_values(const std::filesystem::path& folder) {
   write({unit, away, {{{0, 0, 0}, 1}, {{nan, 0, 1}, 1}, {{1, 0, 0}, inf}}}, "bad-planes", 0, {unit});
 }
 
-/// Spheres that were culled though they meet the shaft.
+/// Spheres that meet the shaft, and were culled by vectors without multiply-add.
 void write_found(const std::filesystem::path& folder) {
   Subject huge{};
-  huge.a.lo[1] = huge.a.hi[1] = 0x1p+73F;
-  huge.b.lo[1] = huge.b.hi[1] = -0x1p+73F;
-  huge.b.lo[0] = huge.b.hi[0] = 0x1.9fdf8cp+68F;
+  huge.a.lo[0] = huge.a.hi[0] = 0x1p+73F;
+  huge.b.lo[0] = huge.b.hi[0] = -0x1p+73F;
+  huge.b.lo[1] = huge.b.hi[1] = 0x1.9fdf8cp+68F;
   Seed seed(huge, 0, 0);
-  for (int i = 0; i != 6; ++i) seed.add(Sphere{{-0x1.3b2c48p+59F, 0x1.ff1124p+72F, 0}, 0x1p+60F});
+  for (int i = 0; i != 6; ++i) seed.add(Sphere{{0x1.ff1124p+72F, -0x1.3b2c48p+59F, 0}, 0x1p+60F});
   seed.write(folder, "found-huge-slopes");
 }
 
