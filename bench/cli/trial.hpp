@@ -20,7 +20,7 @@ struct Tally {
   std::uint64_t inside = 0;
   std::uint64_t undecided_slab = 0;    ///< left to the exact predicates, in slab form
   std::uint64_t undecided_planes = 0;  ///< likewise, in plane form
-  std::uint64_t touching = 0;          ///< exactly on the boundary
+  std::uint64_t touching = 0;          ///< of those that rationals decided, exactly on the boundary
   std::uint64_t by_rationals = 0;      ///< right answers that come from rational arithmetic
   std::uint64_t wrong = 0;             ///< bounds with a wrong answer on any instruction set, in any form
 

@@ -95,9 +95,10 @@ class Verification {
     std::string names;
     for (const Isa isa : isas_) names += fmt::format(" {}", name(isa));
     fmt::print("{} cases (seed {}), each in slab and plane form on:{}\n", grouped(sum.bounds), options_.seed, names);
-    fmt::print("Undecided by the float filter: {} in slab form, {} in plane form; exactly on the boundary: {}\n",
-               grouped(sum.undecided_slab), grouped(sum.undecided_planes), grouped(sum.touching));
-    fmt::print("Right answers from rational arithmetic: {}; the others proved in intervals\n", grouped(sum.by_rationals));
+    fmt::print("Undecided by the float filter: {} in slab form, {} in plane form\n", grouped(sum.undecided_slab),
+               grouped(sum.undecided_planes));
+    fmt::print("Right answers from rational arithmetic: {}, {} of them exactly on the boundary; the others proved in intervals\n",
+               grouped(sum.by_rationals), grouped(sum.touching));
     fmt::print("Wrong answers: {}   ({:.0f} s, {} cases/s)\n", grouped(sum.wrong), seconds(),
                prefixed(static_cast<double>(sum.bounds) / seconds()));
   }
