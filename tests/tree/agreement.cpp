@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "effort.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
@@ -75,7 +76,7 @@ TEST(TreeAgreement, HoldsForEveryShapeAndCount) {
 }
 
 TEST(TreeAgreement, HoldsForTenThousandRandomScenes) {
-  for (std::uint64_t seed = 10000; seed != 15000; ++seed) {
+  for (std::uint64_t seed = 10000; seed != 10000 + effort(5000); ++seed) {
     Dice dice(seed * 7919);
     const Shape shape = shapes[dice.below(std::size(shapes))];
     const std::size_t count = dice.one_in(20) ? dice.below(6000) : dice.below(300);
