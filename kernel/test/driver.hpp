@@ -10,10 +10,10 @@
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
 #include "test/survivors.hpp"
+#include "test/split.hpp"
 #include "test/unite.hpp"
 #include "test/word.hpp"
 #include "test/words.hpp"
-#include "tree/split.hpp"
 
 namespace shaftcull::kernel {
 

@@ -34,7 +34,7 @@ using Unite = std::uint64_t(const float* const* stream, std::size_t words, float
 
 /// Halves `count` entries, separate streams of a bound's centre, x, y and z, and of what belongs to it. `first_half`, more than none and
 /// fewer than all, stay in `from`; the others move to `to`, from place `first_half` on, and have no smaller a coordinate on the axis on which
-/// centres are spread out most. Entries keep their order, but for ties at the cut, which come before larger ones; the halves are
+/// centres (of many, a sample) are spread out most. Entries keep their order, but for ties at the cut, which come before larger ones; the halves are
 /// the same on every instruction set. What the free halves of `from` and `to` hold after that is anything. Centres must be finite. O(count).
 using SplitEntries = void(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept;
 
