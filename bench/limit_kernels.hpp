@@ -16,7 +16,7 @@ struct LimitKernels {
   /// The arithmetic of `vectors` slab tests and nothing else: five multiply-adds and six minima or maxima a vector, on
   /// registers, without loads, comparisons or results.
   float (*slab_arithmetic)(std::size_t vectors) noexcept;
-  /// Likewise on a grid: six multiplications and six minima or maxima for as many boxes as two vectors of floats hold.
+  /// Likewise on a grid: five multiplications and six minima or maxima for as many boxes as two vectors of floats hold.
   float (*grid_arithmetic)(std::size_t vectors) noexcept;
   /// `vectors` divisions that do not depend on each other.
   float (*divide)(std::size_t vectors) noexcept;

@@ -49,9 +49,9 @@ float grid_arithmetic(std::size_t vectors) noexcept {
 #pragma GCC unroll 12
     for (unsigned i = 0; i < 12; ++i) {
       asm volatile("" : "+v"(scale.data), "+v"(coordinate.data));
-      const auto product = S::multiply(scale, coordinate);
       const unsigned e = i % chains;
-      extreme[e] = e % 2 == 0 ? S::minimum(product, extreme[e]) : S::maximum(product, extreme[e]);
+      const auto bound = e == 0 ? coordinate : S::multiply(scale, coordinate);  // that of the leading face is its coordinate
+      extreme[e] = e % 2 == 0 ? S::minimum(bound, extreme[e]) : S::maximum(bound, extreme[e]);
     }
   }
   auto sum = extreme[0];

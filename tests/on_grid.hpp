@@ -46,9 +46,17 @@ inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
   return frame;
 }
 
-/// The grid's steps double with `doublings`. At most `bounds_on_grid` bounds; the shaft must answer outside and, where asked, inside.
+/// Bits 0, apart, 2 · apart, …, `count` of them, side by side.
+inline std::vector<std::uint64_t> every_bit(const std::vector<std::uint64_t>& row, std::size_t apart, std::size_t count) {
+  std::vector<std::uint64_t> bits(words_for(count));
+  for (std::size_t i = 0; i != count; ++i) bits[i / 64] |= (row[i * apart / 64] >> i * apart % 64 & 1U) << i % 64;
+  return bits;
+}
+
+/// The grid's steps double with `doublings`. At most `bounds_on_grid` bounds, that many places `apart`, which decides how many share a word; the
+/// shaft must answer outside and, where asked, inside.
 template <class View>
-GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, bool ask_inside = true) {
+GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, std::size_t apart = 1, bool ask_inside = true) {
   constexpr std::size_t streams = std::tuple_size_v<decltype(View::stream)>;
   constexpr bool boxes = streams == 6;
   std::vector<float> memory(streams * bounds_on_grid);
@@ -59,7 +67,8 @@ GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned d
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const float nowhere = boxes ? (s < 3 ? infinity : -infinity) : (s < 3 ? 0.0F : -1.0F);
     float* const stream = memory.data() + s * bounds_on_grid;
-    std::fill(std::copy_n(few.stream[s], few.count, stream), stream + bounds_on_grid, nowhere);
+    std::fill_n(stream, bounds_on_grid, nowhere);
+    for (std::size_t i = 0; i != few.count; ++i) stream[i * apart] = few.stream[s][i];
     tile.stream[s] = stream;
   }
   const Box frame = frame_around(shaft, doublings);
@@ -73,8 +82,8 @@ GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned d
   } else {
     cull_many(group, tile, rows.kept);
   }
-  rows.kept.resize(words_for(few.count));
-  if (ask_inside) rows.inside.resize(words_for(few.count));
+  rows.kept = every_bit(rows.kept, apart, few.count);
+  if (ask_inside) rows.inside = every_bit(rows.inside, apart, few.count);
   return rows;
 }
 

@@ -180,7 +180,9 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
     compare(inside, inside_, question("classify, inside"));
   }
   const auto doublings = static_cast<unsigned>(mixed(number_) >> 32U) % 12;
-  const GridAnswers on_grid = grid_answers(shaft, view, doublings);
+  // Few in a word are settled in another way than many.
+  const bool in_a_row = (mixed(number_) >> 48U & 1U) == 0;
+  const GridAnswers on_grid = grid_answers(shaft, view, doublings, in_a_row ? 1 : bounds_on_grid / view.count);
   const auto question = [&](const char* bits) {
     return [=] { return fmt::format("classify_many, {}, {}, {}, grid of 2^{}", bits, how, name(active_isa()), doublings); };
   };

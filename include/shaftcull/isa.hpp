@@ -14,7 +14,7 @@ namespace shaftcull {
 
 enum class Isa : std::uint8_t { scalar, sse4_2, avx2, avx512 };
 
-/// "scalar", "sse4_2", "avx2" (which includes FMA) or "avx512" (F, CD, DQ, BW and VL).
+/// "scalar", "sse4_2", "avx2" (which includes FMA, BMI and BMI2) or "avx512" (those and F, CD, DQ, BW and VL).
 [[nodiscard]] std::string_view name(Isa isa) noexcept;
 
 /// The instruction set of that name, or nothing.

@@ -20,11 +20,13 @@ bool machine_runs(Isa isa) noexcept {
     case Isa::scalar: return true;
 #ifdef __x86_64__
     case Isa::sse4_2: return __builtin_cpu_supports("sse4.2");
-    case Isa::avx2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case Isa::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+             __builtin_cpu_supports("bmi2");
     case Isa::avx512:
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+             __builtin_cpu_supports("avx512vl") && machine_runs(Isa::avx2);
 #endif
     default: return false;
   }

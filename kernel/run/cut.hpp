@@ -15,7 +15,7 @@ inline constexpr std::size_t tile_words = tile_bounds / 64;
 /// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a group.
 inline constexpr std::size_t group_shafts = 64;
 
-/// Tiles × shafts in a task: 2¹⁹ tests, some 50 µs, which makes the cost of starting a task vanish.
+/// Tiles × shafts in a task: 2¹⁹ tests, some 80 µs, which makes the cost of starting a task vanish.
 inline constexpr std::size_t task_tiles_times_shafts = 256;
 
 /// Most tiles in a task: so many take as long to come from memory.

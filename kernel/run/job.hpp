@@ -104,15 +104,50 @@ class Job {
     } else {
       kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile_words, grid);
     }
-    GridKernels::TestOnGrid* const kernel = kernels_.grid.test(tile);
-    for (std::size_t s = 0; s != group.size; ++s) {
+    for (std::size_t b = 0; b != pieces(group.size, batch_shafts); ++b) {
+      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, first, group, kept, inside);
+    }
+  }
+
+  /// So many shafts look at the tile on the grid, one after the other, before what that leaves is done in floats: so the two do not
+  /// drive each other out of the L1 cache with every shaft.
+  static constexpr std::size_t batch_shafts = 16;
+
+  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, Run batch, const View& tile, const std::int16_t* const* grid,
+                                                 std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+    const CompiledShaft* shaft[batch_shafts];
+    std::uint64_t* kept_row[batch_shafts];
+    std::uint64_t* inside_row[batch_shafts];
+    UndecidedWord undecided[batch_shafts * tile_words];
+    std::uint32_t looked = 0;
+    std::size_t listed = 0;
+    for (std::size_t s = batch.first; s != batch.end(); ++s) {
       fetch_share_of_next(first, s, group.size);
-      const CompiledShaft& shaft = shafts_[group.first + s];
-      if (on_grid.shaft[s].exists) {
-        kernel(shaft, on_grid.shaft[s], grid, tile.stream.data(), tile_words, kept.at(s), inside.at(s));
-      } else {
-        kernels_.test(tile, form_)(shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
+      if (s + batch_shafts < group.size) fetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts));
+      const CompiledShaft& its_shaft = shafts_[group.first + s];
+      if (!on_grid.shaft[s].exists) {
+        kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
+        continue;
       }
+      shaft[looked] = &its_shaft;
+      kept_row[looked] = kept.at(s);
+      inside_row[looked] = inside.at(s);
+      listed += kernels_.grid.look(on_grid.shaft[s], grid, tile_words, kept.at(s), looked, undecided + listed);
+      ++looked;
+    }
+    if (!is_sphere) kernels_.grid.decide(shaft, tile.stream.data(), undecided, listed, kept_row);
+    for (std::size_t i = 0; i != looked; ++i) {
+      if (!is_sphere && shaft[i]->added_count == 0 && inside_row[i] == nullptr) continue;
+      kernels_.grid.settle(tile)(*shaft[i], tile.stream.data(), tile_words, kept_row[i], inside_row[i]);
+    }
+  }
+
+  /// Fetches what a later shaft will write: rows far apart, often by a power of two, are not long in any cache.
+  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside) noexcept {
+    constexpr std::size_t line = 64 / sizeof(std::uint64_t);
+    for (std::size_t w = 0; w != tile_words; w += line) {
+      __builtin_prefetch(kept + w, 1);
+      if (inside != nullptr) __builtin_prefetch(inside + w, 1);
     }
   }
 
@@ -130,11 +165,11 @@ class Job {
   }
 
   /// Fetches the share `i` of `shares` of the tile after the one at `first` into the second-level cache, while the tile at `first` is
-  /// tested: otherwise the first shaft of each group waits for memory. Inlined, because a call of a function that only fetches is no
-  /// call to g++ 12: it leaves it out.
+  /// tested: otherwise the first shaft of each group waits for memory. Few shafts read a tile about as fast as it comes, and the processor's own
+  /// fetching does better. Inlined, because a call of a function that only fetches is no call to g++ 12: it leaves it out.
   [[gnu::always_inline]] void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
-    if (bounds_.count - first < 2 * tile_bounds) return;
+    if (shares < GroupOnGrid::fewest || bounds_.count - first < 2 * tile_bounds) return;
     const std::size_t next = first + tile_bounds;
     constexpr std::size_t lines = tile_bounds / line;
     for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {

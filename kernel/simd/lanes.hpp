@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
+#include "simd/eight.hpp"
 #include "simd/left_packing.hpp"
 
 namespace shaftcull::kernel {
@@ -21,6 +22,9 @@ struct Shorts;
 template <class Arch>
 struct Lanes {
   using Shorts = kernel::Shorts<Arch>;
+#ifdef __AVX2__
+  using Eight = kernel::Eight<Arch>;
+#endif
   using Vector = xsimd::batch<float, Arch>;
   using Mask = xsimd::batch_bool<float, Arch>;
   static constexpr unsigned width = sizeof(Vector) / sizeof(float);

@@ -46,8 +46,7 @@ struct Shorts {
     if constexpr (width == 8) return _mm_mulhrs_epi16(a, b);
   }
 
-  /// Stores the nearest integers of a word of floats; those out of range become −2¹⁵ if they are negative, NaN or 2³¹ and more, and else
-  /// 2¹⁵ − 1.
+  /// Stores the nearest integers of a word of floats within the range of shorts.
   static void store_word(std::int16_t* out, const typename Floats::Vector (&of)[64 / Floats::width]) noexcept {
 #ifdef __AVX512BW__
     if constexpr (width == 32) {
@@ -76,7 +75,7 @@ struct Shorts {
   /// What a word of integers says: a negative one is a yes, one above a limit a no, and one in between undecided.
   struct Outcomes {
     std::uint64_t yes;
-    bool any_undecided;
+    std::uint64_t undecided;  // these lanes, and maybe others
   };
 
   /// `limit` is at most 126, in every byte.
@@ -85,7 +84,7 @@ struct Shorts {
     if constexpr (width == 32) {
       const __m512i wide = _mm512_srli_epi16(limit, 8);
       return {_mm512_movepi16_mask(of[0]) | std::uint64_t{_mm512_movepi16_mask(of[1])} << 32,
-              (_mm512_cmple_epu16_mask(of[0], wide) | _mm512_cmple_epu16_mask(of[1], wide)) != 0};
+              _mm512_cmple_epu16_mask(of[0], wide) | std::uint64_t{_mm512_cmple_epu16_mask(of[1], wide)} << 32};
     }
 #endif
     // Packed into bytes, which saturates and so keeps what matters, negative ones are above all others as unsigned integers.
@@ -94,9 +93,10 @@ struct Shorts {
       const __m256i low = _mm256_packs_epi16(of[0], of[1]);
       const __m256i high = _mm256_packs_epi16(of[2], of[3]);
       const __m256i least = _mm256_min_epu8(low, high);
+      const auto undecided = static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_cmpeq_epi8(_mm256_min_epu8(least, limit), least)));
       return {static_cast<std::uint32_t>(_mm256_movemask_epi8(low)) |
                   std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(high))} << 32,
-              _mm256_movemask_epi8(_mm256_cmpeq_epi8(_mm256_min_epu8(least, limit), least)) != 0};
+              std::uint64_t{undecided} << 32 | undecided};
     }
 #endif
     if constexpr (width == 8) {
@@ -107,7 +107,9 @@ struct Shorts {
         outcomes.yes |= static_cast<std::uint64_t>(_mm_movemask_epi8(bytes)) << 8 * v;
         least = _mm_min_epu8(bytes, least);
       }
-      outcomes.any_undecided = _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(least, limit), least)) != 0;
+      constexpr std::uint64_t in_every_sixteen = 0x0001000100010001;
+      outcomes.undecided =
+          static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(least, limit), least))) * in_every_sixteen;
       return outcomes;
     }
   }

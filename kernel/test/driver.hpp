@@ -6,6 +6,7 @@
 #include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
 #include "test/boxed.hpp"
+#include "test/few_inside.hpp"
 #include "test/grid.hpp"
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
@@ -16,6 +17,12 @@
 #include "test/words.hpp"
 
 namespace shaftcull::kernel {
+
+/// Begins a stage that clears bits: with those of an earlier one, or with all.
+template <class L>
+void copy_or_set(const std::uint64_t* from, std::size_t words, std::uint64_t* bits) noexcept {
+  for (std::size_t w = 0; w < words; ++w) bits[w] = from != nullptr ? from[w] : ~std::uint64_t{0};
+}
 
 /// The stages of box tests.
 template <class L, Form form>
@@ -37,13 +44,6 @@ struct BoxStages {
     settle(shaft, stream, words, kept);
   }
 
-  /// The same with the boxes on a grid too.
-  static void cull_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
-                           const float* const* stream, std::size_t words, std::uint64_t* kept) noexcept {
-    box_grid_stage<L>(shaft, on_grid, grid, stream, words, kept);
-    settle(shaft, stream, words, kept);
-  }
-
   /// Clears the bits of boxes that are beyond an added plane.
   static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                      std::uint64_t* kept) noexcept {
@@ -53,9 +53,15 @@ struct BoxStages {
     });
   }
 
-  /// Clears the bits of boxes that are not inside.
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  /// Writes which boxes are inside: of those kept, if anybody knows.
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
                       std::uint64_t* inside) noexcept {
+    if constexpr (requires { typename L::Eight; }) {
+      if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words)) {
+        return few_inside_stage<L>(shaft, stream, words, kept, inside);
+      }
+    }
+    copy_or_set<L>(kept, words, inside);
     narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       box_inside_stage<L>(shaft, some, n, bits);
     });
@@ -76,13 +82,6 @@ struct SphereStages {
     settle(shaft, stream, words, kept);
   }
 
-  /// In slab form, with the boxes around the spheres on a grid.
-  static void cull_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
-                           const float* const* stream, std::size_t words, std::uint64_t* kept) noexcept {
-    sphere_grid_stage<L>(on_grid, grid, words, kept);
-    settle(shaft, stream, words, kept);
-  }
-
   static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                      std::uint64_t* kept) noexcept {
     narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
@@ -90,9 +89,10 @@ struct SphereStages {
     });
   }
 
-  /// Clears the bits of spheres that are not inside.
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  /// Writes which spheres are inside: of those kept, if anybody knows.
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
                       std::uint64_t* inside) noexcept {
+    copy_or_set<L>(kept, words, inside);
     narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_inside_stage<L>(shaft, some, n, bits);
     });
@@ -125,9 +125,9 @@ struct BoxedSphereStages {
     SphereStages<L>::settle(shaft, stream, words, kept);
   }
 
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
                       std::uint64_t* inside) noexcept {
-    SphereStages<L>::contain(shaft, stream, words, inside);
+    SphereStages<L>::contain(shaft, stream, words, kept, inside);
   }
 };
 
@@ -148,27 +148,18 @@ struct UnboxedSphereStages {
     SphereStages<L>::settle(shaft, stream, words, kept);
   }
 
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
                       std::uint64_t* inside) noexcept {
-    SphereStages<L>::contain(shaft, stream, words, inside);
+    SphereStages<L>::contain(shaft, stream, words, kept, inside);
   }
 };
-
-/// After culling, finds those that are inside, if anybody wants to know.
-template <class Stages>
-void contain_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                   std::uint64_t* inside) noexcept {
-  if (inside == nullptr) return;
-  for (std::size_t w = 0; w < words; ++w) inside[w] = kept != nullptr ? kept[w] : ~std::uint64_t{0};
-  Stages::contain(shaft, stream, words, inside);
-}
 
 /// Runs one block through the stages that the caller wants answers of.
 template <class Stages>
 void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
   if (kept != nullptr) Stages::cull(shaft, stream, words, kept);
-  contain_block<Stages>(shaft, stream, words, kept, inside);
+  if (inside != nullptr) Stages::contain(shaft, stream, words, kept, inside);
 }
 
 /// A shaft, or a copy of it with its planes if they are needed and pending.
@@ -233,14 +224,14 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
   if (inside != nullptr) *inside &= mask;
 }
 
-/// The test of whole words of bounds on a grid, as Kernels has it.
+/// As GridKernels has it.
 template <class L, class Stages>
-void test_on_grid(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
-                  const float* const* stream, std::size_t words, std::uint64_t* kept, std::uint64_t* inside) noexcept {
+void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                    std::uint64_t* inside) noexcept {
   const FloatEnvironment<L> environment;
   const Ready<L> ready(shaft, inside != nullptr);
-  Stages::cull_on_grid(ready.shaft(), on_grid, grid, stream, words, kept);
-  contain_block<Stages>(ready.shaft(), stream, words, kept, inside);
+  Stages::settle(ready.shaft(), stream, words, kept);
+  if (inside != nullptr) Stages::contain(ready.shaft(), stream, words, kept, inside);
 }
 
 /// Forms shafts in batches, as Kernels has it.
@@ -259,8 +250,10 @@ constexpr GridKernels grid_kernels() noexcept {
     return {.frame = grid_frame<L>,
             .form_shafts = form_grid_shafts<L>,
             .snap_boxes = snap_boxes<L>,
-            .boxes = test_on_grid<L, BoxStages<L, Form::slab>>,
-            .spheres = test_on_grid<L, SphereStages<L>>};
+            .look = look_on_grid<L>,
+            .decide = decide_on_grid<L>,
+            .settle_boxes = settle_on_grid<L, BoxStages<L, Form::slab>>,
+            .settle_spheres = settle_on_grid<L, SphereStages<L>>};
   } else {
     return {};
   }

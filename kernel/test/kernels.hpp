@@ -41,6 +41,13 @@ using SplitEntries = void(float* const* from, float* const* to, std::size_t coun
 struct GridFrame;
 struct GridShaft;
 
+/// A word of bounds some of which are too close to call on a grid.
+struct UndecidedWord {
+  std::uint64_t lanes;  ///< these, and maybe others
+  std::uint32_t word;   ///< its position in the row
+  std::uint32_t shaft;  ///< a number that the caller of look() gave
+};
+
 /// Tests of the bounds of a tile by a group of shafts on a grid (kernel/compile/grid.hpp). Null where vectors would not gain by it.
 struct GridKernels {
   /// The frame around shafts, if there is one.
@@ -50,14 +57,24 @@ struct GridKernels {
   /// Writes `words` words of boxes' coordinates on the grid to six streams, aligned to 64 bytes.
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t words, std::int16_t* const* grid) noexcept;
 
-  /// As Test, for at most block_words whole words, with the bounds on the grid too; kept is not null.
-  using TestOnGrid = void(const CompiledShaft& shaft, const GridShaft& on_grid, const std::int16_t* const* grid,
-                          const float* const* stream, std::size_t words, std::uint64_t* kept, std::uint64_t* inside) noexcept;
-  TestOnGrid* boxes;
-  TestOnGrid* spheres;
+  /// What the grid says of `words` words of bounds, at most block_words. Writes their kept bits, 0 only for bounds that are certainly outside, and
+  /// lists the words that hold bounds too close to call, with `shaft` as their shaft's number, at `undecided`, where there must be room for all.
+  /// Returns how many it lists.
+  std::size_t (*look)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
+                      std::uint32_t shaft, UndecidedWord* undecided) noexcept;
 
-  [[nodiscard]] TestOnGrid* test(const BoxView& /*boxes*/) const noexcept { return boxes; }
-  [[nodiscard]] TestOnGrid* test(const SphereView& /*spheres*/) const noexcept { return spheres; }
+  /// Completes in floats what look() left undecided of the boxes in `stream`: bits of row kept[u.shaft] of shaft[u.shaft].
+  void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, const UndecidedWord* undecided, std::size_t count,
+                 std::uint64_t* const* kept) noexcept;
+
+  /// What comes after that, for `words` words of bounds: added planes, spheres, and inside bits unless `inside` is null.
+  using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept;
+  Settle* settle_boxes;
+  Settle* settle_spheres;
+
+  [[nodiscard]] Settle* settle(const BoxView& /*boxes*/) const noexcept { return settle_boxes; }
+  [[nodiscard]] Settle* settle(const SphereView& /*spheres*/) const noexcept { return settle_spheres; }
 };
 
 struct Kernels {

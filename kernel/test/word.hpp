@@ -5,6 +5,10 @@
 /// the real-arithmetic answer.
 #pragma once
 
+#ifdef __BMI__
+#include <immintrin.h>
+#endif
+
 #include <cstddef>
 #include <cstdint>
 
@@ -22,6 +26,16 @@ inline constexpr std::size_t block_words = 32;
 template <class L>
 constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
   return (L::width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << L::width) - 1) << offset;
+}
+
+/// Position of the lowest bit that is set; 63 or 64 if none is.
+template <class L>
+unsigned lowest_bit(std::uint64_t word) noexcept {
+#ifdef __BMI__
+  return static_cast<unsigned>(_tzcnt_u64(word));
+#else
+  return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
+#endif
 }
 
 /// Calls decide(lane) for every bit of `lanes`, and returns the bits for which it was true. A vector type that wants to

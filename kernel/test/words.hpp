@@ -94,8 +94,7 @@ void test_listed_words(const CompiledShaft& shaft, const float* const* stream, c
   if (inside == nullptr) return;
   for (std::size_t i = 0; i < words; ++i) inside[i] = 0;
   for_each_word<L, Stages::streams>(stream, word, words, kept, least_kept, [&](const float* const* at, std::size_t i) {
-    inside[i] = kept[i];
-    Stages::contain(shaft, at, 1, inside + i);
+    Stages::contain(shaft, at, 1, kept + i, inside + i);
   });
 }
 

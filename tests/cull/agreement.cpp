@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "columns.hpp"
 #include "instruction_sets.hpp"
@@ -51,11 +53,11 @@ std::vector<Answer> all_answers(const Subject& subject, const std::vector<Bound>
   return answers;
 }
 
-/// Answers on a grid whose steps double that often.
+/// Answers on a grid whose steps double that often, of bounds so far apart.
 template <class Bound>
-std::vector<Answer> all_on_grid(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings) {
+std::vector<Answer> all_on_grid(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings, std::size_t apart) {
   const auto memory = columns(bounds);
-  const GridAnswers on_grid = grid_answers(compiled(subject), memory.view(), doublings);
+  const GridAnswers on_grid = grid_answers(compiled(subject), memory.view(), doublings, apart);
   std::vector<Answer> answers;
   for (std::size_t i = 0; i != bounds.size(); ++i) answers.push_back(answer(on_grid.kept, on_grid.inside, i));
   return answers;
@@ -82,8 +84,10 @@ void expect_all(const Subject& subject, const std::vector<Bound>& bounds, const 
     const UseIsa use(isa);
     expect_right(subject, bounds, right, all_answers(subject, bounds, Form::slab), "slab");
     expect_right(subject, bounds, right, all_answers(subject, bounds, Form::planes), "planes");
-    for (const unsigned doublings : {0U, 6U}) {
-      expect_right(subject, bounds, right, all_on_grid(subject, bounds, doublings), "grid");
+    // Few in a word are settled in another way than many.
+    const std::size_t far_apart = bounds_on_grid / std::max<std::size_t>(bounds.size(), 1);
+    for (const auto& [doublings, apart] : {std::pair(0U, std::size_t{1}), std::pair(0U, far_apart), std::pair(6U, std::size_t{1})}) {
+      expect_right(subject, bounds, right, all_on_grid(subject, bounds, doublings, apart), "grid");
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "cases/shafts.hpp"
@@ -12,7 +13,6 @@
 #include "cull/agreement.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
-#include "shaftcull/many.hpp"
 #include "test/kernels.hpp"
 
 namespace shaftcull {
@@ -41,28 +41,39 @@ GridFace face_of(const CompiledShaft& shaft, const GridFrame& frame, std::uint8_
 int product(int coordinate, int scale) { return (coordinate * scale + (1 << 14)) >> 15; }
 
 void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& frame, const GridShaft& grid) {
-  const unsigned moving = 6U - grid.standing;
-  double length = 2 * static_cast<double>(kernel::grid_edge);
-  for (unsigned i = 0; i != moving; ++i) length = std::min(length, std::abs(face_of(shaft, frame, grid.near_stream[i]).way));
-  length *= 0.5;
   constexpr double floats = 0.01;
-  EXPECT_LE(grid.begin, -length / 2 + floats);
-  EXPECT_GE(grid.end, length / 2 - floats);
-  EXPECT_LE(grid.end, length / 2 + 1 + floats);
-  for (unsigned i = 0; i != 6; ++i) {
+  const unsigned moving = 6U - grid.standing;
+  GridFace leading{};
+  if (moving != 0) {
+    leading = face_of(shaft, frame, grid.near_stream[0]);
+    const double half = 0.5 * std::abs(leading.way);
+    EXPECT_LE(grid.begin, leading.middle - half + floats);
+    EXPECT_GE(grid.begin, leading.middle - half - 1 - static_cast<double>(kernel::float_slack) - floats);
+    EXPECT_GE(grid.end, leading.middle + half - floats);
+    EXPECT_LE(grid.end, leading.middle + half + 1 + static_cast<double>(kernel::float_slack) + floats);
+  }
+  for (unsigned i = moving == 0 ? 0 : 1; i != 6; ++i) {
     const GridFace face = face_of(shaft, frame, grid.near_stream[i]);
     const bool stands = i >= moving;
-    const double scale = stands ? -0.5 : length / face.way;
-    const double zero = stands ? face.middle + 0.5 * std::abs(face.way) : face.middle;
-    ASSERT_TRUE(stands || (i < grid.uppers) == (scale < 0));
+    const bool is_upper = i <= grid.uppers;
     const double half = 0.5 * std::abs(face.way);
+    const double scale = leading.way / face.way;
+    ASSERT_EQ(stands, 2 * half < static_cast<double>(kernel::standing_way));
+    ASSERT_TRUE(stands || is_upper == (scale < 0));
+    ASSERT_TRUE(stands || std::abs(scale) <= 1) << "the leading face moves least";
+    // What is cut off, too, stays within 16 bits.
+    constexpr auto most = static_cast<int>(kernel::grid_top);
+    for (const int q : {-most, most}) {
+      const int computed = stands ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
+      ASSERT_LE(std::abs(computed), std::numeric_limits<std::int16_t>::max());
+    }
+    const double by_scale = stands ? 0 : half * std::abs(static_cast<double>(grid.scale[i]) * 0x1p-15 - scale);
     const double step = std::max(1.0, half / 500);
     for (double at = face.middle - half; at <= face.middle + half; at += step) {
       const int q = static_cast<int>(std::floor(at));
-      const int computed = stands ? grid.shift[i] - product(q, grid.scale[i]) : product(q, grid.scale[i]) + grid.shift[i];
-      const double exact = scale * (q - zero);
-      const double permissive = stands || i < grid.uppers ? computed - exact : exact - computed;
-      const double by_scale = static_cast<double>(kernel::scale_slack) * std::abs(face.way);
+      const int computed = stands ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
+      const double exact = stands ? face.middle + half - q : leading.middle + scale * (q - face.middle);
+      const double permissive = stands || is_upper ? computed - exact : exact - computed;
       ASSERT_GT(permissive, -0.5) << "at " << q << ", constraint " << i;  // two of them: less than one step, and all are integers
       ASSERT_LT(permissive, static_cast<double>(kernel::bound_slack + kernel::bound_error) + 2 * by_scale + floats) << "at " << q << ", constraint " << i;
     }
@@ -77,6 +88,7 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
     const kernel::GridKernels& kernels = kernel::active_kernels().grid;
     if (kernels.frame == nullptr) continue;
     Dice dice(seed);
+    std::size_t on_a_grid = 0;
     for (unsigned group = 0; group != 40; ++group) {
       std::vector<CompiledShaft> shafts;
       for (unsigned i = 0; i != 16; ++i) {
@@ -89,25 +101,13 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
       ASSERT_TRUE(frame.exists());
       std::vector<GridShaft> on_grid(shafts.size());
       kernels.form_shafts(shafts.data(), shafts.size(), frame, on_grid.data());
-      for (std::size_t s = 0; s != shafts.size() && !HasFailure(); ++s) expect_bounds_within_slack(shafts[s], frame, on_grid[s]);
+      for (std::size_t s = 0; s != shafts.size() && !HasFailure(); ++s) {
+        if (!on_grid[s].exists) continue;
+        expect_bounds_within_slack(shafts[s], frame, on_grid[s]);
+        ++on_a_grid;
+      }
     }
-  }
-}
-
-/// Four roundings that agree, and a limit just below an integer.
-TEST(GridShafts, TheShiftBelongsToTheRoundedScale) {
-  const Box frame{{-27000, -27000, -27000}, {27000, 27000, 27000}};
-  const Box a{{-27000, -27000, -27000}, {6529.10742F, -6599.60059F, 27000}};
-  const Box b{{-27000, -27000, -27000}, {26923.916F, -26908.6836F, 27000 - 20073.0176F}};
-  std::vector<CompiledShaft> shafts(8, compile(Shaft(frame, frame)));
-  shafts[0] = compile(Shaft(a, b));
-  const std::vector<Box> boxes(4096, Box{{26570.0605F, -26555.9395F, -1e6F}, {1e6F, 1e6F, 1e6F}});
-  const BoxStream stream{std::span<const Box>(boxes)};
-  for (const Isa isa : isas_under_test()) {
-    const UseIsa use(isa);
-    std::vector<std::uint64_t> counts(shafts.size());
-    count_many(shafts, stream.view(), counts);
-    EXPECT_EQ(counts[0], 0U) << "on " << name(isa);
+    EXPECT_GT(on_a_grid, 600U) << "of 640";
   }
 }
 

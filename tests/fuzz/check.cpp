@@ -176,7 +176,7 @@ class Comparison {
 
   void run_on_grid(const CompiledShaft& shaft, Isa isa, unsigned doublings) {
     select_isa(isa);
-    const GridAnswers on_grid = grid_answers(shaft, memory_.view(), doublings, slab_.inside.has_value());
+    const GridAnswers on_grid = grid_answers(shaft, memory_.view(), doublings, 1, slab_.inside.has_value());
     const auto as_words = [](const std::vector<std::uint64_t>& row) {
       Words words{};
       std::copy(row.begin(), row.end(), words.begin());
