@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,6 +60,21 @@ std::vector<Roof> roofs_of(const BenchSummary& summary) {
   return roofs;
 }
 
+/// Where the roofs' labels stand: at their rates, or above them, so that none is written over another.
+std::vector<double> label_heights(const std::vector<Roof>& roofs) {
+  constexpr double line = 1.3;
+  std::vector<std::size_t> by_rate(roofs.size());
+  std::iota(by_rate.begin(), by_rate.end(), std::size_t{0});
+  std::sort(by_rate.begin(), by_rate.end(), [&](std::size_t a, std::size_t b) { return roofs[a].rate < roofs[b].rate; });
+  std::vector<double> heights(roofs.size());
+  double free_from = 0;
+  for (const std::size_t i : by_rate) {
+    heights[i] = std::max(roofs[i].rate, free_from);
+    free_from = heights[i] * line;
+  }
+  return heights;
+}
+
 /// A row of points at 1, 2, 4, … shafts.
 std::string points_of(const BenchSummary& summary, const Look& look, std::size_t number) {
   std::string data;
@@ -105,13 +121,14 @@ std::optional<Plot> plot_roofline(const BenchSummary& summary) {
   const double fastest = std::max_element(bandwidths.begin(), bandwidths.end(), [](const auto& a, const auto& b) {
                            return a.second < b.second;
                          })->second;
+  const std::vector<double> heights = label_heights(roofs);
   std::string command = "plot NaN";
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     const auto& [look, numbers, rate] = roofs[i];
     script += fmt::format("set arrow from {},{} to {},{} nohead lw 1.5 lc rgb '{}'\n", rate / fastest / intensity(1),
                           rate, most_x, rate, colour(look->ink));
     script += fmt::format("set label '{}, {}: {:.1f} G' at graph 1.01, first {} left textcolor rgb '{}'\n",
-                          look->label, numbers, rate / 1e9, rate, colour(look->ink));
+                          look->label, numbers, rate / 1e9, heights[i], colour(look->ink));
     if (i != 0 && roofs[i - 1].look == look) continue;  // one curve of points each
     const std::string data = points_of(summary, *look, i);
     if (data.empty()) continue;
