@@ -14,39 +14,45 @@ namespace {
 
 constexpr int threads = 2;
 
-/// Holds a thread until both are here. Relaxed, so that it orders nothing else.
-class Meeting {
+/// Two threads, each in a task of its own, take their turns: one races after the other, which ThreadSanitizer always sees. Had both
+/// raced in the same instant, it could miss it: each would look for the other's trace before either had left one. Relaxed, so that
+/// nothing but the clock orders them.
+class Turns {
  public:
-  void wait() {
-    arrived_.fetch_add(1, std::memory_order_relaxed);
-    while (arrived_.load(std::memory_order_relaxed) < threads) std::this_thread::yield();
+  template <class Race>
+  void take(const Race& race) {
+    const int turn = arrived_.fetch_add(1, std::memory_order_relaxed);
+    while (arrived_.load(std::memory_order_relaxed) < threads || left_.load(std::memory_order_relaxed) < turn) {
+      std::this_thread::yield();
+    }
+    race();
+    left_.fetch_add(1, std::memory_order_relaxed);
   }
 
  private:
   std::atomic<int> arrived_ = 0;
+  std::atomic<int> left_ = 0;
 };
 
 /// All tasks of a loop count in the same place.
 std::size_t race_in_loop() {
-  Meeting meeting;
+  Turns turns;
   std::size_t count = 0;
   shaftcull::kernel::parallel_for(2, 1, [&](std::size_t /*row*/, std::size_t /*column*/) {
-    meeting.wait();
-    ++count;
+    turns.take([&] { ++count; });
   });
   return count;
 }
 
 /// All items of a pipeline use the first slot.
 std::size_t race_in_pipeline() {
-  Meeting meeting;
+  Turns turns;
   std::vector<std::size_t> slots(2);
   std::size_t sum = 0;
   shaftcull::kernel::ordered_pipeline(
       2, slots.size(),
       [&](std::size_t i, std::size_t /*slot*/) {
-        meeting.wait();
-        slots[0] = i;
+        turns.take([&] { slots[0] = i; });
       },
       [&](std::size_t /*i*/, std::size_t /*slot*/) { sum += slots[0]; });
   return sum;
