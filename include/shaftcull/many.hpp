@@ -37,20 +37,28 @@ void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std
 void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
                 Form form = Form::fastest);
 
-/// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
-struct IndexLists {
+/// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending. An
+/// Index is a std::uint32_t or, for more than 2³² bounds, a std::uint64_t.
+template <class Index>
+struct IndexListsOf {
   std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<std::uint32_t> indices;
+  std::vector<Index> indices;
 
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
-  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t shaft) const noexcept {
+  [[nodiscard]] std::span<const Index> operator[](std::size_t shaft) const noexcept {
     return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
 };
+using IndexLists = IndexListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps. Reuses the memory of `lists`. Throws InvalidArgument if there are more than 2³² bounds.
-void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists, Form form = Form::fastest);
-void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists, Form form = Form::fastest);
+/// Lists what each shaft keeps. Reuses the memory of `lists`. Throws InvalidArgument if there are more bounds than an
+/// Index can tell apart.
+template <class Index>
+void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists,
+               Form form = Form::fastest);
+template <class Index>
+void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
+               Form form = Form::fastest);
 
 /// What one shaft answers for one tile of bounds, [first, first + count); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.

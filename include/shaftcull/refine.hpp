@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/many.hpp"
@@ -20,15 +21,21 @@ namespace shaftcull {
 /// as cull() does. O(candidates.size()); no allocation; safe to call from many threads.
 std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept);
+std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> candidates,
+                   std::span<std::uint64_t> kept);
 std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept);
+std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> candidates,
+                   std::span<std::uint64_t> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
 /// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`.
 /// Errors as refine().
-void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<const std::uint32_t> candidates,
-                 IndexLists& lists);
+template <class Index>
+void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
+template <class Index>
 void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                 std::span<const std::uint32_t> candidates, IndexLists& lists);
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 
 }  // namespace shaftcull

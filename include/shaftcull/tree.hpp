@@ -13,7 +13,7 @@
 namespace shaftcull {
 
 namespace kernel {
-template <class Bound>
+template <class Bound, class Index>
 struct TreeParts;
 }  // namespace kernel
 
@@ -28,8 +28,9 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// entries 64 i … 64 i + 63 of the level below, and a visit to a node is one word of answers of the same tests as
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
-/// Memory: the bounds, 4 bytes a bound for their order, and less than 2 % of both for nodes; 4 bytes a bound more from
-/// the first update by index on. At most 2³² − 1 bounds, else InvalidArgument.
+/// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes; an Index a bound more
+/// from the first update by index on. An Index is a std::uint32_t, for at most 2³² − 1 bounds, or a std::uint64_t, for
+/// at most 2³⁷; InvalidArgument for more.
 ///
 /// Bounds are checked as in packing: a NaN, lo > hi (but for the empty box), a negative radius or a centre
 /// that is not finite throws BadBound, which names the first bad one, and leaves the tree unchanged.
@@ -37,8 +38,11 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// Building, updating and refitting run in parallel on oneTBB inside the caller's task_arena. Const members and
 /// queries are safe to call from many threads. To ask the last frame while the next is made, keep two trees: update the
 /// one, ask the other, and swap them. Copies are deep; moves are O(1) and leave an empty tree.
-template <class Bound>
+template <class Bound, class Index = std::uint32_t>
 class BoundsTree {
+  static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>);
+  static_assert(std::is_same_v<Index, std::uint32_t> || std::is_same_v<Index, std::uint64_t>);
+
  public:
   using View = ViewOf<Bound>;
   using Records = RecordsOf<Bound>;
@@ -62,7 +66,7 @@ class BoundsTree {
   /// The bounds in tree order. Valid until the tree is assigned to, moved from, rebuilt or destroyed; sees updates.
   [[nodiscard]] View leaves() const noexcept;
   /// order()[p] is the user's index of leaf p. Valid as leaves().
-  [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
+  [[nodiscard]] std::span<const Index> order() const noexcept;
 
   /// Gives every bound a new value, bound i the value at i, and refits: one pass. Records are faster than separate
   /// streams, since tree order jumps about in the user's memory. Throws InvalidArgument unless there are size() of
@@ -74,9 +78,9 @@ class BoundsTree {
   /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw until refit()
   /// is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for an index not
   /// below size(), or unless there are as many indices as values.
-  void update(std::span<const std::uint32_t> indices, const View& bounds);
-  void update(std::span<const std::uint32_t> indices, const Records& bounds);
-  void update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds);
+  void update(std::span<const Index> indices, const View& bounds);
+  void update(std::span<const Index> indices, const Records& bounds);
+  void update(std::span<const Index> indices, std::span<const Bound> bounds);
 
   /// Fits the nodes to bounds updated since the last refit: those above them if they are few, else all in one pass.
   void refit();
@@ -98,14 +102,16 @@ class BoundsTree {
   void renumber() noexcept;
 
   /// The tree's own format.
-  [[nodiscard]] const kernel::TreeParts<Bound>* parts() const noexcept { return parts_.get(); }
+  [[nodiscard]] const kernel::TreeParts<Bound, Index>* parts() const noexcept { return parts_.get(); }
 
  private:
-  std::unique_ptr<kernel::TreeParts<Bound>> parts_;
+  std::unique_ptr<kernel::TreeParts<Bound, Index>> parts_;
 };
 
 extern template class BoundsTree<Box>;
 extern template class BoundsTree<Sphere>;
+extern template class BoundsTree<Box, std::uint64_t>;
+extern template class BoundsTree<Sphere, std::uint64_t>;
 
 using BoxTree = BoundsTree<Box>;
 using SphereTree = BoundsTree<Sphere>;

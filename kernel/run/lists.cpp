@@ -14,7 +14,7 @@
 namespace shaftcull {
 namespace {
 
-/// What a task lists: indices of its first shaft, then of the second, …
+/// What a task lists, of its first shaft, then of the second, …: positions within its block.
 using Piece = kernel::TaskMemory<std::uint32_t>;
 
 /// Turns counts, one row of shafts for every block, into the places in `indices` where they go; fills `offsets`.
@@ -31,18 +31,19 @@ void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t s
 }
 
 /// Makes `indices` that long without copying what it holds.
-void resize_unkept(std::vector<std::uint32_t>& indices, std::uint64_t size) {
+template <class Index>
+void resize_unkept(std::vector<Index>& indices, std::uint64_t size) {
   if (indices.capacity() < size) indices.clear();
   indices.resize(static_cast<std::size_t>(size));
 }
 
-template <class View>
-void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexLists& lists, Form form) {
+template <class View, class Index>
+void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& lists, Form form) {
   const kernel::Job<View> job(shafts, bounds, false, form);
-  constexpr std::uint64_t most_bounds = std::uint64_t{std::numeric_limits<std::uint32_t>::max()} + 1;
-  if (bounds.count > most_bounds) {
-    throw InvalidArgument("list_many() got " + std::to_string(bounds.count) + " bounds, but its 32-bit indices reach " +
-                          std::to_string(most_bounds) + "; split the view with slice()");
+  constexpr std::size_t last_index = std::numeric_limits<Index>::max();
+  if (bounds.count != 0 && bounds.count - 1 > last_index) {
+    throw InvalidArgument("list_many() got " + std::to_string(bounds.count) + " bounds, but 32-bit indices reach " +
+                          std::to_string(last_index) + "; use IndexListsOf<std::uint64_t>");
   }
 
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
@@ -61,7 +62,7 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
     Piece piece(total + kernel::set_bits_slack);
     std::uint32_t* out = piece.get();
     for (std::size_t s = 0; s != group.size; ++s) {
-      kernel::write_set_bits(kept + s * words, words, counts[s], static_cast<std::uint32_t>(block.first), out);
+      kernel::write_set_bits(kept + s * words, words, counts[s], out);
       out += counts[s];
     }
     pieces[b * cut.groups() + g] = std::move(piece);
@@ -75,20 +76,29 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
     const std::uint64_t* const here = places.data() + b * job.shafts();
     const std::uint64_t* const next = b + 1 == cut.blocks() ? lists.offsets.data() + 1 : here + job.shafts();
     for (std::size_t s = cut.group(g).first; s != cut.group(g).end(); ++s) {
-      std::copy(from, from + (next[s] - here[s]), lists.indices.data() + here[s]);
-      from += next[s] - here[s];
+      const auto size = static_cast<std::size_t>(next[s] - here[s]);
+      std::transform(from, from + size, lists.indices.data() + here[s],
+                     [first = static_cast<Index>(cut.block(b).first)](std::uint32_t i) { return first + i; });
+      from += size;
     }
   });
 }
 
 }  // namespace
 
-void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists, Form form) {
+template <class Index>
+void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists, Form form) {
   list_rows(shafts, boxes, lists, form);
 }
-
-void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists, Form form) {
+template <class Index>
+void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
+               Form form) {
   list_rows(shafts, spheres, lists, form);
 }
+
+template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&, Form);
+template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&, Form);
+template void list_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint32_t>&, Form);
+template void list_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint64_t>&, Form);
 
 }  // namespace shaftcull

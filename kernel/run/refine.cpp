@@ -20,19 +20,19 @@ inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>
 /// Candidates ahead of the one collected whose bounds are prefetched.
 constexpr std::size_t prefetched_candidates = 16;
 
-template <class View>
-void require_candidates(const View& view, std::span<const std::uint32_t> candidates) {
-  std::uint32_t most = 0;
-  for (const std::uint32_t candidate : candidates) most = std::max(most, candidate);
+template <class View, class Index>
+void require_candidates(const View& view, std::span<const Index> candidates) {
+  Index most = 0;
+  for (const Index candidate : candidates) most = std::max(most, candidate);
   if (candidates.empty() || most < view.count) return;
-  const auto bad = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t c) { return c >= view.count; });
+  const auto bad = std::find_if(candidates.begin(), candidates.end(), [&](Index c) { return c >= view.count; });
   throw InvalidArgument("refine: candidates[" + std::to_string(bad - candidates.begin()) + "] = " +
                         std::to_string(*bad) + " is not below the number of bounds, " + std::to_string(view.count));
 }
 
 /// Copies the bounds of candidates [first, first + size) side by side.
-template <class View>
-void collect(const View& view, std::span<const std::uint32_t> candidates, std::size_t first, std::size_t size,
+template <class View, class Index>
+void collect(const View& view, std::span<const Index> candidates, std::size_t first, std::size_t size,
              const std::array<float*, rows_of<View>>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
     if (first + i + prefetched_candidates < candidates.size()) {
@@ -43,9 +43,9 @@ void collect(const View& view, std::span<const std::uint32_t> candidates, std::s
   }
 }
 
-template <class View>
-std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const std::uint32_t> candidates,
-                        std::span<std::uint32_t> kept) {
+template <class View, class Index>
+std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
+                        std::span<Index> kept) {
   const kernel::Job<View> job({&shaft, 1}, view, false, Form::fastest);
   require_candidates(view, candidates);
   if (kept.size() < candidates.size()) {
@@ -76,9 +76,9 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
   return count;
 }
 
-template <class View>
-void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const std::uint32_t> candidates,
-                  IndexLists& lists) {
+template <class View, class Index>
+void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
+                  IndexListsOf<Index>& lists) {
   require_candidates(view, candidates);
   const StreamMemory memory(rows_of<View>, words_for(candidates.size()) * 64);
   View packed;
@@ -104,18 +104,37 @@ std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<c
                    std::span<std::uint32_t> kept) {
   return refine_list(shaft, boxes, candidates, kept);
 }
+std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> candidates,
+                   std::span<std::uint64_t> kept) {
+  return refine_list(shaft, boxes, candidates, kept);
+}
 std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept) {
   return refine_list(shaft, spheres, candidates, kept);
 }
+std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> candidates,
+                   std::span<std::uint64_t> kept) {
+  return refine_list(shaft, spheres, candidates, kept);
+}
 
-void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<const std::uint32_t> candidates,
-                 IndexLists& lists) {
+template <class Index>
+void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
   refine_lists(shafts, boxes, candidates, lists);
 }
+template <class Index>
 void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                 std::span<const std::uint32_t> candidates, IndexLists& lists) {
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
   refine_lists(shafts, spheres, candidates, lists);
 }
+
+template void refine_many(std::span<const CompiledShaft>, const BoxView&, std::span<const std::uint32_t>,
+                          IndexListsOf<std::uint32_t>&);
+template void refine_many(std::span<const CompiledShaft>, const BoxView&, std::span<const std::uint64_t>,
+                          IndexListsOf<std::uint64_t>&);
+template void refine_many(std::span<const CompiledShaft>, const SphereView&, std::span<const std::uint32_t>,
+                          IndexListsOf<std::uint32_t>&);
+template void refine_many(std::span<const CompiledShaft>, const SphereView&, std::span<const std::uint64_t>,
+                          IndexListsOf<std::uint64_t>&);
 
 }  // namespace shaftcull

@@ -30,9 +30,10 @@ namespace {
 
 /// Always writes `step` positions of a word, and then as many more as it takes.
 template <std::size_t step>
-[[gnu::target("popcnt,bmi")]] void write_with_tzcnt(const std::uint64_t* words, std::size_t count, std::uint32_t first,
+[[gnu::target("popcnt,bmi")]] void write_with_tzcnt(const std::uint64_t* words, std::size_t count,
                                                     std::uint32_t* out) noexcept {
   static_assert(step <= set_bits_slack);
+  std::uint32_t first = 0;
   for (std::size_t w = 0; w != count; ++w, first += 64) {
     std::uint64_t word = words[w];
     std::uint32_t* const end = out + __builtin_popcountll(word);
@@ -61,19 +62,19 @@ std::size_t count_set_bits(const std::uint64_t* words, std::size_t count) noexce
   return bits;
 }
 
-void write_set_bits(const std::uint64_t* words, std::size_t count, std::size_t set, std::uint32_t first,
-                    std::uint32_t* out) noexcept {
+void write_set_bits(const std::uint64_t* words, std::size_t count, std::size_t set, std::uint32_t* out) noexcept {
   if (set == 0) return;
 #if defined(__x86_64__)
   if (has_bit_instructions()) {
     // A word of evenly spread bits needs more than one step about once in fifty.
-    if (2 * set <= count) return write_with_tzcnt<2>(words, count, first, out);
-    if (set <= count) return write_with_tzcnt<3>(words, count, first, out);
-    if (set <= 2 * count) return write_with_tzcnt<5>(words, count, first, out);
-    if (set <= 4 * count) return write_with_tzcnt<8>(words, count, first, out);
-    return write_with_tzcnt<16>(words, count, first, out);
+    if (2 * set <= count) return write_with_tzcnt<2>(words, count, out);
+    if (set <= count) return write_with_tzcnt<3>(words, count, out);
+    if (set <= 2 * count) return write_with_tzcnt<5>(words, count, out);
+    if (set <= 4 * count) return write_with_tzcnt<8>(words, count, out);
+    return write_with_tzcnt<16>(words, count, out);
   }
 #endif
+  std::uint32_t first = 0;
   for (std::size_t w = 0; w != count; ++w, first += 64) {
     for (std::uint64_t word = words[w]; word != 0; word &= word - 1) {
       *out++ = first + static_cast<std::uint32_t>(std::countr_zero(word));

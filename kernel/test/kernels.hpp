@@ -32,7 +32,7 @@ using TestListedWords = void(const CompiledShaft& shaft, const float* const* str
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
 using Unite = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
 
-/// Halves `count` entries, separate streams of a bound's centre, x, y and z, and of what belongs to it. `first_half`, more than none and
+/// Halves `count` entries, separate streams of a bound's centre, x, y and z, and of what belongs to it, one stream or (wide) two. `first_half`, more than none and
 /// fewer than all, stay in `from`; the others move to `to`, from place `first_half` on, and have no smaller a coordinate on the axis on which
 /// centres (of many, a sample) are spread out most. Entries keep their order, but for ties at the cut, which come before larger ones; the halves are
 /// the same on every instruction set. What the free halves of `from` and `to` hold after that is anything. Centres must be finite. O(count).
@@ -91,6 +91,7 @@ struct Kernels {
   Unite* unite_boxes;
   Unite* unite_spheres;
   SplitEntries* split_entries;
+  SplitEntries* split_wide_entries;
 
   [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {
     return form == Form::planes ? boxes_planes : boxes_slab;

@@ -206,7 +206,7 @@ struct Halving {
 };
 
 /// Keeps the `low` entries whose key is below the limit in `from`, and moves the others to `to`, from place `low` on.
-template <class L>
+template <class L, unsigned streams>
 void part_by(float* const* from, float* const* to, std::size_t count, unsigned axis, float limit,
              std::size_t low) noexcept {
   const auto limits = L::all(limit);
@@ -219,7 +219,7 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
     const typename L::Packing high_ones(~is_low & lanes_of<L>(0));
     const auto lows = static_cast<std::size_t>(__builtin_popcountll(is_low));
     const bool has_room = moved + L::width <= count;
-    for (unsigned s = 0; s < 4; ++s) {
+    for (unsigned s = 0; s < streams; ++s) {
       const auto x = L::load(from[s] + i);
       low_ones.store(from[s] + kept, x);  // what was there has been read
       if (has_room) {
@@ -233,7 +233,7 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
   }
   for (; i < count; ++i) {
     const bool is_low = from[axis][i] < limit;
-    for (unsigned s = 0; s < 4; ++s) {
+    for (unsigned s = 0; s < streams; ++s) {
       const float x = from[s][i];
       *(is_low ? from[s] + kept : to[s] + moved) = x;
     }
@@ -242,28 +242,28 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
 }
 
 /// As SplitEntries in kernels.hpp.
-template <class L>
+template <class L, unsigned streams>
 void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
   const FloatEnvironment<L> environment;
   constexpr std::size_t few = 4096;  // the same for all, since the axis depends on it
   const auto halving = count <= few ? Halving<L>::among_few(from, count, first_half)
                                     : Halving<L>::among_many(from, count, first_half, to);
   const auto [key, less] = halving.pivot;
-  part_by<L>(from, to, count, halving.axis, key, less);
+  part_by<L, streams>(from, to, count, halving.axis, key, less);
   if (less == first_half) return;
 
   // Some of those that equal the pivot are needed in front. They are set apart from larger ones, and all come back
   // before they are cut.
   const float next = FloatNumber<L>::at(FloatNumber<L>::of(key) + 1);
   const std::size_t equal = count_less<L>(to[halving.axis] + less, count - less, next);
-  float* equals[4];
-  float* larger[4];
-  for (unsigned s = 0; s < 4; ++s) {
+  float* equals[streams];
+  float* larger[streams];
+  for (unsigned s = 0; s < streams; ++s) {
     equals[s] = to[s] + less;
     larger[s] = from[s] + less;
   }
-  part_by<L>(equals, larger, count - less, halving.axis, next, equal);
-  for (unsigned s = 0; s < 4; ++s) {
+  part_by<L, streams>(equals, larger, count - less, halving.axis, next, equal);
+  for (unsigned s = 0; s < streams; ++s) {
     __builtin_memcpy(from[s] + less, to[s] + less, (first_half - less) * sizeof(float));
     __builtin_memcpy(to[s] + less + equal, from[s] + less + equal, (count - less - equal) * sizeof(float));
   }

@@ -25,7 +25,7 @@ void fill_from(const StreamMemory& memory, std::size_t from, const float (&value
 }  // namespace
 
 template <class Bound>
-void lay_out(TreeParts<Bound>& parts, std::size_t size) {
+void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
   parts.size = size;
   parts.leaves = StreamMemory(rows_of<Bound>, words_for(size) * 64);
   if constexpr (std::is_same_v<Bound, Box>) {
@@ -48,14 +48,14 @@ void lay_out(TreeParts<Bound>& parts, std::size_t size) {
   parts.gaps.assign(nodes / 64, ~std::uint64_t{0});
 }
 
-template <class Bound, class Source>
-TreeParts<Bound> build(const Source& source) {
-  const Workshop<Bound> workshop(source.count());
+template <class Bound, class Index, class Source>
+TreeParts<Bound, Index> build(const Source& source) {
+  const Workshop<Bound, Index> workshop(source.count());
   const ClassBounds class_first = write_entries(source, workshop);
-  TreeParts<Bound> parts;
+  TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
-  write_tree_order(workshop.entries(), workshop.spare(), class_first, parts.order.data());
+  write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, parts.order.data());
   parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     write_leaves(parts, piece(parts.size, source_block, b), [&](std::size_t p, float(&bound)[rows_of<Bound>]) {
       if (p + prefetched_bounds < parts.size) {
@@ -71,9 +71,13 @@ TreeParts<Bound> build(const Source& source) {
   return parts;
 }
 
-template TreeParts<Box> build(const ViewSource<Box>& source);
-template TreeParts<Sphere> build(const ViewSource<Sphere>& source);
-template TreeParts<Box> build(const RecordSource<Box>& source);
-template TreeParts<Sphere> build(const RecordSource<Sphere>& source);
+template TreeParts<Box, std::uint32_t> build(const ViewSource<Box>& source);
+template TreeParts<Box, std::uint32_t> build(const RecordSource<Box>& source);
+template TreeParts<Sphere, std::uint32_t> build(const ViewSource<Sphere>& source);
+template TreeParts<Sphere, std::uint32_t> build(const RecordSource<Sphere>& source);
+template TreeParts<Box, std::uint64_t> build(const ViewSource<Box>& source);
+template TreeParts<Box, std::uint64_t> build(const RecordSource<Box>& source);
+template TreeParts<Sphere, std::uint64_t> build(const ViewSource<Sphere>& source);
+template TreeParts<Sphere, std::uint64_t> build(const RecordSource<Sphere>& source);
 
 }  // namespace shaftcull::kernel

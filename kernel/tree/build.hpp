@@ -8,7 +8,7 @@ namespace shaftcull::kernel {
 
 /// Sorts the bounds of a source and fits nodes to them. Leaf p is bound order[p] of the source. Throws BadBound for the
 /// first illegal bound.
-template <class Bound, class Source>
-TreeParts<Bound> build(const Source& source);
+template <class Bound, class Index, class Source>
+TreeParts<Bound, Index> build(const Source& source);
 
 }  // namespace shaftcull::kernel

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -66,11 +65,14 @@ class Chunk {
     writer.write(record, records, count_ * rows_of<Bound>);
   }
 
-  void write_entries(const EntryStreams& entries, const WordWriter& writer) const noexcept {
-    alignas(64) float index[most];
-    for (std::size_t i = 0; i != count_; ++i) index[i] = std::bit_cast<float>(static_cast<std::uint32_t>(first_ + i));
+  template <std::size_t streams>
+  void write_entries(const std::array<float*, streams>& entries, const WordWriter& writer) const noexcept {
     for (std::size_t k = 0; k != 3; ++k) writer.write(entries[k] + first_, centre_[k], count_);
-    writer.write(entries[3] + first_, index, count_);
+    for (std::size_t s = 3; s != streams; ++s) {
+      alignas(64) float index[most];
+      for (std::size_t i = 0; i != count_; ++i) index[i] = index_bits(first_ + i, s);
+      writer.write(entries[s] + first_, index, count_);
+    }
   }
 
   void count_classes(float node_size, std::array<std::size_t, size_classes>& counts) const noexcept {
@@ -107,11 +109,11 @@ class Chunk {
 
 /// Writes the record and the entry of every bound in the user's order and counts classes; returns whether all bounds
 /// are legal.
-template <class Bound, class Source>
-bool write_in_order(const Source& source, const Run& run, float node_size, const Workshop<Bound>& workshop,
+template <class Bound, class Index, class Source>
+bool write_in_order(const Source& source, const Run& run, float node_size, const Workshop<Bound, Index>& workshop,
                     std::array<std::size_t, size_classes>& counts) noexcept {
   const FloatEnvironment<EntryEnvironment> environment;
-  const EntryStreams entries = workshop.entries();
+  const EntryStreams<Index> entries = workshop.entries();
   const WordWriter writer(workshop.bytes());
   bool is_legal = true;
   for (std::size_t first = run.first; first < run.end(); first += Chunk<Bound>::most) {
@@ -125,25 +127,25 @@ bool write_in_order(const Source& source, const Run& run, float node_size, const
 }
 
 /// Writes entries where those of their class go next.
-template <class Bound>
-void write_by_class(const Workshop<Bound>& workshop, const Run& run, float node_size,
+template <class Bound, class Index>
+void write_by_class(const Workshop<Bound, Index>& workshop, const Run& run, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
   const FloatEnvironment<EntryEnvironment> environment;
-  const EntryStreams entries = workshop.entries();
+  const EntryStreams<Index> entries = workshop.entries();
   for (std::size_t i = run.first; i != run.end(); ++i) {
     float bound[rows_of<Bound>];
     std::copy_n(workshop.record(i), rows_of<Bound>, bound);
     const Placement place = placement(bound);
     const std::size_t to = next[size_class(place.extent, node_size)]++;
     for (std::size_t k = 0; k != 3; ++k) entries[k][to] = place.centre[k];
-    entries[3][to] = std::bit_cast<float>(static_cast<std::uint32_t>(i));
+    for (std::size_t s = 3; s != entries.size(); ++s) entries[s][to] = index_bits(i, s);
   }
 }
 
 }  // namespace
 
-template <class Bound, class Source>
-ClassBounds write_entries(const Source& source, const Workshop<Bound>& workshop) {
+template <class Bound, class Index, class Source>
+ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& workshop) {
   const FloatEnvironment<EntryEnvironment> environment;
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
@@ -173,9 +175,13 @@ ClassBounds write_entries(const Source& source, const Workshop<Bound>& workshop)
   return class_first;
 }
 
-template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box>& workshop);
-template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere>& workshop);
-template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box>& workshop);
-template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere>& workshop);
+template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box, std::uint32_t>& workshop);
+template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box, std::uint32_t>& workshop);
+template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere, std::uint32_t>& workshop);
+template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere, std::uint32_t>& workshop);
+template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box, std::uint64_t>& workshop);
+template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box, std::uint64_t>& workshop);
+template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere, std::uint64_t>& workshop);
+template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere, std::uint64_t>& workshop);
 
 }  // namespace shaftcull::kernel

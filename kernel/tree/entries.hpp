@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <tuple>
 
 #include "run/task_memory.hpp"
 #include "shaftcull/streams.hpp"
@@ -10,9 +13,25 @@
 
 namespace shaftcull::kernel {
 
-/// Entries, in separate streams: x, y and z of a bound's centre, which is finite, and its index, as the bits of a
-/// float.
-using EntryStreams = std::array<float*, 4>;
+/// Entries, in separate streams: x, y and z of a bound's centre, which is finite, and its index, as the bits of a float
+/// or of two, the low ones first.
+template <class Index>
+using EntryStreams = std::array<float*, 3 + sizeof(Index) / sizeof(float)>;
+
+/// What stream s of entries, 3 or 4, holds of an index.
+[[nodiscard]] inline float index_bits(std::size_t index, std::size_t s) noexcept {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(std::uint64_t{index} >> 32 * (s - 3)));
+}
+
+/// The index of entry i.
+template <class Index>
+[[nodiscard]] Index index_of(const EntryStreams<Index>& entries, std::size_t i) noexcept {
+  Index index = 0;
+  for (std::size_t s = 3; s != entries.size(); ++s) {
+    index |= static_cast<Index>(std::bit_cast<std::uint32_t>(entries[s][i])) << 32 * (s - 3);
+  }
+  return index;
+}
 
 /// Entries are put in order class by class: see size_class().
 inline constexpr unsigned size_classes = 10;
@@ -22,14 +41,16 @@ using ClassBounds = std::array<std::size_t, size_classes + 1>;
 
 /// What a tree is built in: entries, as much memory to move them to, and the bounds themselves as records, because tree
 /// order reads them from all over memory and a record is in one place, not in six.
-template <class Bound>
+template <class Bound, class Index>
 class Workshop {
  public:
   explicit Workshop(std::size_t count)
-      : stride_(words_for(count) * 64 + apart), entries_(8 * stride_), records_(rows_of<Bound> * count) {}
+      : stride_(words_for(count) * 64 + apart),
+        entries_(2 * entry_streams * stride_),
+        records_(rows_of<Bound> * count) {}
 
-  [[nodiscard]] EntryStreams entries() const noexcept { return streams(0); }
-  [[nodiscard]] EntryStreams spare() const noexcept { return streams(4); }
+  [[nodiscard]] EntryStreams<Index> entries() const noexcept { return streams(0); }
+  [[nodiscard]] EntryStreams<Index> spare() const noexcept { return streams(entry_streams); }
 
   /// The streams' coordinates of bound i.
   [[nodiscard]] float* record(std::size_t i) const noexcept { return records_.get() + i * rows_of<Bound>; }
@@ -39,10 +60,12 @@ class Workshop {
  private:
   /// Streams a power of two apart would share few places in the caches.
   static constexpr std::size_t apart = 80;
+  static constexpr std::size_t entry_streams = std::tuple_size_v<EntryStreams<Index>>;
 
-  [[nodiscard]] EntryStreams streams(std::size_t first) const noexcept {
-    float* const start = entries_.get() + first * stride_;
-    return {start, start + stride_, start + 2 * stride_, start + 3 * stride_};
+  [[nodiscard]] EntryStreams<Index> streams(std::size_t first) const noexcept {
+    EntryStreams<Index> stream;
+    for (std::size_t s = 0; s != entry_streams; ++s) stream[s] = entries_.get() + (first + s) * stride_;
+    return stream;
   }
 
   std::size_t stride_;
@@ -52,7 +75,7 @@ class Workshop {
 
 /// Writes all bounds' records and entries, these sorted by size class, and returns where each class begins. Throws
 /// BadBound for the first illegal bound.
-template <class Bound, class Source>
-ClassBounds write_entries(const Source& source, const Workshop<Bound>& workshop);
+template <class Bound, class Index, class Source>
+ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& workshop);
 
 }  // namespace shaftcull::kernel

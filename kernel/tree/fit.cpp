@@ -14,7 +14,7 @@ namespace {
 
 /// Fits `words` entries of level k, at most 64, from entry `first` on, a multiple of 64.
 template <class Bound>
-void fit_words(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t first, std::size_t words) {
+void fit_words(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t first, std::size_t words) {
   const auto out = parts.node_rows(k, first);
   std::uint64_t gaps = 0;
   if (k == 1) {
@@ -35,7 +35,7 @@ void fit_words(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, s
 }
 
 template <class Bound>
-void set_gap(TreeParts<Bound>& parts, std::size_t k, std::size_t entry, bool is_gap) {
+void set_gap(TreeLevels<Bound>& parts, std::size_t k, std::size_t entry, bool is_gap) {
   const std::uint64_t bit = std::uint64_t{1} << entry % fanout;
   std::uint64_t& word = parts.gap_words(k)[entry / fanout];
   word = is_gap ? word | bit : word & ~bit;
@@ -43,7 +43,7 @@ void set_gap(TreeParts<Bound>& parts, std::size_t k, std::size_t entry, bool is_
 
 /// Fits one entry of a level above the first.
 template <class Bound>
-void fit_node_word(TreeParts<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) {
+void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) {
   const auto rows = parts.node_rows(k - 1, entry * fanout);
   const float* in[6];
   std::copy(rows.begin(), rows.end(), in);
@@ -57,13 +57,13 @@ constexpr std::size_t task_entries = 1024;
 }  // namespace
 
 template <class Bound>
-void fit_leaf_word(TreeParts<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]) {
+void fit_leaf_word(TreeLevels<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]) {
   const std::uint64_t gap = active_kernels().unite(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
   set_gap(parts, 1, entry, gap != 0);
 }
 
 template <class Bound>
-void fit_upper(TreeParts<Bound>& parts) {
+void fit_upper(TreeLevels<Bound>& parts) {
   const Kernels& kernels = active_kernels();
   for (std::size_t k = 2; k < parts.levels; ++k) {
     for (std::size_t first = 0; first < parts.level[k].entries; first += fanout) {
@@ -75,7 +75,7 @@ void fit_upper(TreeParts<Bound>& parts) {
 }
 
 template <class Bound>
-void fit_all(TreeParts<Bound>& parts) {
+void fit_all(TreeLevels<Bound>& parts) {
   if (parts.levels > 1) {
     const std::size_t entries = parts.level[1].entries;
     parallel_for(pieces(entries, task_entries), 1, [&](std::size_t t, std::size_t) {
@@ -90,7 +90,7 @@ void fit_all(TreeParts<Bound>& parts) {
 }
 
 template <class Bound>
-void fit_dirty(TreeParts<Bound>& parts) {
+void fit_dirty(TreeLevels<Bound>& parts) {
   const Kernels& kernels = active_kernels();
   std::vector<std::size_t> entries;  // of one level, ascending
   for (std::size_t w = 0; w != parts.dirty.size(); ++w) {
@@ -117,7 +117,7 @@ void fit_dirty(TreeParts<Bound>& parts) {
 }
 
 template <class Bound>
-double surface(const TreeParts<Bound>& parts) {
+double surface(const TreeLevels<Bound>& parts) {
   if (parts.levels < 2) return 0;
   double sum = 0;
   const auto row = parts.node_rows(1);
@@ -131,15 +131,15 @@ double surface(const TreeParts<Bound>& parts) {
   return sum;
 }
 
-template void fit_leaf_word(TreeParts<Box>& parts, std::size_t entry, const float* const (&leaves)[6]);
-template void fit_leaf_word(TreeParts<Sphere>& parts, std::size_t entry, const float* const (&leaves)[4]);
-template void fit_upper(TreeParts<Box>& parts);
-template void fit_upper(TreeParts<Sphere>& parts);
-template void fit_all(TreeParts<Box>& parts);
-template void fit_all(TreeParts<Sphere>& parts);
-template void fit_dirty(TreeParts<Box>& parts);
-template void fit_dirty(TreeParts<Sphere>& parts);
-template double surface(const TreeParts<Box>& parts);
-template double surface(const TreeParts<Sphere>& parts);
+template void fit_leaf_word(TreeLevels<Box>& parts, std::size_t entry, const float* const (&leaves)[6]);
+template void fit_leaf_word(TreeLevels<Sphere>& parts, std::size_t entry, const float* const (&leaves)[4]);
+template void fit_upper(TreeLevels<Box>& parts);
+template void fit_upper(TreeLevels<Sphere>& parts);
+template void fit_all(TreeLevels<Box>& parts);
+template void fit_all(TreeLevels<Sphere>& parts);
+template void fit_dirty(TreeLevels<Box>& parts);
+template void fit_dirty(TreeLevels<Sphere>& parts);
+template double surface(const TreeLevels<Box>& parts);
+template double surface(const TreeLevels<Sphere>& parts);
 
 }  // namespace shaftcull::kernel

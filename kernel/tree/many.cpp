@@ -17,32 +17,20 @@ using kernel::Run;
 /// Shafts in a task: some ten to hundreds of microseconds.
 constexpr std::size_t task_shafts = 16;
 
-template <class Bound>
-void count_all(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, std::span<std::uint64_t> counts,
-               const Excluding& excluding) {
-  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
-  if (counts.size() != shafts.size()) {
-    throw InvalidArgument("kept_counts has room for " + std::to_string(counts.size()) + " counts; " +
-                          std::to_string(shafts.size()) + " shafts need one each");
-  }
-  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
-    const Run task = piece(shafts.size(), task_shafts, t);
-    for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::Counter counter;
-      query.walk(s, counter);
-      counts[s] = counter.count();
-    }
-  });
+template <class Index>
+std::vector<Index>& items_of(IndexListsOf<Index>& lists) {
+  return lists.indices;
 }
-
-std::vector<std::uint32_t>& items_of(IndexLists& lists) { return lists.indices; }
-std::vector<TreeRun>& items_of(RunLists& lists) { return lists.runs; }
-template <class Output>
-kernel::IndexList<Output> list_of(const std::uint32_t* order, Output& output, const IndexLists& /*kind*/) {
+template <class Index>
+std::vector<TreeRunOf<Index>>& items_of(RunListsOf<Index>& lists) {
+  return lists.runs;
+}
+template <class Index, class Output>
+kernel::IndexList<Index, Output> list_of(const Index* order, Output& output, const IndexListsOf<Index>& /*kind*/) {
   return {order, output};
 }
-template <class Output>
-kernel::RunList<Output> list_of(const std::uint32_t* order, Output& output, const RunLists& /*kind*/) {
+template <class Index, class Output>
+kernel::RunList<Index, Output> list_of(const Index* order, Output& output, const RunListsOf<Index>& /*kind*/) {
   return {order, output};
 }
 
@@ -82,10 +70,10 @@ class Pieces {
   Lists& lists_;
 };
 
-template <class Bound, class Lists>
-void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& kept,
-               const Excluding& excluding) {
-  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
+template <class Bound, class Index, class Lists>
+void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& kept,
+               const ExcludingOf<Index>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
   Pieces<Lists> all(shafts.size(), kept);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
@@ -98,10 +86,10 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& t
   all.put_together();
 }
 
-template <class Bound, class Lists>
-void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& overlap, Lists& inside,
-                  const Excluding& excluding) {
-  const kernel::Query<Bound> query(shafts, tree, Question::kept_and_inside, excluding);
+template <class Bound, class Index, class Lists>
+void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& overlap,
+                  Lists& inside, const ExcludingOf<Index>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
   Pieces<Lists> overlaps(shafts.size(), overlap);
   Pieces<Lists> insides(shafts.size(), inside);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -121,11 +109,11 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>
 /// Shafts whose answers wait for their turn, for each thread.
 constexpr std::size_t slots_per_thread = 8;
 
-template <class Bound>
-void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, const ShaftCallback& callback,
-              Question question, const Excluding& excluding) {
-  const kernel::Query<Bound> query(shafts, tree, question, excluding);
-  using Output = kernel::GrowingOutput<TreeRun>;
+template <class Bound, class Index>
+void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+              const ShaftCallbackOf<Index>& callback, Question question, const ExcludingOf<Index>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, question, excluding);
+  using Output = kernel::GrowingOutput<TreeRunOf<Index>>;
   struct Slot {
     Output kept;
     Output inside;
@@ -135,7 +123,7 @@ void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tr
     Slot& here = slots[slot];
     here.kept.clear();
     here.inside.clear();
-    using List = kernel::RunList<Output>;
+    using List = kernel::RunList<Index, Output>;
     if (question == Question::kept) {
       kernel::KeptLister lister(List(query.order(), here.kept));
       query.walk(s, lister);
@@ -153,63 +141,79 @@ void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tr
 
 }  // namespace
 
-void count_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, std::span<std::uint64_t> kept_counts,
-                const Excluding& excluding) {
-  count_all(shafts, tree, kept_counts, excluding);
-}
-void count_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, std::span<std::uint64_t> kept_counts,
-                const Excluding& excluding) {
-  count_all(shafts, tree, kept_counts, excluding);
-}
-
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& kept,
-               const Excluding& excluding) {
-  list_kept(shafts, tree, kept, excluding);
-}
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& kept,
-               const Excluding& excluding) {
-  list_kept(shafts, tree, kept, excluding);
-}
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& kept, const Excluding& excluding) {
-  list_kept(shafts, tree, kept, excluding);
-}
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& kept,
-               const Excluding& excluding) {
-  list_kept(shafts, tree, kept, excluding);
+template <class Bound, class Index>
+void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+  if (kept_counts.size() != shafts.size()) {
+    throw InvalidArgument("kept_counts has room for " + std::to_string(kept_counts.size()) + " counts; " +
+                          std::to_string(shafts.size()) + " shafts need one each");
+  }
+  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const Run task = piece(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::Counter counter;
+      query.walk(s, counter);
+      kept_counts[s] = counter.count();
+    }
+  });
 }
 
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, IndexLists& overlap, IndexLists& inside,
-               const Excluding& excluding) {
+template <class Bound, class Index>
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
+               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  list_kept(shafts, tree, kept, excluding);
+}
+template <class Bound, class Index>
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& kept,
+               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  list_kept(shafts, tree, kept, excluding);
+}
+
+template <class Bound, class Index>
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+               IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
+               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, IndexLists& overlap, IndexLists& inside,
-               const Excluding& excluding) {
-  list_classes(shafts, tree, overlap, inside, excluding);
-}
-void list_many(std::span<const CompiledShaft> shafts, const BoxTree& tree, RunLists& overlap, RunLists& inside,
-               const Excluding& excluding) {
-  list_classes(shafts, tree, overlap, inside, excluding);
-}
-void list_many(std::span<const CompiledShaft> shafts, const SphereTree& tree, RunLists& overlap, RunLists& inside,
-               const Excluding& excluding) {
+template <class Bound, class Index>
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& overlap,
+               RunListsOf<Index>& inside, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
 
-void cull_each(std::span<const CompiledShaft> shafts, const BoxTree& tree, const ShaftCallback& callback,
-               const Excluding& excluding) {
+template <class Bound, class Index>
+void cull_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+               const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
+               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   hand_out(shafts, tree, callback, Question::kept, excluding);
 }
-void cull_each(std::span<const CompiledShaft> shafts, const SphereTree& tree, const ShaftCallback& callback,
-               const Excluding& excluding) {
-  hand_out(shafts, tree, callback, Question::kept, excluding);
-}
-void classify_each(std::span<const CompiledShaft> shafts, const BoxTree& tree, const ShaftCallback& callback,
-                   const Excluding& excluding) {
+template <class Bound, class Index>
+void classify_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                   const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
+                   const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   hand_out(shafts, tree, callback, Question::kept_and_inside, excluding);
 }
-void classify_each(std::span<const CompiledShaft> shafts, const SphereTree& tree, const ShaftCallback& callback,
-                   const Excluding& excluding) {
-  hand_out(shafts, tree, callback, Question::kept_and_inside, excluding);
-}
+
+#define SHAFTCULL_QUERIES(Bound, Index)                                                                                \
+  template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<std::uint64_t>,  \
+                           const ExcludingOf<Index>&);                                                                 \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,       \
+                          const ExcludingOf<Index>&);                                                                  \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,         \
+                          const ExcludingOf<Index>&);                                                                  \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,       \
+                          IndexListsOf<Index>&, const ExcludingOf<Index>&);                                            \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,         \
+                          RunListsOf<Index>&, const ExcludingOf<Index>&);                                              \
+  template void cull_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                             \
+                          const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);                                   \
+  template void classify_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                         \
+                              const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);
+SHAFTCULL_QUERIES(Box, std::uint32_t)
+SHAFTCULL_QUERIES(Sphere, std::uint32_t)
+SHAFTCULL_QUERIES(Box, std::uint64_t)
+SHAFTCULL_QUERIES(Sphere, std::uint64_t)
+#undef SHAFTCULL_QUERIES
 
 }  // namespace shaftcull

@@ -4,79 +4,86 @@
 namespace shaftcull {
 namespace {
 
+using kernel::IndexList;
 using kernel::Question;
+using kernel::RunList;
+using kernel::SpanOutput;
 
-template <class Bound>
-std::size_t count_kept(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, const Excluding& excluding) {
-  const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept, excluding);
-  kernel::Counter counter;
-  query.walk(0, counter);
-  return counter.count();
-}
-
-/// `List` is kernel::IndexList or kernel::RunList.
-template <template <class> class List, class Bound, class Item>
-std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<Item> kept,
-                      const Excluding& excluding) {
-  const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept, excluding);
-  kernel::SpanOutput<Item> output(kept);
-  kernel::KeptLister lister(List<kernel::SpanOutput<Item>>(query.order(), output));
+/// `List` is IndexList or RunList.
+template <template <class, class> class List, class Bound, class Index, class Item>
+std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> kept,
+                      const ExcludingOf<Index>& excluding) {
+  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  SpanOutput<Item> output(kept);
+  kernel::KeptLister lister(List<Index, SpanOutput<Item>>(query.order(), output));
   query.walk(0, lister);
   return output.count();
 }
 
-template <template <class> class List, class Bound, class Item>
-KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<Item> overlap,
-                        std::span<Item> inside, const Excluding& excluding) {
-  const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
-  using Output = kernel::SpanOutput<Item>;
+template <template <class, class> class List, class Bound, class Index, class Item>
+KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> overlap,
+                        std::span<Item> inside, const ExcludingOf<Index>& excluding) {
+  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
+  using Output = SpanOutput<Item>;
   Output overlaps(overlap);
   Output insides(inside);
-  kernel::ClassLister lister(List<Output>(query.order(), overlaps), List<Output>(query.order(), insides));
+  kernel::ClassLister lister(List<Index, Output>(query.order(), overlaps), List<Index, Output>(query.order(), insides));
   query.walk(0, lister);
   return {overlaps.count(), insides.count()};
 }
 
 }  // namespace
 
-std::size_t count(const CompiledShaft& shaft, const BoxTree& tree, const Excluding& excluding) {
-  return count_kept(shaft, tree, excluding);
-}
-std::size_t count(const CompiledShaft& shaft, const SphereTree& tree, const Excluding& excluding) {
-  return count_kept(shaft, tree, excluding);
-}
-
-std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> kept,
-                 const Excluding& excluding) {
-  return list_kept<kernel::IndexList>(shaft, tree, kept, excluding);
-}
-std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<std::uint32_t> kept,
-                 const Excluding& excluding) {
-  return list_kept<kernel::IndexList>(shaft, tree, kept, excluding);
-}
-std::size_t cull(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> kept, const Excluding& excluding) {
-  return list_kept<kernel::RunList>(shaft, tree, kept, excluding);
-}
-std::size_t cull(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> kept,
-                 const Excluding& excluding) {
-  return list_kept<kernel::RunList>(shaft, tree, kept, excluding);
+template <class Bound, class Index>
+std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                  const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  kernel::Counter counter;
+  query.walk(0, counter);
+  return counter.count();
 }
 
-KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<std::uint32_t> overlap,
-                    std::span<std::uint32_t> inside, const Excluding& excluding) {
-  return list_classes<kernel::IndexList>(shaft, tree, overlap, inside, excluding);
+template <class Bound, class Index>
+std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                 std::type_identity_t<std::span<Index>> kept,
+                 const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  return list_kept<IndexList>(shaft, tree, kept, excluding);
 }
-KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<std::uint32_t> overlap,
-                    std::span<std::uint32_t> inside, const Excluding& excluding) {
-  return list_classes<kernel::IndexList>(shaft, tree, overlap, inside, excluding);
+template <class Bound, class Index>
+std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                 std::type_identity_t<std::span<TreeRunOf<Index>>> kept,
+                 const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  return list_kept<RunList>(shaft, tree, kept, excluding);
 }
-KeptCounts classify(const CompiledShaft& shaft, const BoxTree& tree, std::span<TreeRun> overlap,
-                    std::span<TreeRun> inside, const Excluding& excluding) {
-  return list_classes<kernel::RunList>(shaft, tree, overlap, inside, excluding);
+
+template <class Bound, class Index>
+KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                    std::type_identity_t<std::span<Index>> overlap, std::type_identity_t<std::span<Index>> inside,
+                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  return list_classes<IndexList>(shaft, tree, overlap, inside, excluding);
 }
-KeptCounts classify(const CompiledShaft& shaft, const SphereTree& tree, std::span<TreeRun> overlap,
-                    std::span<TreeRun> inside, const Excluding& excluding) {
-  return list_classes<kernel::RunList>(shaft, tree, overlap, inside, excluding);
+template <class Bound, class Index>
+KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                    std::type_identity_t<std::span<TreeRunOf<Index>>> overlap,
+                    std::type_identity_t<std::span<TreeRunOf<Index>>> inside,
+                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  return list_classes<RunList>(shaft, tree, overlap, inside, excluding);
 }
+
+#define SHAFTCULL_QUERIES(Bound, Index)                                                                               \
+  template std::size_t count(const CompiledShaft&, const BoundsTree<Bound, Index>&, const ExcludingOf<Index>&);       \
+  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,                  \
+                            const ExcludingOf<Index>&);                                                               \
+  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>,       \
+                            const ExcludingOf<Index>&);                                                               \
+  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,               \
+                               std::span<Index>, const ExcludingOf<Index>&);                                          \
+  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>,    \
+                               std::span<TreeRunOf<Index>>, const ExcludingOf<Index>&);
+SHAFTCULL_QUERIES(Box, std::uint32_t)
+SHAFTCULL_QUERIES(Sphere, std::uint32_t)
+SHAFTCULL_QUERIES(Box, std::uint64_t)
+SHAFTCULL_QUERIES(Sphere, std::uint64_t)
+#undef SHAFTCULL_QUERIES
 
 }  // namespace shaftcull

@@ -2,7 +2,6 @@
 /// most, moved to a multiple of a whole node, so that nodes of all levels are cells of it.
 #include "tree/order.hpp"
 
-#include <cstring>
 #include <vector>
 
 #include "run/parallel.hpp"
@@ -13,11 +12,12 @@ namespace shaftcull::kernel {
 namespace {
 
 /// Entries [first, last) of some streams; others have room for them at the same place.
+template <class Index>
 struct Part {
   std::size_t first;
   std::size_t last;
-  const EntryStreams* entries;
-  const EntryStreams* room;
+  const EntryStreams<Index>* entries;
+  const EntryStreams<Index>* room;
 
   [[nodiscard]] std::size_t size() const noexcept { return last - first; }
 };
@@ -27,7 +27,8 @@ constexpr std::size_t task_entries = 16384;
 
 /// Where to cut: the middle, moved so that every node of the largest possible size is in one piece. 0 for parts within
 /// one node of leaves.
-std::size_t cut_of(const Part& part) noexcept {
+template <class Index>
+std::size_t cut_of(const Part<Index>& part) noexcept {
   std::size_t unit = fanout;
   const auto cuts_at = [&](std::size_t size) { return (part.first / size + 1) * size < part.last; };
   if (!cuts_at(unit)) return 0;
@@ -38,55 +39,65 @@ std::size_t cut_of(const Part& part) noexcept {
   return cut < part.last ? cut : cut - unit;
 }
 
+template <class Index>
 struct Halves {
-  Part low;
-  Part high;  ///< its entries are where the room of the whole was
+  Part<Index> low;
+  Part<Index> high;  ///< its entries are where the room of the whole was
 };
 
-Halves split(const Part& part, std::size_t cut, const Kernels& kernels) noexcept {
-  float* from[4];
-  float* to[4];
-  for (std::size_t s = 0; s != 4; ++s) {
-    from[s] = (*part.entries)[s] + part.first;
-    to[s] = (*part.room)[s] + part.first;
+template <class Index>
+Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
+  EntryStreams<Index> from = *part.entries;
+  EntryStreams<Index> to = *part.room;
+  for (std::size_t s = 0; s != from.size(); ++s) {
+    from[s] += part.first;
+    to[s] += part.first;
   }
-  kernels.split_entries(from, to, part.size(), cut - part.first);
+  SplitEntries* const split_entries = from.size() == 4 ? kernels.split_entries : kernels.split_wide_entries;
+  split_entries(from.data(), to.data(), part.size(), cut - part.first);
   return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
 }
 
-void order_part(const Part& part, const Kernels& kernels, std::uint32_t* order) noexcept {
+template <class Index>
+void order_part(const Part<Index>& part, const Kernels& kernels, Index* order) noexcept {
   const std::size_t cut = cut_of(part);
   if (cut == 0) {
-    std::memcpy(order + part.first, (*part.entries)[3] + part.first, part.size() * sizeof *order);
+    for (std::size_t i = part.first; i != part.last; ++i) order[i] = index_of<Index>(*part.entries, i);
     return;
   }
-  const Halves halves = split(part, cut, kernels);
+  const Halves<Index> halves = split(part, cut, kernels);
   order_part(halves.low, kernels, order);
   order_part(halves.high, kernels, order);
 }
 
 }  // namespace
 
-void write_tree_order(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
-                      std::uint32_t* order) {
+template <class Index>
+void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
+                      const ClassBounds& class_first, Index* order) {
   const Kernels& kernels = active_kernels();
-  std::vector<Part> large;
-  std::vector<Part> small;
-  const auto sort_out = [&](const Part& part) { (part.size() > task_entries ? large : small).push_back(part); };
+  std::vector<Part<Index>> large;
+  std::vector<Part<Index>> small;
+  const auto sort_out = [&](const Part<Index>& part) { (part.size() > task_entries ? large : small).push_back(part); };
   for (unsigned c = 0; c != size_classes; ++c) {
     if (class_first[c] != class_first[c + 1]) sort_out({class_first[c], class_first[c + 1], &entries, &spare});
   }
   while (!large.empty()) {
-    std::vector<Halves> halves(large.size());
+    std::vector<Halves<Index>> halves(large.size());
     parallel_for(large.size(), 1,
                  [&](std::size_t i, std::size_t) { halves[i] = split(large[i], cut_of(large[i]), kernels); });
     large.clear();
-    for (const Halves& both : halves) {
+    for (const Halves<Index>& both : halves) {
       sort_out(both.low);
       sort_out(both.high);
     }
   }
   parallel_for(small.size(), 1, [&](std::size_t i, std::size_t) { order_part(small[i], kernels, order); });
 }
+
+template void write_tree_order(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
+                               const ClassBounds& class_first, std::uint32_t* order);
+template void write_tree_order(const EntryStreams<std::uint64_t>& entries, const EntryStreams<std::uint64_t>& spare,
+                               const ClassBounds& class_first, std::uint64_t* order);
 
 }  // namespace shaftcull::kernel

@@ -17,8 +17,9 @@ inline constexpr std::size_t fanout = 64;
 /// A tree is not made narrower than this many words at the top: visiting them all costs less than one more level.
 inline constexpr std::size_t top_words = 2;
 
-/// Six levels hold 64⁶ bounds, more than can be.
+/// A tree's levels hold at most this many bounds.
 inline constexpr std::size_t most_levels = 6;
+inline constexpr std::size_t most_bounds = top_words << 6 * most_levels;
 
 /// One level: level 0 is the leaves, entry i of another is the box around entries 64 i … of the one below.
 struct TreeLevel {
@@ -32,8 +33,9 @@ struct TreeLevel {
 template <class Bound>
 inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(ViewOf<Bound>::stream)>;
 
+/// Bounds in tree order and the nodes above them: all that a walk reads.
 template <class Bound>
-struct TreeParts {
+struct TreeLevels {
   std::size_t size = 0;
   std::array<TreeLevel, most_levels> level;
   std::size_t levels = 0;  ///< 0 for an empty tree
@@ -45,8 +47,6 @@ struct TreeParts {
   /// even where the box of the entry is inside.
   std::vector<std::uint64_t> gaps;
 
-  std::vector<std::uint32_t> order;  ///< leaf → the user's index
-  std::vector<std::uint32_t> place;  ///< the user's index → leaf; empty until somebody updates by index
   std::vector<std::uint64_t> dirty;  ///< bit i: a leaf under entry i of level 1 has changed; empty until then
   std::size_t dirty_words = 0;       ///< how many of those bits are set
   double surface_when_built = 0;
@@ -68,28 +68,34 @@ struct TreeParts {
   }
 };
 
+template <class Bound, class Index>
+struct TreeParts : TreeLevels<Bound> {
+  std::vector<Index> order;  ///< leaf → the user's index
+  std::vector<Index> place;  ///< the user's index → leaf; empty until somebody updates by index
+};
+
 /// Lays out the levels over `size` bounds and gets the memory for them; nothing is written but padding.
 template <class Bound>
-void lay_out(TreeParts<Bound>& parts, std::size_t size);
+void lay_out(TreeLevels<Bound>& parts, std::size_t size);
 
 /// Fits all nodes, in parallel; leaves the list of dirty ones empty.
 template <class Bound>
-void fit_all(TreeParts<Bound>& parts);
+void fit_all(TreeLevels<Bound>& parts);
 
 /// Fits an entry of level 1 to the word of leaves below it, which is in `leaves`.
 template <class Bound>
-void fit_leaf_word(TreeParts<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]);
+void fit_leaf_word(TreeLevels<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]);
 
 /// Fits the levels above level 1, whose entries are all fitted; leaves the list of dirty ones empty.
 template <class Bound>
-void fit_upper(TreeParts<Bound>& parts);
+void fit_upper(TreeLevels<Bound>& parts);
 
 /// Fits the nodes above dirty words of leaves, and leaves none dirty.
 template <class Bound>
-void fit_dirty(TreeParts<Bound>& parts);
+void fit_dirty(TreeLevels<Bound>& parts);
 
 /// Summed surface of the boxes of level 1; infinite ones are left out.
 template <class Bound>
-double surface(const TreeParts<Bound>& parts);
+double surface(const TreeLevels<Bound>& parts);
 
 }  // namespace shaftcull::kernel

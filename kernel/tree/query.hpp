@@ -14,12 +14,12 @@
 
 namespace shaftcull::kernel {
 
-template <class Bound>
+template <class Bound, class Index>
 class Query {
  public:
   /// Throws InvalidArgument as query.hpp says.
-  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Question question,
-        const Excluding& excluding)
+  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Question question,
+        const ExcludingOf<Index>& excluding)
       : shafts_(shafts),
         parts_(tree.parts() == nullptr ? empty_ : *tree.parts()),
         kernels_(active_kernels()),
@@ -43,7 +43,7 @@ class Query {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] const std::uint32_t* order() const noexcept { return parts_.order.data(); }
+  [[nodiscard]] const Index* order() const noexcept { return parts_.order.data(); }
 
   /// Gives the visitor what shaft s keeps.
   template <class Visitor>
@@ -51,18 +51,18 @@ class Query {
     if (own_.empty() && mask_.empty()) {
       Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
     } else {
-      Filter<Visitor> filter(order(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
-      Walk<Bound, Filter<Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
+      Filter<Index, Visitor> filter(order(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
+      Walk<Bound, Filter<Index, Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
     }
   }
 
  private:
-  inline static const TreeParts<Bound> empty_{};
+  inline static const TreeParts<Bound, Index> empty_{};
   std::span<const CompiledShaft> shafts_;
-  const TreeParts<Bound>& parts_;
+  const TreeParts<Bound, Index>& parts_;
   const Kernels& kernels_;
   Question question_;
-  std::span<const std::uint32_t> own_;
+  std::span<const Index> own_;
   std::size_t own_per_shaft_;
   std::span<const std::uint64_t> mask_;
 };

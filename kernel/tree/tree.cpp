@@ -16,17 +16,22 @@ namespace shaftcull {
 namespace {
 
 /// `bounds`, or an exception.
-template <class Bounds>
+template <class Index, class Bounds>
 const Bounds& few_enough(const Bounds& bounds) {
-  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::size_t most = std::min<std::size_t>(std::numeric_limits<Index>::max(), kernel::most_bounds);
   if (bounds.count <= most) return bounds;
-  throw InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: its 32-bit indices reach to " +
-                        std::to_string(most) + "; build several trees");
+  std::string message = "a tree of " + std::to_string(bounds.count) + " bounds: ";
+  if constexpr (most < kernel::most_bounds) {
+    message += "32-bit indices reach to " + std::to_string(most) + "; use a BoundsTree<…, std::uint64_t>";
+  } else {
+    message += "it can hold " + std::to_string(most) + "; build several trees";
+  }
+  throw InvalidArgument(message);
 }
 
-template <class Bound, class Source>
-std::unique_ptr<kernel::TreeParts<Bound>> built_from(const Source& source) {
-  return std::make_unique<kernel::TreeParts<Bound>>(kernel::build<Bound>(source));
+template <class Bound, class Index, class Source>
+std::unique_ptr<kernel::TreeParts<Bound, Index>> built_from(const Source& source) {
+  return std::make_unique<kernel::TreeParts<Bound, Index>>(kernel::build<Bound, Index>(source));
 }
 
 StreamMemory copy_of(const StreamMemory& memory, std::size_t rows) {
@@ -35,10 +40,10 @@ StreamMemory copy_of(const StreamMemory& memory, std::size_t rows) {
   return copy;
 }
 
-template <class Bound>
-std::unique_ptr<kernel::TreeParts<Bound>> copy_of(const kernel::TreeParts<Bound>* parts) {
+template <class Bound, class Index>
+std::unique_ptr<kernel::TreeParts<Bound, Index>> copy_of(const kernel::TreeParts<Bound, Index>* parts) {
   if (parts == nullptr) return nullptr;
-  auto copy = std::make_unique<kernel::TreeParts<Bound>>();
+  auto copy = std::make_unique<kernel::TreeParts<Bound, Index>>();
   copy->size = parts->size;
   copy->level = parts->level;
   copy->levels = parts->levels;
@@ -54,54 +59,54 @@ std::unique_ptr<kernel::TreeParts<Bound>> copy_of(const kernel::TreeParts<Bound>
 }
 
 /// Parts to update: those of an empty tree are made when needed.
-template <class Bound>
-kernel::TreeParts<Bound>& of(std::unique_ptr<kernel::TreeParts<Bound>>& parts) {
-  if (!parts) parts = std::make_unique<kernel::TreeParts<Bound>>();
+template <class Bound, class Index>
+kernel::TreeParts<Bound, Index>& of(std::unique_ptr<kernel::TreeParts<Bound, Index>>& parts) {
+  if (!parts) parts = std::make_unique<kernel::TreeParts<Bound, Index>>();
   return *parts;
 }
 
 }  // namespace
 
-template <class Bound>
-BoundsTree<Bound>::BoundsTree() noexcept = default;
-template <class Bound>
-BoundsTree<Bound>::~BoundsTree() = default;
-template <class Bound>
-BoundsTree<Bound>::BoundsTree(BoundsTree&& other) noexcept = default;
-template <class Bound>
-BoundsTree<Bound>& BoundsTree<Bound>::operator=(BoundsTree&& other) noexcept = default;
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::BoundsTree() noexcept = default;
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::~BoundsTree() = default;
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::BoundsTree(BoundsTree&& other) noexcept = default;
+template <class Bound, class Index>
+BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(BoundsTree&& other) noexcept = default;
 
-template <class Bound>
-BoundsTree<Bound>::BoundsTree(const View& bounds)
-    : parts_(built_from<Bound>(kernel::ViewSource<Bound>(few_enough(bounds)))) {}
-template <class Bound>
-BoundsTree<Bound>::BoundsTree(const Records& bounds)
-    : parts_(built_from<Bound>(kernel::RecordSource<Bound>(few_enough(bounds)))) {}
-template <class Bound>
-BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
-template <class Bound>
-BoundsTree<Bound>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_.get())) {}
-template <class Bound>
-BoundsTree<Bound>& BoundsTree<Bound>::operator=(const BoundsTree& other) {
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::BoundsTree(const View& bounds)
+    : parts_(built_from<Bound, Index>(kernel::ViewSource<Bound>(few_enough<Index>(bounds)))) {}
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
+    : parts_(built_from<Bound, Index>(kernel::RecordSource<Bound>(few_enough<Index>(bounds)))) {}
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
+template <class Bound, class Index>
+BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_.get())) {}
+template <class Bound, class Index>
+BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(const BoundsTree& other) {
   if (this != &other) parts_ = copy_of(other.parts_.get());
   return *this;
 }
 
-template <class Bound>
-std::size_t BoundsTree<Bound>::size() const noexcept {
+template <class Bound, class Index>
+std::size_t BoundsTree<Bound, Index>::size() const noexcept {
   return parts_ ? parts_->size : 0;
 }
 
-template <class Bound>
-std::size_t BoundsTree<Bound>::memory_bytes() const noexcept {
+template <class Bound, class Index>
+std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
   return sizeof *parts_ + parts_->leaves.bytes() + parts_->nodes.bytes() +
          sizeof(std::uint64_t) * (parts_->gaps.capacity() + parts_->dirty.capacity()) +
-         sizeof(std::uint32_t) * (parts_->order.capacity() + parts_->place.capacity());
+         sizeof(Index) * (parts_->order.capacity() + parts_->place.capacity());
 }
 
-template <class Bound>
-auto BoundsTree<Bound>::leaves() const noexcept -> View {
+template <class Bound, class Index>
+auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
   View view;
   if (!parts_) return view;
   for (std::size_t s = 0; s != kernel::rows_of<Bound>; ++s) view.stream[s] = parts_->leaves.row(s);
@@ -109,40 +114,40 @@ auto BoundsTree<Bound>::leaves() const noexcept -> View {
   return view;
 }
 
-template <class Bound>
-std::span<const std::uint32_t> BoundsTree<Bound>::order() const noexcept {
+template <class Bound, class Index>
+std::span<const Index> BoundsTree<Bound, Index>::order() const noexcept {
   if (!parts_) return {};
   return parts_->order;
 }
 
-template <class Bound>
-void BoundsTree<Bound>::update(const View& all) {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::update(const View& all) {
   kernel::update_all(of(parts_), kernel::ViewSource<Bound>(all));
 }
-template <class Bound>
-void BoundsTree<Bound>::update(const Records& all) {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::update(const Records& all) {
   kernel::update_all(of(parts_), kernel::RecordSource<Bound>(all));
 }
-template <class Bound>
-void BoundsTree<Bound>::update(std::span<const Bound> all) {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
   update(records(all));
 }
 
-template <class Bound>
-void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, const View& bounds) {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const View& bounds) {
   kernel::update_some(of(parts_), indices, kernel::ViewSource<Bound>(bounds));
 }
-template <class Bound>
-void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, const Records& bounds) {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const Records& bounds) {
   kernel::update_some(of(parts_), indices, kernel::RecordSource<Bound>(bounds));
 }
-template <class Bound>
-void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds) {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<const Bound> bounds) {
   update(indices, records(bounds));
 }
 
-template <class Bound>
-void BoundsTree<Bound>::refit() {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::refit() {
   if (!needs_refit()) return;
   // Entry by entry is dearer than in one sweep; from about one word in eight on the sweep wins.
   if (parts_->dirty_words * 8 > words_for(parts_->size)) {
@@ -152,35 +157,37 @@ void BoundsTree<Bound>::refit() {
   }
 }
 
-template <class Bound>
-bool BoundsTree<Bound>::needs_refit() const noexcept {
+template <class Bound, class Index>
+bool BoundsTree<Bound, Index>::needs_refit() const noexcept {
   return parts_ && parts_->dirty_words != 0;
 }
 
-template <class Bound>
-double BoundsTree<Bound>::growth() const {
+template <class Bound, class Index>
+double BoundsTree<Bound, Index>::growth() const {
   if (!parts_) return 1;
   if (needs_refit()) throw InvalidArgument("growth() of a tree whose bounds were updated; call refit() first");
   const double now = kernel::surface(*parts_);
   return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;
 }
 
-template <class Bound>
-void BoundsTree<Bound>::rebuild() {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::rebuild() {
   if (!parts_) return;
-  kernel::TreeParts<Bound> anew = kernel::build<Bound>(kernel::ViewSource<Bound>(leaves()));
-  for (std::uint32_t& index : anew.order) index = parts_->order[index];
+  kernel::TreeParts<Bound, Index> anew = kernel::build<Bound, Index>(kernel::ViewSource<Bound>(leaves()));
+  for (Index& index : anew.order) index = parts_->order[index];
   *parts_ = std::move(anew);
 }
 
-template <class Bound>
-void BoundsTree<Bound>::renumber() noexcept {
+template <class Bound, class Index>
+void BoundsTree<Bound, Index>::renumber() noexcept {
   if (!parts_) return;
-  std::iota(parts_->order.begin(), parts_->order.end(), std::uint32_t{0});
-  std::iota(parts_->place.begin(), parts_->place.end(), std::uint32_t{0});
+  std::iota(parts_->order.begin(), parts_->order.end(), Index{0});
+  std::iota(parts_->place.begin(), parts_->place.end(), Index{0});
 }
 
 template class BoundsTree<Box>;
 template class BoundsTree<Sphere>;
+template class BoundsTree<Box, std::uint64_t>;
+template class BoundsTree<Sphere, std::uint64_t>;
 
 }  // namespace shaftcull

@@ -18,17 +18,17 @@ void require_count(std::size_t count, std::size_t size) {
                         "; give one for each, or the indices of those that changed");
 }
 
-template <class Bound>
-void require_places(TreeParts<Bound>& parts) {
+template <class Bound, class Index>
+void require_places(TreeParts<Bound, Index>& parts) {
   if (!parts.place.empty() || parts.size == 0) return;
   parts.place.resize(parts.size);
-  for (std::size_t p = 0; p != parts.size; ++p) parts.place[parts.order[p]] = static_cast<std::uint32_t>(p);
+  for (std::size_t p = 0; p != parts.size; ++p) parts.place[parts.order[p]] = static_cast<Index>(p);
 }
 
 }  // namespace
 
-template <class Bound, class Source>
-void update_all(TreeParts<Bound>& parts, const Source& source) {
+template <class Bound, class Index, class Source>
+void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   require_count(source.count(), parts.size);
   require_legal<Bound>(source);
   parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
@@ -40,8 +40,8 @@ void update_all(TreeParts<Bound>& parts, const Source& source) {
   fit_upper(parts);
 }
 
-template <class Bound, class Source>
-void update_some(TreeParts<Bound>& parts, std::span<const std::uint32_t> indices, const Source& source) {
+template <class Bound, class Index, class Source>
+void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices, const Source& source) {
   if (indices.size() != source.count()) {
     throw InvalidArgument("update got " + std::to_string(indices.size()) + " indices and " +
                           std::to_string(source.count()) + " bounds; every index needs one bound");
@@ -68,16 +68,29 @@ void update_some(TreeParts<Bound>& parts, std::span<const std::uint32_t> indices
   }
 }
 
-template void update_all(TreeParts<Box>& parts, const ViewSource<Box>& source);
-template void update_all(TreeParts<Box>& parts, const RecordSource<Box>& source);
-template void update_all(TreeParts<Sphere>& parts, const ViewSource<Sphere>& source);
-template void update_all(TreeParts<Sphere>& parts, const RecordSource<Sphere>& source);
-template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices, const ViewSource<Box>& source);
-template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices,
+template void update_all(TreeParts<Box, std::uint32_t>& parts, const ViewSource<Box>& source);
+template void update_all(TreeParts<Box, std::uint32_t>& parts, const RecordSource<Box>& source);
+template void update_all(TreeParts<Sphere, std::uint32_t>& parts, const ViewSource<Sphere>& source);
+template void update_all(TreeParts<Sphere, std::uint32_t>& parts, const RecordSource<Sphere>& source);
+template void update_all(TreeParts<Box, std::uint64_t>& parts, const ViewSource<Box>& source);
+template void update_all(TreeParts<Box, std::uint64_t>& parts, const RecordSource<Box>& source);
+template void update_all(TreeParts<Sphere, std::uint64_t>& parts, const ViewSource<Sphere>& source);
+template void update_all(TreeParts<Sphere, std::uint64_t>& parts, const RecordSource<Sphere>& source);
+template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
+                          const ViewSource<Box>& source);
+template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
                           const RecordSource<Box>& source);
-template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices,
+template void update_some(TreeParts<Sphere, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
                           const ViewSource<Sphere>& source);
-template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices,
+template void update_some(TreeParts<Sphere, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
+                          const RecordSource<Sphere>& source);
+template void update_some(TreeParts<Box, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
+                          const ViewSource<Box>& source);
+template void update_some(TreeParts<Box, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
+                          const RecordSource<Box>& source);
+template void update_some(TreeParts<Sphere, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
+                          const ViewSource<Sphere>& source);
+template void update_some(TreeParts<Sphere, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
                           const RecordSource<Sphere>& source);
 
 }  // namespace shaftcull::kernel

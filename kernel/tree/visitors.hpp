@@ -13,21 +13,21 @@
 namespace shaftcull::kernel {
 
 /// Leaves as the user's indices.
-template <class Output>
+template <class Index, class Output>
 class IndexList {
  public:
-  IndexList(const std::uint32_t* order, Output& output) noexcept : order_(order), output_(output) {}
+  IndexList(const Index* order, Output& output) noexcept : order_(order), output_(output) {}
 
   void bits(std::size_t first, std::uint64_t bits) {
-    const std::uint32_t* const here = order_ + first;
-    std::uint32_t* const out = output_.room();
+    const Index* const here = order_ + first;
+    Index* const out = output_.room();
     if (out == nullptr) {
       for (; bits != 0; bits &= bits - 1) output_.push(here[std::countr_zero(bits)]);
     } else if (bits == ~std::uint64_t{0}) {
       std::copy(here, here + 64, out);
       output_.advance(64);
     } else {
-      std::uint32_t* end = out;
+      Index* end = out;
       for (; bits != 0; bits &= bits - 1) *end++ = here[std::countr_zero(bits)];
       output_.advance(static_cast<std::size_t>(end - out));
     }
@@ -38,15 +38,15 @@ class IndexList {
   }
 
  private:
-  const std::uint32_t* order_;
+  const Index* order_;
   Output& output_;
 };
 
 /// Leaves as runs, each as long as can be.
-template <class Output>
+template <class Index, class Output>
 class RunList {
  public:
-  RunList(const std::uint32_t* /*order*/, Output& output) noexcept : output_(output) {}
+  RunList(const Index* /*order*/, Output& output) noexcept : output_(output) {}
   void bits(std::size_t first, std::uint64_t bits) {
     while (bits != 0) {
       const int start = std::countr_zero(bits);
@@ -59,9 +59,9 @@ class RunList {
   void run(std::size_t first, std::size_t size) {
     // The end is remembered here: a span may have had no room for the run.
     if (first == end_ && end_ != 0) {
-      if (TreeRun* const last = output_.last()) last->size += static_cast<std::uint32_t>(size);
+      if (TreeRunOf<Index>* const last = output_.last()) last->size += static_cast<Index>(size);
     } else {
-      output_.push({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
+      output_.push({static_cast<Index>(first), static_cast<Index>(size)});
     }
     end_ = first + size;
   }
@@ -113,11 +113,11 @@ class ClassLister {
 };
 
 /// Visitor in front of another that leaves bounds out.
-template <class Visitor>
+template <class Index, class Visitor>
 class Filter {
  public:
-  /// `own` and `mask` as in Excluding, for one shaft.
-  Filter(const std::uint32_t* order, std::span<const std::uint32_t> own, std::span<const std::uint64_t> mask,
+  /// `own` and `mask` as in ExcludingOf, for one shaft.
+  Filter(const Index* order, std::span<const Index> own, std::span<const std::uint64_t> mask,
          Visitor& visitor) noexcept
       : order_(order), own_(own), mask_(mask), visitor_(visitor) {}
 
@@ -141,16 +141,16 @@ class Filter {
   [[nodiscard]] std::uint64_t excluded(std::size_t first, std::uint64_t asked) const noexcept {
     std::uint64_t out = 0;
     for (std::uint64_t left = asked; left != 0; left &= left - 1) {
-      const std::uint32_t index = order_[first + static_cast<std::size_t>(std::countr_zero(left))];
+      const Index index = order_[first + static_cast<std::size_t>(std::countr_zero(left))];
       bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
-      for (const std::uint32_t own : own_) is_out |= own == index;
+      for (const Index own : own_) is_out |= own == index;
       if (is_out) out |= left & -left;
     }
     return out;
   }
 
-  const std::uint32_t* order_;
-  std::span<const std::uint32_t> own_;
+  const Index* order_;
+  std::span<const Index> own_;
   std::span<const std::uint64_t> mask_;
   Visitor& visitor_;
 };

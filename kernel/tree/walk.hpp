@@ -27,7 +27,7 @@ enum class Question : std::uint8_t { kept, kept_and_inside };
 template <class Bound, class Visitor>
 class Walk {
  public:
-  Walk(const TreeParts<Bound>& parts, const Kernels& kernels, const CompiledShaft& shaft, Question question,
+  Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const CompiledShaft& shaft, Question question,
        Visitor& visitor) noexcept
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
@@ -110,7 +110,7 @@ class Walk {
     return {rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]};
   }
 
-  const TreeParts<Bound>& parts_;
+  const TreeLevels<Bound>& parts_;
   TestListedWords* test_leaves_;
   TestListedWords* test_nodes_;
   Question question_;

@@ -16,7 +16,7 @@ namespace shaftcull::kernel {
 /// Written one leaf at a time, every leaf would write as many cache lines as there are streams, and keep the next one
 /// waiting for them.
 template <class Bound, class Read>
-void write_leaves(TreeParts<Bound>& parts, const Run& run, const Read& read) {
+void write_leaves(TreeLevels<Bound>& parts, const Run& run, const Read& read) {
   const auto row = parts.leaf_rows();
   const WordWriter writer(parts.leaves.bytes());
   alignas(64) float word[rows_of<Bound>][fanout];

@@ -89,7 +89,8 @@ TEST_F(ManyErrors, ListsOfMoreBoundsThanIndicesReachAreRefused) {
   BoxView view = boxes_.view();
   view.count = (std::size_t{1} << 32U) + 1;  // never read
   IndexLists lists;
-  EXPECT_THAT(refusal([&] { list_many(shafts_, view, lists); }), HasSubstr("4294967297"));
+  EXPECT_THAT(refusal([&] { list_many(shafts_, view, lists); }),
+              HasSubstr("4294967297 bounds, but 32-bit indices reach 4294967295; use IndexListsOf<std::uint64_t>"));
 }
 
 TEST_F(ManyErrors, AnEmptyCallbackIsRefused) {

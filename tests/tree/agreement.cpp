@@ -15,31 +15,31 @@ namespace shaftcull {
 namespace {
 
 /// Every way of asking one shaft.
-template <class Bound>
-void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>& bounds, const CompiledShaft& shaft) {
+template <class Bound, class Index>
+void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector<Bound>& bounds, const CompiledShaft& shaft) {
   const FlatAnswers flat(shaft, bounds);
   const Indices kept = flat.kept();
   EXPECT_EQ(count(shaft, tree), kept.size());
 
-  Indices indices(bounds.size());
+  std::vector<Index> indices(bounds.size());
   indices.resize(cull(shaft, tree, std::span(indices)));
   EXPECT_EQ(sorted(indices), kept);
 
-  std::vector<TreeRun> runs(bounds.size());
+  std::vector<TreeRunOf<Index>> runs(bounds.size());
   runs.resize(cull(shaft, tree, std::span(runs)));
   EXPECT_EQ(sorted(runs, tree.order()), kept);
   EXPECT_TRUE(are_maximal(runs));
 
-  Indices overlap(bounds.size());
-  Indices inside(bounds.size());
+  std::vector<Index> overlap(bounds.size());
+  std::vector<Index> inside(bounds.size());
   const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
   EXPECT_EQ(sorted(overlap), flat.overlap);
   EXPECT_EQ(sorted(inside), flat.inside);
 
-  std::vector<TreeRun> overlap_runs(bounds.size());
-  std::vector<TreeRun> inside_runs(bounds.size());
+  std::vector<TreeRunOf<Index>> overlap_runs(bounds.size());
+  std::vector<TreeRunOf<Index>> inside_runs(bounds.size());
   const KeptCounts run_counts = classify(shaft, tree, std::span(overlap_runs), std::span(inside_runs));
   overlap_runs.resize(run_counts.overlap);
   inside_runs.resize(run_counts.inside);
@@ -49,16 +49,17 @@ void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>
   EXPECT_TRUE(are_maximal(inside_runs));
 }
 
-template <class Bound>
+template <class Bound, class Index = std::uint32_t>
 void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std::size_t shaft_count) {
   Dice dice(seed);
   const std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
-  const BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
+  const BoundsTree<Bound, Index> tree{std::span<const Bound>(bounds)};
   ASSERT_EQ(tree.size(), count);
   for (const CompiledShaft& shaft : shafts_for(dice, shaft_count)) {
     expect_flat_answers(tree, bounds, shaft);
     if (!testing::Test::HasFailure()) continue;
-    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere") << ">(" << seed
+    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere")
+                  << (sizeof(Index) == 8 ? ", std::uint64_t" : "") << ">(" << seed
                   << ", shape " << text(shape) << ", " << count << ", " << shaft_count << ')';
     return;
   }
@@ -70,6 +71,8 @@ TEST(TreeAgreement, HoldsForEveryShapeAndCount) {
     for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 128U, 129U, 4096U, 4097U, 8193U}) {
       expect_flat_answers<Box>(++seed, shape, count, 10);
       expect_flat_answers<Sphere>(++seed, shape, count, 10);
+      expect_flat_answers<Box, std::uint64_t>(++seed, shape, count, 10);
+      expect_flat_answers<Sphere, std::uint64_t>(++seed, shape, count, 10);
       if (HasFailure()) return;
     }
   }

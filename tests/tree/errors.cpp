@@ -66,6 +66,18 @@ TEST(TreeErrors, TheFirstBadBoundIsNamed) {
               HasSubstr("sphere 1: radius = -2 is negative"));
 }
 
+TEST(TreeErrors, MoreBoundsThanIndicesReachAreRefused) {
+  BoxView view = BoxStream(std::span<const Box>(boxes(1))).view();
+  const auto refusal_of = [&]<class Tree>(std::size_t count, const Tree& /*kind*/) {
+    view.count = count;  // never read
+    return message_of([&] { const Tree tree(view); });
+  };
+  EXPECT_THAT(refusal_of(std::size_t{1} << 32U, BoxTree()),
+              HasSubstr("a tree of 4294967296 bounds: 32-bit indices reach to 4294967295; use a BoundsTree<…, std::uint64_t>"));
+  EXPECT_THAT(refusal_of((std::size_t{1} << 37U) + 1, BoundsTree<Box, std::uint64_t>()),
+              HasSubstr("a tree of 137438953473 bounds: it can hold 137438953472"));
+}
+
 TEST(TreeErrors, ABadUpdateLeavesTheTreeAsItWas) {
   BoxTree tree{std::span<const Box>(boxes(100))};
   std::vector<Box> bad = boxes(100);

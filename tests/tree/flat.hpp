@@ -37,24 +37,29 @@ struct FlatAnswers {
   }
 };
 
-inline Indices sorted(std::span<const std::uint32_t> indices) {
-  Indices all(indices.begin(), indices.end());
+/// Ascending indices, of 32 or 64 bits.
+template <class List>
+Indices sorted(const List& indices) {
+  Indices all;
+  for (const auto index : indices) all.push_back(static_cast<std::uint32_t>(index));
   std::sort(all.begin(), all.end());
   return all;
 }
 
 /// The indices that runs stand for, ascending.
-inline Indices sorted(std::span<const TreeRun> runs, std::span<const std::uint32_t> order) {
+template <class Runs, class Index>
+Indices sorted(const Runs& runs, std::span<const Index> order) {
   Indices all;
-  for (const TreeRun& run : runs) {
-    for (std::uint32_t p = run.first; p != run.first + run.size; ++p) all.push_back(order[p]);
+  for (const TreeRunOf<Index>& run : runs) {
+    for (Index p = run.first; p != run.first + run.size; ++p) all.push_back(static_cast<std::uint32_t>(order[p]));
   }
   std::sort(all.begin(), all.end());
   return all;
 }
 
 /// Whether runs ascend and no two of them could be one.
-inline bool are_maximal(std::span<const TreeRun> runs) {
+template <class Runs>
+bool are_maximal(const Runs& runs) {
   for (std::size_t r = 0; r != runs.size(); ++r) {
     if (runs[r].size == 0) return false;
     if (r != 0 && runs[r].first <= runs[r - 1].first + runs[r - 1].size) return false;

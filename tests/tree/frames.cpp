@@ -9,20 +9,22 @@
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
+#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull {
 namespace {
 
-template <class Bound>
+template <class Tree>
 class TreeFrames : public testing::Test {
  protected:
   /// Whether both answer the same, asked by some shafts.
-  static void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>& bounds, std::uint64_t seed) {
+  static void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds,
+                                  std::uint64_t seed) {
     Dice dice(seed);
     const std::vector<CompiledShaft> shafts = shafts_for(dice, 8);
-    IndexLists overlap;
-    IndexLists inside;
+    IndexListsOf<IndexOf<Tree>> overlap;
+    IndexListsOf<IndexOf<Tree>> inside;
     list_many(shafts, tree, overlap, inside);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       const FlatAnswers flat(shafts[s], bounds);
@@ -32,19 +34,19 @@ class TreeFrames : public testing::Test {
   }
 };
 
-using Kinds = testing::Types<Box, Sphere>;
-TYPED_TEST_SUITE(TreeFrames, Kinds);
+TYPED_TEST_SUITE(TreeFrames, TreeKinds);
 
 constexpr std::size_t counts[] = {0, 1, 64, 65, 129, 4097, 20000};
 
 TYPED_TEST(TreeFrames, UpdatingEverythingFromRecordsOrStreamsEqualsTheNewBounds) {
+  using Bound = BoundOf<TypeParam>;
   Dice dice(71);
   for (const std::size_t count : counts) {
-    BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, count))};
+    TypeParam tree{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, count))};
     for (const Shape shape : shapes) {
-      const std::vector<TypeParam> moved = scene<TypeParam>(dice, shape, count);
+      const std::vector<Bound> moved = scene<Bound>(dice, shape, count);
       if (dice.one_in(2)) {
-        tree.update(std::span<const TypeParam>(moved));
+        tree.update(std::span<const Bound>(moved));
       } else {
         tree.update(columns(moved).view());
       }
@@ -55,20 +57,22 @@ TYPED_TEST(TreeFrames, UpdatingEverythingFromRecordsOrStreamsEqualsTheNewBounds)
 }
 
 TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
   Dice dice(72);
   for (const std::size_t count : counts) {
     if (count == 0) continue;
     for (const Shape shape : shapes) {
-      std::vector<TypeParam> bounds = scene<TypeParam>(dice, shape, count);
-      BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+      std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
+      TypeParam tree{std::span<const Bound>(bounds)};
       for (const std::size_t moves : {std::size_t{1}, count / 100 + 1, count}) {  // few and many dirty nodes
-        std::vector<std::uint32_t> indices;
-        const std::vector<TypeParam> values = scene<TypeParam>(dice, shapes[dice.below(std::size(shapes))], moves);
-        for (const TypeParam& value : values) {
+        std::vector<Index> indices;
+        const std::vector<Bound> values = scene<Bound>(dice, shapes[dice.below(std::size(shapes))], moves);
+        for (const Bound& value : values) {
           indices.push_back(dice.below(static_cast<unsigned>(count)));  // some twice: the last value counts
           bounds[indices.back()] = value;
         }
-        tree.update(indices, std::span<const TypeParam>(values));
+        tree.update(indices, std::span<const Bound>(values));
         EXPECT_TRUE(tree.needs_refit());
         tree.refit();
         EXPECT_FALSE(tree.needs_refit());
@@ -80,19 +84,21 @@ TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
 }
 
 TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
   Dice dice(73);
-  std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 20000);
-  BoundsTree<TypeParam> few{std::span<const TypeParam>(bounds)};
-  BoundsTree<TypeParam> all = few;
-  const std::vector<TypeParam> values = scene<TypeParam>(dice, Shape::uniform, 9);
-  std::vector<std::uint32_t> indices;
-  for (const TypeParam& value : values) {
+  std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 20000);
+  TypeParam few{std::span<const Bound>(bounds)};
+  TypeParam all = few;
+  const std::vector<Bound> values = scene<Bound>(dice, Shape::uniform, 9);
+  std::vector<Index> indices;
+  for (const Bound& value : values) {
     indices.push_back(dice.below(20000));
     bounds[indices.back()] = value;
   }
-  few.update(indices, std::span<const TypeParam>(values));
+  few.update(indices, std::span<const Bound>(values));
   few.refit();
-  all.update(std::span<const TypeParam>(bounds));
+  all.update(std::span<const Bound>(bounds));
   EXPECT_EQ(few.growth(), all.growth());
 }
 
@@ -111,64 +117,71 @@ TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
 }
 
 TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
   Dice dice(74);
-  BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, 20000))};
+  TypeParam tree{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, 20000))};
   EXPECT_EQ(tree.growth(), 1.0);
-  const std::vector<TypeParam> shuffled = scene<TypeParam>(dice, Shape::uniform, 20000);
-  tree.update(std::span<const TypeParam>(shuffled));
+  const std::vector<Bound> shuffled = scene<Bound>(dice, Shape::uniform, 20000);
+  tree.update(std::span<const Bound>(shuffled));
   EXPECT_GT(tree.growth(), 10.0);
   tree.rebuild();
   EXPECT_EQ(tree.growth(), 1.0);
   this->expect_flat_answers(tree, shuffled, 741);
-  const std::vector<TypeParam> again = scene<TypeParam>(dice, Shape::uniform, 20000);
-  const std::vector<std::uint32_t> indices = {5, 19999};
-  tree.update(indices, std::span<const TypeParam>(again).first(2));
+  const std::vector<Bound> again = scene<Bound>(dice, Shape::uniform, 20000);
+  const std::vector<Index> indices = {5, 19999};
+  tree.update(indices, std::span<const Bound>(again).first(2));
   tree.refit();
-  std::vector<TypeParam> bounds = shuffled;
+  std::vector<Bound> bounds = shuffled;
   bounds[5] = again[0];
   bounds[19999] = again[1];
   this->expect_flat_answers(tree, bounds, 742);
 }
 
 TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
-  const std::vector<TypeParam> points(1000, TypeParam{});
-  BoundsTree<TypeParam> tree{std::span<const TypeParam>(points)};
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
+  const std::vector<Bound> points(1000, Bound{});
+  TypeParam tree{std::span<const Bound>(points)};
   EXPECT_EQ(tree.growth(), 1.0);
-  if constexpr (std::is_same_v<TypeParam, Box>) {  // the nodes of spheres are rounded outwards
-    const std::vector<std::uint32_t> one = {3};
-    const std::vector<TypeParam> away = {{{1, 1, 1}, {2, 2, 2}}};
-    tree.update(one, std::span<const TypeParam>(away));
+  if constexpr (std::is_same_v<Bound, Box>) {  // the nodes of spheres are rounded outwards
+    const std::vector<Index> one = {3};
+    const std::vector<Bound> away = {{{1, 1, 1}, {2, 2, 2}}};
+    tree.update(one, std::span<const Bound>(away));
     tree.refit();
     EXPECT_EQ(tree.growth(), HUGE_VAL);
   }
 }
 
 TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
   Dice dice(79);
-  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 5000);
+  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
   for (const bool updated_before : {false, true}) {
-    BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+    TypeParam tree{std::span<const Bound>(bounds)};
     if (updated_before) {
-      tree.update(std::vector<std::uint32_t>{7}, std::span<const TypeParam>(bounds).subspan(7, 1));
+      tree.update(std::vector<Index>{7}, std::span<const Bound>(bounds).subspan(7, 1));
       tree.refit();
     }
-    std::vector<TypeParam> sorted;
-    for (const std::uint32_t i : tree.order()) sorted.push_back(bounds[i]);
+    std::vector<Bound> sorted;
+    for (const Index i : tree.order()) sorted.push_back(bounds[i]);
     tree.renumber();
     this->expect_flat_answers(tree, sorted, 791);
     sorted[33] = sorted[4000];
-    tree.update(std::vector<std::uint32_t>{33}, std::span<const TypeParam>(sorted).subspan(33, 1));
+    tree.update(std::vector<Index>{33}, std::span<const Bound>(sorted).subspan(33, 1));
     tree.refit();
     this->expect_flat_answers(tree, sorted, 792);
-    tree.update(std::span<const TypeParam>(bounds));
+    tree.update(std::span<const Bound>(bounds));
     this->expect_flat_answers(tree, bounds, 793);
   }
 }
 
 TYPED_TEST(TreeFrames, LeavesAndOrderShowTheBounds) {
+  using Bound = BoundOf<TypeParam>;
   Dice dice(75);
-  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 777);
-  const BoundsTree<TypeParam> tree{columns(bounds).view()};
+  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 777);
+  const TypeParam tree{columns(bounds).view()};
   std::vector<bool> seen(bounds.size());
   for (std::size_t p = 0; p != bounds.size(); ++p) {
     EXPECT_EQ(tree.leaves()[p], bounds[tree.order()[p]]);
@@ -178,12 +191,13 @@ TYPED_TEST(TreeFrames, LeavesAndOrderShowTheBounds) {
 }
 
 TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
+  using Bound = BoundOf<TypeParam>;
   Dice dice(76);
-  const std::vector<TypeParam> bounds = scene<TypeParam>(dice, Shape::uniform, 5000);
-  BoundsTree<TypeParam> first{std::span<const TypeParam>(bounds)};
-  BoundsTree<TypeParam> second = first;
-  const std::vector<TypeParam> moved = scene<TypeParam>(dice, Shape::clustered, 5000);
-  second.update(std::span<const TypeParam>(moved));
+  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  TypeParam first{std::span<const Bound>(bounds)};
+  TypeParam second = first;
+  const std::vector<Bound> moved = scene<Bound>(dice, Shape::clustered, 5000);
+  second.update(std::span<const Bound>(moved));
   this->expect_flat_answers(first, bounds, 761);
   this->expect_flat_answers(second, moved, 762);
   first = std::move(second);
@@ -192,17 +206,19 @@ TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
   EXPECT_TRUE(second.order().empty());
   EXPECT_EQ(second.leaves().count, 0U);
   this->expect_flat_answers(second, {}, 764);
-  second.update(std::span<const TypeParam>());
+  second.update(std::span<const Bound>());
   second.rebuild();
   second.refit();
   EXPECT_EQ(second.growth(), 1.0);
 }
 
 TYPED_TEST(TreeFrames, NodesTakeLessThanTwoPerCentOfLeavesAndOrder) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
   Dice dice(77);
   const std::size_t count = 400000;
-  const BoundsTree<TypeParam> tree{std::span<const TypeParam>(scene<TypeParam>(dice, Shape::uniform, count))};
-  const std::size_t needed = count * (tree.leaves().stream.size() * sizeof(float) + sizeof(std::uint32_t));
+  const TypeParam tree{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, count))};
+  const std::size_t needed = count * (tree.leaves().stream.size() * sizeof(float) + sizeof(Index));
   EXPECT_LT(tree.memory_bytes(), needed + needed / 50);
 }
 

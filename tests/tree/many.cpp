@@ -11,39 +11,40 @@
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
+#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull {
 namespace {
 
-template <class Bound>
+template <class Tree>
 class TreeMany : public testing::Test {
  protected:
   TreeMany() {
     Dice dice(61);
-    bounds_ = scene<Bound>(dice, Shape::uniform, 9000);
-    tree_ = BoundsTree<Bound>(std::span<const Bound>(bounds_));
+    bounds_ = scene<BoundOf<Tree>>(dice, Shape::uniform, 9000);
+    tree_ = Tree(std::span<const BoundOf<Tree>>(bounds_));
     shafts_ = shafts_for(dice, 53);
   }
-  std::vector<Bound> bounds_;
-  BoundsTree<Bound> tree_;
+  std::vector<BoundOf<Tree>> bounds_;
+  Tree tree_;
   std::vector<CompiledShaft> shafts_;
 };
 
-using Kinds = testing::Types<Box, Sphere>;
-TYPED_TEST_SUITE(TreeMany, Kinds);
+TYPED_TEST_SUITE(TreeMany, TreeKinds);
 
 TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
+  using Index = IndexOf<TypeParam>;
   for (const int threads : thread_counts) {
     with_threads(threads, [&] {
       std::vector<std::uint64_t> counts(this->shafts_.size(), 99);
       count_many(this->shafts_, this->tree_, counts);
-      IndexLists kept;
-      IndexLists overlap;
-      IndexLists inside;
-      RunLists kept_runs;
-      RunLists overlap_runs;
-      RunLists inside_runs;
+      IndexListsOf<Index> kept;
+      IndexListsOf<Index> overlap;
+      IndexListsOf<Index> inside;
+      RunListsOf<Index> kept_runs;
+      RunListsOf<Index> overlap_runs;
+      RunListsOf<Index> inside_runs;
       for (int again = 0; again != 2; ++again) {  // into used memory
         list_many(this->shafts_, this->tree_, kept);
         list_many(this->shafts_, this->tree_, overlap, inside);
@@ -53,10 +54,10 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
       ASSERT_EQ(kept.size(), this->shafts_.size());
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         SCOPED_TRACE("shaft " + std::to_string(s) + ", " + std::to_string(threads) + " threads");
-        Indices one(this->bounds_.size());
+        std::vector<Index> one(this->bounds_.size());
         one.resize(cull(this->shafts_[s], this->tree_, std::span(one)));
         EXPECT_EQ(counts[s], one.size());
-        EXPECT_EQ(Indices(kept[s].begin(), kept[s].end()), one);
+        EXPECT_EQ(std::vector<Index>(kept[s].begin(), kept[s].end()), one);
         const FlatAnswers flat(this->shafts_[s], this->bounds_);
         EXPECT_EQ(sorted(kept[s]), flat.kept());
         EXPECT_EQ(sorted(overlap[s]), flat.overlap);
@@ -70,23 +71,25 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
 }
 
 TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRunsOfEachShaft) {
-  RunLists kept;
-  RunLists overlap;
-  RunLists inside;
+  using Index = IndexOf<TypeParam>;
+  RunListsOf<Index> kept;
+  RunListsOf<Index> overlap;
+  RunListsOf<Index> inside;
   list_many(this->shafts_, this->tree_, kept);
   list_many(this->shafts_, this->tree_, overlap, inside);
-  const auto vector_of = [](std::span<const TreeRun> runs) { return std::vector<TreeRun>(runs.begin(), runs.end()); };
+  using Runs = std::vector<TreeRunOf<Index>>;
+  const auto vector_of = [](std::span<const TreeRunOf<Index>> runs) { return Runs(runs.begin(), runs.end()); };
   for (const int threads : thread_counts) {
     with_threads(threads, [&] {
       std::size_t next = 0;
-      cull_each(this->shafts_, this->tree_, [&](const ShaftAnswers& answers) {
+      cull_each(this->shafts_, this->tree_, [&](const ShaftAnswersOf<Index>& answers) {
         EXPECT_EQ(answers.shaft, next++);
         EXPECT_EQ(vector_of(answers.overlap), vector_of(kept[answers.shaft]));
         EXPECT_TRUE(answers.inside.empty());
       });
       EXPECT_EQ(next, this->shafts_.size());
       next = 0;
-      classify_each(this->shafts_, this->tree_, [&](const ShaftAnswers& answers) {
+      classify_each(this->shafts_, this->tree_, [&](const ShaftAnswersOf<Index>& answers) {
         EXPECT_EQ(answers.shaft, next++);
         EXPECT_EQ(vector_of(answers.overlap), vector_of(overlap[answers.shaft]));
         EXPECT_EQ(vector_of(answers.inside), vector_of(inside[answers.shaft]));
@@ -97,9 +100,10 @@ TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRunsOfEachShaft) {
 }
 
 TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheRun) {
+  using Index = IndexOf<TypeParam>;
   std::size_t calls = 0;
   EXPECT_THROW(cull_each(this->shafts_, this->tree_,
-                         [&](const ShaftAnswers& answers) {
+                         [&](const ShaftAnswersOf<Index>& answers) {
                            ++calls;
                            if (answers.shaft == 7) throw std::domain_error("enough");
                          }),
@@ -108,11 +112,12 @@ TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheRun) {
 }
 
 TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
+  using Index = IndexOf<TypeParam>;
   Dice dice(62);
   std::vector<std::uint64_t> mask(words_for(this->bounds_.size()));
   for (std::uint64_t& word : mask) word = dice.one_in(3) ? 0 : std::uint64_t{dice.below(0xffffffff)} << dice.below(33);
   // What a shaft keeps is what is worth leaving out of it.
-  Indices own;
+  std::vector<Index> own;
   for (const CompiledShaft& shaft : this->shafts_) {
     const Indices kept = FlatAnswers(shaft, this->bounds_).kept();
     for (int i = 0; i != 3; ++i) {
@@ -121,13 +126,13 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   }
   for (const bool use_mask : {false, true}) {
     for (const bool use_own : {false, true}) {
-      Excluding excluding;
+      ExcludingOf<Index> excluding;
       if (use_mask) excluding.mask = mask;
       if (use_own) excluding.own = own;
-      IndexLists kept;
-      IndexLists overlap;
-      IndexLists inside;
-      RunLists runs;
+      IndexListsOf<Index> kept;
+      IndexListsOf<Index> overlap;
+      IndexListsOf<Index> inside;
+      RunListsOf<Index> runs;
       std::vector<std::uint64_t> counts(this->shafts_.size());
       list_many(this->shafts_, this->tree_, kept, excluding);
       list_many(this->shafts_, this->tree_, overlap, inside, excluding);
@@ -135,7 +140,7 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
       count_many(this->shafts_, this->tree_, counts, excluding);
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         FlatAnswers flat(this->shafts_[s], this->bounds_);
-        const std::span<const std::uint32_t> own_of_shaft = std::span(own).subspan(3 * s, 3);
+        const std::span<const Index> own_of_shaft = std::span(own).subspan(3 * s, 3);
         const auto is_out = [&](std::uint32_t i) {
           return (use_mask && (mask[i / 64] >> i % 64 & 1) != 0) ||
                  (use_own && std::find(own_of_shaft.begin(), own_of_shaft.end(), i) != own_of_shaft.end());
@@ -154,36 +159,38 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
 }
 
 TYPED_TEST(TreeMany, TheOrderDoesNotDependOnTheNumberOfThreads) {
+  using Index = IndexOf<TypeParam>;
   Dice dice(63);
-  const auto bounds = scene<TypeParam>(dice, Shape::wild_sizes, 70000);
-  const std::vector<std::uint32_t> order = [&] {
-    const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
-    return std::vector<std::uint32_t>(tree.order().begin(), tree.order().end());
+  const auto bounds = scene<BoundOf<TypeParam>>(dice, Shape::wild_sizes, 70000);
+  const std::vector<Index> order = [&] {
+    const TypeParam tree{std::span<const BoundOf<TypeParam>>(bounds)};
+    return std::vector<Index>(tree.order().begin(), tree.order().end());
   }();
   for (const int threads : thread_counts) {
     with_threads(threads, [&] {
-      const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
-      EXPECT_EQ(std::vector<std::uint32_t>(tree.order().begin(), tree.order().end()), order);
+      const TypeParam tree{std::span<const BoundOf<TypeParam>>(bounds)};
+      EXPECT_EQ(std::vector<Index>(tree.order().begin(), tree.order().end()), order);
     });
   }
 }
 
 TYPED_TEST(TreeMany, WhatDoesNotFitIsCountedAndNotWritten) {
+  using Index = IndexOf<TypeParam>;
   for (const CompiledShaft& shaft : this->shafts_) {
-    Indices all(this->bounds_.size());
+    std::vector<Index> all(this->bounds_.size());
     all.resize(cull(shaft, this->tree_, std::span(all)));
-    std::vector<TreeRun> all_runs(this->bounds_.size());
+    std::vector<TreeRunOf<Index>> all_runs(this->bounds_.size());
     all_runs.resize(cull(shaft, this->tree_, std::span(all_runs)));
     for (const std::size_t room : {std::size_t{0}, all.size() / 2, all.size()}) {
-      Indices some(room + 1, 12345);
+      std::vector<Index> some(room + 1, 12345);
       EXPECT_EQ(cull(shaft, this->tree_, std::span(some).first(room)), all.size());
       EXPECT_EQ(some.back(), 12345U);
       EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all.begin()));
     }
     const std::size_t room = all_runs.size() / 2;
-    std::vector<TreeRun> some(room + 1, TreeRun{1, 0});
+    std::vector<TreeRunOf<Index>> some(room + 1, TreeRunOf<Index>{1, 0});
     EXPECT_EQ(cull(shaft, this->tree_, std::span(some).first(room)), all_runs.size());
-    EXPECT_EQ(some.back(), (TreeRun{1, 0}));
+    EXPECT_EQ(some.back(), (TreeRunOf<Index>{1, 0}));
     EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all_runs.begin()));
   }
 }

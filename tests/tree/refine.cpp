@@ -60,6 +60,9 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
       Indices in_place = candidates;
       in_place.resize(refine(children[s], memory.view(), in_place, in_place));
       EXPECT_EQ(in_place, right) << "seed " << seed;
+      std::vector<std::uint64_t> wide(candidates.begin(), candidates.end());
+      wide.resize(refine(children[s], memory.view(), wide, wide));
+      EXPECT_EQ(sorted(wide), right) << "seed " << seed;
     }
   }
 }
@@ -77,9 +80,10 @@ TYPED_TEST(Refine, CandidatesKeepTheirOrderAndMayRepeat) {
 TYPED_TEST(Refine, NoCandidatesGiveNothing) {
   const auto bounds = std::vector<TypeParam>();
   const CompiledShaft shaft = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
-  EXPECT_EQ(refine(shaft, columns(bounds).view(), {}, {}), 0U);
+  Indices none;
+  EXPECT_EQ(refine(shaft, columns(bounds).view(), none, none), 0U);
   IndexLists lists;
-  refine_many({&shaft, 1}, columns(bounds).view(), {}, lists);
+  refine_many({&shaft, 1}, columns(bounds).view(), none, lists);
   EXPECT_TRUE(lists[0].empty());
 }
 

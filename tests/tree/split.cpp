@@ -16,6 +16,7 @@
 #include "instruction_sets.hpp"
 #include "shaftcull/tree.hpp"
 #include "test/kernels.hpp"
+#include "tree/entries.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull {
@@ -41,12 +42,18 @@ class Streams {
     for (std::size_t i = 0; i != size_; ++i) {
       for (std::size_t k = 0; k != 3; ++k) stream_[k][margin + i] = entries[i].centre[k];
       stream_[3][margin + i] = std::bit_cast<float>(entries[i].index);
+      stream_[4][margin + i] = high_bits(entries[i].index);
     }
   }
-  [[nodiscard]] std::array<float*, 4> pointers() {
-    std::array<float*, 4> pointers;
-    for (std::size_t s = 0; s != 4; ++s) pointers[s] = stream_[s].data() + margin;
+  [[nodiscard]] std::array<float*, 5> pointers() {
+    std::array<float*, 5> pointers;
+    for (std::size_t s = 0; s != 5; ++s) pointers[s] = stream_[s].data() + margin;
     return pointers;
+  }
+  /// Whether the fifth stream went where the fourth did.
+  [[nodiscard]] bool is_wide(std::size_t i) const {
+    const auto bits = std::bit_cast<std::uint32_t>(stream_[4][margin + i]);
+    return bits == std::bit_cast<std::uint32_t>(high_bits((*this)[i].index));
   }
   [[nodiscard]] Entry operator[](std::size_t i) const {
     const std::size_t at = margin + i;
@@ -61,18 +68,26 @@ class Streams {
   }
 
  private:
-  std::array<std::vector<float>, 4> stream_;
+  static float high_bits(std::uint32_t index) { return std::bit_cast<float>(~index); }
+
+  std::array<std::vector<float>, 5> stream_;
   std::size_t size_;
 };
 
-Entries split(const Entries& entries, std::size_t first_half) {
+Entries split(const Entries& entries, std::size_t first_half, bool wide) {
   Streams from(entries);
   Streams to(entries.size());
-  kernel::active_kernels().split_entries(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  kernel::SplitEntries* const split_entries = wide ? kernels.split_wide_entries : kernels.split_entries;
+  split_entries(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
   EXPECT_TRUE(from.margins_are_untouched());
   EXPECT_TRUE(to.margins_are_untouched());
   Entries halves;
-  for (std::size_t i = 0; i != entries.size(); ++i) halves.push_back(i < first_half ? from[i] : to[i]);
+  for (std::size_t i = 0; i != entries.size(); ++i) {
+    const Streams& half = i < first_half ? from : to;
+    halves.push_back(half[i]);
+    EXPECT_TRUE(!wide || half.is_wide(i)) << i;
+  }
   return halves;
 }
 
@@ -104,8 +119,11 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     const auto expect_halves = [&](const char* mode) {
-      ASSERT_EQ(split(entries, first_half) == expected, true)
-          << what << ", " << entries.size() << " entries, " << first_half << " first, " << name(isa) << mode;
+      for (const bool wide : {false, true}) {
+        ASSERT_EQ(split(entries, first_half, wide) == expected, true)
+            << what << ", " << entries.size() << " entries, " << first_half << " first, " << name(isa) << mode
+            << (wide ? ", five streams" : "");
+      }
     };
     expect_halves("");
 #ifdef __SSE__
@@ -190,6 +208,17 @@ TEST(SplitEntries, AxisThatIsSpreadOutMost) {
     entries[2].centre[axis - 1] = std::numeric_limits<float>::max();
     entries[3].centre[axis - 1] = -std::numeric_limits<float>::max();
     expect_split(entries, 128, axis - 1, "two axes infinitely wide");
+  }
+}
+
+TEST(TreeOrder, IndicesComeBackFromEntries) {
+  float parts[2];
+  const kernel::EntryStreams<std::uint32_t> narrow = {nullptr, nullptr, nullptr, parts};
+  const kernel::EntryStreams<std::uint64_t> wide = {nullptr, nullptr, nullptr, parts, parts + 1};
+  for (const std::uint64_t index : {0x0ULL, 0x1ULL, 0x7fa00001ULL, 0xffffffffULL, 0x100000000ULL, 0x1fffffffffULL}) {
+    for (std::size_t s = 3; s != 5; ++s) parts[s - 3] = kernel::index_bits(index, s);
+    EXPECT_EQ(kernel::index_of<std::uint64_t>(wide, 0), index);
+    EXPECT_EQ(kernel::index_of<std::uint32_t>(narrow, 0), static_cast<std::uint32_t>(index));
   }
 }
 
