@@ -2,8 +2,6 @@
 /// most, moved to a multiple of a whole node, so that nodes of all levels are cells of it.
 #include "tree/order.hpp"
 
-#include <vector>
-
 #include "run/parallel.hpp"
 #include "test/kernels.hpp"
 #include "tree/parts.hpp"
@@ -58,16 +56,23 @@ Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& ker
   return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
 }
 
+/// Writes the order of one half and then of the other, or of both at once: a part that fits a cache is finished there.
 template <class Index>
-void order_part(const Part<Index>& part, const Kernels& kernels, Index* order) noexcept {
+void order_part(const Part<Index>& part, const Kernels& kernels, Index* order) {
   const std::size_t cut = cut_of(part);
   if (cut == 0) {
     for (std::size_t i = part.first; i != part.last; ++i) order[i] = index_of<Index>(*part.entries, i);
     return;
   }
   const Halves<Index> halves = split(part, cut, kernels);
-  order_part(halves.low, kernels, order);
-  order_part(halves.high, kernels, order);
+  if (part.size() <= task_entries) {
+    order_part(halves.low, kernels, order);
+    order_part(halves.high, kernels, order);
+  } else {
+    parallel_for(2, 1, [&](std::size_t half, std::size_t) {
+      order_part(half == 0 ? halves.low : halves.high, kernels, order);
+    });
+  }
 }
 
 }  // namespace
@@ -76,23 +81,11 @@ template <class Index>
 void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
                       const ClassBounds& class_first, Index* order) {
   const Kernels& kernels = active_kernels();
-  std::vector<Part<Index>> large;
-  std::vector<Part<Index>> small;
-  const auto sort_out = [&](const Part<Index>& part) { (part.size() > task_entries ? large : small).push_back(part); };
-  for (unsigned c = 0; c != size_classes; ++c) {
-    if (class_first[c] != class_first[c + 1]) sort_out({class_first[c], class_first[c + 1], &entries, &spare});
-  }
-  while (!large.empty()) {
-    std::vector<Halves<Index>> halves(large.size());
-    parallel_for(large.size(), 1,
-                 [&](std::size_t i, std::size_t) { halves[i] = split(large[i], cut_of(large[i]), kernels); });
-    large.clear();
-    for (const Halves<Index>& both : halves) {
-      sort_out(both.low);
-      sort_out(both.high);
+  parallel_for(size_classes, 1, [&](std::size_t c, std::size_t) {
+    if (class_first[c] != class_first[c + 1]) {
+      order_part<Index>({class_first[c], class_first[c + 1], &entries, &spare}, kernels, order);
     }
-  }
-  parallel_for(small.size(), 1, [&](std::size_t i, std::size_t) { order_part(small[i], kernels, order); });
+  });
 }
 
 template void write_tree_order(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
