@@ -274,8 +274,8 @@ inline constexpr Kernels kernels_for = {
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .unite_boxes = unite_boxes<L>,
     .unite_spheres = unite_spheres<L>,
-    .split_entries = split_entries<L, 4>,
-    .split_wide_entries = split_entries<L, 5>,
+    .split = split_kernels<L, 4>,
+    .split_wide = split_kernels<L, 5>,
 };
 
 }  // namespace shaftcull::kernel

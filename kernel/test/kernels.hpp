@@ -32,11 +32,47 @@ using TestListedWords = void(const CompiledShaft& shaft, const float* const* str
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
 using Unite = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
 
-/// Halves `count` entries, separate streams of a bound's centre, x, y and z, and of what belongs to it, one stream or (wide) two. `first_half`, more than none and
-/// fewer than all, stay in `from`; the others move to `to`, from place `first_half` on, and have no smaller a coordinate on the axis on which
-/// centres (of many, a sample) are spread out most. Entries keep their order, but for ties at the cut, which come before larger ones; the halves are
-/// the same on every instruction set. What the free halves of `from` and `to` hold after that is anything. Centres must be finite. O(count).
-using SplitEntries = void(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept;
+/// Between which keys, coordinates on an axis, the one of a rank most likely is.
+struct Bracket {
+  unsigned axis;
+  float from;
+  float to;
+};
+
+/// How many keys are before a bracket, and how many in it.
+struct Collected {
+  std::size_t below;
+  std::size_t between;
+};
+
+/// How many keys are less than a pivot, and how many are equal to it.
+struct Tally {
+  std::size_t less;
+  std::size_t equal;
+};
+
+/// Halving entries of a tree: separate streams of a bound's centre, x, y and z, which are finite, and of what belongs to it. Entries are
+/// halved on the axis on which centres (of many, a sample) are spread out most. Those with smaller keys come first, but for ties at the cut,
+/// which come in order and before larger ones; otherwise entries keep their order. The halves are the same on every instruction set.
+struct SplitKernels {
+  /// Halves `count` entries. `first_half`, more than none and fewer than all, stay in `from`; the others move to `to`, from place
+  /// `first_half` on. What the free halves of `from` and `to` hold after that is anything. O(count).
+  void (*whole)(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept;
+
+  // The same in steps, for parts that many threads halve together (tree/split.cpp).
+
+  /// Looks at a sample of many entries. `room` is three streams of `count` floats.
+  Bracket (*bracket)(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept;
+  /// Collects the keys in a bracket in `some`, which has room for all.
+  Collected (*collect)(const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept;
+  /// A key that `rank` keys are less than; if equal ones straddle that rank, those. rank < count.
+  float (*pivot)(const float* key, std::size_t count, std::size_t rank) noexcept;
+  Tally (*tally)(const float* key, std::size_t count, float pivot) noexcept;
+  /// Writes the entries whose keys are less than the pivot to `less`, and the others to `larger`, or, unless `equal` is null, those that equal
+  /// it there. Writes nothing else.
+  void (*deal)(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally, float* const* less,
+               float* const* equal, float* const* larger) noexcept;
+};
 
 struct GridFrame;
 struct GridShaft;
@@ -90,8 +126,8 @@ struct Kernels {
   TestListedWords* listed_spheres;
   Unite* unite_boxes;
   Unite* unite_spheres;
-  SplitEntries* split_entries;
-  SplitEntries* split_wide_entries;
+  SplitKernels split;       ///< four streams
+  SplitKernels split_wide;  ///< five
 
   [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {
     return form == Form::planes ? boxes_planes : boxes_slab;

@@ -161,14 +161,7 @@ Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyR
   return {Number::at(lo), below_lo};
 }
 
-/// Between which keys of an axis, the one on which entries are spread out most, a rank's most likely is.
-struct Bracket {
-  unsigned axis;
-  float from;
-  float to;
-};
-
-/// Looks at a sample of many entries. `room` is three streams of `count` floats.
+/// As SplitKernels::bracket.
 template <class L>
 Bracket bracket_of(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
   constexpr std::size_t step = 64;
@@ -190,13 +183,7 @@ Bracket bracket_of(const float* const* entry, std::size_t count, std::size_t ran
           pivot_at<L>(room[axis], samples, hi < samples ? hi : samples - 1, range.stream[axis]).key};
 }
 
-/// How many keys are before a bracket, and how many in it.
-struct Collected {
-  std::size_t below;
-  std::size_t between;
-};
-
-/// Collects the keys in a bracket in `some`, which has room for all.
+/// As SplitKernels::collect.
 template <class L>
 Collected collect(const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept {
   const auto froms = L::all(bracket.from);

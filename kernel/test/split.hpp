@@ -49,7 +49,7 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
   }
 }
 
-/// As SplitEntries in kernels.hpp.
+/// As SplitKernels::whole.
 template <class L, unsigned streams>
 void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
   const FloatEnvironment<L> environment;
@@ -76,5 +76,95 @@ void split_entries(float* const* from, float* const* to, std::size_t count, std:
     __builtin_memcpy(to[s] + less + equal, from[s] + less + equal, (count - less - equal) * sizeof(float));
   }
 }
+
+/// Where a group of entries goes next.
+template <class L, unsigned streams>
+class Group {
+ public:
+  Group(float* const* to, std::size_t size) noexcept : left_(size) {
+    for (unsigned s = 0; s < streams; ++s) to_[s] = to[s];
+  }
+
+  /// Writes those of some vectors' lanes, one vector of each stream, whose bits are set.
+  void take(std::uint64_t lanes, const typename L::Vector (&x)[streams]) noexcept {
+    const typename L::Packing ones(lanes);
+    const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
+    const bool has_room = left_ >= L::width;
+    for (unsigned s = 0; s < streams; ++s) {
+      __builtin_prefetch(to_[s] + ahead, 1);
+      if (has_room) {
+        ones.store(to_[s], x[s]);
+      } else {
+        ones.store(to_[s], x[s], count);
+      }
+      to_[s] += count;
+    }
+    left_ -= count;
+  }
+  void take(const float* const* from, std::size_t i) noexcept {
+    for (unsigned s = 0; s < streams; ++s) *to_[s]++ = from[s][i];
+    --left_;
+  }
+
+ private:
+  float* to_[streams];
+  std::size_t left_;
+};
+
+/// As SplitKernels::deal.
+template <class L, unsigned streams>
+void deal(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally,
+          float* const* less, float* const* equal, float* const* larger) noexcept {
+  const FloatEnvironment<L> environment;
+  const bool are_apart = equal != nullptr;
+  const float next = are_apart ? next_key<L>(pivot) : pivot;
+  Group<L, streams> lesses(less, tally.less);
+  Group<L, streams> equals(are_apart ? equal : larger, are_apart ? tally.equal : 0);
+  Group<L, streams> others(larger, count - tally.less - (are_apart ? tally.equal : 0));
+  const auto pivots = L::all(pivot);
+  const auto nexts = L::all(next);
+  std::size_t i = 0;
+  for (; i + L::width <= count; i += L::width) {
+    typename L::Vector x[streams];
+    for (unsigned s = 0; s < streams; ++s) x[s] = L::load(from[s] + i);
+    const auto key = L::load(from[axis] + i);
+    const std::uint64_t is_less = L::bits(L::less(key, pivots));
+    const std::uint64_t is_before = L::bits(L::less(key, nexts));
+    lesses.take(is_less, x);
+    if (are_apart) equals.take(is_before & ~is_less, x);
+    others.take(~is_before & lanes_of<L>(0), x);
+  }
+  for (; i < count; ++i) {
+    const float key = from[axis][i];
+    (key < pivot ? lesses : key < next ? equals : others).take(from, i);
+  }
+}
+
+template <class L, unsigned streams>
+inline constexpr SplitKernels split_kernels = {
+    .whole = split_entries<L, streams>,
+    .bracket =
+        [](const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
+          const FloatEnvironment<L> environment;
+          return bracket_of<L>(entry, count, rank, room);
+        },
+    .collect =
+        [](const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept {
+          const FloatEnvironment<L> environment;
+          return collect<L>(key, count, bracket, some);
+        },
+    .pivot =
+        [](const float* key, std::size_t count, std::size_t rank) noexcept {
+          const FloatEnvironment<L> environment;
+          return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key;
+        },
+    .tally =
+        [](const float* key, std::size_t count, float pivot) noexcept {
+          const FloatEnvironment<L> environment;
+          const std::size_t less = count_less<L>(key, count, pivot);
+          return Tally{less, count_less<L>(key, count, next_key<L>(pivot)) - less};
+        },
+    .deal = deal<L, streams>,
+};
 
 }  // namespace shaftcull::kernel

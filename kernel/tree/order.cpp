@@ -5,20 +5,10 @@
 #include "run/parallel.hpp"
 #include "test/kernels.hpp"
 #include "tree/parts.hpp"
+#include "tree/split.hpp"
 
 namespace shaftcull::kernel {
 namespace {
-
-/// Entries [first, last) of some streams; others have room for them at the same place.
-template <class Index>
-struct Part {
-  std::size_t first;
-  std::size_t last;
-  const EntryStreams<Index>* entries;
-  const EntryStreams<Index>* room;
-
-  [[nodiscard]] std::size_t size() const noexcept { return last - first; }
-};
 
 /// Parts this small are finished by one task.
 constexpr std::size_t task_entries = 16384;
@@ -37,40 +27,23 @@ std::size_t cut_of(const Part<Index>& part) noexcept {
   return cut < part.last ? cut : cut - unit;
 }
 
-template <class Index>
-struct Halves {
-  Part<Index> low;
-  Part<Index> high;  ///< its entries are where the room of the whole was
-};
-
-template <class Index>
-Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
-  EntryStreams<Index> from = *part.entries;
-  EntryStreams<Index> to = *part.room;
-  for (std::size_t s = 0; s != from.size(); ++s) {
-    from[s] += part.first;
-    to[s] += part.first;
-  }
-  SplitEntries* const split_entries = from.size() == 4 ? kernels.split_entries : kernels.split_wide_entries;
-  split_entries(from.data(), to.data(), part.size(), cut - part.first);
-  return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
-}
-
 /// Writes the order of one half and then of the other, or of both at once: a part that fits a cache is finished there.
+/// `parts` as large are under way.
 template <class Index>
-void order_part(const Part<Index>& part, const Kernels& kernels, Index* order) {
+void order_part(const Part<Index>& part, std::size_t parts, const Kernels& kernels, Index* order) {
   const std::size_t cut = cut_of(part);
   if (cut == 0) {
     for (std::size_t i = part.first; i != part.last; ++i) order[i] = index_of<Index>(*part.entries, i);
     return;
   }
-  const Halves<Index> halves = split(part, cut, kernels);
+  const bool threads_are_idle = part.size() >= fewest_together && parts < static_cast<std::size_t>(threads_here());
+  const Halves<Index> halves = threads_are_idle ? split_together(part, cut, kernels) : split(part, cut, kernels);
   if (part.size() <= task_entries) {
-    order_part(halves.low, kernels, order);
-    order_part(halves.high, kernels, order);
+    order_part(halves.low, 2 * parts, kernels, order);
+    order_part(halves.high, 2 * parts, kernels, order);
   } else {
     parallel_for(2, 1, [&](std::size_t half, std::size_t) {
-      order_part(half == 0 ? halves.low : halves.high, kernels, order);
+      order_part(half == 0 ? halves.low : halves.high, 2 * parts, kernels, order);
     });
   }
 }
@@ -83,7 +56,7 @@ void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Ind
   const Kernels& kernels = active_kernels();
   parallel_for(size_classes, 1, [&](std::size_t c, std::size_t) {
     if (class_first[c] != class_first[c + 1]) {
-      order_part<Index>({class_first[c], class_first[c + 1], &entries, &spare}, kernels, order);
+      order_part<Index>({class_first[c], class_first[c + 1], &entries, &spare}, 1, kernels, order);
     }
   });
 }

@@ -17,6 +17,7 @@
 #include "shaftcull/tree.hpp"
 #include "test/kernels.hpp"
 #include "tree/entries.hpp"
+#include "tree/split.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull {
@@ -78,8 +79,8 @@ Entries split(const Entries& entries, std::size_t first_half, bool wide) {
   Streams from(entries);
   Streams to(entries.size());
   const kernel::Kernels& kernels = kernel::active_kernels();
-  kernel::SplitEntries* const split_entries = wide ? kernels.split_wide_entries : kernels.split_entries;
-  split_entries(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
+  (wide ? kernels.split_wide : kernels.split)
+      .whole(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
   EXPECT_TRUE(from.margins_are_untouched());
   EXPECT_TRUE(to.margins_are_untouched());
   Entries halves;
@@ -89,6 +90,40 @@ Entries split(const Entries& entries, std::size_t first_half, bool wide) {
     EXPECT_TRUE(!wide || half.is_wide(i)) << i;
   }
   return halves;
+}
+
+/// What comes before a part that all threads halve.
+constexpr std::size_t part_first = 37;
+
+template <class Index>
+Entries split_together(const Entries& entries, std::size_t first_half) {
+  Entries all(part_first, Entry{{1, 2, 3}, 4});
+  all.insert(all.end(), entries.begin(), entries.end());
+  Streams streams(all);
+  Streams spare(all.size());
+  kernel::EntryStreams<Index> of_entries;
+  kernel::EntryStreams<Index> of_room;
+  std::copy_n(streams.pointers().begin(), of_entries.size(), of_entries.begin());
+  std::copy_n(spare.pointers().begin(), of_room.size(), of_room.begin());
+  const std::size_t cut = part_first + first_half;
+  const kernel::Halves<Index> halves = kernel::split_together<Index>(
+      {part_first, all.size(), &of_entries, &of_room}, cut, kernel::active_kernels());
+  EXPECT_EQ(halves.low.first, part_first);
+  EXPECT_EQ(halves.low.last, cut);
+  EXPECT_EQ(halves.high.first, cut);
+  EXPECT_EQ(halves.high.last, all.size());
+  EXPECT_NE(halves.low.entries, halves.low.room);
+  EXPECT_NE(halves.high.entries, halves.high.room);
+  EXPECT_TRUE(streams.margins_are_untouched());
+  EXPECT_TRUE(spare.margins_are_untouched());
+  for (std::size_t i = 0; i != part_first; ++i) EXPECT_EQ(streams[i], all[i]);
+  Entries made;
+  for (std::size_t i = part_first; i != all.size(); ++i) {
+    const Streams& half = (i < cut ? halves.low : halves.high).entries == &of_entries ? streams : spare;
+    made.push_back(half[i]);
+    EXPECT_TRUE(sizeof(Index) == 4 || half.is_wide(i)) << i;
+  }
+  return made;
 }
 
 /// The same by sorting; `axis` is where entries are spread out most.
@@ -119,11 +154,13 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     const auto expect_halves = [&](const char* mode) {
-      for (const bool wide : {false, true}) {
-        ASSERT_EQ(split(entries, first_half, wide) == expected, true)
-            << what << ", " << entries.size() << " entries, " << first_half << " first, " << name(isa) << mode
-            << (wide ? ", five streams" : "");
-      }
+      const std::string which = what + ", " + std::to_string(entries.size()) + " entries, " +
+                                std::to_string(first_half) + " first, " + std::string(name(isa)) + mode;
+      ASSERT_EQ(split(entries, first_half, false) == expected, true) << which;
+      ASSERT_EQ(split(entries, first_half, true) == expected, true) << which << ", five streams";
+      if (entries.size() < kernel::fewest_together) return;
+      ASSERT_EQ(split_together<std::uint32_t>(entries, first_half) == expected, true) << which << ", together";
+      ASSERT_EQ(split_together<std::uint64_t>(entries, first_half) == expected, true) << which << ", together, five";
     };
     expect_halves("");
 #ifdef __SSE__
@@ -181,9 +218,18 @@ TEST(SplitEntries, LargePartsAreSampled) {
   }
 }
 
+TEST(SplitEntries, LargestPartsAreHalvedByAllThreads) {
+  Dice dice(5250);
+  for (const auto& [what, key] : distributions) {
+    expect_split(entries_of(dice, key, 0, 70001), 1 + dice.below(70000), 0, what);
+    expect_split(entries_of(dice, key, 0, 65536), 32768, 0, what);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
 TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
-  for (const float off : {1e6F, -1e6F}) {
-    Entries entries(20000);
+  for (const float off : {1e8F, -1e8F}) {
+    Entries entries(off > 0 ? 20000 : 70000);
     for (std::size_t i = 0; i != entries.size(); ++i) {  // every 64th is sampled
       const auto x = static_cast<float>(i);
       entries[i] = {{i % 64 == 0 ? off + x : x, 0, 0}, static_cast<std::uint32_t>(i)};

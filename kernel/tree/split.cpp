@@ -1,0 +1,136 @@
+/// By one thread a part is halved in place, which moves half of it. By many it is cut into chunks: when all have told how
+/// many of their entries go where, each deals out its own, out of place.
+#include "tree/split.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "run/cut.hpp"
+#include "run/parallel.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// Entries that a task looks at.
+constexpr std::size_t chunk_entries = 16384;
+
+template <class Index>
+[[nodiscard]] EntryStreams<Index> from(const EntryStreams<Index>& streams, std::size_t first) noexcept {
+  EntryStreams<Index> moved = streams;
+  for (float*& stream : moved) stream += first;
+  return moved;
+}
+
+template <class Index>
+[[nodiscard]] const SplitKernels& split_kernels_for(const Part<Index>& part, const Kernels& kernels) noexcept {
+  return part.entries->size() == 4 ? kernels.split : kernels.split_wide;
+}
+
+/// A pivot, and what each chunk has of keys before it and equal to it.
+struct PivotOfChunks {
+  unsigned axis;
+  float key;
+  std::vector<Tally> tally;
+};
+
+/// Finds the key that `rank` entries of a part are less than.
+template <class Index>
+PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitKernels& kernels) {
+  const std::size_t count = part.size();
+  const EntryStreams<Index> entries = from<Index>(*part.entries, part.first);
+  const EntryStreams<Index> room = from<Index>(*part.room, part.first);
+  const Bracket bracket = kernels.bracket(entries.data(), count, rank, room.data());
+  const float* const key = entries[bracket.axis];
+  float* const some = room[bracket.axis];  // what a chunk has within the bracket is where the chunk is
+  const std::size_t chunks = pieces(count, chunk_entries);
+  std::vector<Collected> found(chunks);
+  parallel_for(chunks, 1, [&](std::size_t c, std::size_t) {
+    const Run chunk = piece(count, chunk_entries, c);
+    found[c] = kernels.collect(key + chunk.first, chunk.size, bracket, some + chunk.first);
+  });
+  std::size_t below = 0;
+  std::vector<float> between;
+  for (std::size_t c = 0; c != chunks; ++c) {
+    const float* const here = some + piece(count, chunk_entries, c).first;
+    between.insert(between.end(), here, here + found[c].between);
+    below += found[c].below;
+  }
+
+  PivotOfChunks pivot{bracket.axis, 0, std::vector<Tally>(chunks)};
+  const bool is_between = rank >= below && rank < below + between.size();
+  if (is_between) {
+    pivot.key = kernels.pivot(between.data(), between.size(), rank - below);
+  } else {  // the sample was not like the rest
+    pivot.key = kernels.pivot(key, count, rank);
+  }
+  parallel_for(chunks, 1, [&](std::size_t c, std::size_t) {
+    const Run chunk = piece(count, chunk_entries, c);
+    if (is_between) {
+      pivot.tally[c] = kernels.tally(some + chunk.first, found[c].between, pivot.key);
+      pivot.tally[c].less += found[c].below;
+    } else {
+      pivot.tally[c] = kernels.tally(key + chunk.first, chunk.size, pivot.key);
+    }
+  });
+  return pivot;
+}
+
+}  // namespace
+
+template <class Index>
+Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
+  const EntryStreams<Index> entries = from<Index>(*part.entries, part.first);
+  const EntryStreams<Index> room = from<Index>(*part.room, part.first);
+  split_kernels_for(part, kernels).whole(entries.data(), room.data(), part.size(), cut - part.first);
+  return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
+}
+
+template <class Index>
+Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Kernels& kernels) {
+  const SplitKernels& its_kernels = split_kernels_for(part, kernels);
+  const std::size_t rank = cut - part.first;
+  const PivotOfChunks pivot = find_pivot(part, rank, its_kernels);
+
+  // Where each chunk's entries go: those less than the pivot, then, if the cut is among them, those that equal it, then
+  // the others, chunk after chunk.
+  struct Places {
+    std::size_t less;
+    std::size_t equal;
+    std::size_t larger;
+  };
+  Places next{part.first, part.first, part.first};
+  for (const Tally& tally : pivot.tally) {
+    next.equal += tally.less;
+    next.larger += tally.less + tally.equal;
+  }
+  const bool are_apart = next.equal != cut;
+  if (!are_apart) next.larger = next.equal;
+  std::vector<Places> places;
+  for (std::size_t c = 0; c != pivot.tally.size(); ++c) {
+    const Tally& tally = pivot.tally[c];
+    const std::size_t equal = are_apart ? tally.equal : 0;
+    places.push_back(next);
+    next.less += tally.less;
+    next.equal += equal;
+    next.larger += piece(part.size(), chunk_entries, c).size - tally.less - equal;
+  }
+
+  parallel_for(places.size(), 1, [&](std::size_t c, std::size_t) {
+    const std::size_t first = part.first + piece(part.size(), chunk_entries, c).first;
+    const std::size_t size = piece(part.size(), chunk_entries, c).size;
+    const EntryStreams<Index> chunk = from<Index>(*part.entries, first);
+    const EntryStreams<Index> less = from<Index>(*part.room, places[c].less);
+    const EntryStreams<Index> equal = from<Index>(*part.room, places[c].equal);
+    const EntryStreams<Index> larger = from<Index>(*part.room, places[c].larger);
+    its_kernels.deal(chunk.data(), size, pivot.axis, pivot.key, pivot.tally[c], less.data(),
+                     are_apart ? equal.data() : nullptr, larger.data());
+  });
+  return {{part.first, cut, part.room, part.entries}, {cut, part.last, part.room, part.entries}};
+}
+
+template Halves<std::uint32_t> split(const Part<std::uint32_t>&, std::size_t, const Kernels&) noexcept;
+template Halves<std::uint64_t> split(const Part<std::uint64_t>&, std::size_t, const Kernels&) noexcept;
+template Halves<std::uint32_t> split_together(const Part<std::uint32_t>&, std::size_t, const Kernels&);
+template Halves<std::uint64_t> split_together(const Part<std::uint64_t>&, std::size_t, const Kernels&);
+
+}  // namespace shaftcull::kernel

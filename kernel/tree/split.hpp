@@ -1,0 +1,37 @@
+/// Halving a part of the entries that a tree is built from.
+#pragma once
+
+#include <cstddef>
+
+#include "test/kernels.hpp"
+#include "tree/entries.hpp"
+
+namespace shaftcull::kernel {
+
+/// Entries [first, last) of some streams; others have room for them at the same place.
+template <class Index>
+struct Part {
+  std::size_t first;
+  std::size_t last;
+  const EntryStreams<Index>* entries;
+  const EntryStreams<Index>* room;
+
+  [[nodiscard]] std::size_t size() const noexcept { return last - first; }
+};
+
+template <class Index>
+struct Halves {
+  Part<Index> low;
+  Part<Index> high;
+};
+
+/// Halves a part at `cut`, a place within it, as SplitKernels in kernels.hpp says.
+template <class Index>
+Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept;
+
+/// The same halves, made by all threads of the caller's arena. For parts of at least so many entries.
+inline constexpr std::size_t fewest_together = 65536;
+template <class Index>
+Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Kernels& kernels);
+
+}  // namespace shaftcull::kernel
