@@ -164,7 +164,7 @@ Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyR
 /// As SplitKernels::bracket.
 template <class L>
 Bracket bracket_of(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
-  constexpr std::size_t step = 64;
+  const std::size_t step = count <= 4096 ? 16 : 64;  // the fewer, the rougher would be what a sample says
   const std::size_t samples = count / step;
   for (unsigned k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < samples; ++i) room[k][i] = entry[k][i * step];

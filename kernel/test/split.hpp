@@ -53,7 +53,7 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
 template <class L, unsigned streams>
 void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
   const FloatEnvironment<L> environment;
-  constexpr std::size_t few = 4096;  // the same for all, since the axis depends on it
+  constexpr std::size_t few = 1024;  // the same for all, since the axis depends on it
   const Halving halving = count <= few ? halving_of_few<L>(from, count, first_half)
                                        : halving_of_many<L>(from, count, first_half, to);
   const auto [key, less] = halving.pivot;

@@ -209,7 +209,7 @@ TEST(SplitEntries, HalvesAreThoseOfSorting) {
 TEST(SplitEntries, LargePartsAreSampled) {
   Dice dice(5200);
   for (const auto& [what, key] : distributions) {
-    for (const std::size_t count : {4096U, 4097U, 9001U}) {
+    for (const std::size_t count : {1024U, 1025U, 4096U, 4097U, 9001U}) {
       // Where no key of the sample differs, the axis is the first.
       expect_split(entries_of(dice, key, 0, count), 1 + dice.below(static_cast<unsigned>(count) - 1), 0, what);
       expect_split(entries_of(dice, key, 0, count), count / 2, 0, what);
@@ -230,7 +230,7 @@ TEST(SplitEntries, LargestPartsAreHalvedByAllThreads) {
 TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
   for (const float off : {1e8F, -1e8F}) {
     Entries entries(off > 0 ? 20000 : 70000);
-    for (std::size_t i = 0; i != entries.size(); ++i) {  // every 64th is sampled
+    for (std::size_t i = 0; i != entries.size(); ++i) {  // every 16th or 64th is sampled
       const auto x = static_cast<float>(i);
       entries[i] = {{i % 64 == 0 ? off + x : x, 0, 0}, static_cast<std::uint32_t>(i)};
     }
