@@ -93,6 +93,7 @@ TEST(TreeAgreement, HoldsOnFourLevels) {
   expect_flat_answers<Box>(31, Shape::uniform, 530000, 3);
   expect_flat_answers<Box>(32, Shape::some_empty, 530000, 3);
   expect_flat_answers<Sphere>(33, Shape::uniform, 530000, 3);
+  expect_flat_answers<Box, std::uint64_t>(34, Shape::one_giant, 530000, 3);
 }
 
 }  // namespace

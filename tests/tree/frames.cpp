@@ -222,5 +222,20 @@ TYPED_TEST(TreeFrames, NodesTakeLessThanTwoPerCentOfLeavesAndOrder) {
   EXPECT_LT(tree.memory_bytes(), needed + needed / 50);
 }
 
+TYPED_TEST(TreeFrames, UpdatesByIndexTakeOneMoreIndexABound) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
+  Dice dice(80);
+  const std::size_t count = 400000;
+  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, count);
+  TypeParam tree{std::span<const Bound>(bounds)};
+  const std::size_t before = tree.memory_bytes();
+  for (int again = 0; again != 2; ++again) {
+    tree.update(std::vector<Index>{7}, std::span<const Bound>(bounds).subspan(8, 1));
+    tree.refit();
+    EXPECT_LT(tree.memory_bytes() - before, count * sizeof(Index) + count / 256);
+  }
+}
+
 }  // namespace
 }  // namespace shaftcull
