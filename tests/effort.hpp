@@ -1,4 +1,4 @@
-/// How many random cases a test tries.
+/// How many random cases a test tries, and what it cannot do under a sanitizer.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,14 @@ constexpr std::uint64_t effort(std::uint64_t cases) {
   return cases;
 #endif
 }
+
+/// Whether this is built with a sanitizer that keeps a record of every piece of memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool has_shadow_memory = true;
+#elif defined(__has_feature)
+inline constexpr bool has_shadow_memory = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+inline constexpr bool has_shadow_memory = false;
+#endif
 
 }  // namespace shaftcull

@@ -14,6 +14,7 @@
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull {
@@ -37,9 +38,8 @@ void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std
 void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
                 Form form = Form::fastest);
 
-/// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending. An
-/// Index is a std::uint32_t or, for more than 2³² bounds, a std::uint64_t.
-template <class Index>
+/// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
+template <BoundIndex Index>
 struct IndexListsOf {
   std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
   std::vector<Index> indices;
@@ -51,12 +51,12 @@ struct IndexListsOf {
 };
 using IndexLists = IndexListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps. Reuses the memory of `lists`. Throws InvalidArgument if there are more bounds than an
-/// Index can tell apart.
-template <class Index>
+/// Lists what each shaft keeps. Reuses the memory of `lists`; if there is none left, which it throws, what they hold is
+/// anything. Throws InvalidArgument if there are more bounds than an Index can tell apart.
+template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists,
                Form form = Form::fastest);
-template <class Index>
+template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
                Form form = Form::fastest);
 

@@ -1,6 +1,7 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
-/// Results are in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument
+/// Bounds and indices are of the tree's kind: a vector passes for a span of them, and braces for `excluding`. Results are
+/// in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument
 /// if the tree needs a refit, if a shaft was formed without the answer asked for, or if `excluding` does not fit. Cost:
 /// about 20 ns for each node or group of 64 bounds that the shaft reaches. Safe to call from many threads.
 #pragma once
@@ -13,13 +14,14 @@
 #include <vector>
 
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 
 namespace shaftcull {
 
 /// Leaves [first, first + size) of a tree: bounds order()[first] and so on.
-template <class Index>
+template <BoundIndex Index>
 struct TreeRunOf {
   Index first;
   Index size;
@@ -27,7 +29,7 @@ struct TreeRunOf {
 };
 
 /// Bounds that a query leaves out, by the user's indices.
-template <class Index>
+template <BoundIndex Index>
 struct ExcludingOf {
   /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two
   /// objects, say.
@@ -50,31 +52,29 @@ struct KeptCounts {
 // One shaft. Nothing is allocated. Results that a span has no room for are counted, but not written: call again with
 // as much room as the number returned, if that was more than there was.
 
-// The tree alone says of what kind bounds and indices are, so a vector passes for a span, and braces for `excluding`.
-
 /// How many bounds the shaft keeps (which are not outside).
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes the indices of the bounds that the shaft keeps, and returns how many there are.
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<Index>> kept,
                  const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes the runs of leaves that the shaft keeps, each as long as can be, and returns how many there are.
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<TreeRunOf<Index>>> kept,
                  const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// As cull(), but bounds that overlap and bounds inside apart. Nothing below a node that is inside is tested.
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                     std::type_identity_t<std::span<Index>> overlap, std::type_identity_t<std::span<Index>> inside,
                     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                     std::type_identity_t<std::span<TreeRunOf<Index>>> overlap,
                     std::type_identity_t<std::span<TreeRunOf<Index>>> inside,
@@ -83,12 +83,12 @@ KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& 
 // Many shafts, in parallel. Results do not depend on the number of threads.
 
 /// kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Runs in compressed sparse rows: those of shaft s are runs[offsets[s] … offsets[s + 1]), ascending.
-template <class Index>
+template <BoundIndex Index>
 struct RunListsOf {
   std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
   std::vector<TreeRunOf<Index>> runs;
@@ -100,25 +100,26 @@ struct RunListsOf {
 };
 using RunLists = RunListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps, as indices or as runs. Reuses the memory of the lists.
-template <class Bound, class Index>
+/// Lists what each shaft keeps, as indices or as runs. Reuses the memory of the lists; if there is none left, which it
+/// throws, what they hold is anything.
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Likewise, but bounds that overlap and bounds inside apart.
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& overlap,
                RunListsOf<Index>& inside, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// What one shaft answers. Memory is the library's and is valid during the callback only.
-template <class Index>
+template <BoundIndex Index>
 struct ShaftAnswersOf {
   std::size_t shaft;
   std::span<const TreeRunOf<Index>> overlap;  ///< for cull_each() whatever is kept
@@ -127,15 +128,15 @@ struct ShaftAnswersOf {
 using ShaftAnswers = ShaftAnswersOf<std::uint32_t>;
 
 /// Called once for every shaft, one call at a time, in their order. An exception ends the run and reaches the caller.
-template <class Index>
+template <BoundIndex Index>
 using ShaftCallbackOf = std::function<void(const ShaftAnswersOf<Index>&)>;
 using ShaftCallback = ShaftCallbackOf<std::uint32_t>;
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void cull_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void classify_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                    const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -29,12 +30,12 @@ std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::s
                    std::span<std::uint64_t> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
-/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`.
-/// Errors as refine().
-template <class Index>
+/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`,
+/// of which candidates must not be a part. Errors as refine().
+template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
-template <class Index>
+template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 

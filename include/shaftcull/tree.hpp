@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull {
@@ -29,8 +30,8 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
 /// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes; an Index a bound more
-/// from the first update by index on. An Index is a std::uint32_t, for at most 2³² − 1 bounds, or a std::uint64_t, for
-/// at most 2³⁷; InvalidArgument for more.
+/// from the first update by index on. A std::uint32_t numbers at most 2³² − 1 bounds, a
+/// std::uint64_t at most 2³⁷; InvalidArgument for more.
 ///
 /// Bounds are checked as in packing: a NaN, lo > hi (but for the empty box), a negative radius or a centre
 /// that is not finite throws BadBound, which names the first bad one, and leaves the tree unchanged.
@@ -38,10 +39,9 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// Building, updating and refitting run in parallel on oneTBB inside the caller's task_arena. Const members and
 /// queries are safe to call from many threads. To ask the last frame while the next is made, keep two trees: update the
 /// one, ask the other, and swap them. Copies are deep; moves are O(1) and leave an empty tree.
-template <class Bound, class Index = std::uint32_t>
+template <class Bound, BoundIndex Index = std::uint32_t>
 class BoundsTree {
-  static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>);
-  static_assert(std::is_same_v<Index, std::uint32_t> || std::is_same_v<Index, std::uint64_t>);
+  static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>, "bounds are boxes or spheres");
 
  public:
   using View = ViewOf<Bound>;

@@ -31,7 +31,7 @@ void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t s
 }
 
 /// Makes `indices` that long without copying what it holds.
-template <class Index>
+template <BoundIndex Index>
 void resize_unkept(std::vector<Index>& indices, std::uint64_t size) {
   if (indices.capacity() < size) indices.clear();
   indices.resize(static_cast<std::size_t>(size));
@@ -40,10 +40,12 @@ void resize_unkept(std::vector<Index>& indices, std::uint64_t size) {
 template <class View, class Index>
 void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& lists, Form form) {
   const kernel::Job<View> job(shafts, bounds, false, form);
-  constexpr std::size_t last_index = std::numeric_limits<Index>::max();
-  if (bounds.count != 0 && bounds.count - 1 > last_index) {
-    throw InvalidArgument("list_many() got " + std::to_string(bounds.count) + " bounds, but 32-bit indices reach " +
-                          std::to_string(last_index) + "; use IndexListsOf<std::uint64_t>");
+  if constexpr (sizeof(Index) < sizeof(bounds.count)) {
+    constexpr std::uint64_t last_index = std::numeric_limits<Index>::max();
+    if (bounds.count > last_index + 1) {
+      throw InvalidArgument("list_many() got " + std::to_string(bounds.count) + " bounds, but 32-bit indices reach " +
+                            std::to_string(last_index) + "; use IndexListsOf<std::uint64_t>");
+    }
   }
 
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
@@ -86,11 +88,11 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
 
 }  // namespace
 
-template <class Index>
+template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists, Form form) {
   list_rows(shafts, boxes, lists, form);
 }
-template <class Index>
+template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
                Form form) {
   list_rows(shafts, spheres, lists, form);

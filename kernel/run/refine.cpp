@@ -117,12 +117,12 @@ std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::s
   return refine_list(shaft, spheres, candidates, kept);
 }
 
-template <class Index>
+template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
   refine_lists(shafts, boxes, candidates, lists);
 }
-template <class Index>
+template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
   refine_lists(shafts, spheres, candidates, lists);

@@ -65,11 +65,12 @@ struct SplitKernels {
   Bracket (*bracket)(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept;
   /// Collects the keys in a bracket in `some`, which has room for all.
   Collected (*collect)(const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept;
-  /// A key that `rank` keys are less than; if equal ones straddle that rank, those. rank < count.
+  /// A limit that `rank` keys are less than; if equal ones straddle that rank, those. rank < count.
   float (*pivot)(const float* key, std::size_t count, std::size_t rank) noexcept;
+  /// Counts keys.
   Tally (*tally)(const float* key, std::size_t count, float pivot) noexcept;
-  /// Writes the entries whose keys are less than the pivot to `less`, and the others to `larger`, or, unless `equal` is null, those that equal
-  /// it there. Writes nothing else.
+  /// Writes the entries whose keys are less than the pivot to `less`, those whose keys are larger to `larger`, and those whose keys equal it to
+  /// `equal`; if that is null, to `larger` too. Writes nothing else.
   void (*deal)(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally, float* const* less,
                float* const* equal, float* const* larger) noexcept;
 };

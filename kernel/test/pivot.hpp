@@ -23,7 +23,7 @@ struct FloatNumber {
   }
 };
 
-/// The smallest finite float that is larger than a key.
+/// The smallest float that is larger than a key, which is finite.
 template <class L>
 float next_key(float key) noexcept {
   return FloatNumber<L>::at(FloatNumber<L>::of(key) + 1);

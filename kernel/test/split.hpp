@@ -8,7 +8,7 @@ namespace shaftcull::kernel {
 
 /// Floats ahead of those read or written that are fetched. Processors foresee reads, but not these writes: without it
 /// parts that the L2 cache holds take half as long again.
-inline constexpr std::size_t ahead = 48;
+inline constexpr std::size_t fetched_floats = 48;
 
 /// Keeps the `low` entries whose key is below the limit in `from`, and moves the others to `to`, from place `low` on.
 template <class L, unsigned streams>
@@ -25,9 +25,9 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
     const auto lows = static_cast<std::size_t>(__builtin_popcountll(is_low));
     const bool has_room = moved + L::width <= count;
     for (unsigned s = 0; s < streams; ++s) {
-      __builtin_prefetch(to[s] + moved + ahead, 1);
-      __builtin_prefetch(from[s] + kept + ahead, 1);
-      __builtin_prefetch(from[s] + i + ahead);
+      __builtin_prefetch(to[s] + moved + fetched_floats, 1);
+      __builtin_prefetch(from[s] + kept + fetched_floats, 1);
+      __builtin_prefetch(from[s] + i + fetched_floats);
       const auto x = L::load(from[s] + i);
       low_ones.store(from[s] + kept, x);  // what was there has been read
       if (has_room) {
@@ -91,7 +91,7 @@ class Group {
     const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
     const bool has_room = left_ >= L::width;
     for (unsigned s = 0; s < streams; ++s) {
-      __builtin_prefetch(to_[s] + ahead, 1);
+      __builtin_prefetch(to_[s] + fetched_floats, 1);
       if (has_room) {
         ones.store(to_[s], x[s]);
       } else {

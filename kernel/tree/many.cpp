@@ -17,11 +17,11 @@ using kernel::Run;
 /// Shafts in a task: some ten to hundreds of microseconds.
 constexpr std::size_t task_shafts = 16;
 
-template <class Index>
+template <BoundIndex Index>
 std::vector<Index>& items_of(IndexListsOf<Index>& lists) {
   return lists.indices;
 }
-template <class Index>
+template <BoundIndex Index>
 std::vector<TreeRunOf<Index>>& items_of(RunListsOf<Index>& lists) {
   return lists.runs;
 }
@@ -109,10 +109,11 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
 /// Shafts whose answers wait for their turn, for each thread.
 constexpr std::size_t slots_per_thread = 8;
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
               const ShaftCallbackOf<Index>& callback, Question question, const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, question, excluding);
+  if (!callback) throw InvalidArgument("the shaft callback is empty; pass something that can be called");
   using Output = kernel::GrowingOutput<TreeRunOf<Index>>;
   struct Slot {
     Output kept;
@@ -141,7 +142,7 @@ void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Ind
 
 }  // namespace
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
@@ -159,36 +160,36 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, I
   });
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& overlap,
                RunListsOf<Index>& inside, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void cull_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   hand_out(shafts, tree, callback, Question::kept, excluding);
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void classify_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                    const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {

@@ -34,7 +34,7 @@ KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Inde
 
 }  // namespace
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                   const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
@@ -43,26 +43,26 @@ std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tr
   return counter.count();
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<Index>> kept,
                  const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   return list_kept<IndexList>(shaft, tree, kept, excluding);
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<TreeRunOf<Index>>> kept,
                  const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   return list_kept<RunList>(shaft, tree, kept, excluding);
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                     std::type_identity_t<std::span<Index>> overlap, std::type_identity_t<std::span<Index>> inside,
                     const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   return list_classes<IndexList>(shaft, tree, overlap, inside, excluding);
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                     std::type_identity_t<std::span<TreeRunOf<Index>>> overlap,
                     std::type_identity_t<std::span<TreeRunOf<Index>>> inside,

@@ -1,8 +1,6 @@
 /// Tree order: which bounds share a node.
 #pragma once
 
-#include <cstdint>
-
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {

@@ -19,7 +19,7 @@ inline constexpr std::size_t top_words = 2;
 
 /// A tree's levels hold at most this many bounds.
 inline constexpr std::size_t most_levels = 6;
-inline constexpr std::size_t most_bounds = top_words << 6 * most_levels;
+inline constexpr std::uint64_t most_bounds = std::uint64_t{top_words} << 6 * most_levels;
 
 /// One level: level 0 is the leaves, entry i of another is the box around entries 64 i … of the one below.
 struct TreeLevel {

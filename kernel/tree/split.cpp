@@ -2,7 +2,6 @@
 /// many of their entries go where, each deals out its own, out of place.
 #include "tree/split.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include "run/cut.hpp"
@@ -15,15 +14,15 @@ namespace {
 constexpr std::size_t chunk_entries = 16384;
 
 template <class Index>
-[[nodiscard]] EntryStreams<Index> from(const EntryStreams<Index>& streams, std::size_t first) noexcept {
+[[nodiscard]] EntryStreams<Index> moved_by(const EntryStreams<Index>& streams, std::size_t entries) noexcept {
   EntryStreams<Index> moved = streams;
-  for (float*& stream : moved) stream += first;
+  for (float*& stream : moved) stream += entries;
   return moved;
 }
 
 template <class Index>
-[[nodiscard]] const SplitKernels& split_kernels_for(const Part<Index>& part, const Kernels& kernels) noexcept {
-  return part.entries->size() == 4 ? kernels.split : kernels.split_wide;
+[[nodiscard]] const SplitKernels& split_kernels(const Kernels& kernels) noexcept {
+  return sizeof(Index) == sizeof(std::uint32_t) ? kernels.split : kernels.split_wide;
 }
 
 /// A pivot, and what each chunk has of keys before it and equal to it.
@@ -37,8 +36,8 @@ struct PivotOfChunks {
 template <class Index>
 PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitKernels& kernels) {
   const std::size_t count = part.size();
-  const EntryStreams<Index> entries = from<Index>(*part.entries, part.first);
-  const EntryStreams<Index> room = from<Index>(*part.room, part.first);
+  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
+  const EntryStreams<Index> room = moved_by<Index>(*part.room, part.first);
   const Bracket bracket = kernels.bracket(entries.data(), count, rank, room.data());
   const float* const key = entries[bracket.axis];
   float* const some = room[bracket.axis];  // what a chunk has within the bracket is where the chunk is
@@ -49,7 +48,10 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
     found[c] = kernels.collect(key + chunk.first, chunk.size, bracket, some + chunk.first);
   });
   std::size_t below = 0;
+  std::size_t all_between = 0;
+  for (const Collected& of_chunk : found) all_between += of_chunk.between;
   std::vector<float> between;
+  between.reserve(all_between);
   for (std::size_t c = 0; c != chunks; ++c) {
     const float* const here = some + piece(count, chunk_entries, c).first;
     between.insert(between.end(), here, here + found[c].between);
@@ -79,15 +81,15 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
 
 template <class Index>
 Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
-  const EntryStreams<Index> entries = from<Index>(*part.entries, part.first);
-  const EntryStreams<Index> room = from<Index>(*part.room, part.first);
-  split_kernels_for(part, kernels).whole(entries.data(), room.data(), part.size(), cut - part.first);
+  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
+  const EntryStreams<Index> room = moved_by<Index>(*part.room, part.first);
+  split_kernels<Index>(kernels).whole(entries.data(), room.data(), part.size(), cut - part.first);
   return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
 }
 
 template <class Index>
 Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Kernels& kernels) {
-  const SplitKernels& its_kernels = split_kernels_for(part, kernels);
+  const SplitKernels& its_kernels = split_kernels<Index>(kernels);
   const std::size_t rank = cut - part.first;
   const PivotOfChunks pivot = find_pivot(part, rank, its_kernels);
 
@@ -118,10 +120,10 @@ Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Ker
   parallel_for(places.size(), 1, [&](std::size_t c, std::size_t) {
     const std::size_t first = part.first + piece(part.size(), chunk_entries, c).first;
     const std::size_t size = piece(part.size(), chunk_entries, c).size;
-    const EntryStreams<Index> chunk = from<Index>(*part.entries, first);
-    const EntryStreams<Index> less = from<Index>(*part.room, places[c].less);
-    const EntryStreams<Index> equal = from<Index>(*part.room, places[c].equal);
-    const EntryStreams<Index> larger = from<Index>(*part.room, places[c].larger);
+    const EntryStreams<Index> chunk = moved_by<Index>(*part.entries, first);
+    const EntryStreams<Index> less = moved_by<Index>(*part.room, places[c].less);
+    const EntryStreams<Index> equal = moved_by<Index>(*part.room, places[c].equal);
+    const EntryStreams<Index> larger = moved_by<Index>(*part.room, places[c].larger);
     its_kernels.deal(chunk.data(), size, pivot.axis, pivot.key, pivot.tally[c], less.data(),
                      are_apart ? equal.data() : nullptr, larger.data());
   });

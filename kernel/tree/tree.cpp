@@ -18,15 +18,11 @@ namespace {
 /// `bounds`, or an exception.
 template <class Index, class Bounds>
 const Bounds& few_enough(const Bounds& bounds) {
-  constexpr std::size_t most = std::min<std::size_t>(std::numeric_limits<Index>::max(), kernel::most_bounds);
+  constexpr std::uint64_t most = std::min<std::uint64_t>(std::numeric_limits<Index>::max(), kernel::most_bounds);
   if (bounds.count <= most) return bounds;
-  std::string message = "a tree of " + std::to_string(bounds.count) + " bounds: ";
-  if constexpr (most < kernel::most_bounds) {
-    message += "32-bit indices reach to " + std::to_string(most) + "; use a BoundsTree<…, std::uint64_t>";
-  } else {
-    message += "it can hold " + std::to_string(most) + "; build several trees";
-  }
-  throw InvalidArgument(message);
+  throw InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: with " +
+                        std::to_string(8 * sizeof(Index)) + "-bit indices it can hold " + std::to_string(most) +
+                        (most < kernel::most_bounds ? "; use a BoundsTree<…, std::uint64_t>" : "; build several"));
 }
 
 template <class Bound, class Index, class Source>
@@ -40,7 +36,7 @@ StreamMemory copy_of(const StreamMemory& memory, std::size_t rows) {
   return copy;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::unique_ptr<kernel::TreeParts<Bound, Index>> copy_of(const kernel::TreeParts<Bound, Index>* parts) {
   if (parts == nullptr) return nullptr;
   auto copy = std::make_unique<kernel::TreeParts<Bound, Index>>();
@@ -59,7 +55,7 @@ std::unique_ptr<kernel::TreeParts<Bound, Index>> copy_of(const kernel::TreeParts
 }
 
 /// Parts to update: those of an empty tree are made when needed.
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 kernel::TreeParts<Bound, Index>& of(std::unique_ptr<kernel::TreeParts<Bound, Index>>& parts) {
   if (!parts) parts = std::make_unique<kernel::TreeParts<Bound, Index>>();
   return *parts;
@@ -67,37 +63,37 @@ kernel::TreeParts<Bound, Index>& of(std::unique_ptr<kernel::TreeParts<Bound, Ind
 
 }  // namespace
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree() noexcept = default;
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::~BoundsTree() = default;
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(BoundsTree&& other) noexcept = default;
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(BoundsTree&& other) noexcept = default;
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const View& bounds)
     : parts_(built_from<Bound, Index>(kernel::ViewSource<Bound>(few_enough<Index>(bounds)))) {}
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
     : parts_(built_from<Bound, Index>(kernel::RecordSource<Bound>(few_enough<Index>(bounds)))) {}
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_.get())) {}
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(const BoundsTree& other) {
   if (this != &other) parts_ = copy_of(other.parts_.get());
   return *this;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t BoundsTree<Bound, Index>::size() const noexcept {
   return parts_ ? parts_->size : 0;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
   return sizeof *parts_ + parts_->leaves.bytes() + parts_->nodes.bytes() +
@@ -105,7 +101,7 @@ std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
          sizeof(Index) * (parts_->order.capacity() + parts_->place.capacity());
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
   View view;
   if (!parts_) return view;
@@ -114,39 +110,39 @@ auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
   return view;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 std::span<const Index> BoundsTree<Bound, Index>::order() const noexcept {
   if (!parts_) return {};
   return parts_->order;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(const View& all) {
   kernel::update_all(of(parts_), kernel::ViewSource<Bound>(all));
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(const Records& all) {
   kernel::update_all(of(parts_), kernel::RecordSource<Bound>(all));
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
   update(records(all));
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const View& bounds) {
   kernel::update_some(of(parts_), indices, kernel::ViewSource<Bound>(bounds));
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const Records& bounds) {
   kernel::update_some(of(parts_), indices, kernel::RecordSource<Bound>(bounds));
 }
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<const Bound> bounds) {
   update(indices, records(bounds));
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::refit() {
   if (!needs_refit()) return;
   // Entry by entry is dearer than in one sweep; from about one word in eight on the sweep wins.
@@ -157,12 +153,12 @@ void BoundsTree<Bound, Index>::refit() {
   }
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 bool BoundsTree<Bound, Index>::needs_refit() const noexcept {
   return parts_ && parts_->dirty_words != 0;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 double BoundsTree<Bound, Index>::growth() const {
   if (!parts_) return 1;
   if (needs_refit()) throw InvalidArgument("growth() of a tree whose bounds were updated; call refit() first");
@@ -170,7 +166,7 @@ double BoundsTree<Bound, Index>::growth() const {
   return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::rebuild() {
   if (!parts_) return;
   kernel::TreeParts<Bound, Index> anew = kernel::build<Bound, Index>(kernel::ViewSource<Bound>(leaves()));
@@ -178,7 +174,7 @@ void BoundsTree<Bound, Index>::rebuild() {
   *parts_ = std::move(anew);
 }
 
-template <class Bound, class Index>
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::renumber() noexcept {
   if (!parts_) return;
   std::iota(parts_->order.begin(), parts_->order.end(), Index{0});

@@ -1,7 +1,6 @@
 /// New values for the bounds of a tree.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "tree/parts.hpp"

@@ -22,8 +22,8 @@ namespace shaftcull::kernel {
 enum class Question : std::uint8_t { kept, kept_and_inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
-///   visitor.word(first, kept, inside)   leaves first … first + 63, some of which are kept; inside is 0 for
-///   Question::kept visitor.run(first, size)            leaves that are all inside
+///   visitor.word(first, kept, inside): leaves first … first + 63, some of which are kept; inside is 0 for Question::kept
+///   visitor.run(first, size): leaves that are all inside
 template <class Bound, class Visitor>
 class Walk {
  public:

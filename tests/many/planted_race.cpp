@@ -22,16 +22,16 @@ class Turns {
   template <class Race>
   void take(const Race& race) {
     const int turn = arrived_.fetch_add(1, std::memory_order_relaxed);
-    while (arrived_.load(std::memory_order_relaxed) < threads || left_.load(std::memory_order_relaxed) < turn) {
+    while (arrived_.load(std::memory_order_relaxed) < threads || done_.load(std::memory_order_relaxed) < turn) {
       std::this_thread::yield();
     }
     race();
-    left_.fetch_add(1, std::memory_order_relaxed);
+    done_.fetch_add(1, std::memory_order_relaxed);
   }
 
  private:
   std::atomic<int> arrived_ = 0;
-  std::atomic<int> left_ = 0;
+  std::atomic<int> done_ = 0;
 };
 
 /// All tasks of a loop count in the same place.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "effort.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/refine.hpp"
 
@@ -18,9 +19,7 @@ class Wide : public testing::Test {
   static constexpr std::size_t bytes = count * sizeof(float);
 
   void SetUp() override {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "takes a minute under a sanitizer, whose shadow of all this does not share pages";
-#endif
+    if (has_shadow_memory) GTEST_SKIP() << "a sanitizer's shadow of all this does not share pages";
     void* const memory =
         mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) GTEST_SKIP() << "no room for " << bytes << " bytes of addresses";
@@ -45,6 +44,12 @@ TEST_F(Wide, ListsOfSixtyFourBitsNumberAllBounds) {
   IndexListsOf<std::uint64_t> lists;
   list_many({&shaft_, 1}, boxes_, lists);
   EXPECT_EQ(lists.indices, far_);
+}
+
+TEST_F(Wide, ListsOfThirtyTwoBitsReachAsFarAsTheyCan) {
+  IndexLists lists;
+  list_many({&shaft_, 1}, boxes_.slice(0, std::size_t{1} << 32U), lists);
+  EXPECT_EQ(lists.indices, (std::vector<std::uint32_t>{3, 0xffffffff}));
 }
 
 TEST_F(Wide, RefiningReachesAllBounds) {

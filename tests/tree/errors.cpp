@@ -73,9 +73,9 @@ TEST(TreeErrors, MoreBoundsThanIndicesReachAreRefused) {
     return message_of([&] { const Tree tree(view); });
   };
   EXPECT_THAT(refusal_of(std::size_t{1} << 32U, BoxTree()),
-              HasSubstr("a tree of 4294967296 bounds: 32-bit indices reach to 4294967295; use a BoundsTree<…, std::uint64_t>"));
+              HasSubstr("a tree of 4294967296 bounds: with 32-bit indices it can hold 4294967295; use a BoundsTree<…, std::uint64_t>"));
   EXPECT_THAT(refusal_of((std::size_t{1} << 37U) + 1, BoundsTree<Box, std::uint64_t>()),
-              HasSubstr("a tree of 137438953473 bounds: it can hold 137438953472"));
+              HasSubstr("a tree of 137438953473 bounds: with 64-bit indices it can hold 137438953472; build several"));
 }
 
 TEST(TreeErrors, ABadUpdateLeavesTheTreeAsItWas) {
@@ -143,6 +143,12 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
               HasSubstr("100 bounds take 2"));
   counts.resize(3);
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("room for 3 counts; 2 shafts"));
+}
+
+TEST(TreeErrors, AnEmptyCallbackIsRefused) {
+  const BoxTree tree{std::span<const Box>(boxes(100))};
+  EXPECT_THAT(message_of([&] { cull_each({&shaft(), 1}, tree, ShaftCallback()); }), HasSubstr("callback is empty"));
+  EXPECT_THAT(message_of([&] { classify_each({&shaft(), 1}, tree, nullptr); }), HasSubstr("callback is empty"));
 }
 
 TEST(TreeErrors, CandidatesMustExistAndFit) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "columns.hpp"
@@ -37,11 +39,19 @@ struct FlatAnswers {
   }
 };
 
+/// An index of 32 or 64 bits as one of 32; throws if it is not.
+template <class Index>
+std::uint32_t narrow(Index index) {
+  const auto narrow = static_cast<std::uint32_t>(index);
+  if (narrow != index) throw std::out_of_range("an index of more than 32 bits: " + std::to_string(index));
+  return narrow;
+}
+
 /// Ascending indices, of 32 or 64 bits.
 template <class List>
 Indices sorted(const List& indices) {
   Indices all;
-  for (const auto index : indices) all.push_back(static_cast<std::uint32_t>(index));
+  for (const auto index : indices) all.push_back(narrow(index));
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -51,7 +61,7 @@ template <class Runs, class Index>
 Indices sorted(const Runs& runs, std::span<const Index> order) {
   Indices all;
   for (const TreeRunOf<Index>& run : runs) {
-    for (Index p = run.first; p != run.first + run.size; ++p) all.push_back(static_cast<std::uint32_t>(order[p]));
+    for (Index p = run.first; p != run.first + run.size; ++p) all.push_back(narrow(order[p]));
   }
   std::sort(all.begin(), all.end());
   return all;

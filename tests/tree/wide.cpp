@@ -1,0 +1,121 @@
+/// A walk through a tree of more bounds than 32 bits number, in little memory: pages that nobody has written to are all the same one.
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "effort.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/query.hpp"
+#include "tree/outputs.hpp"
+#include "tree/parts.hpp"
+#include "tree/visitors.hpp"
+#include "tree/walk.hpp"
+
+namespace {
+
+constexpr std::size_t page = 4096;
+
+/// Whether that much is asked for only by this test, which reads little of it.
+bool is_vast(std::size_t bytes) { return bytes > std::size_t{1} << 30U; }
+
+}  // namespace
+
+// Streams are allocated by these. Each piece begins with a page that holds its size.
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  const std::size_t size = bytes + page;
+  char* memory = nullptr;
+  if (is_vast(bytes)) {
+    void* const mapped = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (mapped != MAP_FAILED) memory = static_cast<char*>(mapped);
+  } else {
+    memory = static_cast<char*>(std::aligned_alloc(page, (size + page - 1) / page * page));
+  }
+  if (memory == nullptr || static_cast<std::size_t>(alignment) > page) throw std::bad_alloc();
+  new (memory) std::size_t(bytes);
+  return memory + page;
+}
+void operator delete[](void* pointer, std::align_val_t) noexcept {
+  if (pointer == nullptr) return;
+  char* const memory = static_cast<char*>(pointer) - page;
+  const std::size_t bytes = *std::launder(reinterpret_cast<std::size_t*>(memory));
+  is_vast(bytes) ? static_cast<void>(munmap(memory, bytes + page)) : std::free(memory);
+}
+
+namespace shaftcull {
+namespace {
+
+using kernel::TreeLevels;
+
+constexpr std::size_t size = (std::size_t{1} << 34U) + 999;
+
+/// A tree of boxes all of which are the origin, as memory that nobody wrote to says.
+TreeLevels<Box> origins() {
+  TreeLevels<Box> tree;
+  tree.size = size;
+  tree.level[0] = {size, 0};
+  tree.levels = 1;
+  std::size_t nodes = 0;
+  while (tree.level[tree.levels - 1].words() > kernel::top_words) {
+    const std::size_t entries = tree.level[tree.levels - 1].words();
+    tree.level.at(tree.levels) = {entries, nodes};
+    nodes += tree.level[tree.levels].words() * 64;
+    ++tree.levels;
+  }
+  tree.leaves = StreamMemory(6, words_for(size) * 64);
+  tree.nodes = StreamMemory(6, nodes);
+  tree.gaps.assign(nodes / 64, 0);
+  return tree;
+}
+
+/// Makes nodes from level `k` on reach from the origin to (5, 5, 5), those above an entry of the level below.
+void reach_far(TreeLevels<Box>& tree, std::size_t entry, std::size_t k) {
+  for (; k != tree.levels; ++k) {
+    entry /= kernel::fanout;
+    for (std::size_t s = 3; s != 6; ++s) tree.node_rows(k, entry)[s][0] = 5;
+  }
+}
+
+TEST(WideTree, AWalkReachesAllBounds) {
+  if (has_shadow_memory) GTEST_SKIP() << "a sanitizer's shadow of all this does not share pages";
+  using Run = TreeRunOf<std::uint64_t>;
+  TreeLevels<Box> tree;
+  try {
+    tree = origins();
+  } catch (const std::bad_alloc&) {
+    GTEST_SKIP() << "no room for half a terabyte of addresses";
+  }
+  const std::vector<Run> overlap = {{7, 1}, {(std::uint64_t{1} << 32U) - 1, 2}, {(std::uint64_t{1} << 33U) + 331, 1}, {size - 1, 1}};
+  for (const Run& run : overlap) {
+    for (std::size_t leaf = run.first; leaf != run.first + run.size; ++leaf) {
+      for (std::size_t s = 0; s != 6; ++s) tree.leaves.row(s)[leaf] = s == 0 ? 3 : 5;  // half outside
+      reach_far(tree, leaf, 1);
+    }
+  }
+  // A node of level 2 that is inside, beyond 32 bits: its leaves are not looked at.
+  const std::size_t inside_node = (std::size_t{3} << 32U) >> 12U;
+  for (std::size_t s = 0; s != 6; ++s) tree.node_rows(2, inside_node)[s][0] = 5;
+  reach_far(tree, inside_node, 3);
+  const std::vector<Run> inside = {{std::uint64_t{3} << 32U, 4096}};
+
+  const CompiledShaft shaft = compile(Shaft({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}}));
+  for (const Isa isa : available_isas()) {
+    select_isa(isa);
+    using Output = kernel::GrowingOutput<Run>;
+    using List = kernel::RunList<std::uint64_t, Output>;
+    Output overlaps;
+    Output insides;
+    kernel::ClassLister<List> lister(List(nullptr, overlaps), List(nullptr, insides));
+    kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), shaft, kernel::Question::kept_and_inside, lister)
+        .run();
+    EXPECT_EQ(std::vector<Run>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
+    EXPECT_EQ(std::vector<Run>(insides.data(), insides.data() + insides.count()), inside) << name(isa);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
