@@ -1,9 +1,9 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
 /// Bounds and indices are of the tree's kind: a vector passes for a span of them, and braces for `excluding`. Results are
-/// in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument
-/// if the tree needs a refit, if a shaft was formed without the answer asked for, or if `excluding` does not fit. Cost:
-/// about 20 ns for each node or group of 64 bounds that the shaft reaches. Safe to call from many threads.
+/// in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument if the tree
+/// needs a refit, if a shaft was formed without the answer asked for, or if `excluding` does not fit. Cost: about 20 ns
+/// for each node or group of 64 bounds that the shaft reaches. Safe to call from many threads.
 #pragma once
 
 #include <cstddef>

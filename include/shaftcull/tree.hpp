@@ -30,8 +30,8 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
 /// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes; an Index a bound more
-/// from the first update by index on. A std::uint32_t numbers at most 2³² − 1 bounds, a
-/// std::uint64_t at most 2³⁷; InvalidArgument for more.
+/// from the first update by index on. With indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷;
+/// InvalidArgument for more.
 ///
 /// Bounds are checked as in packing: a NaN, lo > hi (but for the empty box), a negative radius or a centre
 /// that is not finite throws BadBound, which names the first bad one, and leaves the tree unchanged.

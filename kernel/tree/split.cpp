@@ -21,7 +21,7 @@ template <class Index>
 }
 
 template <class Index>
-[[nodiscard]] const SplitKernels& split_kernels(const Kernels& kernels) noexcept {
+[[nodiscard]] const SplitKernels& kernels_for(const Kernels& kernels) noexcept {
   return sizeof(Index) == sizeof(std::uint32_t) ? kernels.split : kernels.split_wide;
 }
 
@@ -83,13 +83,13 @@ template <class Index>
 Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
   const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
   const EntryStreams<Index> room = moved_by<Index>(*part.room, part.first);
-  split_kernels<Index>(kernels).whole(entries.data(), room.data(), part.size(), cut - part.first);
+  kernels_for<Index>(kernels).whole(entries.data(), room.data(), part.size(), cut - part.first);
   return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
 }
 
 template <class Index>
 Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Kernels& kernels) {
-  const SplitKernels& its_kernels = split_kernels<Index>(kernels);
+  const SplitKernels& its_kernels = kernels_for<Index>(kernels);
   const std::size_t rank = cut - part.first;
   const PivotOfChunks pivot = find_pivot(part, rank, its_kernels);
 
