@@ -15,10 +15,12 @@ constexpr std::uint64_t effort(std::uint64_t cases) {
 }
 
 /// Whether this is built with a sanitizer that keeps a record of every piece of memory.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // as GCC says it
 inline constexpr bool has_shadow_memory = true;
-#elif defined(__has_feature)
-inline constexpr bool has_shadow_memory = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#elif !defined(__has_feature)
+inline constexpr bool has_shadow_memory = false;
+#elif __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)  // as Clang says it
+inline constexpr bool has_shadow_memory = true;
 #else
 inline constexpr bool has_shadow_memory = false;
 #endif
