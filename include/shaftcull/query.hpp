@@ -50,7 +50,8 @@ struct KeptCounts {
 };
 
 // One shaft. Nothing is allocated. Results that a span has no room for are counted, but not written: call again with
-// as much room as the number returned, if that was more than there was.
+// as much room as the number returned, if that was more than there was. What a span has room for past the last result
+// may be scribbled on.
 
 /// How many bounds the shaft keeps (which are not outside).
 template <class Bound, BoundIndex Index>

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "fetch.hpp"
 #include "run/cut.hpp"
 #include "run/group.hpp"
 #include "shaftcull/compiled.hpp"
@@ -166,14 +167,14 @@ class Job {
 
   /// Fetches the share `i` of `shares` of the tile after the one at `first` into the second-level cache, while the tile at `first` is
   /// tested: otherwise the first shaft of each group waits for memory. Few shafts read a tile about as fast as it comes, and the processor's own
-  /// fetching does better. Inlined, because a call of a function that only fetches is no call to g++ 12: it leaves it out.
+  /// fetching does better. Inlined, as fetch_to_second_level() is.
   [[gnu::always_inline]] void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
     if (shares < GroupOnGrid::fewest || bounds_.count - first < 2 * tile_bounds) return;
     const std::size_t next = first + tile_bounds;
     constexpr std::size_t lines = tile_bounds / line;
     for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
-      for (const float* stream : bounds_.stream) __builtin_prefetch(stream + next + l * line, 0, 2);
+      for (const float* stream : bounds_.stream) fetch_to_second_level(stream + next + l * line, line);
     }
   }
 

@@ -9,6 +9,7 @@
 #include "test/few_inside.hpp"
 #include "test/grid.hpp"
 #include "test/kernels.hpp"
+#include "test/pick.hpp"
 #include "test/spheres.hpp"
 #include "test/survivors.hpp"
 #include "test/split.hpp"
@@ -272,6 +273,7 @@ inline constexpr Kernels kernels_for = {
     .compile_batch = compile_pairs<FormationLanes>,
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
+    .pick = pick_indices<L>,
     .unite_boxes = unite_boxes<L>,
     .unite_spheres = unite_spheres<L>,
     .split = split_kernels<L, 4>,

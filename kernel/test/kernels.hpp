@@ -28,6 +28,10 @@ using CompileBatch = bool(const float* const* a, const float* const* b, std::siz
 using TestListedWords = void(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
                              std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept;
 
+/// Writes from[i] for every set bit i, ascending, to `out`, and returns how many. Reads all 64 of `from`, and may scribble
+/// on all 64 of `out`.
+using Pick = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
+
 /// Writes the box around each of `words` words of bounds, at most 64, to node[0 … 5]. Returns which of them hold a
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
 using Unite = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
@@ -125,6 +129,7 @@ struct Kernels {
   CompileBatch* compile_batch;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
+  Pick* pick;
   Unite* unite_boxes;
   Unite* unite_spheres;
   SplitKernels split;       ///< four streams

@@ -10,33 +10,12 @@
 
 namespace shaftcull::kernel {
 
-/// Words from a list. Asked for one, fetches the bounds of one that comes later, which the processor could not guess.
-template <class L, unsigned streams>
-class ListedWords {
- public:
-  ListedWords(const float* const* stream, const std::uint32_t* word, std::size_t words) noexcept
-      : stream_(stream), word_(word), words_(words) {
-    for (std::size_t w = 0; w < words && w < ahead; ++w) fetch(w);
-  }
-  std::size_t operator()(std::size_t w) const noexcept {
-    if (w + ahead < words_) fetch(w + ahead);
-    return std::size_t{word_[w]} * word_bits;
-  }
+/// Where the words of a list begin.
+template <class L>
+struct ListedWords {
+  const std::uint32_t* word;
 
- private:
-  static constexpr std::size_t ahead = 2;
-
-  void fetch(std::size_t w) const noexcept {
-    constexpr unsigned line = 64 / sizeof(float);
-    for (unsigned s = 0; s < streams; ++s) {
-      const float* const start = stream_[s] + std::size_t{word_[w]} * word_bits;
-      for (unsigned i = 0; i < word_bits; i += line) __builtin_prefetch(start + i);
-    }
-  }
-
-  const float* const* stream_;
-  const std::uint32_t* word_;
-  std::size_t words_;
+  std::size_t operator()(std::size_t w) const noexcept { return std::size_t{word[w]} * word_bits; }
 };
 
 /// Calls use(stream, i) for every word i of a list that still has bits, with the streams from its first bound on.
@@ -63,7 +42,7 @@ void narrow_listed(const float* const* stream, const std::uint32_t* word, std::s
 template <class L, class Stages>
 void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
                        std::size_t words, std::uint64_t* kept) noexcept {
-  const ListedWords<L, Stages::streams> position(stream, word, words);
+  const ListedWords<L> position{word};
   if constexpr (Stages::streams == 6) {
     box_slab_stage<L>(shaft, stream, words, kept, position);
     if (shaft.added_count == 0) return;

@@ -26,12 +26,12 @@ std::vector<TreeRunOf<Index>>& items_of(RunListsOf<Index>& lists) {
   return lists.runs;
 }
 template <class Index, class Output>
-kernel::IndexList<Index, Output> list_of(const Index* order, Output& output, const IndexListsOf<Index>& /*kind*/) {
-  return {order, output};
+kernel::IndexList<Index, Output> list_of(const kernel::LeafIndices<Index>& indices, Output& output, const IndexListsOf<Index>& /*kind*/) {
+  return {indices, output};
 }
 template <class Index, class Output>
-kernel::RunList<Index, Output> list_of(const Index* order, Output& output, const RunListsOf<Index>& /*kind*/) {
-  return {order, output};
+kernel::RunList<Index, Output> list_of(const kernel::LeafIndices<Index>& indices, Output& output, const RunListsOf<Index>& /*kind*/) {
+  return {indices, output};
 }
 
 /// What tasks leave, piece by piece, to be put side by side.
@@ -78,7 +78,7 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::KeptLister lister(list_of(query.order(), all[t], kept));
+      kernel::KeptLister lister(list_of(query.indices(), all[t], kept));
       query.walk(s, lister);
       all.close(t, s);
     }
@@ -95,8 +95,8 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::ClassLister lister(list_of(query.order(), overlaps[t], overlap),
-                                 list_of(query.order(), insides[t], inside));
+      kernel::ClassLister lister(list_of(query.indices(), overlaps[t], overlap),
+                                 list_of(query.indices(), insides[t], inside));
       query.walk(s, lister);
       overlaps.close(t, s);
       insides.close(t, s);
@@ -126,10 +126,10 @@ void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Ind
     here.inside.clear();
     using List = kernel::RunList<Index, Output>;
     if (question == Question::kept) {
-      kernel::KeptLister lister(List(query.order(), here.kept));
+      kernel::KeptLister lister(List(query.indices(), here.kept));
       query.walk(s, lister);
     } else {
-      kernel::ClassLister lister(List(query.order(), here.kept), List(query.order(), here.inside));
+      kernel::ClassLister lister(List(query.indices(), here.kept), List(query.indices(), here.inside));
       query.walk(s, lister);
     }
   };

@@ -15,7 +15,7 @@ std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound, Index>
                       const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
   SpanOutput<Item> output(kept);
-  kernel::KeptLister lister(List<Index, SpanOutput<Item>>(query.order(), output));
+  kernel::KeptLister lister(List<Index, SpanOutput<Item>>(query.indices(), output));
   query.walk(0, lister);
   return output.count();
 }
@@ -27,7 +27,7 @@ KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Inde
   using Output = SpanOutput<Item>;
   Output overlaps(overlap);
   Output insides(inside);
-  kernel::ClassLister lister(List<Index, Output>(query.order(), overlaps), List<Index, Output>(query.order(), insides));
+  kernel::ClassLister lister(List<Index, Output>(query.indices(), overlaps), List<Index, Output>(query.indices(), insides));
   query.walk(0, lister);
   return {overlaps.count(), insides.count()};
 }

@@ -43,7 +43,7 @@ class Query {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] const Index* order() const noexcept { return parts_.order.data(); }
+  [[nodiscard]] LeafIndices<Index> indices() const noexcept { return {parts_.order, kernels_}; }
 
   /// Gives the visitor what shaft s keeps.
   template <class Visitor>
@@ -51,7 +51,7 @@ class Query {
     if (own_.empty() && mask_.empty()) {
       Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
     } else {
-      Filter<Index, Visitor> filter(order(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
+      Filter<Index, Visitor> filter(indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
       Walk<Bound, Filter<Index, Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
     }
   }

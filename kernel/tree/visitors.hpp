@@ -8,6 +8,7 @@
 #include <span>
 
 #include "shaftcull/query.hpp"
+#include "tree/leaf_indices.hpp"
 #include "tree/outputs.hpp"
 
 namespace shaftcull::kernel {
@@ -16,20 +17,16 @@ namespace shaftcull::kernel {
 template <class Index, class Output>
 class IndexList {
  public:
-  IndexList(const Index* order, Output& output) noexcept : order_(order), output_(output) {}
+  IndexList(const LeafIndices<Index>& indices, Output& output) noexcept : indices_(indices), output_(output) {}
 
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
-    const Index* const here = order_ + first;
-    Index* const out = output_.room();
-    if (out == nullptr) {
-      for (; bits != 0; bits &= bits - 1) output_.push(here[std::countr_zero(bits)]);
-    } else if (bits == ~std::uint64_t{0}) {
-      std::copy(here, here + 64, out);
-      output_.advance(64);
+    if (Index* const out = output_.room()) {
+      output_.advance(indices_.pick(first, bits, out));
     } else {
-      Index* end = out;
-      for (; bits != 0; bits &= bits - 1) *end++ = here[std::countr_zero(bits)];
-      output_.advance(static_cast<std::size_t>(end - out));
+      for (; bits != 0; bits &= bits - 1) {
+        output_.push(indices_[first + static_cast<std::size_t>(std::countr_zero(bits))]);
+      }
     }
   }
   /// Whole words.
@@ -38,7 +35,7 @@ class IndexList {
   }
 
  private:
-  const Index* order_;
+  LeafIndices<Index> indices_;
   Output& output_;
 };
 
@@ -46,7 +43,9 @@ class IndexList {
 template <class Index, class Output>
 class RunList {
  public:
-  RunList(const Index* /*order*/, Output& output) noexcept : output_(output) {}
+  RunList(const LeafIndices<Index>& /*indices*/, Output& output) noexcept : output_(output) {}
+
+  void expect(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) {
     while (bits != 0) {
       const int start = std::countr_zero(bits);
@@ -74,6 +73,7 @@ class RunList {
 /// Visitor that counts what is kept.
 class Counter {
  public:
+  void expect(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     count_ += static_cast<std::size_t>(std::popcount(kept));
   }
@@ -89,6 +89,8 @@ template <class List>
 class KeptLister {
  public:
   explicit KeptLister(const List& kept) noexcept : kept_(kept) {}
+
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { kept_.expect(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
   void run(std::size_t first, std::size_t size) { kept_.run(first, size); }
 
@@ -101,6 +103,8 @@ template <class List>
 class ClassLister {
  public:
   ClassLister(const List& overlap, const List& inside) noexcept : overlap_(overlap), inside_(inside) {}
+
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { overlap_.expect(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     overlap_.bits(first, kept & ~inside);
     inside_.bits(first, inside);
@@ -117,10 +121,11 @@ template <class Index, class Visitor>
 class Filter {
  public:
   /// `own` and `mask` as in ExcludingOf, for one shaft.
-  Filter(const Index* order, std::span<const Index> own, std::span<const std::uint64_t> mask,
+  Filter(const LeafIndices<Index>& indices, std::span<const Index> own, std::span<const std::uint64_t> mask,
          Visitor& visitor) noexcept
-      : order_(order), own_(own), mask_(mask), visitor_(visitor) {}
+      : indices_(indices), own_(own), mask_(mask), visitor_(visitor) {}
 
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     const std::uint64_t left = kept & ~excluded(first, kept);
     if (left != 0) visitor_.word(first, left, inside & left);
@@ -141,7 +146,7 @@ class Filter {
   [[nodiscard]] std::uint64_t excluded(std::size_t first, std::uint64_t asked) const noexcept {
     std::uint64_t out = 0;
     for (std::uint64_t left = asked; left != 0; left &= left - 1) {
-      const Index index = order_[first + static_cast<std::size_t>(std::countr_zero(left))];
+      const Index index = indices_[first + static_cast<std::size_t>(std::countr_zero(left))];
       bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
       for (const Index own : own_) is_out |= own == index;
       if (is_out) out |= left & -left;
@@ -149,7 +154,7 @@ class Filter {
     return out;
   }
 
-  const Index* order_;
+  LeafIndices<Index> indices_;
   std::span<const Index> own_;
   std::span<const std::uint64_t> mask_;
   Visitor& visitor_;

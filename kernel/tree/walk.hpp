@@ -1,8 +1,8 @@
 /// The walk of one shaft through a tree: word by word of answers, from the top down, in tree order.
 ///
-/// At every level some words of entries are tested at once, so that the memory of the next ones is on its way while one
-/// is tested. Entries that are not outside name the words to test one level down. An entry that is inside, and has
-/// nothing empty below, accepts its leaves as one run.
+/// Entries that are not outside name the words to test one level down, some at once: the memory of each is on its way from
+/// when it is named, since a walk takes as long as what it reads. An entry that is inside, and has nothing empty below,
+/// accepts its leaves as one run.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "shaftcull/compiled.hpp"
+#include "fetch.hpp"
 #include "test/kernels.hpp"
 #include "tree/parts.hpp"
 
@@ -22,6 +23,7 @@ namespace shaftcull::kernel {
 enum class Question : std::uint8_t { kept, kept_and_inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
+///   visitor.expect(first): leaves first … first + 63 will be tested
 ///   visitor.word(first, kept, inside): leaves first … first + 63, some of which are kept; inside is 0 for Question::kept
 ///   visitor.run(first, size): leaves that are all inside
 template <class Bound, class Visitor>
@@ -57,11 +59,22 @@ class Walk {
   }
 
  private:
-  /// Words tested at once.
+  /// Words tested at once: of leaves they fill the first-level cache and not much of the second.
   static constexpr std::size_t batch = 32;
 
   /// For Question::kept a run only saves time, so only nodes with many kept children are tested for inside.
   static constexpr unsigned many_kept = 48;
+
+  /// Fetches a word of entries of level `k`.
+  [[gnu::always_inline]] void fetch(std::size_t k, std::size_t word) const noexcept {
+    const std::size_t first = word * fanout;
+    if (k == 0) {
+      for (const float* const row : leaf_) fetch_to_second_level(row + first, fanout);
+      visitor_.expect(first);
+    } else {
+      for (const float* const row : parts_.node_rows(k, first)) fetch_to_second_level(row, fanout);
+    }
+  }
 
   void visit(std::size_t k, const std::uint32_t* word, std::size_t words) {
     if (words == 0) return;
@@ -81,6 +94,7 @@ class Walk {
         const std::uint64_t lowest = left & -left;
         const std::uint32_t entry = first + static_cast<std::uint32_t>(std::countr_zero(left));
         if ((runs & lowest) == 0) {
+          fetch(k - 1, entry);
           below[belows++] = entry;
           if (belows < batch) continue;
           visit(k - 1, below, belows);

@@ -1,0 +1,88 @@
+/// Picking indices of leaves by bits: every instruction set, and no touch of anything else.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "dice.hpp"
+#include "instruction_sets.hpp"
+#include "test/kernels.hpp"
+#include "tree/leaf_indices.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::uint32_t untouched = 0xffffffff;
+constexpr std::size_t room = 64;
+constexpr std::size_t margin = 16;
+
+/// Words of which some share of bits is set, none and all among them.
+std::vector<std::uint64_t> words_of_bits() {
+  std::vector<std::uint64_t> words{0, ~std::uint64_t{0}, 1, std::uint64_t{1} << 63, 0xffff, 0xffff'0000'0000'0000};
+  Dice dice(112);
+  for (const unsigned percent : {2U, 10U, 50U, 90U}) {
+    for (unsigned i = 0; i != 100; ++i) {
+      std::uint64_t word = 0;
+      for (unsigned bit = 0; bit != 64; ++bit) word |= static_cast<std::uint64_t>(dice.below(100) < percent ? 1 : 0) << bit;
+      words.push_back(word);
+    }
+  }
+  return words;
+}
+
+template <class Index>
+std::vector<Index> those_of(const std::vector<Index>& order, std::size_t first, std::uint64_t bits) {
+  std::vector<Index> picked;
+  for (std::size_t i = 0; i != 64; ++i) {
+    if ((bits >> i & 1) != 0) picked.push_back(order[first + i]);
+  }
+  return picked;
+}
+
+TEST(Pick, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
+  Dice dice(113);
+  std::vector<std::uint32_t> from(64);
+  for (std::uint32_t& index : from) index = dice.below(0xffffffff);  // as floats, NaNs among them
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const std::uint64_t bits : words_of_bits()) {
+      std::vector<std::uint32_t> out(margin + room + margin, untouched);
+      const std::size_t picked = kernel::active_kernels().pick(from.data(), bits, out.data() + margin);
+      const auto start = out.begin() + margin;
+      ASSERT_EQ(std::vector(start, start + static_cast<std::ptrdiff_t>(picked)), those_of(from, 0, bits)) << name(isa);
+      ASSERT_EQ(std::vector(out.begin(), start), std::vector(margin, untouched)) << name(isa);
+      ASSERT_EQ(std::vector(start + room, out.end()), std::vector(margin, untouched)) << name(isa);
+    }
+  }
+}
+
+/// Trees have a last word that is not whole, and indices of either size.
+template <class Index>
+class LeafIndices : public testing::Test {};
+using Indices = testing::Types<std::uint32_t, std::uint64_t>;
+TYPED_TEST_SUITE(LeafIndices, Indices);
+
+TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const std::size_t size : {1U, 63U, 64U, 65U, 100U, 128U}) {
+      std::vector<TypeParam> order(size);
+      std::iota(order.rbegin(), order.rend(), TypeParam{7});
+      order.shrink_to_fit();
+      const kernel::LeafIndices<TypeParam> indices(order, kernel::active_kernels());
+      for (std::uint64_t bits : words_of_bits()) {
+        const std::size_t first = (size - 1) / 64 * 64;
+        if (size - first < 64) bits &= (std::uint64_t{1} << (size - first)) - 1;
+        std::vector<TypeParam> out(room);
+        indices.fetch(first);
+        out.resize(indices.pick(first, bits, out.data()));
+        ASSERT_EQ(out, those_of(order, first, bits)) << size << " leaves, " << name(isa);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
