@@ -5,8 +5,8 @@
 
 namespace shaftcull::kernel {
 
-/// Fetches `count` items, which begin with a cache line, into the second-level cache. Not the first: a processor waits for
-/// a few lines of its own first-level cache at a time, and for many more of the second.
+/// Fetches into the second-level cache: `count` items from the beginning of a cache line on, or one anywhere. Not into the
+/// first, which waits for some ten or twenty lines at a time, and the second for many more.
 ///
 /// Always inlined, because a call of a function that only fetches is no call to g++ 12: it leaves it out.
 template <class Item>

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "fetch.hpp"
 #include "run/cut.hpp"
 #include "run/job.hpp"
 #include "run/parallel.hpp"
@@ -17,8 +18,8 @@ namespace {
 template <class View>
 inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>;
 
-/// Candidates ahead of the one collected whose bounds are prefetched.
-constexpr std::size_t prefetched_candidates = 16;
+/// Candidates ahead of the one collected whose bounds are fetched.
+constexpr std::size_t fetched_candidates = 16;
 
 template <class View, class Index>
 void require_candidates(const View& view, std::span<const Index> candidates) {
@@ -35,9 +36,9 @@ template <class View, class Index>
 void collect(const View& view, std::span<const Index> candidates, std::size_t first, std::size_t size,
              const std::array<float*, rows_of<View>>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
-    if (first + i + prefetched_candidates < candidates.size()) {
+    if (first + i + fetched_candidates < candidates.size()) {
       for (const float* stream : view.stream)
-        __builtin_prefetch(stream + candidates[first + i + prefetched_candidates]);
+        kernel::fetch_to_second_level(stream + candidates[first + i + fetched_candidates], 1);
     }
     for (std::size_t s = 0; s != row.size(); ++s) row[s][i] = view.stream[s][candidates[first + i]];
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "fetch.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
 #include "tree/write_leaves.hpp"
@@ -58,10 +59,10 @@ TreeParts<Bound, Index> build(const Source& source) {
   write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, parts.order.data());
   parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     write_leaves(parts, piece(parts.size, source_block, b), [&](std::size_t p, float(&bound)[rows_of<Bound>]) {
-      if (p + prefetched_bounds < parts.size) {
-        const float* const soon = workshop.record(parts.order[p + prefetched_bounds]);
-        __builtin_prefetch(soon);
-        __builtin_prefetch(soon + rows_of<Bound> - 1);  // may be in the next cache line
+      if (p + fetched_bounds < parts.size) {
+        const float* const soon = workshop.record(parts.order[p + fetched_bounds]);
+        fetch_to_second_level(soon, 1);
+        fetch_to_second_level(soon + rows_of<Bound> - 1, 1);  // may be in the next cache line
       }
       std::copy_n(workshop.record(parts.order[p]), rows_of<Bound>, bound);
     });

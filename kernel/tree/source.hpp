@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "fetch.hpp"
 #include "run/cut.hpp"
 #include "run/parallel.hpp"
 #include "shaftcull/streams.hpp"
@@ -20,7 +21,7 @@ namespace shaftcull::kernel {
 template <class Bound>
 using ReaderOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxReader, SphereReader>;
 
-/// Separate streams. Same shape as the readers of records, plus prefetch().
+/// Separate streams. Same shape as the readers of records, plus fetch().
 template <class Bound>
 class ViewSource {
  public:
@@ -31,8 +32,8 @@ class ViewSource {
   void read(std::size_t i, float (&bound)[rows]) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) bound[s] = view_.stream[s][i];
   }
-  void prefetch(std::size_t i) const noexcept {
-    for (std::size_t s = 0; s != rows; ++s) __builtin_prefetch(view_.stream[s] + i);
+  [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
+    for (std::size_t s = 0; s != rows; ++s) fetch_to_second_level(view_.stream[s] + i, 1);
   }
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
     float bound[rows];
@@ -58,10 +59,10 @@ class RecordSource {
 
   [[nodiscard]] std::size_t count() const noexcept { return reader_.count(); }
   void read(std::size_t i, float (&bound)[rows]) const noexcept { reader_.read(i, bound); }
-  void prefetch(std::size_t i) const noexcept {
+  [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
     const char* const record = start_ + i * stride_;
-    __builtin_prefetch(record);
-    __builtin_prefetch(record + sizeof(Bound) - 1);  // may be in the next cache line
+    fetch_to_second_level(record, 1);
+    fetch_to_second_level(record + sizeof(Bound) - 1, 1);  // may be in the next cache line
   }
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept { return reader_.is_legal(i); }
   [[nodiscard]] std::string fault(std::size_t i) const { return reader_.fault(i); }
@@ -77,8 +78,8 @@ class RecordSource {
   std::size_t stride_;
 };
 
-/// Bounds ahead of the one read that are prefetched where tree order jumps about in the user's memory.
-inline constexpr std::size_t prefetched_bounds = 64;
+/// Bounds ahead of the one read that are fetched where tree order jumps about in the user's memory.
+inline constexpr std::size_t fetched_bounds = 64;
 
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;
