@@ -87,5 +87,6 @@ void declare_limit(Suite& suite, const Workload& workload);   ///< limit/…: wh
 void declare_exact(Suite& suite, const Workload& workload);   ///< exact/…: what exact answers cost
 void declare_tree(Suite& suite, const Workload& workload);    ///< tree/…: bounds trees
 void declare_frame(Suite& suite, const Workload& workload);   ///< frame/…: moving bounds, updated and asked
+void declare_choice(Suite& suite, const Workload& workload);  ///< choice/…: flat scans and trees, by size and by what is found
 
 }  // namespace shaftcull::bench

@@ -1,6 +1,7 @@
 /// The user's indices of leaves.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -16,16 +17,25 @@ namespace shaftcull::kernel {
 template <class Index>
 class LeafIndices {
  public:
-  LeafIndices(const std::vector<Index>& order, const Kernels& kernels) noexcept
-      : order_(order.data()), in_whole_words_(order.size() / fanout * fanout), pick_(kernels.pick) {}
+  /// `fetches` as TreeLevels::is_worth_fetching().
+  LeafIndices(const std::vector<Index>& order, bool fetches, const Kernels& kernels) noexcept
+      : order_(order.data()),
+        in_whole_words_(order.size() / fanout * fanout),
+        fetched_(fetches ? in_whole_words_ : 0),
+        pick_(kernels.pick) {}
 
   [[nodiscard]] Index operator[](std::size_t leaf) const noexcept { return order_[leaf]; }
 
   /// Fetches the indices of the word of leaves from `first` on.
   [[gnu::always_inline]] void fetch(std::size_t first) const noexcept {
-    if (first >= in_whole_words_) return;
+    if (first >= fetched_) return;
     fetch_to_second_level(order_ + first, fanout);
     fetch_to_second_level(order_ + first + fanout - 1, 1);  // a vector does not begin with a cache line
+  }
+
+  /// Writes those of the leaves [first, first + size).
+  Index* copy(std::size_t first, std::size_t size, Index* out) const noexcept {
+    return std::copy_n(order_ + first, size, out);
   }
 
   /// Writes those of the leaves `first` + i, for every set bit i, ascending. There must be room for 64, and the rest of it may
@@ -34,6 +44,10 @@ class LeafIndices {
     if constexpr (std::is_same_v<Index, std::uint32_t>) {
       if (first < in_whole_words_) return pick_(order_ + first, bits, out);
     }
+    return pick_only(first, bits, out);
+  }
+  /// The same, and nothing is scribbled on.
+  std::size_t pick_only(std::size_t first, std::uint64_t bits, Index* out) const noexcept {
     Index* end = out;
     for (; bits != 0; bits &= bits - 1) *end++ = order_[first + static_cast<std::size_t>(std::countr_zero(bits))];
     return static_cast<std::size_t>(end - out);
@@ -42,6 +56,7 @@ class LeafIndices {
  private:
   const Index* order_;
   std::size_t in_whole_words_;  // leaves
+  std::size_t fetched_;         // leaves
   Pick* pick_;
 };
 

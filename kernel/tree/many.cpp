@@ -25,21 +25,37 @@ template <BoundIndex Index>
 std::vector<TreeRunOf<Index>>& items_of(RunListsOf<Index>& lists) {
   return lists.runs;
 }
-template <class Index, class Output>
-kernel::IndexList<Index, Output> list_of(const kernel::LeafIndices<Index>& indices, Output& output, const IndexListsOf<Index>& /*kind*/) {
+template <class Index>
+using Runs = kernel::PiecewiseOutput<TreeRunOf<Index>>;
+
+template <class Index>
+kernel::FoundList<Index> list_of(const kernel::LeafIndices<Index>& indices, kernel::FoundOutput<Index>& output) {
   return {indices, output};
 }
-template <class Index, class Output>
-kernel::RunList<Index, Output> list_of(const kernel::LeafIndices<Index>& indices, Output& output, const RunListsOf<Index>& /*kind*/) {
+template <class Index>
+kernel::RunList<Index, Runs<Index>> list_of(const kernel::LeafIndices<Index>& indices, Runs<Index>& output) {
   return {indices, output};
 }
+
+template <class Index>
+void write(const kernel::FoundOutput<Index>& found, const kernel::LeafIndices<Index>& indices, Index* out) {
+  found.write(indices, out);
+}
+template <class Index>
+void write(const Runs<Index>& runs, const kernel::LeafIndices<Index>& /*indices*/, TreeRunOf<Index>* out) {
+  runs.for_each_piece([&](const TreeRunOf<Index>* items, std::size_t size) { out = std::copy_n(items, size, out); });
+}
+
+template <class Index>
+kernel::FoundOutput<Index> output_for(const IndexListsOf<Index>&);
+template <class Index>
+Runs<Index> output_for(const RunListsOf<Index>&);
 
 /// What tasks leave, piece by piece, to be put side by side.
 template <class Lists>
 class Pieces {
  public:
-  using Item = typename std::remove_reference_t<decltype(items_of(std::declval<Lists&>()))>::value_type;
-  using Output = kernel::PiecewiseOutput<Item>;
+  using Output = decltype(output_for(std::declval<const Lists&>()));
 
   Pieces(std::size_t shafts, Lists& lists) : shafts_(shafts), piece_(pieces(shafts, task_shafts)), lists_(lists) {
     lists.offsets.assign(shafts + 1, 0);
@@ -48,7 +64,8 @@ class Pieces {
   /// Shaft s is done; what it added is at the end of its task's piece.
   void close(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = piece_[task].count(); }
 
-  void put_together() {
+  template <class Index>
+  void put_together(const kernel::LeafIndices<Index>& indices) {
     std::uint64_t before = 0;
     for (std::size_t t = 0; t != piece_.size(); ++t) {
       const Run task = piece(shafts_, task_shafts, t);
@@ -60,7 +77,7 @@ class Pieces {
     items.resize(static_cast<std::size_t>(before));
     kernel::parallel_for(piece_.size(), 1, [&](std::size_t t, std::size_t) {
       const Output done = std::move(piece_[t]);
-      done.copy_to(items.data() + lists_.offsets[t * task_shafts]);
+      write(done, indices, items.data() + lists_.offsets[t * task_shafts]);
     });
   }
 
@@ -78,12 +95,12 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::KeptLister lister(list_of(query.indices(), all[t], kept));
+      kernel::KeptLister lister(list_of(query.indices(), all[t]));
       query.walk(s, lister);
       all.close(t, s);
     }
   });
-  all.put_together();
+  all.put_together(query.indices());
 }
 
 template <class Bound, class Index, class Lists>
@@ -95,15 +112,15 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::ClassLister lister(list_of(query.indices(), overlaps[t], overlap),
-                                 list_of(query.indices(), insides[t], inside));
+      kernel::ClassLister lister(list_of(query.indices(), overlaps[t]),
+                                 list_of(query.indices(), insides[t]));
       query.walk(s, lister);
       overlaps.close(t, s);
       insides.close(t, s);
     }
   });
-  overlaps.put_together();
-  insides.put_together();
+  overlaps.put_together(query.indices());
+  insides.put_together(query.indices());
 }
 
 /// Shafts whose answers wait for their turn, for each thread.

@@ -51,6 +51,9 @@ struct TreeLevels {
   std::size_t dirty_words = 0;       ///< how many of those bits are set
   double surface_when_built = 0;
 
+  /// Whether the leaves are more than a second-level cache holds: otherwise fetching them costs a walk a tenth, and gains nothing.
+  [[nodiscard]] bool is_worth_fetching() const noexcept { return leaves.bytes() > std::size_t{1} << 21U; }
+
   [[nodiscard]] std::array<float*, rows_of<Bound>> leaf_rows(std::size_t from = 0) const noexcept {
     std::array<float*, rows_of<Bound>> row;
     for (std::size_t s = 0; s != row.size(); ++s) row[s] = leaves.row(s) + from;

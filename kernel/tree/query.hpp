@@ -43,7 +43,7 @@ class Query {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] LeafIndices<Index> indices() const noexcept { return {parts_.order, kernels_}; }
+  [[nodiscard]] LeafIndices<Index> indices() const noexcept { return {parts_.order, parts_.is_worth_fetching(), kernels_}; }
 
   /// Gives the visitor what shaft s keeps.
   template <class Visitor>

@@ -31,12 +31,33 @@ class IndexList {
   }
   /// Whole words.
   void run(std::size_t first, std::size_t size) {
-    for (std::size_t word = first; word != first + size; word += 64) bits(word, ~std::uint64_t{0});
+    for (std::size_t word = first; word != first + size; word += fanout) {
+      if (Index* const out = output_.room()) {
+        indices_.copy(word, fanout, out);
+        output_.advance(fanout);
+      } else {
+        bits(word, ~std::uint64_t{0});
+      }
+    }
   }
 
  private:
   LeafIndices<Index> indices_;
   Output& output_;
+};
+
+/// Leaves as they were found, to be written as the user's indices when it is known where to.
+template <class Index>
+class FoundList {
+ public:
+  FoundList(const LeafIndices<Index>& /*indices*/, FoundOutput<Index>& output) noexcept : output_(output) {}
+
+  void expect(std::size_t /*first*/) const noexcept {}
+  void bits(std::size_t first, std::uint64_t bits) { output_.add_word(first, bits); }
+  void run(std::size_t first, std::size_t size) { output_.add_run(first, size); }
+
+ private:
+  FoundOutput<Index>& output_;
 };
 
 /// Leaves as runs, each as long as can be.

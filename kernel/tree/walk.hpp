@@ -34,6 +34,7 @@ class Walk {
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
         test_nodes_(kernels.listed_boxes),
+        fetches_(parts.is_worth_fetching()),
         question_(question),
         visitor_(visitor),
         shaft_(&shaft) {
@@ -67,6 +68,7 @@ class Walk {
 
   /// Fetches a word of entries of level `k`.
   [[gnu::always_inline]] void fetch(std::size_t k, std::size_t word) const noexcept {
+    if (!fetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {
       for (const float* const row : leaf_) fetch_to_second_level(row + first, fanout);
@@ -127,6 +129,7 @@ class Walk {
   const TreeLevels<Bound>& parts_;
   TestListedWords* test_leaves_;
   TestListedWords* test_nodes_;
+  bool fetches_;
   Question question_;
   Visitor& visitor_;
   const CompiledShaft* shaft_;

@@ -10,6 +10,7 @@
 #include "instruction_sets.hpp"
 #include "test/kernels.hpp"
 #include "tree/leaf_indices.hpp"
+#include "tree/outputs.hpp"
 
 namespace shaftcull {
 namespace {
@@ -71,7 +72,7 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
       std::vector<TypeParam> order(size);
       std::iota(order.rbegin(), order.rend(), TypeParam{7});
       order.shrink_to_fit();
-      const kernel::LeafIndices<TypeParam> indices(order, kernel::active_kernels());
+      const kernel::LeafIndices<TypeParam> indices(order, true, kernel::active_kernels());
       for (std::uint64_t bits : words_of_bits()) {
         const std::size_t first = (size - 1) / 64 * 64;
         if (size - first < 64) bits &= (std::uint64_t{1} << (size - first)) - 1;
@@ -80,6 +81,38 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
         out.resize(indices.pick(first, bits, out.data()));
         ASSERT_EQ(out, those_of(order, first, bits)) << size << " leaves, " << name(isa);
       }
+    }
+  }
+}
+
+/// Lists of many shafts are written side by side, each by whoever has its turn.
+TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
+  constexpr std::size_t size = 64 * 300 + 17;
+  std::vector<TypeParam> order(size);
+  std::iota(order.rbegin(), order.rend(), TypeParam{7});
+  const std::vector<std::uint64_t> words = words_of_bits();
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    const kernel::LeafIndices<TypeParam> indices(order, true, kernel::active_kernels());
+    for (const std::size_t last : {std::size_t{0}, std::size_t{1}, std::size_t{200}, std::size_t{300}}) {
+      kernel::FoundOutput<TypeParam> found;
+      std::vector<TypeParam> expected;
+      for (std::size_t w = 0; w <= last; ++w) {
+        const std::uint64_t bits = words[w] & (w == 300 ? 0x1ffff : ~std::uint64_t{0});  // 17 leaves in the last word
+        found.add_word(64 * w, bits);
+        const std::vector<TypeParam> those = those_of(order, 64 * w, bits);
+        expected.insert(expected.end(), those.begin(), those.end());
+        if (w % 50 != 40 || w + 64 > 300) continue;
+        found.add_run(64 * (w + 1), 64 * 3);
+        expected.insert(expected.end(), order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 1)),
+                        order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 4)));
+      }
+      ASSERT_EQ(found.count(), expected.size());
+      std::vector<TypeParam> out(expected.size() + room, TypeParam{untouched});
+      found.write(indices, out.data());
+      ASSERT_EQ(std::vector(out.end() - room, out.end()), std::vector(room, TypeParam{untouched})) << name(isa);
+      out.resize(expected.size());
+      ASSERT_EQ(out, expected) << last << ", " << name(isa);
     }
   }
 }

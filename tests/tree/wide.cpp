@@ -109,7 +109,7 @@ TEST(WideTree, AWalkReachesAllBounds) {
     using List = kernel::RunList<std::uint64_t, Output>;
     Output overlaps;
     Output insides;
-    const kernel::LeafIndices<std::uint64_t> unknown({}, kernel::active_kernels());  // runs are of leaves, not of indices
+    const kernel::LeafIndices<std::uint64_t> unknown({}, true, kernel::active_kernels());  // runs are of leaves, not of indices
     kernel::ClassLister<List> lister(List(unknown, overlaps), List(unknown, insides));
     kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), shaft, kernel::Question::kept_and_inside, lister)
         .run();
