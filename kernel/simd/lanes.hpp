@@ -326,7 +326,33 @@ struct Lanes {
     }
   }
 
+  /// The smallest and the largest lane. NaN must not occur.
+  static float smallest(Vector a) noexcept {
+    return folded(a, [](__m128 x, __m128 y) { return _mm_min_ps(x, y); });
+  }
+  static float largest(Vector a) noexcept {
+    return folded(a, [](__m128 x, __m128 y) { return _mm_max_ps(x, y); });
+  }
+
  private:
+  /// All lanes put together by one(x, y), lane by lane of four.
+  template <class One>
+  static float folded(Vector a, One one) noexcept {
+    __m128 four;
+#ifdef __AVX__
+    if constexpr (width != 4) {
+      const __m256 low = eight_of(a, 0);
+      four = one(_mm256_castps256_ps128(low), _mm256_extractf128_ps(low, 1));
+      if constexpr (width == 16) {
+        const __m256 high = eight_of(a, 8);
+        four = one(four, one(_mm256_castps256_ps128(high), _mm256_extractf128_ps(high, 1)));
+      }
+    } else
+#endif
+      four = a;
+    four = one(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(one(four, _mm_shuffle_ps(four, four, 1)));
+  }
 #ifdef __AVX__
   /// Lanes [lane, lane + 8).
   static __m256 eight_of(Vector a, [[maybe_unused]] unsigned lane) noexcept {

@@ -27,6 +27,8 @@ struct ScalarLanes {
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
   static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
   static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
+  static float smallest(Vector a) noexcept { return a; }
+  static float largest(Vector a) noexcept { return a; }
   static Vector magnitude(Vector a) noexcept { return __builtin_fabsf(a); }
   static Mask less(Vector a, Vector b) noexcept { return a < b; }
   static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }

@@ -101,16 +101,9 @@ struct PackEnvironment {};
 /// Throws BadBound for the first illegal record.
 template <class Reader>
 void require_legal(const Reader& reader) {
-  constexpr std::size_t block = 256;  // records looked at between two branches
-  for (std::size_t first = 0; first < reader.count(); first += block) {
-    const std::size_t end = std::min(first + block, reader.count());
-    bool is_legal = true;
-    for (std::size_t i = first; i < end; ++i) is_legal &= reader.is_legal(i);
-    if (is_legal) continue;
-    std::size_t i = first;
-    while (reader.is_legal(i)) ++i;
-    throw BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i));
-  }
+  const std::size_t i = first_illegal(reader, 0, reader.count());
+  if (i == reader.count()) return;
+  throw BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i));
 }
 
 template <class Reader>
@@ -124,10 +117,16 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
   require_legal(reader);
   float* row[Reader::rows];
   for (std::size_t k = 0; k < Reader::rows; ++k) row[k] = memory.row(k) + first;
-  for (std::size_t i = 0; i < count; ++i) {
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) {
+    const std::size_t which[4] = {i, i + 1, i + 2, i + 3};
+    reader.read_four(which, row);
+    for (float*& at : row) at += 4;
+  }
+  for (; i < count; ++i) {
     float bound[Reader::rows];
     reader.read(i, bound);
-    for (std::size_t k = 0; k < Reader::rows; ++k) row[k][i] = bound[k];
+    for (std::size_t k = 0; k < Reader::rows; ++k) *row[k]++ = bound[k];
   }
 }
 

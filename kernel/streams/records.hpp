@@ -9,6 +9,7 @@
 #include <string>
 
 #include "shaftcull/streams.hpp"
+#include "streams/four.hpp"
 
 namespace shaftcull::kernel {
 
@@ -25,14 +26,40 @@ struct VectorRecords {
   void read(std::size_t i, float (&floats)[size]) const noexcept {
     std::memcpy(floats, first + i * stride, sizeof floats);
   }
+  /// The same three floats, and 0.
+  [[nodiscard]] Four read_vector(std::size_t i) const noexcept { return Four::three_at(first + i * stride); }
+
+  /// Copies the three floats of records which[0 … 3] to to[0 … 2][0 … 3].
+  template <class Index>
+  void read_four(const Index* which, float* const* to) const noexcept {
+    Four row[4] = {read_vector(which[0]), read_vector(which[1]), read_vector(which[2]), read_vector(which[3])};
+    transpose(row);
+    for (std::size_t k = 0; k != 3; ++k) row[k].store(to[k]);
+  }
 };
 
 // Every reader has the same shape:
 //   rows             how many streams a bound is packed into
 //   noun             what messages call a bound
 //   is_legal(i)      whether record i may be packed; without branches, but for the rare empty box
+//   are_clearly_legal(i, j)  whether records [i, j) are, at a glance: false of some that are
 //   read(i, bound)   packs record i into `bound`
+//   read_four(which, row)  packs records which[0 … 3] into row[·][0 … 3]
 //   fault(i)         what is wrong with record i, for messages
+
+/// The first of records [first, end) that may not be packed; `end` if there is none.
+template <class Reader>
+std::size_t first_illegal(const Reader& reader, std::size_t first, std::size_t end) noexcept {
+  constexpr std::size_t block = 256;  // records looked at between two branches
+  for (; first < end; first += block) {
+    const std::size_t block_end = end - first < block ? end : first + block;
+    if (reader.are_clearly_legal(first, block_end)) continue;
+    for (std::size_t i = first; i != block_end; ++i) {
+      if (!reader.is_legal(i)) return i;
+    }
+  }
+  return end;
+}
 
 class MinMaxReader {
  public:
@@ -50,10 +77,18 @@ class MinMaxReader {
     return is_legal(bound);
   }
   [[nodiscard]] static bool is_legal(const float (&bound)[rows]) noexcept {
-    // Comparisons with NaN are false.
-    if ((bound[0] <= bound[3]) & (bound[1] <= bound[4]) & (bound[2] <= bound[5])) [[likely]]
+    if (is_clearly_legal(bound)) [[likely]]
       return true;
     return is_empty(bound);
+  }
+  [[nodiscard]] static bool is_clearly_legal(const float (&bound)[rows]) noexcept {
+    // Comparisons with NaN are false.
+    return (bound[0] <= bound[3]) & (bound[1] <= bound[4]) & (bound[2] <= bound[5]);
+  }
+  [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
+    Four::Truth legal;
+    for (std::size_t i = first; i != end; ++i) legal &= lo_.read_vector(i) <= hi_.read_vector(i);
+    return legal.everywhere();
   }
 
   void read(std::size_t i, float (&bound)[rows]) const noexcept {
@@ -65,6 +100,11 @@ class MinMaxReader {
       bound[k] = lo[k];
       bound[k + 3] = hi[k];
     }
+  }
+  template <class Index>
+  void read_four(const Index* which, float* const* row) const noexcept {
+    lo_.read_four(which, row);
+    hi_.read_four(which, row + 3);
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
@@ -103,6 +143,15 @@ class CentreExtentReader {
     }
     return is_legal;
   }
+  [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
+    Four::Truth legal;
+    for (std::size_t i = first; i != end; ++i) {
+      const Four centre = centre_.read_vector(i);
+      const Four half = half_.read_vector(i);
+      legal &= (Four() <= half) & (centre - half <= centre + half);
+    }
+    return legal.everywhere();
+  }
 
   void read(std::size_t i, float (&bound)[rows]) const noexcept {
     float centre[3];
@@ -113,6 +162,14 @@ class CentreExtentReader {
       // lo = c − h rounded down is −(h − c rounded up).
       bound[k] = -sum_rounded_up(half[k], -centre[k]);
       bound[k + 3] = sum_rounded_up(half[k], centre[k]);
+    }
+  }
+  template <class Index>
+  void read_four(const Index* which, float* const* row) const noexcept {
+    for (std::size_t i = 0; i != 4; ++i) {
+      float bound[rows];
+      read(which[i], bound);
+      for (std::size_t k = 0; k != rows; ++k) row[k][i] = bound[k];
     }
   }
 
@@ -146,6 +203,19 @@ class SphereReader {
     // x − x is 0 if x is finite, else NaN.
     return (bound[0] - bound[0] == 0) & (bound[1] - bound[1] == 0) & (bound[2] - bound[2] == 0) & (bound[3] >= 0);
   }
+  [[nodiscard]] static bool is_clearly_legal(const float (&bound)[rows]) noexcept { return is_legal(bound); }
+  [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
+    Four::Truth finite;
+    bool has_radius = true;
+    for (std::size_t i = first; i != end; ++i) {
+      const Four centre = centre_.read_vector(i);
+      finite &= Four() <= centre - centre;
+      float radius[1];
+      radius_.read(i, radius);
+      has_radius &= radius[0] >= 0;
+    }
+    return finite.everywhere() && has_radius;
+  }
 
   void read(std::size_t i, float (&bound)[rows]) const noexcept {
     float centre[3];
@@ -156,6 +226,15 @@ class SphereReader {
     bound[1] = centre[1];
     bound[2] = centre[2];
     bound[3] = radius[0];
+  }
+  template <class Index>
+  void read_four(const Index* which, float* const* row) const noexcept {
+    centre_.read_four(which, row);
+    for (std::size_t i = 0; i != 4; ++i) {
+      float radius[1];
+      radius_.read(which[i], radius);
+      row[3][i] = radius[0];
+    }
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;

@@ -54,7 +54,7 @@ struct KeyRanges {
           most[s] = L::maximum(x, most[s]);
         }
       }
-      for (unsigned s = 0; s < streams; ++s) stream[s] = {smallest_lane<L>(least[s]), largest_lane<L>(most[s])};
+      for (unsigned s = 0; s < streams; ++s) stream[s] = {L::smallest(least[s]), L::largest(most[s])};
     }
     for (; i < count; ++i) {
       for (unsigned s = 0; s < streams; ++s) {
@@ -105,7 +105,7 @@ float smallest_from(const float* key, std::size_t count, float limit) noexcept {
     const auto x = L::load(key + i);
     smallest = L::minimum(L::choose(L::less(x, L::all(limit)), none, x), smallest);
   }
-  float least = smallest_lane<L>(smallest);
+  float least = L::smallest(smallest);
   for (; i < count; ++i) least = key[i] >= limit && key[i] < least ? key[i] : least;
   return least;
 }
@@ -119,7 +119,7 @@ float largest_below(const float* key, std::size_t count, float limit) noexcept {
     const auto x = L::load(key + i);
     largest = L::maximum(L::choose(L::less(x, L::all(limit)), x, none), largest);
   }
-  float most = largest_lane<L>(largest);
+  float most = L::largest(largest);
   for (; i < count; ++i) most = key[i] < limit && key[i] > most ? key[i] : most;
   return most;
 }

@@ -6,26 +6,6 @@
 
 namespace shaftcull::kernel {
 
-/// Smallest and largest lane.
-template <class L>
-float smallest_lane(typename L::Vector x) noexcept {
-  float lane[L::width];
-  L::store(lane, x);
-  for (unsigned half = L::width / 2; half != 0; half /= 2) {
-    for (unsigned i = 0; i < half; ++i) lane[i] = lane[i + half] < lane[i] ? lane[i + half] : lane[i];
-  }
-  return lane[0];
-}
-template <class L>
-float largest_lane(typename L::Vector x) noexcept {
-  float lane[L::width];
-  L::store(lane, x);
-  for (unsigned half = L::width / 2; half != 0; half /= 2) {
-    for (unsigned i = 0; i < half; ++i) lane[i] = lane[i] < lane[i + half] ? lane[i + half] : lane[i];
-  }
-  return lane[0];
-}
-
 /// As Unite in kernels.hpp, for boxes: smallest lo, largest hi.
 template <class L>
 std::uint64_t unite_boxes(const float* const* stream, std::size_t words, float* const* node) noexcept {
@@ -51,8 +31,8 @@ std::uint64_t unite_boxes(const float* const* stream, std::size_t words, float* 
     }
     if (L::bits(empty) != 0) gaps |= std::uint64_t{1} << w;
     for (unsigned k = 0; k < 3; ++k) {
-      node[k][w] = smallest_lane<L>(lo[k]);
-      node[k + 3][w] = largest_lane<L>(hi[k]);
+      node[k][w] = L::smallest(lo[k]);
+      node[k + 3][w] = L::largest(hi[k]);
     }
   }
   return gaps;
@@ -95,8 +75,8 @@ std::uint64_t unite_spheres(const float* const* stream, std::size_t words, float
     }
     if (absent != 0) gaps |= std::uint64_t{1} << w;
     for (unsigned k = 0; k < 3; ++k) {
-      const float low = smallest_lane<L>(lo[k]);
-      const float high = largest_lane<L>(hi[k]);
+      const float low = L::smallest(lo[k]);
+      const float high = L::largest(hi[k]);
       node[k][w] = low - rounding_of<L>(low);
       node[k + 3][w] = high + rounding_of<L>(high);
     }

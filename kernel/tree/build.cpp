@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "fetch.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
 #include "tree/write_leaves.hpp"
@@ -57,15 +56,9 @@ TreeParts<Bound, Index> build(const Source& source) {
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
   write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, parts.order.data());
+  const RecordSource<Bound> all(workshop.records());
   parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, piece(parts.size, source_block, b), [&](std::size_t p, float(&bound)[rows_of<Bound>]) {
-      if (p + fetched_bounds < parts.size) {
-        const float* const soon = workshop.record(parts.order[p + fetched_bounds]);
-        fetch_to_second_level(soon, 1);
-        fetch_to_second_level(soon + rows_of<Bound> - 1, 1);  // may be in the next cache line
-      }
-      std::copy_n(workshop.record(parts.order[p]), rows_of<Bound>, bound);
-    });
+    write_leaves(parts, parts.order.data(), piece(parts.size, source_block, b), all);
   });
   fit_upper(parts);
   parts.surface_when_built = surface(parts);

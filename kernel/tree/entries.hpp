@@ -45,7 +45,8 @@ template <class Bound, class Index>
 class Workshop {
  public:
   explicit Workshop(std::size_t count)
-      : stride_(words_for(count) * 64 + apart),
+      : count_(count),
+        stride_(words_for(count) * 64 + apart),
         entries_(2 * entry_streams * stride_),
         records_(rows_of<Bound> * count) {}
 
@@ -54,6 +55,9 @@ class Workshop {
 
   /// The streams' coordinates of bound i.
   [[nodiscard]] float* record(std::size_t i) const noexcept { return records_.get() + i * rows_of<Bound>; }
+  [[nodiscard]] RecordsOf<Bound> records() const noexcept {
+    return {record(0), record(0) + 3, rows_of<Bound> * sizeof(float), count_};
+  }
 
   [[nodiscard]] std::size_t bytes() const noexcept { return (entries_.size() + records_.size()) * sizeof(float); }
 
@@ -68,6 +72,7 @@ class Workshop {
     return stream;
   }
 
+  std::size_t count_;
   std::size_t stride_;
   TaskMemory<float> entries_;
   TaskMemory<float> records_;

@@ -35,10 +35,25 @@ class ViewSource {
   [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) fetch_to_second_level(view_.stream[s] + i, 1);
   }
+  template <class Index>
+  void read_four(const Index* which, float* const* row) const noexcept {
+    for (std::size_t s = 0; s != rows; ++s) {
+      for (std::size_t i = 0; i != 4; ++i) row[s][i] = view_.stream[s][which[i]];
+    }
+  }
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
     float bound[rows];
     read(i, bound);
     return ReaderOf<Bound>::is_legal(bound);
+  }
+  [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
+    unsigned others = 0;
+    for (std::size_t i = first; i != end; ++i) {
+      float bound[rows];
+      read(i, bound);
+      others |= ReaderOf<Bound>::is_clearly_legal(bound) ? 0U : 1U;
+    }
+    return others == 0;
   }
   [[nodiscard]] std::string fault(std::size_t i) const {
     const Bound bound = view_[i];
@@ -64,7 +79,14 @@ class RecordSource {
     fetch_to_second_level(record, 1);
     fetch_to_second_level(record + sizeof(Bound) - 1, 1);  // may be in the next cache line
   }
+  template <class Index>
+  void read_four(const Index* which, float* const* row) const noexcept {
+    reader_.read_four(which, row);
+  }
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept { return reader_.is_legal(i); }
+  [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
+    return reader_.are_clearly_legal(first, end);
+  }
   [[nodiscard]] std::string fault(std::size_t i) const { return reader_.fault(i); }
 
  private:
@@ -95,11 +117,8 @@ void require_legal(const Source& source) {
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
     const FloatEnvironment<LegalEnvironment> environment;
     const Run block = piece(source.count(), source_block, b);
-    bool is_legal = true;
-    for (std::size_t i = block.first; i != block.end(); ++i) is_legal &= source.is_legal(i);
-    if (is_legal) return;
-    std::size_t bad = block.first;
-    while (source.is_legal(bad)) ++bad;
+    const std::size_t bad = first_illegal(source, block.first, block.end());
+    if (bad == block.end()) return;
     std::size_t before = first_bad.load(std::memory_order_relaxed);
     while (bad < before && !first_bad.compare_exchange_weak(before, bad, std::memory_order_relaxed)) {
     }

@@ -32,10 +32,7 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   require_count(source.count(), parts.size);
   require_legal<Bound>(source);
   parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, piece(parts.size, block_leaves, b), [&](std::size_t p, float (&bound)[Source::rows]) {
-      if (p + fetched_bounds < parts.size) source.fetch(parts.order[p + fetched_bounds]);
-      source.read(parts.order[p], bound);
-    });
+    write_leaves(parts, parts.order.data(), piece(parts.size, block_leaves, b), source);
   });
   fit_upper(parts);
 }

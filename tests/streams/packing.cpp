@@ -127,6 +127,22 @@ TEST(BoxStream, RoundsCornersOfCentreAndHalfExtentOutwardsByNoMoreThanItMust) {
   }
 }
 
+TEST(BoxStream, PacksCentreAndHalfExtentTheSameOneByOneAndTogether) {
+  Dice dice(18);
+  std::vector<std::array<float, 6>> records(23);
+  for (std::array<float, 6>& record : records) {
+    for (std::size_t k = 0; k != 6; ++k) record[k] = k < 3 ? dice.wild() : std::fabs(dice.wild());
+  }
+  const auto pack = [&](std::size_t first, std::size_t count) {
+    const float* const record = records[first].data();
+    return BoxStream(CentreExtentRecords{record, record + 3, sizeof records[0], count});
+  };
+  for (std::size_t count = 0; count != records.size(); ++count) {
+    const BoxStream together = pack(0, count);
+    for (std::size_t i = 0; i != count; ++i) EXPECT_EQ(together[i], pack(i, 1)[0]) << i << " of " << count;
+  }
+}
+
 TEST(BoxStream, RoundsOutwardsWhereEvenADoubleCannotHoldTheCorner) {
   const std::array<float, 6> record = {1, -1, FLT_MAX, 0x1p-149F, 0x1p-100F, 0x1p-149F};
   const Box box = BoxStream(CentreExtentRecords{record.data(), record.data() + 3, sizeof record, 1})[0];

@@ -1,0 +1,115 @@
+/// Four floats, for what reads and checks the user's records: in a vector where every processor has one.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace shaftcull::kernel {
+
+#if defined(__SSE2__)
+
+class Four {
+ public:
+  /// What holds of each of the four; at first everything does.
+  class Truth {
+   public:
+    Truth() noexcept : mask_(_mm_castsi128_ps(_mm_set1_epi32(-1))) {}
+    explicit Truth(__m128 mask) noexcept : mask_(mask) {}
+    Truth& operator&=(Truth other) noexcept {
+      mask_ = _mm_and_ps(mask_, other.mask_);
+      return *this;
+    }
+    friend Truth operator&(Truth a, Truth b) noexcept { return a &= b; }
+    [[nodiscard]] bool everywhere() const noexcept { return _mm_movemask_ps(mask_) == 15; }
+
+   private:
+    __m128 mask_;
+  };
+
+  Four() noexcept : floats_(_mm_setzero_ps()) {}
+
+  /// Three floats, which need not be aligned, and 0. Reads nothing else.
+  static Four three_at(const std::byte* floats) noexcept {
+    double two;
+    float one;
+    std::memcpy(&two, floats, sizeof two);
+    std::memcpy(&one, floats + sizeof two, sizeof one);
+    return Four(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(two)), _mm_set_ss(one)));
+  }
+  void store(float* to) const noexcept { _mm_storeu_ps(to, floats_); }
+
+  friend Four operator+(Four a, Four b) noexcept { return Four(_mm_add_ps(a.floats_, b.floats_)); }
+  friend Four operator-(Four a, Four b) noexcept { return Four(_mm_sub_ps(a.floats_, b.floats_)); }
+  /// Not where either is NaN.
+  friend Truth operator<=(Four a, Four b) noexcept { return Truth(_mm_cmple_ps(a.floats_, b.floats_)); }
+
+  /// Rows become columns.
+  friend void transpose(Four (&row)[4]) noexcept {
+    _MM_TRANSPOSE4_PS(row[0].floats_, row[1].floats_, row[2].floats_, row[3].floats_);
+  }
+
+ private:
+  explicit Four(__m128 floats) noexcept : floats_(floats) {}
+  __m128 floats_;
+};
+
+#else
+
+class Four {
+ public:
+  class Truth {
+   public:
+    Truth() noexcept = default;
+    explicit Truth(bool holds) noexcept : holds_(holds) {}
+    Truth& operator&=(Truth other) noexcept {
+      holds_ &= other.holds_;
+      return *this;
+    }
+    friend Truth operator&(Truth a, Truth b) noexcept { return a &= b; }
+    [[nodiscard]] bool everywhere() const noexcept { return holds_; }
+
+   private:
+    bool holds_ = true;
+  };
+
+  static Four three_at(const std::byte* floats) noexcept {
+    Four four;
+    std::memcpy(four.floats_, floats, 3 * sizeof(float));
+    return four;
+  }
+  void store(float* to) const noexcept { std::memcpy(to, floats_, sizeof floats_); }
+
+  friend Four operator+(Four a, const Four& b) noexcept {
+    for (std::size_t i = 0; i != 4; ++i) a.floats_[i] += b.floats_[i];
+    return a;
+  }
+  friend Four operator-(Four a, const Four& b) noexcept {
+    for (std::size_t i = 0; i != 4; ++i) a.floats_[i] -= b.floats_[i];
+    return a;
+  }
+  friend Truth operator<=(const Four& a, const Four& b) noexcept {
+    bool holds = true;
+    for (std::size_t i = 0; i != 4; ++i) holds &= a.floats_[i] <= b.floats_[i];
+    return Truth(holds);
+  }
+  friend void transpose(Four (&row)[4]) noexcept {
+    for (std::size_t i = 0; i != 4; ++i) {
+      for (std::size_t k = 0; k != i; ++k) {
+        const float other = row[i].floats_[k];
+        row[i].floats_[k] = row[k].floats_[i];
+        row[k].floats_[i] = other;
+      }
+    }
+  }
+
+ private:
+  float floats_[4] = {0, 0, 0, 0};
+};
+
+#endif
+
+}  // namespace shaftcull::kernel
