@@ -166,17 +166,28 @@ class CentreExtentReader {
   }
   template <class Index>
   void read_four(const Index* which, float* const* row) const noexcept {
-    for (std::size_t i = 0; i != 4; ++i) {
-      float bound[rows];
-      read(which[i], bound);
-      for (std::size_t k = 0; k != rows; ++k) row[k][i] = bound[k];
+    float centre[3][4];
+    float half[3][4];
+    float* const centres[3] = {centre[0], centre[1], centre[2]};
+    float* const halves[3] = {half[0], half[1], half[2]};
+    centre_.read_four(which, centres);
+    half_.read_four(which, halves);
+    for (std::size_t k = 0; k != 3; ++k) {
+      float lo[4];
+      float hi[4];
+      for (std::size_t i = 0; i != 4; ++i) {
+        lo[i] = -sum_rounded_up(half[k][i], -centre[k][i]);
+        hi[i] = sum_rounded_up(half[k][i], centre[k][i]);
+      }
+      std::memcpy(row[k], lo, sizeof lo);
+      std::memcpy(row[k + 3], hi, sizeof hi);
     }
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
 
  private:
-  /// The smallest float not below x + y.
+  /// The smallest float not below x + y, which is at least the smallest float.
   static float sum_rounded_up(float x, float y) noexcept;
 
   VectorRecords centre_;
@@ -246,18 +257,13 @@ class SphereReader {
 };
 
 inline float CentreExtentReader::sum_rounded_up(float x, float y) noexcept {
-  const double a = x;
-  const double b = y;
-  const double sum = a + b;
-  const double part = sum - a;
-  const double error = (a - (sum - part)) + (b - part);  // sum + error = x + y (Knuth); NaN if they are infinite
-  const auto nearest = static_cast<float>(sum);
-  const double rounded = nearest;
-  const bool is_below = (rounded < sum) | ((rounded == sum) & (error > 0));
+  const float sum = x + y;
+  const float part = sum - x;
+  const float error = (x - (sum - part)) + (y - part);  // sum + error = x + y (Knuth); NaN if the sum is infinite
   // The next float up, without a branch: bits of floats are ordered by magnitude. + 0 turns −0 into 0.
-  const auto bits = std::bit_cast<std::int32_t>(nearest + 0.0F);
+  const auto bits = std::bit_cast<std::int32_t>(sum + 0.0F);
   const std::int32_t upwards = bits >> 31 | 1;  // −1 if negative, else 1
-  return std::bit_cast<float>(bits + (upwards & -static_cast<std::int32_t>(is_below)));
+  return std::bit_cast<float>(bits + (upwards & -static_cast<std::int32_t>(error > 0)));
 }
 
 }  // namespace shaftcull::kernel
