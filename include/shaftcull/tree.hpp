@@ -97,7 +97,7 @@ class BoundsTree {
   void rebuild();
 
   /// Numbers the bounds anew, in tree order: the index of leaf p becomes p. For users who have sorted their own objects
-  /// by order(), as they should if all of them move: update() then reads their memory from front to back, four times as
+  /// by order(), as they should if all of them move: update() then reads their memory from front to back, twice as
   /// fast.
   void renumber() noexcept;
 
