@@ -5,6 +5,7 @@
 #include <valgrind/callgrind.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -23,6 +24,7 @@ constexpr std::size_t shafts = 64;
 constexpr std::size_t bounds = 4096;
 constexpr std::size_t small_bounds = 64;
 constexpr std::size_t pairs = 4096;
+constexpr std::size_t leaves = 100000;  // so many that walks fetch
 
 /// Counts the instructions of work(), which handles `items` of something.
 template <class Work>
@@ -83,6 +85,28 @@ void run() {
     count("boxes_count", tests, [&] { count_many(compiled, boxes.view(), counts); });
     count("spheres_count", tests, [&] { count_many(compiled, spheres.view(), counts); });
     count("boxes_list", tests, [&] { list_many(compiled, boxes.view(), lists); });
+  });
+  const std::vector<Box> records = drawn_boxes(5, leaves, 0.01F, 0.04F);
+  with_threads(1, [&] {
+    BoxTree tree;
+    count("tree_build", leaves, [&] { tree = BoxTree(std::span<const Box>(records)); });
+    count("tree_update", leaves, [&] { tree.update(std::span<const Box>(records)); });
+    count("tree_count", shafts, [&] { count_many(compiled, tree, counts); });
+    count("tree_list", shafts, [&] { list_many(compiled, tree, lists); });
+  });
+
+  BoxStream packed(leaves);
+  SphereStream packed_spheres(leaves);
+  std::vector<Sphere> sphere_records;
+  std::vector<std::array<float, 6>> extents;
+  for (const Box& box : records) {
+    sphere_records.push_back({box.lo, 0.02F});
+    extents.push_back({box.lo[0], box.lo[1], box.lo[2], 0.01F, 0.02F, 0.03F});
+  }
+  count("pack_boxes", leaves, [&] { packed.update(0, std::span<const Box>(records)); });
+  count("pack_spheres", leaves, [&] { packed_spheres.update(0, std::span<const Sphere>(sphere_records)); });
+  count("pack_centre_extents", leaves, [&] {
+    packed.update(0, CentreExtentRecords{extents[0].data(), extents[0].data() + 3, sizeof extents[0], leaves});
   });
   std::vector<CompiledShaft> formed(pairs);
   count("form_batch", pairs, [&] { compile_batch(a_stream.view(), b_stream.view(), formed); });
