@@ -2,7 +2,6 @@
 /// takes when bounds move. The README's answer to "flat or tree?" is of these.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -62,13 +61,14 @@ void declare_finds(Suite& suite, std::size_t count) {
   }
 }
 
-/// Time for all bounds of a scene, or some, to be told where they are now.
+/// What it takes to tell a stream or a tree where all bounds are now, or one in a hundred.
 void declare_updates(Suite& suite, std::size_t count) {
   const auto scene = std::make_shared<TreeScene>(count);
   const auto items = static_cast<std::int64_t>(count);
   const std::string name = fmt::format("choice/{}/update/", count);
   suite.add(name + "stream", "",
             [=](benchmark::State& state) {
+              select_isa(available_isas().back());
               BoxStream stream(scene->stream());
               for (auto _ : state) stream.update(0, std::span<const Box>(scene->boxes()));
               state.SetItemsProcessed(state.iterations() * items);
@@ -76,6 +76,7 @@ void declare_updates(Suite& suite, std::size_t count) {
             {.brief = true});
   suite.add(name + "tree_shuffled", "",
             [=](benchmark::State& state) {
+              select_isa(available_isas().back());
               BoxTree& tree = scene->tree();
               for (auto _ : state) tree.update(std::span<const Box>(scene->boxes()));
               state.SetItemsProcessed(state.iterations() * items);
@@ -83,6 +84,7 @@ void declare_updates(Suite& suite, std::size_t count) {
             {.brief = true});
   suite.add(name + "tree_in_order", "",
             [=](benchmark::State& state) {
+              select_isa(available_isas().back());
               std::vector<Box> in_order;
               for (const std::uint32_t i : scene->tree().order()) in_order.push_back(scene->boxes()[i]);
               BoxTree tree{std::span<const Box>(in_order)};
@@ -92,6 +94,7 @@ void declare_updates(Suite& suite, std::size_t count) {
             {.brief = true});
   suite.add(name + "tree_one_in_100", "",
             [=](benchmark::State& state) {
+              select_isa(available_isas().back());
               BoxTree& tree = scene->tree();
               std::vector<std::uint32_t> some;
               std::vector<Box> same;
@@ -105,7 +108,7 @@ void declare_updates(Suite& suite, std::size_t count) {
                 tree.update(some, std::span<const Box>(same));
                 tree.refit();
               }
-              state.SetItemsProcessed(state.iterations() * items);
+              state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(some.size()));
             },
             {.brief = true});
 }

@@ -1,6 +1,5 @@
 #include "streams/pack.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -117,17 +116,7 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
   require_legal(reader);
   float* row[Reader::rows];
   for (std::size_t k = 0; k < Reader::rows; ++k) row[k] = memory.row(k) + first;
-  std::size_t i = 0;
-  for (; i + 4 <= count; i += 4) {
-    const std::size_t which[4] = {i, i + 1, i + 2, i + 3};
-    reader.read_four(which, row);
-    for (float*& at : row) at += 4;
-  }
-  for (; i < count; ++i) {
-    float bound[Reader::rows];
-    reader.read(i, bound);
-    for (std::size_t k = 0; k < Reader::rows; ++k) *row[k]++ = bound[k];
-  }
+  read_rows(reader, InOrder{0}, count, row);
 }
 
 }  // namespace

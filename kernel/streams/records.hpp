@@ -30,22 +30,53 @@ struct VectorRecords {
   [[nodiscard]] Four read_vector(std::size_t i) const noexcept { return Four::three_at(first + i * stride); }
 
   /// Copies the three floats of records which[0 … 3] to to[0 … 2][0 … 3].
-  template <class Index>
-  void read_four(const Index* which, float* const* to) const noexcept {
+  template <class Which>
+  void read_four(Which which, float* const* to) const noexcept {
     Four row[4] = {read_vector(which[0]), read_vector(which[1]), read_vector(which[2]), read_vector(which[3])};
     transpose(row);
     for (std::size_t k = 0; k != 3; ++k) row[k].store(to[k]);
   }
 };
 
-// Every reader has the same shape:
+// Every reader has the same shape; those of Box and Sphere also static is_legal(bound) and is_clearly_legal(bound):
 //   rows             how many streams a bound is packed into
 //   noun             what messages call a bound
 //   is_legal(i)      whether record i may be packed; without branches, but for the rare empty box
 //   are_clearly_legal(i, j)  whether records [i, j) are, at a glance: false of some that are
 //   read(i, bound)   packs record i into `bound`
-//   read_four(which, row)  packs records which[0 … 3] into row[·][0 … 3]
+//   read_four(which, row)  packs records which[0 … 3] into row[·][0 … 3]; `which` is a pointer to indices, or InOrder
 //   fault(i)         what is wrong with record i, for messages
+
+/// Records one after the other, in place of a pointer to their indices.
+struct InOrder {
+  std::size_t first;
+
+  [[nodiscard]] std::size_t operator[](std::size_t i) const noexcept { return first + i; }
+  [[nodiscard]] InOrder operator+(std::size_t i) const noexcept { return {first + i}; }
+};
+
+/// Packs records which[0 … count − 1] into row[·][0 … count − 1]; calls before(i) before it reads which[i … i + 3].
+template <class Reader, class Which, class Before>
+void read_rows(const Reader& reader, Which which, std::size_t count, float* const* row, Before before) noexcept {
+  float* to[Reader::rows];
+  for (std::size_t k = 0; k != Reader::rows; ++k) to[k] = row[k];
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) {
+    before(i);
+    reader.read_four(which + i, to);
+    for (float*& at : to) at += 4;
+  }
+  for (; i < count; ++i) {
+    float bound[Reader::rows];
+    reader.read(which[i], bound);
+    for (std::size_t k = 0; k != Reader::rows; ++k) *to[k]++ = bound[k];
+  }
+}
+
+template <class Reader, class Which>
+void read_rows(const Reader& reader, Which which, std::size_t count, float* const* row) noexcept {
+  read_rows(reader, which, count, row, [](std::size_t) {});
+}
 
 /// The first of records [first, end) that may not be packed; `end` if there is none.
 template <class Reader>
@@ -101,8 +132,8 @@ class MinMaxReader {
       bound[k + 3] = hi[k];
     }
   }
-  template <class Index>
-  void read_four(const Index* which, float* const* row) const noexcept {
+  template <class Which>
+  void read_four(Which which, float* const* row) const noexcept {
     lo_.read_four(which, row);
     hi_.read_four(which, row + 3);
   }
@@ -159,13 +190,13 @@ class CentreExtentReader {
     centre_.read(i, centre);
     half_.read(i, half);
     for (std::size_t k = 0; k < 3; ++k) {
-      // lo = c − h rounded down is −(h − c rounded up).
-      bound[k] = -sum_rounded_up(half[k], -centre[k]);
-      bound[k + 3] = sum_rounded_up(half[k], centre[k]);
+      // lo = c − h rounded down is −(−c + h rounded up).
+      bound[k] = -sum_rounded_up(-centre[k], half[k]);
+      bound[k + 3] = sum_rounded_up(centre[k], half[k]);
     }
   }
-  template <class Index>
-  void read_four(const Index* which, float* const* row) const noexcept {
+  template <class Which>
+  void read_four(Which which, float* const* row) const noexcept {
     float centre[3][4];
     float half[3][4];
     float* const centres[3] = {centre[0], centre[1], centre[2]};
@@ -176,8 +207,8 @@ class CentreExtentReader {
       float lo[4];
       float hi[4];
       for (std::size_t i = 0; i != 4; ++i) {
-        lo[i] = -sum_rounded_up(half[k][i], -centre[k][i]);
-        hi[i] = sum_rounded_up(half[k][i], centre[k][i]);
+        lo[i] = -sum_rounded_up(-centre[k][i], half[k][i]);
+        hi[i] = sum_rounded_up(centre[k][i], half[k][i]);
       }
       std::memcpy(row[k], lo, sizeof lo);
       std::memcpy(row[k + 3], hi, sizeof hi);
@@ -187,7 +218,7 @@ class CentreExtentReader {
   [[nodiscard]] std::string fault(std::size_t i) const;
 
  private:
-  /// The smallest float not below x + y, which is at least the smallest float.
+  /// The smallest float not below x + y, where y is 0 or more; infinite sums stay.
   static float sum_rounded_up(float x, float y) noexcept;
 
   VectorRecords centre_;
@@ -238,8 +269,8 @@ class SphereReader {
     bound[2] = centre[2];
     bound[3] = radius[0];
   }
-  template <class Index>
-  void read_four(const Index* which, float* const* row) const noexcept {
+  template <class Which>
+  void read_four(Which which, float* const* row) const noexcept {
     centre_.read_four(which, row);
     for (std::size_t i = 0; i != 4; ++i) {
       float radius[1];
@@ -259,7 +290,9 @@ class SphereReader {
 inline float CentreExtentReader::sum_rounded_up(float x, float y) noexcept {
   const float sum = x + y;
   const float part = sum - x;
-  const float error = (x - (sum - part)) + (y - part);  // sum + error = x + y (Knuth); NaN if the sum is infinite
+  // sum + error = x + y (Knuth). It is NaN if the sum is infinite, or if `part` is, which has to be more than y, that is,
+  // sum more than x + y: there is nothing to round then. With y below 0 it could be less.
+  const float error = (x - (sum - part)) + (y - part);
   // The next float up, without a branch: bits of floats are ordered by magnitude. + 0 turns −0 into 0.
   const auto bits = std::bit_cast<std::int32_t>(sum + 0.0F);
   const std::int32_t upwards = bits >> 31 | 1;  // −1 if negative, else 1

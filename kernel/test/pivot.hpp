@@ -6,7 +6,6 @@
 #pragma once
 
 #include "test/kernels.hpp"
-#include "test/unite.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {

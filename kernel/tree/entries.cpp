@@ -40,7 +40,9 @@ class Chunk {
 
   template <class Source>
   Chunk(const Source& source, std::size_t first, std::size_t count) noexcept : first_(first), count_(count) {
-    read_in_order(source, first, count);
+    float* row[rows_of<Bound>];
+    for (std::size_t s = 0; s != rows_of<Bound>; ++s) row[s] = row_[s];
+    read_rows(source, InOrder{first}, count, row);
     unsigned others = 0;
     for (std::size_t i = 0; i != count; ++i) others |= is_plain(at(i).row) ? 0U : 1U;
     if (others == 0) {
@@ -82,22 +84,6 @@ class Chunk {
   }
 
  private:
-  template <class Source>
-  void read_in_order(const Source& source, std::size_t first, std::size_t count) noexcept {
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4) {
-      const std::size_t which[4] = {first + i, first + i + 1, first + i + 2, first + i + 3};
-      float* to[rows_of<Bound>];
-      for (std::size_t s = 0; s != rows_of<Bound>; ++s) to[s] = row_[s] + i;
-      source.read_four(which, to);
-    }
-    for (; i != count; ++i) {
-      float bound[rows_of<Bound>];
-      source.read(first + i, bound);
-      for (std::size_t s = 0; s != rows_of<Bound>; ++s) row_[s][i] = bound[s];
-    }
-  }
-
   struct BoundAt {
     float row[rows_of<Bound>];
   };

@@ -14,6 +14,7 @@
 
 namespace shaftcull::kernel {
 
+/// Tree order, as the user's indices are read from it: word by word of leaves.
 template <class Index>
 class LeafIndices {
  public:
@@ -55,8 +56,8 @@ class LeafIndices {
 
  private:
   const Index* order_;
-  std::size_t in_whole_words_;  // leaves
-  std::size_t fetched_;         // leaves
+  std::size_t in_whole_words_;  // leaves before this one are in whole words, which vectors may read to their end
+  std::size_t fetched_;         // leaves before this one are worth fetching
   Pick* pick_;
 };
 

@@ -29,8 +29,8 @@ template <class Index>
 using Runs = kernel::PiecewiseOutput<TreeRunOf<Index>>;
 
 template <class Index>
-kernel::FoundList<Index> list_of(const kernel::LeafIndices<Index>& indices, kernel::FoundOutput<Index>& output) {
-  return {indices, output};
+kernel::FoundList<Index> list_of(const kernel::LeafIndices<Index>& /*indices*/, kernel::FoundOutput<Index>& output) {
+  return kernel::FoundList<Index>(output);
 }
 template <class Index>
 kernel::RunList<Index, Runs<Index>> list_of(const kernel::LeafIndices<Index>& indices, Runs<Index>& output) {

@@ -14,7 +14,7 @@
 
 namespace shaftcull::kernel {
 
-// All have the same interface:
+// Those of items, all but the last, have the same interface, or as much of it as they are used for:
 //   room()          where `most_added` items may be written, or null
 //   advance(items)  so many were written there
 //   push(item)      adds one
@@ -139,8 +139,8 @@ class PiecewiseOutput {
   std::size_t count_ = 0;
 };
 
-/// Leaves that a shaft keeps: words of them, and runs that are kept as a whole. Indices take four times as much memory where
-/// much is kept, and would be copied once more.
+/// Leaves that a shaft keeps, before it is known where their indices go: words of them, and runs that are kept as a whole.
+/// From four leaves a word on that takes less memory than indices, and these are not copied once more.
 template <class Index>
 class FoundOutput {
  public:

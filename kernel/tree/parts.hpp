@@ -17,6 +17,9 @@ inline constexpr std::size_t fanout = 64;
 /// A tree is not made narrower than this many words at the top: visiting them all costs less than one more level.
 inline constexpr std::size_t top_words = 2;
 
+/// What second-level caches hold. Fetching leaves that one holds costs a walk a tenth, and gains nothing.
+inline constexpr std::size_t second_level_bytes = std::size_t{2} << 20U;
+
 /// A tree's levels hold at most this many bounds.
 inline constexpr std::size_t most_levels = 6;
 inline constexpr std::uint64_t most_bounds = std::uint64_t{top_words} << 6 * most_levels;
@@ -51,8 +54,8 @@ struct TreeLevels {
   std::size_t dirty_words = 0;       ///< how many of those bits are set
   double surface_when_built = 0;
 
-  /// Whether the leaves are more than a second-level cache holds: otherwise fetching them costs a walk a tenth, and gains nothing.
-  [[nodiscard]] bool is_worth_fetching() const noexcept { return leaves.bytes() > std::size_t{1} << 21U; }
+  /// Whether the leaves are more than a second-level cache holds.
+  [[nodiscard]] bool is_worth_fetching() const noexcept { return leaves.bytes() > second_level_bytes; }
 
   [[nodiscard]] std::array<float*, rows_of<Bound>> leaf_rows(std::size_t from = 0) const noexcept {
     std::array<float*, rows_of<Bound>> row;

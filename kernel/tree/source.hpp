@@ -35,8 +35,8 @@ class ViewSource {
   [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) fetch_to_second_level(view_.stream[s] + i, 1);
   }
-  template <class Index>
-  void read_four(const Index* which, float* const* row) const noexcept {
+  template <class Which>
+  void read_four(Which which, float* const* row) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) {
       for (std::size_t i = 0; i != 4; ++i) row[s][i] = view_.stream[s][which[i]];
     }
@@ -79,8 +79,8 @@ class RecordSource {
     fetch_to_second_level(record, 1);
     fetch_to_second_level(record + sizeof(Bound) - 1, 1);  // may be in the next cache line
   }
-  template <class Index>
-  void read_four(const Index* which, float* const* row) const noexcept {
+  template <class Which>
+  void read_four(Which which, float* const* row) const noexcept {
     reader_.read_four(which, row);
   }
   [[nodiscard]] bool is_legal(std::size_t i) const noexcept { return reader_.is_legal(i); }
@@ -99,9 +99,6 @@ class RecordSource {
   const char* start_;
   std::size_t stride_;
 };
-
-/// Bounds ahead of the one read that are fetched where tree order jumps about in the user's memory.
-inline constexpr std::size_t fetched_bounds = 64;
 
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;

@@ -1,7 +1,6 @@
 /// What becomes of the leaves that a walk finds: counts, lists of indices, lists of runs; and what is left out.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +20,7 @@ class IndexList {
 
   [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
+    if (bits == 0) return;
     if (Index* const out = output_.room()) {
       output_.advance(indices_.pick(first, bits, out));
     } else {
@@ -50,7 +50,7 @@ class IndexList {
 template <class Index>
 class FoundList {
  public:
-  FoundList(const LeafIndices<Index>& /*indices*/, FoundOutput<Index>& output) noexcept : output_(output) {}
+  explicit FoundList(FoundOutput<Index>& output) noexcept : output_(output) {}
 
   void expect(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) { output_.add_word(first, bits); }

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "shaftcull/compiled.hpp"
 #include "fetch.hpp"
+#include "shaftcull/compiled.hpp"
 #include "test/kernels.hpp"
 #include "tree/parts.hpp"
 

@@ -11,6 +11,9 @@
 
 namespace shaftcull::kernel {
 
+/// Leaves ahead of those read whose bounds are fetched, because tree order jumps about in the user's memory.
+inline constexpr std::size_t fetched_leaves = 64;
+
 /// Writes leaves [run.first, run.end()), leaf p being bound order[p] of the source, and fits level 1 above them. run is
 /// whole words but for the tree's last one.
 ///
@@ -22,26 +25,18 @@ void write_leaves(TreeLevels<Bound>& parts, const Index* order, const Run& run, 
   const auto row = parts.leaf_rows();
   const WordWriter writer(parts.leaves.bytes());
   alignas(64) float word[rows][fanout];
+  float* to[rows];
   const float* words[rows];
-  for (std::size_t s = 0; s != rows; ++s) words[s] = word[s];
+  for (std::size_t s = 0; s != rows; ++s) words[s] = to[s] = word[s];
   for (std::size_t first = run.first; first < run.end(); first += fanout) {
     const std::size_t count = std::min(fanout, run.end() - first);
-    const Index* const which = order + first;
-    float* to[rows];
-    for (std::size_t s = 0; s != rows; ++s) to[s] = word[s];
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4) {
-      if (first + i + fetched_bounds + 4 <= parts.size) {
-        for (std::size_t j = 0; j != 4; ++j) source.fetch(which[i + fetched_bounds + j]);
-      }
-      source.read_four(which + i, to);
-      for (float*& at : to) at += 4;
-    }
-    for (; i != count; ++i) {
-      float bound[rows];
-      source.read(which[i], bound);
-      for (std::size_t s = 0; s != rows; ++s) word[s][i] = bound[s];
-    }
+    // Inlined, as fetch_to_second_level() is.
+    const auto fetch_ahead = [=, &source, end = parts.is_worth_fetching() ? parts.size : 0](std::size_t i) __attribute__((always_inline)) {
+      const std::size_t soon = first + i + fetched_leaves;
+      if (soon + 4 > end) return;
+      for (std::size_t p = soon; p != soon + 4; ++p) source.fetch(order[p]);
+    };
+    read_rows(source, order + first, count, to, fetch_ahead);
     for (std::size_t s = 0; s != rows; ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding
     for (std::size_t s = 0; s != rows; ++s) writer.write(row[s] + first, word[s], fanout);

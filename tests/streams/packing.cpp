@@ -127,6 +127,29 @@ TEST(BoxStream, RoundsCornersOfCentreAndHalfExtentOutwardsByNoMoreThanItMust) {
   }
 }
 
+TEST(BoxStream, RoundsCornersOutwardsAtTheEndsOfFloatsToo) {
+  // Sums of these are exact in long double.
+  std::vector<std::array<float, 6>> records;
+  for (const float centre : {FLT_MAX, std::nextafter(FLT_MAX, 0.0F), 0x1p127F, 0x1p-149F, 0x1p-126F, 0.0F}) {
+    const float unit = centre < 1 ? 0x1p-149F : 0x1p103F;  // half of a step between floats, or the least float
+    for (int k = 0; k != 64; ++k) {
+      const float half = static_cast<float>(k) * unit;
+      records.push_back({centre, -centre, -centre, half, half, 1.5F * half});
+    }
+  }
+  const BoxStream boxes(CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof records[0], records.size()});
+  for (std::size_t i = 0; i != records.size(); ++i) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      const long double lo = static_cast<long double>(records[i][k]) - static_cast<long double>(records[i][k + 3]);
+      const long double hi = static_cast<long double>(records[i][k]) + static_cast<long double>(records[i][k + 3]);
+      EXPECT_LE(boxes[i].lo[k], lo) << "box " << i << ", axis " << k;
+      EXPECT_GT(std::nextafter(boxes[i].lo[k], inf), lo) << "box " << i << ", axis " << k;
+      EXPECT_GE(boxes[i].hi[k], hi) << "box " << i << ", axis " << k;
+      EXPECT_LT(std::nextafter(boxes[i].hi[k], -inf), hi) << "box " << i << ", axis " << k;
+    }
+  }
+}
+
 TEST(BoxStream, PacksCentreAndHalfExtentTheSameOneByOneAndTogether) {
   Dice dice(18);
   std::vector<std::array<float, 6>> records(23);

@@ -87,22 +87,23 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
 
 /// Lists of many shafts are written side by side, each by whoever has its turn.
 TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
-  constexpr std::size_t size = 64 * 300 + 17;
+  constexpr std::size_t whole = 3000;  // words: more than one piece of memory holds
+  constexpr std::size_t size = 64 * whole + 17;
   std::vector<TypeParam> order(size);
   std::iota(order.rbegin(), order.rend(), TypeParam{7});
   const std::vector<std::uint64_t> words = words_of_bits();
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     const kernel::LeafIndices<TypeParam> indices(order, true, kernel::active_kernels());
-    for (const std::size_t last : {std::size_t{0}, std::size_t{1}, std::size_t{200}, std::size_t{300}}) {
+    for (const std::size_t last : {std::size_t{0}, std::size_t{1}, std::size_t{200}, whole}) {
       kernel::FoundOutput<TypeParam> found;
       std::vector<TypeParam> expected;
       for (std::size_t w = 0; w <= last; ++w) {
-        const std::uint64_t bits = words[w] & (w == 300 ? 0x1ffff : ~std::uint64_t{0});  // 17 leaves in the last word
+        const std::uint64_t bits = words[w % words.size()] & (w == whole ? 0x1ffff : ~std::uint64_t{0});  // 17 leaves in the last word
         found.add_word(64 * w, bits);
         const std::vector<TypeParam> those = those_of(order, 64 * w, bits);
         expected.insert(expected.end(), those.begin(), those.end());
-        if (w % 50 != 40 || w + 64 > 300) continue;
+        if (w % 50 != 40 || w + 64 > whole) continue;
         found.add_run(64 * (w + 1), 64 * 3);
         expected.insert(expected.end(), order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 1)),
                         order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 4)));
