@@ -7,6 +7,7 @@
 #include <span>
 
 #include "shaftcull/query.hpp"
+#include "tree/found.hpp"
 #include "tree/leaf_indices.hpp"
 #include "tree/outputs.hpp"
 

@@ -9,8 +9,8 @@
 #include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "test/kernels.hpp"
+#include "tree/found.hpp"
 #include "tree/leaf_indices.hpp"
-#include "tree/outputs.hpp"
 
 namespace shaftcull {
 namespace {

@@ -1,0 +1,62 @@
+/// What many shafts keep, until it is known where the indices go.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "tree/leaf_indices.hpp"
+#include "tree/outputs.hpp"
+
+namespace shaftcull::kernel {
+
+/// Leaves that a shaft keeps, before it is known where their indices go: words of them, and runs that are kept as a whole.
+/// From four leaves a word on that takes less memory than indices, and these are not copied once more.
+template <class Index>
+class FoundOutput {
+ public:
+  void add_word(std::size_t first, std::uint64_t bits) {
+    if (bits == 0) return;
+    found_.push({bits, static_cast<Index>(first), 0});
+    count_ += static_cast<std::size_t>(std::popcount(bits));
+  }
+  void add_run(std::size_t first, std::size_t size) {
+    found_.push({0, static_cast<Index>(first), static_cast<Index>(size)});
+    count_ += size;
+  }
+  /// Number of leaves.
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+  /// Writes their indices from `out` on, count() of them and nothing else.
+  void write(const LeafIndices<Index>& indices, Index* out) const noexcept {
+    const Index* const end = out + count_;
+    found_.for_each_piece([&](const Found* found, std::size_t size) {
+      for (std::size_t i = 0; i != size; ++i) {
+        if (i + fetched_words < size) indices.fetch(found[i + fetched_words].first);
+        const auto [bits, first, run] = found[i];
+        if (run != 0) {
+          out = indices.copy(first, run, out);
+        } else if (end - out >= static_cast<std::ptrdiff_t>(most_added)) {
+          out += indices.pick(first, bits, out);
+        } else {
+          out += indices.pick_only(first, bits, out);  // what follows is somebody else's
+        }
+      }
+    });
+  }
+
+ private:
+  /// A word's bits, or a run of whole words.
+  struct Found {
+    std::uint64_t bits;
+    Index first;
+    Index run;  ///< size, or 0 for a word
+  };
+  /// Words ahead of the one written whose indices are fetched.
+  static constexpr std::size_t fetched_words = 16;
+
+  PiecewiseOutput<Found> found_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace shaftcull::kernel
