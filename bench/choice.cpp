@@ -1,12 +1,12 @@
 /// choice/…: flat scans and trees over scenes of several sizes, with shafts that find next to nothing to all; and what it
 /// takes when bounds move. The README's answer to "flat or tree?" is of these.
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -64,53 +64,44 @@ void declare_finds(Suite& suite, std::size_t count) {
 /// What it takes to tell a stream or a tree where all bounds are now, or one in a hundred.
 void declare_updates(Suite& suite, std::size_t count) {
   const auto scene = std::make_shared<TreeScene>(count);
-  const auto items = static_cast<std::int64_t>(count);
-  const std::string name = fmt::format("choice/{}/update/", count);
-  suite.add(name + "stream", "",
-            [=](benchmark::State& state) {
-              select_isa(available_isas().back());
-              BoxStream stream(scene->stream());
-              for (auto _ : state) stream.update(0, std::span<const Box>(scene->boxes()));
-              state.SetItemsProcessed(state.iterations() * items);
-            },
-            {.brief = true});
-  suite.add(name + "tree_shuffled", "",
-            [=](benchmark::State& state) {
-              select_isa(available_isas().back());
-              BoxTree& tree = scene->tree();
-              for (auto _ : state) tree.update(std::span<const Box>(scene->boxes()));
-              state.SetItemsProcessed(state.iterations() * items);
-            },
-            {.brief = true});
-  suite.add(name + "tree_in_order", "",
-            [=](benchmark::State& state) {
-              select_isa(available_isas().back());
-              std::vector<Box> in_order;
-              for (const std::uint32_t i : scene->tree().order()) in_order.push_back(scene->boxes()[i]);
-              BoxTree tree{std::span<const Box>(in_order)};
-              for (auto _ : state) tree.update(std::span<const Box>(in_order));
-              state.SetItemsProcessed(state.iterations() * items);
-            },
-            {.brief = true});
-  suite.add(name + "tree_one_in_100", "",
-            [=](benchmark::State& state) {
-              select_isa(available_isas().back());
-              BoxTree& tree = scene->tree();
-              std::vector<std::uint32_t> some;
-              std::vector<Box> same;
-              Dice dice(4200);
-              for (std::size_t i = 0; i != count / 100; ++i) {
-                some.push_back(std::min(static_cast<std::uint32_t>(dice.uniform(0, static_cast<float>(count))),
-                                        static_cast<std::uint32_t>(count - 1)));
-                same.push_back(scene->boxes()[some.back()]);
-              }
-              for (auto _ : state) {
-                tree.update(some, std::span<const Box>(same));
-                tree.refit();
-              }
-              state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(some.size()));
-            },
-            {.brief = true});
+  // prepare() returns what is timed, which tells of `bounds` bounds.
+  const auto add = [&](const char* what, std::size_t bounds, const auto& prepare) {
+    suite.add(fmt::format("choice/{}/update/{}", count, what), "",
+              [=](benchmark::State& state) {
+                select_isa(available_isas().back());
+                auto update = prepare();
+                for (auto _ : state) update();
+                state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bounds));
+              },
+              {.brief = true});
+  };
+  add("stream", count, [=] {
+    return [=, stream = BoxStream(scene->stream())]() mutable {
+      stream.update(0, std::span<const Box>(scene->boxes()));
+    };
+  });
+  add("tree_shuffled", count, [=] { return [=] { scene->tree().update(std::span<const Box>(scene->boxes())); }; });
+  add("tree_in_order", count, [=] {
+    std::vector<Box> in_order;
+    for (const std::uint32_t i : scene->tree().order()) in_order.push_back(scene->boxes()[i]);
+    BoxTree tree{std::span<const Box>(in_order)};
+    return [in_order = std::move(in_order), tree = std::move(tree)]() mutable {
+      tree.update(std::span<const Box>(in_order));
+    };
+  });
+  add("tree_one_in_100", count / 100, [=] {
+    std::vector<std::uint32_t> some;
+    std::vector<Box> same;
+    Dice dice(4200);
+    for (std::size_t i = 0; i != count / 100; ++i) {
+      some.push_back(dice.below(static_cast<unsigned>(count)));
+      same.push_back(scene->boxes()[some.back()]);
+    }
+    return [scene, some = std::move(some), same = std::move(same)] {
+      scene->tree().update(some, std::span<const Box>(same));
+      scene->tree().refit();
+    };
+  });
 }
 
 }  // namespace
