@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# What ./cmake/run says and does on systems that lack something: run with stand-ins for apt-get, sudo, cmake and the others.
+#
+#   tests/first_command.sh          ends with 77, "skipped", where it cannot take root's rights away from itself
+set -euo pipefail
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+chmod 755 "$work"
+mkdir -p "$work/project/cmake" "$work/bin" "$work/log"
+cp "$project/cmake/run" "$work/project/cmake/"
+chmod 777 "$work/log"
+
+as_user=()
+if [[ $EUID -eq 0 ]]; then
+  command -v setpriv >/dev/null || { echo "Skipped: root, and no setpriv" && exit 77; }
+  as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+fi
+
+# Stand-ins: each writes down how it was called. The environment says how apt-get ends and which packages are installed.
+for name in bash dirname env getconf; do ln -s "$(command -v $name)" "$work/bin/"; done
+stand_in() {
+  printf '#!%s\necho "%s $*" >>"%s/log/calls"\n%s\n' "$(command -v bash)" "$1" "$work" "$2" >"$work/bin/$1"
+  chmod 755 "$work/bin/$1"
+}
+
+failures=0
+# system TOOL…: what the next run finds on its PATH, besides what every system has.
+system() {
+  rm -f "$work"/bin/{apt-get,dpkg-query,sudo,cmake,c++,ninja}
+  for tool in "$@"; do
+    case $tool in
+      apt-get) stand_in apt-get 'exit ${APT_RESULT:-0}' ;;
+      dpkg-query) stand_in dpkg-query '[[ " ${INSTALLED:-} " == *" ${*: -1} "* ]] && printf installed' ;;
+      sudo) stand_in sudo 'exec "$@"' ;;
+      *) stand_in "$tool" 'exit 0' ;;
+    esac
+  done
+}
+# run RESULT [NAME=value…]: ./cmake/run demo, not as root, is to end with RESULT.
+run() {
+  local expected=$1 result=0
+  shift
+  : >"$work/log/calls"
+  chmod 666 "$work/log/calls"
+  "${as_user[@]}" "$work/bin/env" -i PATH="$work/bin" "$@" bash "$work/project/cmake/run" demo >"$work/log/output" 2>&1 ||
+    result=$?
+  [[ $result -eq $expected ]] || fail "ended with $result instead of $expected"
+}
+fail() {
+  printf 'FAILED, %s: %s\n' "$scenario" "$1"
+  sed 's/^/    /' "$work/log/output" "$work/log/calls"
+  failures=$((failures + 1))
+}
+says() { grep -qF -- "$1" "$work/log/output" || fail "does not say \"$1\""; }
+called() { grep -qF -- "$1" "$work/log/calls" || fail "did not call \"$1\""; }
+not_called() { ! grep -q "^$1 " "$work/log/calls" || fail "called $1"; }
+
+needed="libtbb-dev libxsimd-dev libgtest-dev libgmock-dev libbenchmark-dev libcli11-dev libfmt-dev libgmp-dev nlohmann-json3-dev"
+
+scenario="another distribution, nothing installed"
+system
+run 1
+says "not found: c++ cmake ninja."
+says "no apt-get"
+says "oneTBB"
+not_called cmake
+
+scenario="another distribution, a library is missing: cmake names it"
+system c++ ninja
+stand_in cmake 'exit 1'
+run 1
+called "cmake --preset release"
+says "in all, the build needs a C++20 compiler"
+
+scenario="neither root nor sudo"
+system apt-get dpkg-query
+run 1
+says "only root can install them"
+says "  apt-get update && apt-get install --no-install-recommends g++ cmake ninja-build $needed libassimp-dev zlib1g-dev"
+not_called apt-get
+not_called cmake
+
+scenario="neither root nor sudo, only the mesh reader is missing"
+system apt-get dpkg-query c++ cmake ninja
+run 127 INSTALLED="$needed"  # 127: the stand-in for cmake built no program that could be run
+says "goes on without libassimp-dev zlib1g-dev"
+not_called apt-get
+called "cmake --build"
+
+scenario="sudo"
+system apt-get dpkg-query sudo c++ cmake ninja
+run 127
+called "sudo apt-get update"
+called "apt-get install -qy --no-install-recommends $needed libassimp-dev zlib1g-dev"
+called "cmake --build"
+
+scenario="sudo, but no network"
+system apt-get dpkg-query sudo c++ cmake ninja
+run 1 APT_RESULT=100
+says "could not be installed"
+says "Nothing was configured or built"
+says "  apt-get update && apt-get install --no-install-recommends $needed libassimp-dev zlib1g-dev"
+not_called cmake
+
+scenario="sudo, but no network, and only the mesh reader is missing"
+run 127 APT_RESULT=100 INSTALLED="$needed"
+says "goes on without libassimp-dev zlib1g-dev"
+called "cmake --build"
+
+scenario="everything installed"
+run 127 INSTALLED="$needed libassimp-dev zlib1g-dev"
+not_called apt-get
+not_called sudo
+called "cmake --build"
+
+[[ $failures -eq 0 ]] || exit 1
+echo "All scenarios as expected."
