@@ -1,0 +1,16 @@
+/// Stands in for mesh.cpp and isolated_mesh.cpp where the program is built without assimp.
+#include <fmt/format.h>
+
+#include "isolated_mesh.hpp"
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::cli {
+
+MeshScene load_mesh_isolated(const std::string& path, Grain /*grain*/) {
+  throw InvalidArgument(
+      fmt::format("{}: this program was built without assimp and reads no mesh files; install assimp (Debian: "
+                  "libassimp-dev and zlib1g-dev), then configure with SHAFTCULL_WITH_ASSIMP=ON and build again",
+                  path));
+}
+
+}  // namespace shaftcull::cli
