@@ -36,6 +36,19 @@ void form_each(benchmark::State& state, const Workload& workload, Formation form
   set_items(state);
 }
 
+/// Pair by pair, each with one call of compile(), as a program forms a shaft for one query. So does the paper's.
+void form_one(benchmark::State& state, const Workload& workload, Isa isa, bool with_planes) {
+  select_isa(isa);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < Workload::pairs; ++i) {
+      CompiledShaft shaft = compile(workload.a[i], workload.b[i]);
+      if (with_planes) complete(shaft);
+      benchmark::DoNotOptimize(shaft);
+    }
+  }
+  set_items(state);
+}
+
 struct PairStreams {
   explicit PairStreams(const Workload& workload)
       : a(std::span<const Box>(workload.a)), b(std::span<const Box>(workload.b)) {}
@@ -54,6 +67,18 @@ void declare_form(Suite& suite, const Workload& workload) {
   each("form/table64", paper, Formation::table64);
   each("form/table729", paper, Formation::table729);
 
+  for (const Isa each_isa : available_isas()) {
+    const std::string set(name(each_isa));
+    const auto one = [&](const std::string& row, bool with_planes, double ratio) {
+      suite.add(row + '/' + set, paper, [&workload, each_isa, with_planes](benchmark::State& state) {
+        form_one(state, workload, each_isa, with_planes);
+      });
+      if (each_isa >= Isa::avx2) suite.reach(row + '/' + set, paper, ratio);
+    };
+    one("form/one", false, 6.0);
+    one("form/one_with_planes", true, 1.0);
+  }
+
   const auto pairs = std::make_shared<const PairStreams>(workload);
   // Other benchmarks leave other instruction sets behind, in random order.
   const Isa isa = active_isa();
@@ -71,8 +96,8 @@ void declare_form(Suite& suite, const Workload& workload) {
 
   for (const double ratio : {10.0, 25.0}) suite.reach("form/batch", paper, ratio);
   suite.note(
-      "form/batch leaves joining planes pending, so its shafts are ready for slab form only; paper/form_table and "
-      "form/{runtime,table64,table729} make the planes");
+      "form/batch and form/one leave joining planes pending, so their shafts are ready for slab form only; "
+      "paper/form_table and form/{runtime,table64,table729,one_with_planes} make the planes");
 }
 
 }  // namespace shaftcull::bench

@@ -131,6 +131,10 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
                 0U);
     }
   }
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(allocations_in([&] { shafts_[0] = compile(boxes_[0], boxes_[1]); }), 0U) << name(isa);
+  }
   const BoxColumns boxes(boxes_);
   std::vector<CompiledShaft> out(100);
   EXPECT_EQ(allocations_in([&] {

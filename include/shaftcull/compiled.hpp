@@ -72,7 +72,7 @@ struct alignas(64) CompiledShaft {
   std::uint8_t added_near[3][max_added_planes];
   std::uint8_t added_far[3][max_added_planes];
 
-  /// Value of joining_count in a shaft from compile_batch(), whose planes nobody has asked for yet.
+  /// Value of joining_count in a shaft whose planes nobody has asked for yet, from compile_batch() or two boxes.
   static constexpr std::uint8_t planes_pending = 0xff;
   [[nodiscard]] bool has_planes() const noexcept { return joining_count != planes_pending; }
 };
@@ -80,6 +80,13 @@ static_assert(sizeof(CompiledShaft) <= 1024);
 
 /// Compiles a formed shaft. Never fails; a little longer than forming it takes, some 70 ns.
 [[nodiscard]] CompiledShaft compile(const Shaft& shaft) noexcept;
+
+/// Forms and compiles the shaft between boxes `a` and `b`, ready for queries in slab form: some 10 ns with AVX2.
+///
+/// It answers everything and equals compile(Shaft(a, b)), but for joining planes, which are left pending as those of
+/// compile_batch() are. Throws InvalidArgument as the constructor of Shaft does, if a box is not finite or has lo > hi.
+/// No allocation; safe to call from many threads.
+[[nodiscard]] CompiledShaft compile(const Box& a, const Box& b);
 
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
 ///

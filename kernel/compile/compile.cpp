@@ -45,6 +45,13 @@ CompiledShaft compile(const Shaft& shaft) noexcept {
   return compiled;
 }
 
+CompiledShaft compile(const Box& a, const Box& b) {
+  CompiledShaft compiled;
+  const bool is_formed = kernel::active_kernels().compile_pair(a, b, compiled);
+  if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
+  return compiled;
+}
+
 void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out) {
   if (a.count != b.count || a.count != out.size()) {
     throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +

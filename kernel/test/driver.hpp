@@ -1,6 +1,7 @@
 /// From views to words: blocks of whole words through the stages of a test, and the rest of the view through a copy.
 #pragma once
 
+#include "compile/pair.hpp"
 #include "shaftcull/cull.hpp"
 #include "simd/float_environment.hpp"
 #include "test/box_planes.hpp"
@@ -270,6 +271,7 @@ inline constexpr Kernels kernels_for = {
     .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
     .box_spheres = box_spheres<L>,
     .grid = grid_kernels<L>(),
+    .compile_pair = compile_pair<FormationLanes>,
     .compile_batch = compile_pairs<FormationLanes>,
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,

@@ -22,6 +22,9 @@ using BoxSpheres = void(const float* const* sphere, std::size_t count, float* co
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
 using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
 
+/// Forms the shaft of one pair of boxes. Returns false, and writes nothing, if a box is not finite with lo ≤ hi.
+using CompilePair = bool(const Box& a, const Box& b, CompiledShaft& out) noexcept;
+
 /// Tests `words` whole words of bounds, word i being those from stream[·][64 · word[i]] on. Writes their kept bits, and
 /// unless `inside` is null the inside bits of those words that keep `least_kept` bounds or more, zero for the
 /// others. The shaft must have its planes if `inside` is not null or the form or kind of bounds needs them.
@@ -126,6 +129,7 @@ struct Kernels {
   Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
   BoxSpheres* box_spheres;
   GridKernels grid;
+  CompilePair* compile_pair;
   CompileBatch* compile_batch;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "cases/shafts.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
+#include "cull/equal_shafts.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "shaftcull/compiled.hpp"
@@ -20,47 +20,6 @@
 
 namespace shaftcull {
 namespace {
-
-/// The bits of a range of plain members, so that −0 and 0 differ and a difference can be shown.
-template <class T, std::size_t N>
-std::vector<std::uint32_t> bits(const T (&values)[N], std::size_t count = N) {
-  std::vector<std::uint32_t> bits;
-  for (std::size_t i = 0; i != count; ++i) {
-    if constexpr (std::is_same_v<T, float>) {
-      bits.push_back(std::bit_cast<std::uint32_t>(values[i]));
-    } else {
-      bits.push_back(values[i]);
-    }
-  }
-  return bits;
-}
-
-void expect_equal(const CompiledShaft& batch, const CompiledShaft& single) {
-  EXPECT_EQ(bits(batch.slab_scale), bits(single.slab_scale));
-  EXPECT_EQ(bits(batch.slab_shift), bits(single.slab_shift));
-  EXPECT_EQ(batch.slab_margin, single.slab_margin);
-  EXPECT_EQ(bits(batch.slab_near), bits(single.slab_near));
-  EXPECT_EQ(batch.slab_uppers, single.slab_uppers);
-  EXPECT_EQ(batch.slab_form, single.slab_form);
-  EXPECT_EQ(batch.a, single.a);
-  EXPECT_EQ(batch.b, single.b);
-  EXPECT_EQ(batch.reach, single.reach);
-  EXPECT_EQ(batch.added_count, single.added_count);
-  EXPECT_EQ(batch.answers_outside, single.answers_outside);
-  EXPECT_EQ(batch.answers_inside, single.answers_inside);
-  EXPECT_EQ(batch.answers_spheres, single.answers_spheres);
-  EXPECT_EQ(bits(batch.face), bits(single.face));
-  ASSERT_EQ(batch.joining_count, single.joining_count);
-  const std::size_t planes = single.joining_count;
-  EXPECT_EQ(bits(batch.joining_normal0, planes), bits(single.joining_normal0, planes));
-  EXPECT_EQ(bits(batch.joining_normal1, planes), bits(single.joining_normal1, planes));
-  EXPECT_EQ(bits(batch.joining_minus_offset, planes), bits(single.joining_minus_offset, planes));
-  EXPECT_EQ(batch.joining_margin, single.joining_margin);
-  EXPECT_EQ(bits(batch.joining_near0, planes), bits(single.joining_near0, planes));
-  EXPECT_EQ(bits(batch.joining_near1, planes), bits(single.joining_near1, planes));
-  EXPECT_EQ(bits(batch.joining_far0, planes), bits(single.joining_far0, planes));
-  EXPECT_EQ(bits(batch.joining_far1, planes), bits(single.joining_far1, planes));
-}
 
 void expect_batch(const std::vector<Box>& a, const std::vector<Box>& b) {
   const BoxColumns a_memory(a);

@@ -40,7 +40,7 @@ std::vector<std::uint64_t> all_words(const Subject& subject, const View& bounds,
   std::vector<std::uint64_t> kept(words_for(bounds.count));
   std::vector<std::uint64_t> inside(kept);
   const auto note = [&](const std::vector<std::uint64_t>& row) { words.insert(words.end(), row.begin(), row.end()); };
-  for (const CompiledShaft& each : {shaft, batch[0], batch[8]}) {
+  for (const CompiledShaft& each : {shaft, compile(subject.a, subject.b), batch[0], batch[8]}) {
     for (const Form form : {Form::slab, Form::planes}) {
       classify(each, bounds, kept, inside, form);
       note(kept);

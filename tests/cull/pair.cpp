@@ -1,0 +1,149 @@
+/// compile() of two boxes makes the same shaft as forming and compiling it in two steps.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/shafts.hpp"
+#include "columns.hpp"
+#include "cull/agreement.hpp"
+#include "cull/equal_shafts.hpp"
+#include "dice.hpp"
+#include "instruction_sets.hpp"
+#include "message_of.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Compares the shaft of a pair, before and after its planes are made, with that of Shaft.
+void expect_pair(const Subject& subject) {
+  const CompiledShaft expected = compile(Shaft(subject.a, subject.b));
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    SCOPED_TRACE(std::string(name(isa)) + ": " + source_text(subject));
+    CompiledShaft shaft = compile(subject.a, subject.b);
+    EXPECT_FALSE(shaft.has_planes());
+    complete(shaft);
+    expect_equal(shaft, expected);
+  }
+}
+
+template <class MakeSubject>
+void expect_pairs(std::uint64_t seed, const MakeSubject& subject, int pairs = 2000) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Dice dice(seed);
+  for (int i = 0; i != pairs && !testing::Test::HasFailure(); ++i) expect_pair(subject(dice));
+}
+
+TEST(CompilePair, RandomBoxes) { expect_pairs(81, random_subject); }
+
+TEST(CompilePair, BoxesOnAGrid) {
+  expect_pairs(82, [](Dice& dice) { return grid_subject(dice, 3); });
+}
+
+TEST(CompilePair, EqualContainedTouchingFlatBoxesAndPoints) { expect_pairs(83, degenerate_subject); }
+
+TEST(CompilePair, FacesThatNearlyCoincide) { expect_pairs(84, nearly_equal_subject); }
+
+TEST(CompilePair, BoxesFarFromTheOrigin) {
+  expect_pairs(85, [](Dice& dice) { return distant_subject(dice, std::exp2(dice.uniform(5, 25))); });
+}
+
+TEST(CompilePair, CoordinatesOfEveryMagnitude) {
+  expect_pairs(86, [](Dice& dice) { return wild_subject(dice); });
+}
+
+TEST(CompilePair, DenormalCoordinates) {
+  expect_pairs(87, [](Dice& dice) { return wild_subject(dice, -149, -127); });
+}
+
+TEST(CompilePair, HugeCoordinates) {
+  expect_pairs(88, huge_subject);
+  expect_pairs(89, [](Dice& dice) { return wild_subject(dice, 120, 127); });
+}
+
+/// Around the limits between the fused, the difference and the exact form.
+TEST(CompilePair, MagnitudesAroundTheLimitsOfForms) {
+  for (const int exponent : {-126, -61, -60, 59, 60, 124, 125}) {
+    expect_pairs(
+        90, [&](Dice& dice) { return wild_subject(dice, exponent - 1, exponent + 1); }, 300);
+  }
+}
+
+TEST(CompilePair, EveryColouringOfTheFaces) {
+  for (unsigned colouring = 0; colouring != colourings; ++colouring) expect_pair(coloured_subject(colouring));
+}
+
+TEST(CompilePair, ZerosOfBothSigns) {
+  expect_pairs(91, [](Dice& dice) {
+    const auto zero = [&] { return dice.one_in(2) ? 0.0F : -0.0F; };
+    Subject subject = grid_subject(dice, 1);
+    for (Box* box : {&subject.a, &subject.b}) {
+      for (std::size_t k = 0; k != 3; ++k) {
+        if (box->lo[k] == 0) box->lo[k] = zero();
+        if (box->hi[k] == 0) box->hi[k] = zero();
+      }
+    }
+    return subject;
+  });
+}
+
+TEST(CompilePair, AnswersWhatShaftAnswers) {
+  Dice dice(92);
+  std::vector<Box> boxes;
+  for (int i = 0; i != 300; ++i) boxes.push_back(dice.box(-5, 5, 0.05F, 1.0F));
+  const BoxColumns memory(boxes);
+  const auto answers = [&](const CompiledShaft& shaft, Form form) {
+    std::vector<std::uint64_t> kept(words_for(boxes.size()));
+    std::vector<std::uint64_t> inside(words_for(boxes.size()));
+    classify(shaft, memory.view(), kept, inside, form);
+    return std::pair(kept, inside);
+  };
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (int i = 0; i != 50; ++i) {
+      const Subject subject = random_subject(dice);
+      for (const Form form : {Form::slab, Form::planes}) {
+        EXPECT_EQ(answers(compile(subject.a, subject.b), form), answers(compile(Shaft(subject.a, subject.b)), form));
+      }
+    }
+  }
+}
+
+TEST(CompilePair, ABadBoxIsRefusedAsShaftRefusesIt) {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  const Box good{{-1, -1, -1}, {1, 1, 1}};
+  std::vector<Box> bad;
+  for (std::size_t k = 0; k != 3; ++k) {
+    for (const float value : {std::nanf(""), inf, -inf}) {
+      bad.insert(bad.end(), {good, good});
+      bad[bad.size() - 2].lo[k] = value;
+      bad.back().hi[k] = value;
+    }
+    bad.push_back(good);
+    bad.back().lo[k] = 1.5F;
+  }
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Box& box : bad) {
+      for (const bool is_first : {true, false}) {
+        const Subject subject = is_first ? Subject{box, good} : Subject{good, box};
+        SCOPED_TRACE(source_text(subject));
+        EXPECT_EQ(message_of([&] { static_cast<void>(compile(subject.a, subject.b)); }),
+                  message_of([&] { static_cast<void>(Shaft(subject.a, subject.b)); }));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
