@@ -3,7 +3,9 @@
 
 #include <array>
 
-namespace shaftcull {
+#include "shaftcull/export.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// A point or a vector: x, y, z.
 using Vec3 = std::array<float, 3>;

@@ -6,10 +6,11 @@
 #include <span>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
 ///

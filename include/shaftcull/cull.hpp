@@ -11,9 +11,10 @@
 #include <span>
 
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/streams.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Which form of the shaft decides *outside*. Answers are the same; speed is not.
 enum class Form : std::uint8_t {

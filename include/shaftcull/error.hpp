@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace shaftcull {
+#include "shaftcull/export.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// An argument broke a rule of the function that was called; nothing was changed.
 class InvalidArgument : public std::invalid_argument {

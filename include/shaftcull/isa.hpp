@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-namespace shaftcull {
+#include "shaftcull/export.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 enum class Isa : std::uint8_t { scalar, sse4_2, avx2, avx512 };
 

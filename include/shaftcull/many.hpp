@@ -14,10 +14,11 @@
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Bits: row s (words_for(bounds.count) words, rows one behind the other) gets what cull(shafts[s], …) gives.
 /// No allocation into anything but oneTBB's own task memory.

@@ -14,11 +14,12 @@
 #include <vector>
 
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Leaves [first, first + size) of a tree: bounds order()[first] and so on.
 template <BoundIndex Index>

@@ -10,11 +10,12 @@
 #include <type_traits>
 
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/streams.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Writes those of `candidates` that the shaft keeps, in their order, and returns how many there are. Candidates
 /// are positions in the view; for BoundsTree::leaves() these are leaves. `kept` needs room for all of them and may be

@@ -13,8 +13,9 @@
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/export.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// How the edges that need a joining plane are found. All give the same shaft.
 enum class Formation : std::uint8_t {

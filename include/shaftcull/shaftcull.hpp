@@ -5,6 +5,7 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"

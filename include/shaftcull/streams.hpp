@@ -9,8 +9,9 @@
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/export.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Number of 64-bit words that hold one bit for each of `bounds` bounds: word w, bit i is bound 64 w + i.
 [[nodiscard]] constexpr std::size_t words_for(std::size_t bounds) noexcept { return bounds / 64 + (bounds % 64 != 0); }

@@ -8,15 +8,16 @@
 #include <type_traits>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
-namespace shaftcull {
-
-namespace kernel {
+namespace shaftcull::kernel {
 template <class Bound, class Index>
 struct TreeParts;
-}  // namespace kernel
+}  // namespace shaftcull::kernel
+
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Many bounds of one kind, in streams and in records.
 template <class Bound>

@@ -11,7 +11,7 @@
 #include "run/task_memory.hpp"
 #include "shaftcull/many.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 /// What a task lists, of its first shaft, then of the second, …: positions within its block.

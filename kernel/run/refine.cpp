@@ -12,7 +12,7 @@
 #include "run/parallel.hpp"
 #include "shaftcull/error.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 template <class View>

@@ -6,7 +6,7 @@
 #include "run/parallel.hpp"
 #include "tree/query.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 using kernel::piece;

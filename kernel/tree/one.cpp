@@ -1,7 +1,7 @@
 /// One shaft against a tree, into the caller's memory.
 #include "tree/query.hpp"
 
-namespace shaftcull {
+namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 using kernel::IndexList;
