@@ -1,12 +1,13 @@
 # Configures a small project that asks for libraries that are missing, broken, too old or sound, and reads what is printed.
-# Given: PROJECT_CMAKE (the folder cmake/ of the project), WORK.
+# Given: PROJECT_CMAKE (the folder cmake/ of the project), WORK, GENERATOR.
 cmake_minimum_required(VERSION 3.22)
 
 # expect(KIND RESULT text): configuring with KIND ends with RESULT (0 or 1) and prints text, on however many lines.
 function(expect kind expected text)
   file(REMOVE_RECURSE ${WORK})
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK} -D KIND=${kind} -D PROJECT_CMAKE=${PROJECT_CMAKE}
+    COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK} -G ${GENERATOR} -D KIND=${kind}
+            -D PROJECT_CMAKE=${PROJECT_CMAKE}
     RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   string(REGEX REPLACE "[ \n]+" " " one_line "${output}")
   string(FIND "${one_line}" "${text}" at)
