@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace shaftcull::kernel {
@@ -13,6 +14,11 @@ inline std::string text(float number) {
   char digits[32];
   const std::to_chars_result written = std::to_chars(digits, digits + sizeof digits, number);
   return {digits, written.ptr};
+}
+
+/// "1 word", "2 words".
+inline std::string counted(std::size_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 }  // namespace shaftcull::kernel

@@ -8,11 +8,11 @@
 
 namespace shaftcull {
 
-/// Those that this run is about: the one that SHAFTCULL_ISA names; on an emulated processor (emulated.cmake) the one that
-/// the library picks by itself; else all there are.
+/// Those that this run is about: the one that SHAFTCULL_ISA names, if it can be used; on an emulated processor
+/// (emulated.cmake) the one that the library picks by itself; else all there are.
 inline std::vector<Isa> isas_under_test() {
-  const char* const forced = std::getenv("SHAFTCULL_ISA");
-  if (forced != nullptr && *forced != '\0') return {isa_from_name(forced).value()};
+  const IsaChoice choice = isa_choice();
+  if (!choice.asked.empty() && choice.refusal.empty()) return {isa_from_name(choice.asked).value()};
   return std::getenv("SHAFTCULL_EXPECTED_ISA") != nullptr ? std::vector<Isa>{active_isa()} : available_isas();
 }
 

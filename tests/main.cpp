@@ -26,6 +26,10 @@ bool lacks_instruction_set(const char* text) {
 int main(int argc, char** argv) {
   testing::InitGoogleMock(&argc, argv);
   const char* const isa = std::getenv("SHAFTCULL_ISA");
+  if (isa != nullptr && *isa != '\0' && !shaftcull::isa_from_name(isa)) {
+    std::cout << shaftcull::isa_choice().refusal << ".\n";
+    return 1;
+  }
   if (isa != nullptr && lacks_instruction_set(isa)) {
     std::cout << "Skipped: this machine does not have " << isa << ".\n";
     return skipped;

@@ -14,7 +14,8 @@ void InstructionSet::add_option(CLI::App& subcommand) {
 
 void InstructionSet::select() const {
   if (name_.empty()) {
-    (void)active_isa();
+    const IsaChoice choice = isa_choice();
+    if (!choice.refusal.empty()) fmt::print(stderr, "shaftcull: {}; using {}\n", choice.refusal, name(choice.running));
     return;
   }
   const auto isa = isa_from_name(name_);

@@ -1,4 +1,4 @@
-/// The option --isa, and the check of SHAFTCULL_ISA that every subcommand makes before it starts.
+/// The option --isa, and what every subcommand says before it starts if SHAFTCULL_ISA cannot be followed.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace shaftcull::cli {
 class InstructionSet {
  public:
   void add_option(CLI::App& subcommand);
-  /// Selects what was asked for. Throws InvalidArgument if this machine does not have it, or if
-  /// nothing was asked for and SHAFTCULL_ISA is not usable.
+  /// Selects what the option asks for, and throws InvalidArgument if this machine does not have it. Without the option
+  /// SHAFTCULL_ISA counts; if that cannot be followed, standard error says so, and the best there is is used.
   void select() const;
 
  private:

@@ -24,7 +24,9 @@ constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_be
 std::string version() {
   std::string isas;
   for (const shaftcull::Isa isa : shaftcull::available_isas()) isas += fmt::format(" {}", shaftcull::name(isa));
-  return fmt::format("shaftcull {} (this machine runs:{})", SHAFTCULL_VERSION, isas);
+  const shaftcull::IsaChoice choice = shaftcull::isa_choice();
+  return fmt::format("shaftcull {} (this machine runs:{}; in use: {}{}{})", SHAFTCULL_VERSION, isas,
+                     shaftcull::name(choice.running), choice.refusal.empty() ? "" : "; ", choice.refusal);
 }
 
 /// Reports an error in a single line, whatever the text that others gave us looks like.

@@ -41,7 +41,6 @@ constexpr std::size_t chunk_trials = 32;
 constexpr std::uint64_t most_reproducers = 20;
 
 std::vector<Isa> isas_of(const VerifyOptions& options) {
-  static_cast<void>(active_isa());  // rejects a SHAFTCULL_ISA that cannot be used
   if (options.isas.empty()) return isas_under_test();
   const std::vector<Isa> available = available_isas();
   std::string names;

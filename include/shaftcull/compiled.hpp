@@ -14,6 +14,9 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
 ///
+/// A default one was *never formed*: it is valid to copy, to assign to and to complete(), and every query refuses it with
+/// InvalidArgument, by its position among many. So an array or a vector of them can be made first and filled later.
+///
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
 /// Arrays are plain so that kernels touch no inline function of the standard library (kernel/test/README.md).
 ///
@@ -29,6 +32,14 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// A computed value within its margin of 0 is undecided, and the kernel asks the exact predicates, which
 /// start again from the boxes a and b.
 struct alignas(64) CompiledShaft {
+  /// Never formed. Coefficients are not written.
+#if defined(__GNUC__)
+  [[gnu::always_inline]]  // or units of different instruction sets would each have a copy that the linker may keep
+#endif
+  CompiledShaft() noexcept
+      : joining_count(0), added_count(0), answers_outside(false), answers_inside(false), answers_spheres(false) {
+  }
+
   /// How the slab constraints are evaluated.
   enum class SlabForm : std::uint8_t {
     fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the leading face

@@ -26,8 +26,9 @@ enum class Form : std::uint8_t {
 /// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft. Bits past
 /// bounds.count in the last word are zero.
 ///
-/// `kept` must have exactly words_for(bounds.count) words, else InvalidArgument; likewise if the shaft was formed
-/// without the answer asked for. O(count); no allocation; safe to call from many threads.
+/// `kept` must have exactly words_for(bounds.count) words, else InvalidArgument; likewise if the shaft was never formed or
+/// formed without the answer asked for, if a stream or span is null that is not empty, or if `form` is none of Form.
+/// Nothing is written then. O(count); no allocation; safe to call from many threads.
 void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form = Form::fastest);
 void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form = Form::fastest);
 

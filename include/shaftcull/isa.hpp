@@ -2,11 +2,16 @@
 ///
 /// The best one that the processor *and* the operating system support is taken at the first call that
 /// needs one. The environment variable SHAFTCULL_ISA (scalar, sse4_2, avx2 or avx512) or select_isa()
-/// forces another. Answers do not depend on the choice; only speed does.
+/// forces another. A variable that cannot be followed is not an error, since a user may have set it for another program
+/// or another machine: the best one is taken, and isa_choice() says why. Answers do not depend on the choice; only speed does.
+///
+/// The choice is about the tests and formation, and the loops that count and list their bits. Packing streams and
+/// checking records use SSE2 on x86-64 whatever is chosen, since every such processor has it.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,18 +21,26 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 enum class Isa : std::uint8_t { scalar, sse4_2, avx2, avx512 };
 
-/// "scalar", "sse4_2", "avx2" (which includes FMA, BMI and BMI2) or "avx512" (those and F, CD, DQ, BW and VL).
+/// "scalar", "sse4_2", "avx2" (which includes FMA, BMI and BMI2) or "avx512" (those and F, CD, DQ, BW and VL); "unknown" for
+/// a value that is no enumerator.
 [[nodiscard]] std::string_view name(Isa isa) noexcept;
 
-/// The instruction set of that name, or nothing.
+/// The instruction set of that name, in upper or lower case, or nothing.
 [[nodiscard]] std::optional<Isa> isa_from_name(std::string_view text) noexcept;
 
 /// What this build has kernels for and this machine can run, slowest first; never empty.
 [[nodiscard]] std::vector<Isa> available_isas();
 
 /// What calls use from now on, in every thread.
-/// Throws InvalidArgument if SHAFTCULL_ISA names an unknown or unavailable instruction set.
-[[nodiscard]] Isa active_isa();
+[[nodiscard]] Isa active_isa() noexcept;
+
+/// What was asked for, and what runs.
+struct IsaChoice {
+  std::string asked;   ///< SHAFTCULL_ISA as it is now; empty if it is not set
+  std::string refusal; ///< why SHAFTCULL_ISA cannot be followed, with a list of what there is; empty if it can, or is not set
+  Isa running;         ///< active_isa()
+};
+[[nodiscard]] IsaChoice isa_choice();
 
 /// Uses `isa` from now on, in every thread; wins over SHAFTCULL_ISA. Safe to call at any time: a call that
 /// is under way goes on with the instruction set it began with.

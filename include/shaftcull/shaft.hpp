@@ -62,7 +62,8 @@ inline constexpr std::size_t max_added_planes = 16;
 class Shaft {
  public:
   /// The shaft between boxes `a` and `b`. Both must be finite with lo ≤ hi; points, flat, equal, nested and
-  /// touching boxes are legal. Throws InvalidArgument otherwise, or if options ask for no answer at all.
+  /// touching boxes are legal. Throws InvalidArgument otherwise, if options ask for no answer at all, or if one of them
+  /// is no enumerator of its type.
   Shaft(const Box& a, const Box& b, const ShaftOptions& options = {});
 
   /// Adds a half-space that bounds must also meet: an emitter's or receiver's plane, a clip plane. A bound
@@ -90,7 +91,8 @@ class Shaft {
   std::uint8_t added_count_ = 0;
 };
 
-/// Volume of the part of box `box` that `plane` (one zero normal component) cuts off.
-[[nodiscard]] double culled_volume(const Box& box, const JoiningPlane& plane) noexcept;
+/// Volume of the part of box `box` that `plane` (one zero normal component) cuts off. Throws InvalidArgument if its faces
+/// are not two neighbouring ones of 0 to 5.
+[[nodiscard]] double culled_volume(const Box& box, const JoiningPlane& plane);
 
 }  // namespace shaftcull

@@ -18,8 +18,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// `count` boxes in the user's memory as six separate streams of floats: lo x, lo y, lo z, hi x, hi y, hi z.
 ///
-/// Any alignment of a float, any count from 0 up (streams of an empty view may be null); nothing past
-/// `count` is read. The memory is the user's and must outlive the call it is passed to.
+/// Any alignment of a float, any count from 0 up; nothing past `count` is read. Streams of an empty view may be null; a
+/// call that gets a null stream and a count above 0 throws InvalidArgument. The memory is the user's and must outlive the call it is passed to.
 /// Values are not checked: a NaN coordinate never culls and never makes a box inside; a box with lo > hi that
 /// is not the empty box gets an unspecified answer, the same on every instruction set.
 struct BoxView {
@@ -38,8 +38,8 @@ struct BoxView {
 };
 
 /// `count` spheres in the user's memory as four streams of floats: centre x, y, z and radius. As BoxView.
-/// Values are not checked: a sphere with a NaN anywhere is never culled by that value and never inside; a negative radius
-/// gets an unspecified answer, the same on every instruction set.
+/// Values are not checked: a sphere with a NaN anywhere is never culled by that value and never inside. A
+/// sphere with a negative radius is *empty*: outside of every shaft, and never inside.
 struct SphereView {
   std::array<const float*, 4> stream{};
   std::size_t count = 0;
@@ -143,11 +143,11 @@ class BoxStream {
 };
 
 /// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and at most 64 spheres of padding.
-/// As BoxStream; packing rejects NaN and negative radii.
+/// As BoxStream; packing rejects NaN and negative radii, and so does a tree: update() empty spheres first.
 class SphereStream {
  public:
   SphereStream() noexcept = default;
-  /// `count` spheres of radius 0 at the origin.
+  /// `count` empty spheres: of radius −1, which no shaft keeps.
   explicit SphereStream(std::size_t count);
   explicit SphereStream(std::span<const Sphere> spheres);
   explicit SphereStream(const SphereRecords& spheres);

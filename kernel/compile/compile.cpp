@@ -2,6 +2,7 @@
 
 #include "compile/planes.hpp"
 #include "compile/slab.hpp"
+#include "run/arguments.hpp"
 #include "shaftcull/compiled.hpp"
 #include "simd/float_environment.hpp"
 #include "simd/scalar.hpp"
@@ -57,6 +58,9 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
     throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
                           std::to_string(a.count) + ", " + std::to_string(b.count) + " and " + std::to_string(out.size()));
   }
+  kernel::require_view(a);
+  kernel::require_view(b);
+  kernel::require_memory("out", out, "shafts");
   if (!kernel::active_kernels().compile_batch(a.stream.data(), b.stream.data(), a.count, out.data())) {
     reject_first_bad_pair(a, b);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "formation/rule.hpp"
 #include "formation/trimmed_box.hpp"
@@ -93,7 +94,12 @@ void sort_planes(const Box& a, const Box& b, PlaneOrder order, std::span<Joining
 
 }  // namespace kernel
 
-double culled_volume(const Box& box, const JoiningPlane& plane) noexcept {
+double culled_volume(const Box& box, const JoiningPlane& plane) {
+  if (plane.red >= kernel::face_count || plane.blue >= kernel::face_count ||
+      kernel::axis_of(plane.red) == kernel::axis_of(plane.blue)) {
+    throw InvalidArgument("culled_volume: faces red = " + std::to_string(plane.red) + " and blue = " +
+                          std::to_string(plane.blue) + " do not meet in an edge; faces are 0 to 5, and f and f + 3 opposite");
+  }
   const kernel::Faces6 faces = kernel::positions(box);
   const unsigned i = kernel::axis_of(plane.red);
   const unsigned j = kernel::axis_of(plane.blue);

@@ -47,6 +47,9 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
   if (!options.outside && !options.inside) {
     throw InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both");
   }
+  if (options.order > PlaneOrder::by_added_volume) {
+    throw InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume");
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     box_.lo[k] = std::min(a.lo[k], b.lo[k]);
     box_.hi[k] = std::max(a.hi[k], b.hi[k]);

@@ -1,5 +1,6 @@
 #include "shaftcull/isa.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
@@ -17,9 +18,11 @@ constexpr std::array<std::string_view, 4> names = {"scalar", "sse4_2", "avx2", "
 /// Whether the processor has the instructions and the operating system saves the registers.
 bool machine_runs(Isa isa) noexcept {
   switch (isa) {
-    case Isa::scalar: return true;
+    case Isa::scalar:
+      return true;
 #ifdef __x86_64__
-    case Isa::sse4_2: return __builtin_cpu_supports("sse4.2");
+    case Isa::sse4_2:
+      return __builtin_cpu_supports("sse4.2");
     case Isa::avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
              __builtin_cpu_supports("bmi2");
@@ -28,7 +31,8 @@ bool machine_runs(Isa isa) noexcept {
              __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
              __builtin_cpu_supports("avx512vl") && machine_runs(Isa::avx2);
 #endif
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -43,36 +47,37 @@ std::string list_of_available() {
 /// All there are, the better ones later.
 constexpr Isa all_isas[] = {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512};
 
-/// The choice of the environment, or the best there is. Allocates for an exception only: it is part of the first call.
-Isa initial_isa() {
+/// What SHAFTCULL_ISA says, or nothing.
+std::string_view asked_for() noexcept {
   const char* text = std::getenv("SHAFTCULL_ISA");
-  if (text == nullptr || *text == '\0') {
-    Isa best = Isa::scalar;
-    for (const Isa isa : all_isas) best = available(isa) ? isa : best;
-    return best;
-  }
-  const std::optional<Isa> wanted = isa_from_name(text);
-  if (!wanted) {
-    throw InvalidArgument("SHAFTCULL_ISA=" + std::string(text) + " is not an instruction set; this machine has " +
-                          list_of_available());
-  }
-  if (!available(*wanted)) {
-    throw InvalidArgument("SHAFTCULL_ISA=" + std::string(text) + " is not available here; this machine has " +
-                          list_of_available());
-  }
-  return *wanted;
+  return text == nullptr ? std::string_view() : std::string_view(text);
 }
 
+/// The choice of the environment if there is one that can be followed, else the best there is.
+Isa initial_isa() noexcept {
+  const std::optional<Isa> wanted = isa_from_name(asked_for());
+  if (wanted && available(*wanted)) return *wanted;
+  Isa best = Isa::scalar;
+  for (const Isa isa : all_isas) best = available(isa) ? isa : best;
+  return best;
+}
+
+constexpr char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 constexpr int not_chosen = -1;
-std::atomic<int> chosen = not_chosen;
+constinit std::atomic<int> chosen = not_chosen;
 
 }  // namespace
 
-std::string_view name(Isa isa) noexcept { return names[static_cast<std::size_t>(isa)]; }
+std::string_view name(Isa isa) noexcept {
+  const auto i = static_cast<std::size_t>(isa);
+  return i < names.size() ? names[i] : "unknown";
+}
 
 std::optional<Isa> isa_from_name(std::string_view text) noexcept {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == text) return static_cast<Isa>(i);
+    const auto same = [](char a, char b) { return a == lower(b); };
+    if (std::equal(names[i].begin(), names[i].end(), text.begin(), text.end(), same)) return static_cast<Isa>(i);
   }
   return std::nullopt;
 }
@@ -85,7 +90,7 @@ std::vector<Isa> available_isas() {
   return isas;
 }
 
-Isa active_isa() {
+Isa active_isa() noexcept {
   int isa = chosen.load(std::memory_order_relaxed);
   if (isa == not_chosen) {
     const int first = static_cast<int>(initial_isa());
@@ -93,6 +98,17 @@ Isa active_isa() {
     isa = chosen.compare_exchange_strong(isa, first, std::memory_order_relaxed) ? first : isa;
   }
   return static_cast<Isa>(isa);
+}
+
+IsaChoice isa_choice() {
+  IsaChoice choice{std::string(asked_for()), {}, active_isa()};
+  if (choice.asked.empty()) return choice;
+  const std::optional<Isa> wanted = isa_from_name(choice.asked);
+  if (wanted && available(*wanted)) return choice;
+  choice.refusal = "SHAFTCULL_ISA=" + choice.asked +
+                   (wanted ? " is not available here" : " is not an instruction set") + "; this machine has " +
+                   list_of_available();
+  return choice;
 }
 
 void select_isa(Isa isa) {
@@ -109,7 +125,7 @@ void select_isa(Isa isa) {
 
 namespace kernel {
 
-const Kernels& active_kernels() { return *kernels_of(active_isa()); }
+const Kernels& active_kernels() noexcept { return *kernels_of(active_isa()); }
 
 }  // namespace kernel
 }  // namespace shaftcull

@@ -22,7 +22,7 @@ void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t
 template <class View>
 void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept, Form form) {
   const kernel::Job<View> job(shafts, bounds, false, form);
-  kernel::require_rows("kept_rows", kept.size(), shafts.size(), job.row_words());
+  kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   write_bits(job, kept.data(), nullptr);
 }
 
@@ -30,8 +30,8 @@ template <class View>
 void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept,
                    std::span<std::uint64_t> inside, Form form) {
   const kernel::Job<View> job(shafts, bounds, true, form);
-  kernel::require_rows("kept_rows", kept.size(), shafts.size(), job.row_words());
-  kernel::require_rows("inside_rows", inside.size(), shafts.size(), job.row_words());
+  kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
+  kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
   write_bits(job, kept.data(), inside.data());
 }
 

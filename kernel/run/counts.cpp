@@ -13,10 +13,7 @@ namespace {
 template <class View>
 void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> counts, Form form) {
   const kernel::Job<View> job(shafts, bounds, false, form);
-  if (counts.size() != shafts.size()) {
-    throw InvalidArgument("kept_counts has room for " + std::to_string(counts.size()) + " counts; " +
-                          std::to_string(shafts.size()) + " shafts need one each");
-  }
+  kernel::require_counts(counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {

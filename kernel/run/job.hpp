@@ -4,15 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <type_traits>
 
 #include "fetch.hpp"
+#include "run/arguments.hpp"
 #include "run/cut.hpp"
 #include "run/group.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/error.hpp"
 #include "shaftcull/streams.hpp"
 #include "test/kernels.hpp"
 #include "test/word.hpp"
@@ -34,9 +33,12 @@ struct Rows {
 template <class View>
 class Job {
  public:
-  /// Throws InvalidArgument, naming the first shaft that does not answer what is asked.
+  /// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
   Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
       : shafts_(shafts), bounds_(bounds), kernels_(active_kernels()), form_(form) {
+    require_memory("shafts", shafts, "shafts");
+    require_form(form);
+    require_view(bounds);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       require_answers(shafts[s], true, inside, is_sphere, s);
     }
@@ -184,13 +186,5 @@ class Job {
   Form form_;
   GroupOnGrid only_group_;  // if there is only one, it is formed once for all tasks
 };
-
-/// Throws InvalidArgument unless the span called `what` has `rows` rows of `row_words` words.
-inline void require_rows(const char* what, std::size_t size, std::size_t rows, std::size_t row_words) {
-  if (size == rows * row_words) return;
-  throw InvalidArgument(std::string(what) + " has " + std::to_string(size) + " words; " + std::to_string(rows) +
-                        " shafts times words_for(bounds.count) = " + std::to_string(row_words) + " words need " +
-                        std::to_string(rows * row_words));
-}
 
 }  // namespace shaftcull::kernel

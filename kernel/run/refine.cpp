@@ -23,6 +23,7 @@ constexpr std::size_t fetched_candidates = 16;
 
 template <class View, class Index>
 void require_candidates(const View& view, std::span<const Index> candidates) {
+  kernel::require_memory("candidates", candidates, "indices");
   Index most = 0;
   for (const Index candidate : candidates) most = std::max(most, candidate);
   if (candidates.empty() || most < view.count) return;
@@ -53,6 +54,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
     throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) +
                           " indices; it needs as much as the " + std::to_string(candidates.size()) + " candidates");
   }
+  kernel::require_memory("kept", kept, "indices");
   CompiledShaft ready = shaft;  // planes once, not block by block
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
   constexpr std::size_t block = 1024;
@@ -80,6 +82,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
 template <class View, class Index>
 void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
                   IndexListsOf<Index>& lists) {
+  kernel::require_view(view);
   require_candidates(view, candidates);
   const StreamMemory memory(rows_of<View>, words_for(candidates.size()) * 64);
   View packed;

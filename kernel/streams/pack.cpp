@@ -110,8 +110,9 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
   const FloatEnvironment<PackEnvironment> environment;
   const std::size_t count = reader.count();
   if (first > size || count > size - first) {
-    throw InvalidArgument("update of " + std::string(Reader::nouns) + " [" + std::to_string(first) + ", " +
-                          std::to_string(first + count) + ") does not fit a stream of " + std::to_string(size));
+    throw InvalidArgument("update of " + std::to_string(count) + " " + (count == 1 ? Reader::noun : Reader::nouns) +
+                          " from position " + std::to_string(first) + " on does not fit a stream of " +
+                          std::to_string(size));
   }
   require_legal(reader);
   float* row[Reader::rows];
@@ -138,13 +139,13 @@ void pack(const SphereRecords& records, std::size_t first, std::size_t size, con
 MinMaxRecords records(std::span<const Box> boxes) noexcept {
   // The address of a member of the first box, without touching a box that is not there.
   const auto* const start = reinterpret_cast<const std::byte*>(boxes.data());
-  if (start == nullptr) return {};
+  if (start == nullptr) return {nullptr, nullptr, sizeof(Box), boxes.size()};  // refused unless it is empty
   return {start + offsetof(Box, lo), start + offsetof(Box, hi), sizeof(Box), boxes.size()};
 }
 
 SphereRecords records(std::span<const Sphere> spheres) noexcept {
   const auto* const start = reinterpret_cast<const std::byte*>(spheres.data());
-  if (start == nullptr) return {};
+  if (start == nullptr) return {nullptr, nullptr, sizeof(Sphere), spheres.size()};
   return {start + offsetof(Sphere, centre), start + offsetof(Sphere, radius), sizeof(Sphere), spheres.size()};
 }
 

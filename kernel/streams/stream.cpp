@@ -14,7 +14,7 @@ constexpr std::align_val_t cache_line{64};
 // What lies in the padding, and in a stream that nothing was packed into yet.
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float empty_box[6] = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
-constexpr float point[4] = {0, 0, 0, 0};
+constexpr float empty_sphere[4] = {0, 0, 0, -1};
 
 /// `count` rounded up to whole words of answers, so that kernels may read full vectors to the end.
 std::size_t padded_length(std::size_t count) {
@@ -97,13 +97,13 @@ BoxView BoxStream::view() const noexcept {
 }
 
 SphereStream::SphereStream(std::size_t count) : memory_(sphere_memory(count)), size_(count) {
-  fill_from(memory_, 0, point);
+  fill_from(memory_, 0, empty_sphere);
 }
 
 SphereStream::SphereStream(std::span<const Sphere> spheres) : SphereStream(records(spheres)) {}
 
 SphereStream::SphereStream(const SphereRecords& spheres) : memory_(sphere_memory(spheres.count)), size_(spheres.count) {
-  fill_from(memory_, size_, point);
+  fill_from(memory_, size_, empty_sphere);
   update(0, spheres);
 }
 

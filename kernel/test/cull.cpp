@@ -1,31 +1,10 @@
 #include "shaftcull/cull.hpp"
 
-#include <string>
-
+#include "run/arguments.hpp"
 #include "test/kernels.hpp"
 
 namespace shaftcull {
-namespace kernel {
-
-void require_answers(const CompiledShaft& shaft, bool outside, bool inside, bool spheres, std::size_t position) {
-  const auto refuse = [&](const char* what) {
-    throw InvalidArgument("shaft " + std::to_string(position) + " was formed without " + what +
-                          " (see ShaftOptions) and is asked for it");
-  };
-  if (outside && !shaft.answers_outside) refuse("outside");
-  if (inside && !shaft.answers_inside) refuse("inside");
-  if (spheres && !shaft.answers_spheres) refuse("spheres");
-}
-
-}  // namespace kernel
-
 namespace {
-
-void require_words(const char* which, std::size_t words, std::size_t bounds) {
-  if (words == words_for(bounds)) return;
-  throw InvalidArgument(std::string(which) + " has " + std::to_string(words) + " words; the answers of " +
-                        std::to_string(bounds) + " bounds take " + std::to_string(words_for(bounds)));
-}
 
 constexpr bool is_sphere(const BoxView& /*view*/) { return false; }
 constexpr bool is_sphere(const SphereView& /*view*/) { return true; }
@@ -33,7 +12,9 @@ constexpr bool is_sphere(const SphereView& /*view*/) { return true; }
 template <class View>
 void cull_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> kept, Form form) {
   kernel::require_answers(shaft, true, false, is_sphere(view), 0);
-  require_words("kept", kept.size(), view.count);
+  kernel::require_form(form);
+  kernel::require_view(view);
+  kernel::require_words("kept", kept, view.count);
   if (view.count == 0) return;
   kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), nullptr);
 }
@@ -42,8 +23,10 @@ template <class View>
 void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> kept,
                    std::span<std::uint64_t> inside, Form form) {
   kernel::require_answers(shaft, true, true, is_sphere(view), 0);
-  require_words("kept", kept.size(), view.count);
-  require_words("inside", inside.size(), view.count);
+  kernel::require_form(form);
+  kernel::require_view(view);
+  kernel::require_words("kept", kept, view.count);
+  kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
   kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), inside.data());
 }
@@ -51,7 +34,8 @@ void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::
 template <class View>
 void contain_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> inside) {
   kernel::require_answers(shaft, false, true, is_sphere(view), 0);
-  require_words("inside", inside.size(), view.count);
+  kernel::require_view(view);
+  kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
   kernel::active_kernels().test(view, Form::planes)(shaft, view.stream.data(), view.count, nullptr, inside.data());
 }

@@ -151,11 +151,7 @@ struct Kernels {
   [[nodiscard]] Unite* unite(const SphereView& /*spheres*/) const noexcept { return unite_spheres; }
 };
 
-/// The kernels of active_isa(); throws as it does.
-[[nodiscard]] const Kernels& active_kernels();
-
-/// Throws InvalidArgument unless the shaft was formed to answer `outside` and `inside`, where asked, for spheres or boxes.
-/// `position` is the shaft's index among many, named in the message.
-void require_answers(const CompiledShaft& shaft, bool outside, bool inside, bool spheres, std::size_t position);
+/// The kernels of active_isa().
+[[nodiscard]] const Kernels& active_kernels() noexcept;
 
 }  // namespace shaftcull::kernel

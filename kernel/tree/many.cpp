@@ -163,10 +163,7 @@ template <class Bound, BoundIndex Index>
 void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
-  if (kept_counts.size() != shafts.size()) {
-    throw InvalidArgument("kept_counts has room for " + std::to_string(kept_counts.size()) + " counts; " +
-                          std::to_string(shafts.size()) + " shafts need one each");
-  }
+  kernel::require_counts(kept_counts, shafts.size());
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "run/arguments.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"
 #include "test/kernels.hpp"
@@ -28,6 +29,7 @@ class Query {
         own_per_shaft_(shafts.empty() ? 0 : excluding.own.size() / shafts.size()),
         mask_(excluding.mask) {
     if (parts_.dirty_words != 0) throw InvalidArgument("query of a tree whose bounds were updated; call refit() first");
+    require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       require_answers(shafts[s], true, question == Question::kept_and_inside, std::is_same_v<Bound, Sphere>, s);
     }

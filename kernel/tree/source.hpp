@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fetch.hpp"
+#include "run/arguments.hpp"
 #include "run/cut.hpp"
 #include "run/parallel.hpp"
 #include "shaftcull/streams.hpp"
@@ -26,7 +27,7 @@ template <class Bound>
 class ViewSource {
  public:
   static constexpr std::size_t rows = rows_of<Bound>;
-  explicit ViewSource(const ViewOf<Bound>& view) noexcept : view_(view) {}
+  explicit ViewSource(const ViewOf<Bound>& view) : view_(view) { require_view(view); }
 
   [[nodiscard]] std::size_t count() const noexcept { return view_.count; }
   void read(std::size_t i, float (&bound)[rows]) const noexcept {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -92,7 +90,10 @@ TEST_F(CullErrors, SpansOfTheWrongSizeAreRefusedWithBothSizes) {
 
 TEST(IsaChoice, NamesAreReadBack) {
   for (const Isa isa : {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512}) EXPECT_EQ(isa_from_name(name(isa)), isa);
+  EXPECT_EQ(isa_from_name("AVX2"), Isa::avx2);
+  EXPECT_EQ(isa_from_name("Sse4_2"), Isa::sse4_2);
   EXPECT_FALSE(isa_from_name("avx1024").has_value());
+  EXPECT_FALSE(isa_from_name("avx").has_value());
   EXPECT_FALSE(isa_from_name("").has_value());
 }
 
@@ -120,29 +121,6 @@ TEST(IsaChoice, AnUnavailableInstructionSetIsRefusedWithAListOfWhatThereIs) {
   const std::string message = refusal([&] { select_isa(missing); });
   for (const Isa isa : isas) EXPECT_THAT(message, HasSubstr(std::string(name(isa))));
   EXPECT_EQ(active_isa(), before);
-}
-
-/// Runs in a process of its own, where no call has chosen an instruction set yet.
-int with_environment(const char* isa) {
-  setenv("SHAFTCULL_ISA", isa, 1);
-  try {
-    return active_isa() == isa_from_name(isa) ? 0 : 1;
-  } catch (const InvalidArgument& error) {
-    std::fputs(error.what(), stderr);
-    return 2;
-  }
-}
-
-TEST(IsaChoiceDeathTest, TheEnvironmentForcesAnInstructionSet) {
-  testing::FLAGS_gtest_death_test_style = "threadsafe";
-  for (const Isa isa : available_isas()) {
-    EXPECT_EXIT(std::_Exit(with_environment(std::string(name(isa)).c_str())), testing::ExitedWithCode(0), "");
-  }
-}
-
-TEST(IsaChoiceDeathTest, AnUnknownNameInTheEnvironmentIsRefusedWithAListOfWhatThereIs) {
-  testing::FLAGS_gtest_death_test_style = "threadsafe";
-  EXPECT_EXIT(std::_Exit(with_environment("avx9")), testing::ExitedWithCode(2), "SHAFTCULL_ISA.*avx9.*scalar");
 }
 
 }  // namespace

@@ -33,11 +33,10 @@ bool is_available(Isa isa) {
   } else {
     setenv("SHAFTCULL_ISA", wanted, 1);
   }
-  try {
-    std::cerr << "chosen: " << name(active_isa()) << '.' << std::endl;
-  } catch (const InvalidArgument& error) {
-    std::cerr << "refused: " << error.what() << std::endl;
-  }
+  std::cerr << "chosen: " << name(active_isa()) << '.';
+  const IsaChoice choice = isa_choice();
+  std::cerr << " asked: " << choice.asked << ". running: " << name(choice.running) << ". refused: " << choice.refusal
+            << '.' << std::endl;
   std::_Exit(0);
 }
 
@@ -76,11 +75,31 @@ TEST(IsaChoice, TheEnvironmentForcesAnyThatThereIs) {
   }
 }
 
-TEST(IsaChoice, AnUnavailableOneIsRefusedAndWhatThereIsIsListed) {
+TEST(IsaChoice, TheEnvironmentIsReadInAnyCase) {
+  EXPECT_EXIT(say_choice("Scalar"), testing::ExitedWithCode(0),
+              AllOf(HasSubstr(chosen(Isa::scalar)), HasSubstr("asked: Scalar."), HasSubstr("refused: .")));
+  EXPECT_EXIT(say_choice("SCALAR"), testing::ExitedWithCode(0), HasSubstr(chosen(Isa::scalar)));
+}
+
+TEST(IsaChoice, AnUnavailableOneLeavesTheBestThereIsAndIsSaid) {
   for (const Isa isa : all_isas) {
     if (is_available(isa)) continue;
     EXPECT_EXIT(say_choice(name(isa).data()), testing::ExitedWithCode(0),
-                AllOf(HasSubstr("refused: SHAFTCULL_ISA=" + std::string(name(isa))), HasSubstr(listed())));
+                AllOf(HasSubstr(chosen(best_expected())), HasSubstr("asked: " + std::string(name(isa))),
+                      HasSubstr("refused: SHAFTCULL_ISA=" + std::string(name(isa)) + " is not available here"),
+                      HasSubstr(listed())));
+  }
+}
+
+TEST(IsaChoice, AnUnknownOneLeavesTheBestThereIsAndIsSaid) {
+  EXPECT_EXIT(say_choice("avx3"), testing::ExitedWithCode(0),
+              AllOf(HasSubstr(chosen(best_expected())), HasSubstr("asked: avx3."),
+                    HasSubstr("refused: SHAFTCULL_ISA=avx3 is not an instruction set"), HasSubstr(listed())));
+}
+
+TEST(IsaChoice, ACallForAnUnavailableOneThrowsAndListsWhatThereIs) {
+  for (const Isa isa : all_isas) {
+    if (is_available(isa)) continue;
     try {
       select_isa(isa);
       ADD_FAILURE() << name(isa) << " was accepted";
@@ -90,9 +109,10 @@ TEST(IsaChoice, AnUnavailableOneIsRefusedAndWhatThereIsIsListed) {
   }
 }
 
-TEST(IsaChoice, AnUnknownOneIsRefusedAndWhatThereIsIsListed) {
-  EXPECT_EXIT(say_choice("avx3"), testing::ExitedWithCode(0),
-              AllOf(HasSubstr("refused: SHAFTCULL_ISA=avx3"), HasSubstr(listed())));
+TEST(IsaChoice, AValueThatIsNoEnumeratorHasAName) {
+  EXPECT_EQ(name(static_cast<Isa>(4)), "unknown");
+  EXPECT_EQ(name(static_cast<Isa>(255)), "unknown");
+  EXPECT_THROW(select_isa(static_cast<Isa>(255)), InvalidArgument);
 }
 
 TEST(IsaChoice, ACallWinsOverTheEnvironment) {

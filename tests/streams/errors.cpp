@@ -132,15 +132,15 @@ TEST(CentreExtentErrors, SayWhatIsWrongWithTheRecord) {
 TEST(UpdateErrors, NameTheRangeAndTheSize) {
   BoxStream boxes(100);
   const std::vector<Box> news(20, Box{{0, 0, 0}, {1, 1, 1}});
-  EXPECT_EQ(message_of([&] { boxes.update(90, news); }), "update of boxes [90, 110) does not fit a stream of 100");
+  EXPECT_EQ(message_of([&] { boxes.update(90, news); }), "update of 20 boxes from position 90 on does not fit a stream of 100");
   EXPECT_EQ(message_of([&] { boxes.update(101, std::vector<Box>()); }),
-            "update of boxes [101, 101) does not fit a stream of 100");
+            "update of 0 boxes from position 101 on does not fit a stream of 100");
   EXPECT_THROW(boxes.update(SIZE_MAX, news), InvalidArgument);
   SphereStream spheres(10);
   EXPECT_EQ(message_of([&] {
               spheres.update(10, std::vector<Sphere>(1, Sphere{{0, 0, 0}, 1}));
             }),
-            "update of spheres [10, 11) does not fit a stream of 10");
+            "update of 1 sphere from position 10 on does not fit a stream of 10");
 }
 
 TEST(UpdateErrors, NameANullPointer) {

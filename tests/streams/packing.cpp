@@ -189,9 +189,9 @@ TEST(SphereStream, TakesAnInfiniteRadius) {
   EXPECT_EQ(bounds_in(SphereStream(spheres)), spheres);
 }
 
-TEST(BoxStream, OfACountHoldsEmptyBoxes) {
+TEST(Streams, OfACountHoldEmptyBounds) {
   EXPECT_EQ(bounds_in(BoxStream(3)), std::vector<Box>(3, empty));
-  EXPECT_EQ(bounds_in(SphereStream(2)), std::vector<Sphere>(2, Sphere{{0, 0, 0}, 0}));
+  EXPECT_EQ(bounds_in(SphereStream(2)), std::vector<Sphere>(2, Sphere{{0, 0, 0}, -1}));
 }
 
 TEST(BoxStream, UpdatesARangeInPlaceAndNothingElse) {

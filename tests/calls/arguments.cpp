@@ -1,0 +1,217 @@
+/// Arguments that no call can use: null memory, sizes that wrap, values that are no enumerators. Each is refused with a
+/// message, and nothing is written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "calls/every_call.hpp"
+#include "message_of.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Arguments : public testing::Test {
+ protected:
+  static constexpr std::size_t count = 70;
+  const std::vector<CompiledShaft> shafts_ = EveryCall::shafts(4);
+  const BoxStream boxes_{std::vector<Box>(count, Box{{0, 0, 0}, {1, 1, 1}})};
+  const SphereStream spheres_{std::vector<Sphere>(count, Sphere{{0, 0, 0}, 1})};
+  const std::vector<std::uint64_t> untouched_ = std::vector<std::uint64_t>(8, 7);
+  std::vector<std::uint64_t> kept_ = untouched_;
+  std::vector<std::uint64_t> inside_ = untouched_;
+
+  /// What all calls that read a view say of it.
+  template <class View>
+  std::vector<std::string> refusals_of(const View& view) {
+    const std::span<std::uint64_t> row(kept_.data(), 2);
+    const std::span<std::uint64_t> inside_row(inside_.data(), 2);
+    const std::vector<std::uint32_t> candidates = {1, 2};
+    std::vector<std::uint32_t> kept(2);
+    std::vector<std::uint64_t> counts(shafts_.size());
+    IndexLists lists;
+    using Bound = std::conditional_t<std::is_same_v<View, BoxView>, Box, Sphere>;
+    const BoundsTree<Bound> whole{std::span<const Bound>(std::vector<Bound>(count))};
+    BoundsTree<Bound> tree(whole);
+    std::vector<std::string> messages;
+    const auto ask = [&](const auto& call) { messages.push_back(message_of(call)); };
+    ask([&] { cull(shafts_[0], view, row); });
+    ask([&] { classify(shafts_[0], view, row, inside_row); });
+    ask([&] { contain(shafts_[0], view, inside_row); });
+    ask([&] { cull_many(shafts_, view, kept_); });
+    ask([&] { classify_many(shafts_, view, kept_, inside_); });
+    ask([&] { count_many(shafts_, view, counts); });
+    ask([&] { list_many(shafts_, view, lists); });
+    ask([&] { cull_tiles(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
+    ask([&] { classify_tiles(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
+    ask([&] { refine(shafts_[0], view, std::span<const std::uint32_t>(candidates), kept); });
+    ask([&] { refine_many(shafts_, view, candidates, lists); });
+    ask([&] { BoundsTree<Bound>{view}; });
+    ask([&] { tree.update(view); });
+    EXPECT_EQ(kept_, untouched_);
+    EXPECT_EQ(inside_, untouched_);
+    return messages;
+  }
+};
+
+TEST_F(Arguments, ANullStreamIsRefusedByEveryCallAndNamed) {
+  BoxView boxes = boxes_.view();
+  boxes.stream[4] = nullptr;
+  for (const std::string& message : refusals_of(boxes)) {
+    EXPECT_THAT(message, AllOf(HasSubstr("boxes.stream[4] is null"), HasSubstr("70 floats")));
+  }
+  SphereView spheres = spheres_.view();
+  spheres.stream[3] = nullptr;
+  for (const std::string& message : refusals_of(spheres)) {
+    EXPECT_THAT(message, AllOf(HasSubstr("spheres.stream[3] is null"), HasSubstr("70 floats")));
+  }
+  std::vector<CompiledShaft> out(count);
+  EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes, out); }), HasSubstr("boxes.stream[4] is null"));
+}
+
+TEST_F(Arguments, NullStreamsOfAnEmptyViewAreLegal) {
+  cull(shafts_[0], BoxView(), {});
+  contain(shafts_[0], SphereView(), {});
+  cull_many(shafts_, BoxView(), {});
+  compile_batch(BoxView(), BoxView(), {});
+  IndexLists lists;
+  list_many(shafts_, SphereView(), lists);
+  EXPECT_EQ(lists.size(), shafts_.size());
+  EXPECT_EQ(BoxTree(BoxView()).size(), 0U);
+}
+
+TEST_F(Arguments, ACountThatNoMemoryHoldsIsRefused) {
+  BoxView boxes = boxes_.view();
+  boxes.count = std::size_t{1} << 62U;
+  std::vector<std::uint64_t> none;
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes, none); }), HasSubstr("boxes.count = 4611686018427387904"));
+  EXPECT_THAT(message_of([&] { cull_many(shafts_, boxes, none); }), HasSubstr("more than memory can hold"));
+}
+
+TEST_F(Arguments, RowsTimesWordsThatWrapAreRefused) {
+  // 512 shafts times 2⁵⁵ words are 2⁶⁴, which wraps to 0: as many as no words at all.
+  const std::vector<CompiledShaft> shafts(512, shafts_[0]);
+  alignas(64) static float nothing[1];
+  BoxView boxes;
+  boxes.stream.fill(nothing);
+  boxes.count = (std::size_t{1} << 61U) - 1;
+  ASSERT_EQ(words_for(boxes.count), std::size_t{1} << 55U);
+  EXPECT_THAT(
+      message_of([&] { cull_many(shafts, boxes, {}); }),
+      AllOf(HasSubstr("kept_rows has 0 words"), HasSubstr("512 shafts"), HasSubstr("more than memory can hold")));
+}
+
+TEST_F(Arguments, NullOutputsAreRefused) {
+  const std::span<std::uint64_t> null_row(static_cast<std::uint64_t*>(nullptr), 2);
+  const std::span<std::uint64_t> null_rows(static_cast<std::uint64_t*>(nullptr), 8);
+  const std::span<std::uint64_t> null_counts(static_cast<std::uint64_t*>(nullptr), 4);
+  const std::span<std::uint64_t> row(kept_.data(), 2);
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_.view(), null_row); }),
+              HasSubstr("kept is null; it must point to the first of 2 words"));
+  EXPECT_THAT(message_of([&] { classify(shafts_[0], boxes_.view(), row, null_row); }), HasSubstr("inside is null"));
+  EXPECT_THAT(message_of([&] { contain(shafts_[0], spheres_.view(), null_row); }), HasSubstr("inside is null"));
+  EXPECT_THAT(message_of([&] { cull_many(shafts_, boxes_.view(), null_rows); }), HasSubstr("kept_rows is null"));
+  EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, null_rows); }),
+              HasSubstr("inside_rows is null"));
+  EXPECT_THAT(message_of([&] { count_many(shafts_, boxes_.view(), null_counts); }), HasSubstr("kept_counts is null"));
+  EXPECT_EQ(kept_, untouched_);
+  const std::span<CompiledShaft> null_shafts(static_cast<CompiledShaft*>(nullptr), count);
+  EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes_.view(), null_shafts); }), HasSubstr("out is null"));
+}
+
+TEST_F(Arguments, NullInputsAreRefused) {
+  const std::span<const CompiledShaft> null_shafts(static_cast<const CompiledShaft*>(nullptr), 4);
+  EXPECT_THAT(message_of([&] { cull_many(null_shafts, boxes_.view(), kept_); }),
+              HasSubstr("shafts is null; it must point to the first of 4 shafts"));
+  const BoxTree tree(boxes_.view());
+  std::vector<std::uint64_t> counts(4);
+  EXPECT_THAT(message_of([&] { count_many(null_shafts, tree, counts); }), HasSubstr("shafts is null"));
+  const std::span<const std::uint32_t> null_candidates(static_cast<const std::uint32_t*>(nullptr), 3);
+  std::vector<std::uint32_t> kept(3);
+  EXPECT_THAT(message_of([&] { refine(shafts_[0], boxes_.view(), null_candidates, kept); }),
+              HasSubstr("candidates is null"));
+  EXPECT_THAT(message_of([&] { BoxStream{std::span<const Box>(static_cast<const Box*>(nullptr), 5)}; }),
+              AllOf(HasSubstr("MinMaxRecords::lo is null"), HasSubstr("5 records")));
+  EXPECT_THAT(message_of([&] { SphereStream{std::span<const Sphere>(static_cast<const Sphere*>(nullptr), 5)}; }),
+              HasSubstr("SphereRecords::centre is null"));
+}
+
+TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
+  const auto form = static_cast<Form>(3);
+  const auto names_it = AllOf(HasSubstr("form = 3"), HasSubstr("Form::planes"));
+  const std::span<std::uint64_t> row(kept_.data(), 2);
+  std::vector<std::uint64_t> counts(4);
+  IndexLists lists;
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_.view(), row, form); }), names_it);
+  EXPECT_THAT(message_of([&] { classify(shafts_[0], spheres_.view(), row, row, form); }), names_it);
+  EXPECT_THAT(message_of([&] { cull_many(shafts_, boxes_.view(), kept_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, inside_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { count_many(shafts_, boxes_.view(), counts, form); }), names_it);
+  EXPECT_THAT(message_of([&] { list_many(shafts_, boxes_.view(), lists, form); }), names_it);
+  EXPECT_THAT(message_of([&] {
+                cull_tiles(
+                    shafts_, boxes_.view(), [](const TileAnswers&) {}, form);
+              }),
+              names_it);
+  EXPECT_EQ(kept_, untouched_);
+}
+
+TEST_F(Arguments, OptionsThatAreNoEnumeratorsAreRefused) {
+  ShaftOptions options;
+  options.order = static_cast<PlaneOrder>(3);
+  EXPECT_THAT(message_of([&] { Shaft(boxes_[0], boxes_[1], options); }), HasSubstr("ShaftOptions::order"));
+  options = {};
+  options.formation = static_cast<Formation>(3);
+  EXPECT_THAT(message_of([&] { Shaft(boxes_[0], boxes_[1], options); }), HasSubstr("ShaftOptions::formation"));
+}
+
+TEST_F(Arguments, PlanesBetweenFacesThatDoNotMeetCutNoVolume) {
+  const Shaft shaft({{0, 0, 0}, {1, 1, 1}}, {{2, 3, 4}, {3, 4, 5}});
+  JoiningPlane plane = shaft.joining_planes()[0];
+  EXPECT_GT(culled_volume(shaft.box(), plane), 0);
+  plane.red = 6;
+  EXPECT_THAT(message_of([&] { (void)culled_volume(shaft.box(), plane); }), HasSubstr("red = 6"));
+  plane.red = 2;
+  plane.blue = 5;
+  EXPECT_THAT(message_of([&] { (void)culled_volume(shaft.box(), plane); }), HasSubstr("do not meet"));
+}
+
+TEST_F(Arguments, MessagesSayOneWordAndNeverWrap) {
+  std::vector<std::uint64_t> one(1);
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_.view(), one); }), HasSubstr("kept has 1 word; "));
+  BoxStream stream(1);
+  const std::vector<Box> box(2, Box{{0, 0, 0}, {1, 1, 1}});
+  EXPECT_THAT(message_of([&] { stream.update(std::numeric_limits<std::size_t>::max(), box); }),
+              AllOf(HasSubstr("2 boxes from position 18446744073709551615 on"), Not(HasSubstr(", 1)"))));
+}
+
+TEST_F(Arguments, NewStreamsHoldBoundsThatNoShaftKeeps) {
+  const BoxStream boxes(count);
+  const SphereStream spheres(count);
+  EXPECT_LT(spheres[0].radius, 0);
+  const float huge = 1e30F;
+  std::vector<CompiledShaft> shafts = shafts_;
+  shafts.push_back(compile(Shaft({{-huge, -huge, -huge}, {huge, huge, huge}}, {{-1, -1, -1}, {1, 1, 1}})));
+  const std::vector<std::uint64_t> nothing(2);
+  for (const CompiledShaft& shaft : shafts) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      std::vector<std::uint64_t> kept(2, 7);
+      std::vector<std::uint64_t> inside(2, 7);
+      cull(shaft, boxes.view(), kept, form);
+      EXPECT_EQ(kept, nothing);
+      classify(shaft, spheres.view(), kept, inside, form);
+      EXPECT_EQ(kept, nothing);
+      EXPECT_EQ(inside, nothing);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

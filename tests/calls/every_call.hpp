@@ -1,0 +1,328 @@
+/// Every public call that computes something, in one table, for tests of what is promised of all of them.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "dice.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+
+/// What a call answered, as words.
+using AnswerWords = std::vector<std::uint64_t>;
+
+struct PublicCall {
+  std::string name;
+  bool asks_shafts;  ///< whether it gets the shafts that EveryCall was made with
+  std::function<void(AnswerWords&)> call;
+};
+
+/// The calls, and all that they are given. Calls may be made again and again; each leaves what it was given as it was.
+class EveryCall {
+ public:
+  /// `shafts` are what queries ask; a group of them and more if there are over 64. Must be at least 1. Bounds and
+  /// shafts touch often, so that exact predicates run too.
+  EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) : shafts_(std::move(shafts)) {
+    Dice dice(4711);
+    for (std::size_t i = 0; i != bounds; ++i) {
+      boxes_.push_back(i % 3 == 0 ? dice.grid_box(-5, 5) : dice.box(-5, 5, 0.05F, 1.0F));
+      spheres_.push_back({boxes_.back().lo, i % 5 == 0 ? dice.integer(0, 3) : dice.uniform(0.01F, 0.5F)});
+      if (i % 7 == 0) candidates_.push_back(static_cast<std::uint32_t>(i));
+    }
+    box_stream_ = BoxStream(boxes_);
+    sphere_stream_ = SphereStream(spheres_);
+    box_tree_ = BoxTree(box_stream_.view());
+    sphere_tree_ = SphereTree(sphere_stream_.view());
+    form_calls();
+    stream_calls();
+    view_calls<Box>(box_stream_, boxes_, box_tree_);
+    view_calls<Sphere>(sphere_stream_, spheres_, sphere_tree_);
+  }
+  EveryCall(const EveryCall&) = delete;
+  EveryCall& operator=(const EveryCall&) = delete;
+
+  [[nodiscard]] const std::vector<PublicCall>& calls() const noexcept { return calls_; }
+
+  /// Shafts of all kinds: in slab form, with purple faces, with added planes, with and without their planes.
+  static std::vector<CompiledShaft> shafts(std::size_t count) {
+    Dice dice(4712);
+    std::vector<CompiledShaft> shafts(count);
+    for (std::size_t s = 0; s != count; ++s) {
+      Shaft shaft(s % 2 == 0 ? dice.grid_box(-5, 5) : dice.box(-5, 5, 0.2F, 2.0F), dice.grid_box(-5, 5));
+      if (s % 4 == 0) shaft.add_plane({{1, 2, 3}, 4});
+      if (s % 3 != 0 || s % 4 == 0) {
+        shafts[s] = compile(shaft);
+      } else {
+        compile_batch(BoxStream(std::span(&shaft.a(), 1)).view(), BoxStream(std::span(&shaft.b(), 1)).view(),
+                      std::span(&shafts[s], 1));
+      }
+    }
+    return shafts;
+  }
+
+ private:
+  template <class T>
+  static void note(AnswerWords& words, const T& value) {
+    if constexpr (std::is_same_v<T, float>) {
+      words.push_back(std::bit_cast<std::uint32_t>(value));
+    } else if constexpr (std::is_same_v<T, double>) {
+      words.push_back(std::bit_cast<std::uint64_t>(value));
+    } else if constexpr (std::is_same_v<T, Box>) {
+      for (const float x : value.lo) note(words, x);
+      for (const float x : value.hi) note(words, x);
+    } else if constexpr (std::is_same_v<T, Sphere>) {
+      for (const float x : value.centre) note(words, x);
+      note(words, value.radius);
+    } else if constexpr (requires { value.first; }) {
+      words.push_back(value.first);
+      words.push_back(value.size);
+    } else if constexpr (requires { value.begin(); }) {
+      for (const auto& each : value) note(words, each);
+    } else {
+      words.push_back(static_cast<std::uint64_t>(value));
+    }
+  }
+  /// The answers of a shaft to a few boxes stand for what it holds.
+  static void note_shaft(AnswerWords& words, const CompiledShaft& shaft, const BoxView& boxes) {
+    std::vector<std::uint64_t> kept(words_for(boxes.count));
+    std::vector<std::uint64_t> inside(kept.size());
+    classify(shaft, boxes, kept, inside, Form::slab);
+    note(words, kept);
+    classify(shaft, boxes, kept, inside, Form::planes);
+    note(words, kept);
+    note(words, inside);
+  }
+  void add(std::string name, bool asks_shafts, std::function<void(AnswerWords&)> call) {
+    calls_.push_back({std::move(name), asks_shafts, std::move(call)});
+  }
+
+  void form_calls() {
+    add("Shaft", false, [this](AnswerWords& words) {
+      for (const PlaneOrder order : {PlaneOrder::unsorted, PlaneOrder::by_volume, PlaneOrder::by_added_volume}) {
+        for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
+          ShaftOptions options;
+          options.order = order;
+          options.formation = formation;
+          Shaft shaft(boxes_[1], boxes_[2], options);
+          shaft.add_plane({{1, 2, 3}, 4});
+          for (const JoiningPlane& plane : shaft.joining_planes()) {
+            note(words, plane.plane.normal);
+            note(words, plane.plane.offset);
+            note(words, culled_volume(shaft.box(), plane));
+          }
+        }
+      }
+    });
+    add("compile", false, [this](AnswerWords& words) {
+      note_shaft(words, compile(Shaft(boxes_[1], boxes_[2])), box_stream_.view().slice(0, 64));
+    });
+    add("compile_batch, complete", false, [this](AnswerWords& words) {
+      constexpr std::size_t pairs = 21;
+      std::vector<CompiledShaft> out(pairs);
+      compile_batch(box_stream_.view().slice(0, pairs), box_stream_.view().slice(pairs, pairs), out);
+      for (CompiledShaft& shaft : out) {
+        complete(shaft);
+        note_shaft(words, shaft, box_stream_.view().slice(0, 64));
+      }
+    });
+  }
+
+  void stream_calls() {
+    add("BoxStream", false, [this](AnswerWords& words) {
+      BoxStream stream(boxes_);
+      stream.update(3, std::span<const Box>(boxes_).first(9));
+      for (std::size_t i = 0; i != stream.size(); i += 5) note(words, stream[i]);
+      note(words, BoxStream(stream)[2]);
+    });
+    add("BoxStream of centres", false, [](AnswerWords& words) {
+      std::vector<float> records;
+      for (int i = 0; i != 70; ++i) {
+        for (const float x : {0.1F, 0.3F, 1e-40F, 0.7F, 1e-30F, 3.3F}) records.push_back(x * static_cast<float>(i));
+      }
+      const BoxStream stream(CentreExtentRecords{records.data(), records.data() + 3, 6 * sizeof(float), 70});
+      for (std::size_t i = 0; i != stream.size(); ++i) note(words, stream[i]);
+    });
+    add("SphereStream", false, [this](AnswerWords& words) {
+      SphereStream stream(spheres_);
+      stream.update(3, std::span<const Sphere>(spheres_).first(9));
+      for (std::size_t i = 0; i != stream.size(); i += 5) note(words, stream[i]);
+    });
+  }
+
+  template <class Bound>
+  void view_calls(const auto& stream, const std::vector<Bound>& bounds, BoundsTree<Bound>& tree) {
+    const std::string of = std::is_same_v<Bound, Box> ? " of boxes" : " of spheres";
+    const auto view = stream.view();
+    const std::size_t words_a_row = words_for(view.count);
+    for (const Form form : {Form::slab, Form::planes}) {
+      const std::string how = of + (form == Form::slab ? ", slab form" : ", planes form");
+      add("cull" + how, true, [=, this](AnswerWords& words) {
+        std::vector<std::uint64_t> kept(words_a_row);
+        for (const CompiledShaft& shaft : shafts_) {
+          cull(shaft, view, kept, form);
+          note(words, kept);
+        }
+      });
+      add("classify" + how, true, [=, this](AnswerWords& words) {
+        std::vector<std::uint64_t> kept(words_a_row);
+        std::vector<std::uint64_t> inside(words_a_row);
+        for (const CompiledShaft& shaft : shafts_) {
+          classify(shaft, view, kept, inside, form);
+          note(words, kept);
+          note(words, inside);
+        }
+      });
+      for (const std::size_t some : {std::size_t{3}, shafts_.size()}) {
+        const std::size_t count = std::min(some, shafts_.size());
+        const std::string many = how + ", " + std::to_string(count) + " shafts";
+        const auto asked = [this, count] { return std::span<const CompiledShaft>(shafts_).last(count); };
+        add("cull_many" + many, true, [=](AnswerWords& words) {
+          std::vector<std::uint64_t> kept(count * words_a_row);
+          cull_many(asked(), view, kept, form);
+          note(words, kept);
+        });
+        add("classify_many" + many, true, [=](AnswerWords& words) {
+          std::vector<std::uint64_t> kept(count * words_a_row);
+          std::vector<std::uint64_t> inside(kept.size());
+          classify_many(asked(), view, kept, inside, form);
+          note(words, kept);
+          note(words, inside);
+        });
+        add("count_many" + many, true, [=](AnswerWords& words) {
+          std::vector<std::uint64_t> counts(count);
+          count_many(asked(), view, counts, form);
+          note(words, counts);
+        });
+        add("list_many" + many, true, [=](AnswerWords& words) {
+          IndexLists lists;
+          list_many(asked(), view, lists, form);
+          note(words, lists.offsets);
+          note(words, lists.indices);
+        });
+        add("cull_tiles" + many, true, [=](AnswerWords& words) {
+          cull_tiles(
+              asked(), view, [&](const TileAnswers& answers) { note(words, answers.kept); }, form);
+        });
+        add("classify_tiles" + many, true, [=](AnswerWords& words) {
+          classify_tiles(
+              asked(), view, [&](const TileAnswers& answers) { note(words, answers.inside); }, form);
+        });
+      }
+    }
+    add("contain" + of, true, [=, this](AnswerWords& words) {
+      std::vector<std::uint64_t> inside(words_a_row);
+      for (const CompiledShaft& shaft : shafts_) {
+        contain(shaft, view, inside);
+        note(words, inside);
+      }
+    });
+    add("classify one" + of, true, [=, this, &bounds](AnswerWords& words) {
+      for (const CompiledShaft& shaft : shafts_) note(words, static_cast<unsigned>(classify(shaft, bounds[1])));
+    });
+    add("refine" + of, true, [=, this](AnswerWords& words) {
+      std::vector<std::uint32_t> kept(candidates_.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, std::span(kept).first(refine(shaft, view, std::span<const std::uint32_t>(candidates_), kept)));
+      }
+    });
+    add("refine_many" + of, true, [=, this](AnswerWords& words) {
+      IndexLists lists;
+      refine_many(shafts_, view, candidates_, lists);
+      note(words, lists.indices);
+    });
+    tree_calls<Bound>(of, view, bounds, tree);
+  }
+
+  template <class Bound>
+  void tree_calls(const std::string& of, const ViewOf<Bound>& view, const std::vector<Bound>& bounds,
+                  BoundsTree<Bound>& tree) {
+    const auto note_tree = [](AnswerWords& words, const BoundsTree<Bound>& built) {
+      note(words, built.order());
+      note(words, built.growth());
+      for (std::size_t i = 0; i < built.size(); i += 9) note(words, built.leaves()[i]);
+    };
+    add("tree" + of, false, [=](AnswerWords& words) { note_tree(words, BoundsTree<Bound>(view)); });
+    add("tree of records" + of, false, [=, &bounds](AnswerWords& words) {
+      BoundsTree<Bound> built{std::span<const Bound>(bounds)};
+      built.update(std::span<const Bound>(bounds));
+      note_tree(words, built);
+    });
+    add("update, refit, rebuild, renumber of a tree" + of, false, [=, this, &bounds, &tree](AnswerWords& words) {
+      BoundsTree<Bound> moved(tree);
+      moved.update(std::span<const std::uint32_t>(candidates_), view.slice(0, candidates_.size()));
+      moved.refit();
+      note_tree(words, moved);
+      moved.update(std::span<const std::uint32_t>(candidates_).first(2), std::span<const Bound>(bounds).first(2));
+      moved.refit();
+      moved.update(view);
+      note_tree(words, moved);
+      moved.rebuild();
+      moved.renumber();
+      note_tree(words, moved);
+    });
+    add("count in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      for (const CompiledShaft& shaft : shafts_) note(words, count(shaft, tree, {.own = candidates_}));
+    });
+    add("cull of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint32_t> kept(tree.size());
+      std::vector<TreeRun> runs(tree.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, std::span(kept).first(cull(shaft, tree, std::span(kept))));
+        note(words, std::span(runs).first(cull(shaft, tree, std::span(runs))));
+      }
+    });
+    add("classify of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint32_t> overlap(tree.size());
+      std::vector<std::uint32_t> inside(tree.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
+        note(words, std::span(overlap).first(counts.overlap));
+        note(words, std::span(inside).first(counts.inside));
+      }
+    });
+    add("count_many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint64_t> counts(shafts_.size());
+      count_many(shafts_, tree, counts);
+      note(words, counts);
+    });
+    add("list_many of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      IndexLists overlap;
+      IndexLists inside;
+      list_many(shafts_, tree, overlap);
+      note(words, overlap.indices);
+      list_many(shafts_, tree, overlap, inside);
+      note(words, overlap.indices);
+      note(words, inside.indices);
+      RunLists runs;
+      list_many(shafts_, tree, runs);
+      note(words, runs.runs);
+    });
+    add("cull_each of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      cull_each(shafts_, tree, [&](const ShaftAnswers& answers) { note(words, answers.overlap); });
+    });
+    add("classify_each of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      classify_each(shafts_, tree, [&](const ShaftAnswers& answers) { note(words, answers.inside); });
+    });
+  }
+
+  std::vector<CompiledShaft> shafts_;
+  std::vector<Box> boxes_;
+  std::vector<Sphere> spheres_;
+  std::vector<std::uint32_t> candidates_;
+  BoxStream box_stream_;
+  SphereStream sphere_stream_;
+  BoxTree box_tree_;
+  SphereTree sphere_tree_;
+  std::vector<PublicCall> calls_;
+};
+
+}  // namespace shaftcull
