@@ -1,7 +1,15 @@
 /// Parallel loops and pipelines: the only place that knows oneTBB, which SHAFTCULL_WITH_TBB turns on.
 ///
-/// Everything runs inside the caller's task_arena, and exceptions reach the caller. Without oneTBB the same
-/// calls are made one after the other.
+/// Everything runs inside the caller's task_arena, and exceptions reach the caller. A loop or pipeline that a public call
+/// starts is apart from the caller's own tasks in both directions:
+///
+/// * Its task_group_context is its own. A caller's cancelled group would otherwise cancel the loop, which then returns
+///   without having done its work.
+/// * It is isolated. A thread that waits for the loop would otherwise take another of the caller's tasks meanwhile, in the
+///   middle of the one that made the call.
+///
+/// Loops within its tasks (parallel_for_nested()) share both, so that all of a call's threads help with them. Without oneTBB
+/// the same calls are made one after the other.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +21,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
 
 #include "run/handover.hpp"
 #endif
@@ -46,24 +55,48 @@ using TaskAllocator = tbb::cache_aligned_allocator<T>;
 /// Threads that a loop started here may use.
 [[nodiscard]] inline int threads_here() noexcept { return tbb::this_task_arena::max_concurrency(); }
 
-/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order.
-template <class Body>
-void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
+/// Runs start(context) apart from the caller's tasks. Tasks have the caller's floating-point modes, on all threads.
+template <class Start>
+void apart_from_caller(const Start& start) {
+  using Context = tbb::task_group_context;
+  Context context(Context::isolated, Context::default_traits | Context::fp_settings);
+  tbb::this_task_arena::isolate([&] { start(context); });
+}
+
+/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order. `how` is what oneTBB gets besides.
+template <class Body, class... How>
+void run_loop(std::size_t rows, std::size_t columns, const Body& body, How&... how) {
   Handover started;
   Handover finished;
   started.give();
   const TakeAtEnd all_finished(finished);
-  tbb::parallel_for(tbb::blocked_range2d<std::size_t>(0, rows, 1, 0, columns, 1), [&](const auto& range) {
+  const auto work_on = [&](const auto& range) {
     started.take();
     const GiveAtEnd one_finished(finished);
     for (std::size_t row = range.rows().begin(); row != range.rows().end(); ++row) {
       for (std::size_t column = range.cols().begin(); column != range.cols().end(); ++column) body(row, column);
     }
-  });
+  };
+  tbb::parallel_for(tbb::blocked_range2d<std::size_t>(0, rows, 1, 0, columns, 1), work_on, how...);
+}
+
+/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order, apart from the caller's tasks. A
+/// single one is called as it is: its body must not start nested loops.
+template <class Body>
+void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
+  if (rows == 1 && columns == 1) return body(std::size_t{0}, std::size_t{0});
+  if (rows == 0 || columns == 0) return;
+  apart_from_caller([&](tbb::task_group_context& context) { run_loop(rows, columns, body, context); });
+}
+
+/// The same from within the body of a parallel_for(): its threads share the work.
+template <class Body>
+void parallel_for_nested(std::size_t rows, std::size_t columns, const Body& body) {
+  run_loop(rows, columns, body);
 }
 
 /// Calls work(i, slot) in parallel and then deliver(i, slot) one at a time in ascending order, for i from 0 to count.
-/// A slot, less than `slots`, belongs to i alone from its work to its delivery.
+/// A slot, less than `slots`, belongs to i alone from its work to its delivery. Apart from the caller's tasks.
 template <class Work, class Deliver>
 void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, const Deliver& deliver) {
   Handover started;
@@ -104,9 +137,10 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
     delivered.give();
     emptied[i % slots].give();
   };
-  tbb::parallel_pipeline(slots, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, enter) &
-                                    tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work_on) &
-                                    tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, hand_out));
+  const auto stages = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, enter) &
+                      tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work_on) &
+                      tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, hand_out);
+  apart_from_caller([&](tbb::task_group_context& context) { tbb::parallel_pipeline(slots, stages, context); });
 }
 
 #else
@@ -121,6 +155,11 @@ void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
   for (std::size_t row = 0; row != rows; ++row) {
     for (std::size_t column = 0; column != columns; ++column) body(row, column);
   }
+}
+
+template <class Body>
+void parallel_for_nested(std::size_t rows, std::size_t columns, const Body& body) {
+  parallel_for(rows, columns, body);
 }
 
 template <class Work, class Deliver>

@@ -42,7 +42,7 @@ void order_part(const Part<Index>& part, std::size_t parts, const Kernels& kerne
     order_part(halves.low, 2 * parts, kernels, order);
     order_part(halves.high, 2 * parts, kernels, order);
   } else {
-    parallel_for(2, 1, [&](std::size_t half, std::size_t) {
+    parallel_for_nested(2, 1, [&](std::size_t half, std::size_t) {
       order_part(half == 0 ? halves.low : halves.high, 2 * parts, kernels, order);
     });
   }

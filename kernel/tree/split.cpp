@@ -43,7 +43,7 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
   float* const some = room[bracket.axis];  // what a chunk has within the bracket is where the chunk is
   const std::size_t chunks = pieces(count, chunk_entries);
   std::vector<Collected> found(chunks);
-  parallel_for(chunks, 1, [&](std::size_t c, std::size_t) {
+  parallel_for_nested(chunks, 1, [&](std::size_t c, std::size_t) {
     const Run chunk = piece(count, chunk_entries, c);
     found[c] = kernels.collect(key + chunk.first, chunk.size, bracket, some + chunk.first);
   });
@@ -65,7 +65,7 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
   } else {  // the sample was not like the rest
     pivot.key = kernels.pivot(key, count, rank);
   }
-  parallel_for(chunks, 1, [&](std::size_t c, std::size_t) {
+  parallel_for_nested(chunks, 1, [&](std::size_t c, std::size_t) {
     const Run chunk = piece(count, chunk_entries, c);
     if (is_between) {
       pivot.tally[c] = kernels.tally(some + chunk.first, found[c].between, pivot.key);
@@ -117,7 +117,7 @@ Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Ker
     next.larger += piece(part.size(), chunk_entries, c).size - tally.less - equal;
   }
 
-  parallel_for(places.size(), 1, [&](std::size_t c, std::size_t) {
+  parallel_for_nested(places.size(), 1, [&](std::size_t c, std::size_t) {
     const std::size_t first = part.first + piece(part.size(), chunk_entries, c).first;
     const std::size_t size = piece(part.size(), chunk_entries, c).size;
     const EntryStreams<Index> chunk = moved_by<Index>(*part.entries, first);
