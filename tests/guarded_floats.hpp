@@ -4,9 +4,12 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <new>
+#include <tuple>
 #include <vector>
 
 namespace shaftcull {
@@ -36,6 +39,24 @@ class GuardedFloats {
   void* memory_;
   std::size_t size_;
   float* floats_;
+};
+
+/// A copy of a view whose streams all end just before such a page: a read past its count would crash.
+template <class View>
+class GuardedView {
+ public:
+  explicit GuardedView(const View& view) : view_(view) {
+    for (std::size_t k = 0; k != memory_.size(); ++k) {
+      memory_[k] = std::make_unique<GuardedFloats>(std::vector<float>(view.stream[k], view.stream[k] + view.count));
+      view_.stream[k] = memory_[k]->floats();
+    }
+  }
+
+  [[nodiscard]] const View& view() const noexcept { return view_; }
+
+ private:
+  std::array<std::unique_ptr<GuardedFloats>, std::tuple_size_v<decltype(View::stream)>> memory_;
+  View view_;
 };
 
 }  // namespace shaftcull

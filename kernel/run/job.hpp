@@ -141,7 +141,7 @@ class Job {
     if (!is_sphere) kernels_.grid.decide(shaft, tile.stream.data(), undecided, listed, kept_row);
     for (std::size_t i = 0; i != looked; ++i) {
       if (!is_sphere && shaft[i]->added_count == 0 && inside_row[i] == nullptr) continue;
-      kernels_.grid.settle(tile)(*shaft[i], tile.stream.data(), tile_words, kept_row[i], inside_row[i]);
+      kernels_.grid.settle(tile)(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
     }
   }
 

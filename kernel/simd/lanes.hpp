@@ -13,6 +13,7 @@
 
 #include "simd/eight.hpp"
 #include "simd/left_packing.hpp"
+#include "simd/part.hpp"
 
 namespace shaftcull::kernel {
 
@@ -28,6 +29,7 @@ struct Lanes {
   using Vector = xsimd::batch<float, Arch>;
   using Mask = xsimd::batch_bool<float, Arch>;
   static constexpr unsigned width = sizeof(Vector) / sizeof(float);
+  using Part = kernel::Part<Arch, width>;
 
   static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
   /// p[index[i]] in lane i.

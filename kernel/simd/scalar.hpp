@@ -14,6 +14,17 @@ struct ScalarLanes {
   static Vector load(const float* p) noexcept { return *p; }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
   static void store(float* p, Vector a) noexcept { *p = a; }
+
+  /// As kernel::Part.
+  class Part {
+   public:
+    explicit Part(int count) noexcept : is_there_(count > 0) {}
+    [[nodiscard]] Vector load(const float* p) const noexcept { return is_there_ ? *p : 0.0F; }
+    [[nodiscard]] Vector choose(Vector a, Vector b) const noexcept { return is_there_ ? a : b; }
+
+   private:
+    bool is_there_;
+  };
   class Packing {
    public:
     explicit Packing(std::uint64_t /*lanes*/) noexcept {}

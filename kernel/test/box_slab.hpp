@@ -7,6 +7,9 @@
 
 namespace shaftcull::kernel {
 
+/// The room of what is outside, in lanes without a bound.
+inline constexpr float outside_for_certain = -1.0F;
+
 /// A compiled shaft's slab constraints in registers, `uppers` of them bounding t from above.
 template <class L, unsigned uppers, CompiledShaft::SlabForm form>
 struct Slab {
@@ -68,14 +71,15 @@ struct Slab {
 };
 
 /// Bits of the boxes of the word at `at` that are outside, where some lane is too close to call.
-template <class L, class SlabType>
+template <class L, class SlabType, class Word>
 [[gnu::noinline, gnu::cold]] std::uint64_t settle_slab_word(const CompiledShaft& shaft, const SlabType& slab,
                                                             const float* const (&x)[6], const float* const* stream,
-                                                            std::size_t at) noexcept {
+                                                            std::size_t at, const Word& word) noexcept {
   std::uint64_t outside = 0;
   std::uint64_t near = 0;
-  for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-    const auto room = slab.room([&](unsigned i) { return L::load(x[i] + at + lane); });
+  for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
+    const auto room = word.choose(lane, slab.room([&](unsigned i) { return word.load(x[i], at, lane); }),
+                                  L::all(outside_for_certain));
     outside |= L::bits(L::less(room, L::all(0.0F))) << lane;
     near |= L::bits(L::less_equal(room, slab.two_margins)) << lane;
   }
@@ -96,7 +100,10 @@ struct BoxCorners {
   BoxCorners(const CompiledShaft& shaft, const float* const* box) noexcept {
     for (unsigned i = 0; i < 6; ++i) x[i] = box[shaft.slab_near[i]];
   }
-  [[nodiscard]] Vector coordinate(unsigned i, std::size_t at) const noexcept { return L::load(x[i] + at); }
+  template <class Word>
+  [[nodiscard]] Vector coordinate(unsigned i, const Word& word, std::size_t at, std::size_t lane) const noexcept {
+    return word.load(x[i], at, lane);
+  }
 };
 
 /// Likewise of boxes around spheres, whose answers are not the last word.
@@ -122,49 +129,67 @@ struct SphereCorners {
       sign[i] = L::all(shaft.slab_near[i] < 3 ? -0.0F : 0.0F);
     }
   }
-  [[nodiscard]] Vector coordinate(unsigned i, std::size_t at) const noexcept {
-    return L::add(L::load(centre[i] + at), L::flip_sign(radius_at(at), sign[i]));
+  template <class Word>
+  [[nodiscard]] Vector coordinate(unsigned i, const Word& word, std::size_t at, std::size_t lane) const noexcept {
+    return L::add(word.load(centre[i], at, lane), L::flip_sign(word.load(radius, at, lane), sign[i]));
   }
-  [[nodiscard]] Vector radius_at(std::size_t at) const noexcept { return L::load(radius + at); }
 };
 
 /// Where words are: one behind the other. operator()(w) is the position of the first bound of word w.
 template <class L>
 struct WordsInARow {
-  std::size_t operator()(std::size_t w) const noexcept { return w * word_bits; }
+  std::size_t first = 0;
+  unsigned rest = 0;  ///< bounds of one more word, which they do not fill
+
+  std::size_t operator()(std::size_t w) const noexcept { return first + w * word_bits; }
 };
 
-/// Writes the kept bits of `words` whole words: exactly, or clears the bits of those that are outside for certain.
+/// Kept bits of the word at `at`: exactly, or without the bits of those that are outside for certain.
+template <class L, class SlabType, class Corners, class Word>
+[[gnu::always_inline]] inline std::uint64_t slab_word(const CompiledShaft& shaft, const SlabType& slab,
+                                                      const Corners& corners, const float* const* stream,
+                                                      std::size_t at, const Word& word) noexcept {
+  std::uint64_t outside = 0;
+  typename L::Verdicts verdicts(slab.two_margins);
+  for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
+    typename L::Vector room[4];
+#pragma GCC unroll 4
+    for (unsigned v = 0; v < 4; ++v) {
+      // Not by way of an object for the vector: with one, g++ 12 does not put four scalar lanes into a register.
+      room[v] = slab.room([&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); });
+      if constexpr (Corners::has_radius) {
+        room[v] = L::either_negative(room[v], word.load(corners.radius, at, four + v * L::width));
+      }
+      room[v] = word.choose(four + v * L::width, room[v], L::all(outside_for_certain));
+    }
+    if constexpr (Corners::exactly) {
+      outside |= verdicts.read(room) << four;
+    } else {
+      outside |= L::signs(room) << four;
+    }
+  }
+  if constexpr (Corners::exactly) {
+    if (verdicts.any_undecided()) [[unlikely]] {
+      outside = settle_slab_word<L>(shaft, slab, corners.x, stream, at, word);
+    }
+  }
+  return ~outside;
+}
+
+/// Writes the kept bits of `words` whole words, and of the rest behind them if there is one: exactly, or clears the
+/// bits of those that are outside for certain.
 template <class L, template <class> class Corners, class Words, unsigned uppers, CompiledShaft::SlabForm form>
 void slab_words(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
                 std::size_t words, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin);
   const Corners<L> corners(shaft, stream);
   for (std::size_t w = 0; w < words; ++w) {
-    const std::size_t at = position(w);
-    std::uint64_t outside = 0;
-    typename L::Verdicts verdicts(slab.two_margins);
-    for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
-      typename L::Vector room[4];
-#pragma GCC unroll 4
-      for (unsigned v = 0; v < 4; ++v) {
-        room[v] = slab.room([&](unsigned i) { return corners.coordinate(i, at + four + v * L::width); });
-        if constexpr (Corners<L>::has_radius) {
-          room[v] = L::either_negative(room[v], corners.radius_at(at + four + v * L::width));
-        }
-      }
-      if constexpr (Corners<L>::exactly) {
-        outside |= verdicts.read(room) << four;
-      } else {
-        outside |= L::signs(room) << four;
-      }
-    }
-    if constexpr (Corners<L>::exactly) {
-      if (verdicts.any_undecided()) [[unlikely]] {
-        outside = settle_slab_word<L>(shaft, slab, corners.x, stream, at);
-      }
-    }
-    kept[w] = ~outside;
+    kept[w] = slab_word<L>(shaft, slab, corners, stream, position(w), WholeWord<L>{});
+  }
+  if constexpr (requires { position.rest; }) {
+    if (position.rest == 0) return;
+    kept[words] = slab_word<L>(shaft, slab, corners, stream, position(words), PartOfWord<L>{position.rest}) &
+                  first_bits(position.rest);
   }
 }
 
@@ -173,10 +198,14 @@ template <class L, class Words>
 void box_exact_words(const CompiledShaft& shaft, const float* const* stream, const Words& position, std::size_t words,
                      std::uint64_t* kept) noexcept {
   const SlabPredicate exact(shaft);
-  for (std::size_t w = 0; w < words; ++w) {
-    kept[w] = ~decide_lanes<L>(~std::uint64_t{0}, [&](unsigned lane) {
-      return exact.outside(BoundAt<L, 6>(stream, position(w) + lane).value);
-    });
+  const auto kept_of = [&](std::size_t w, std::uint64_t lanes) {
+    return lanes & ~decide_lanes<L>(lanes, [&](unsigned lane) {
+             return exact.outside(BoundAt<L, 6>(stream, position(w) + lane).value);
+           });
+  };
+  for (std::size_t w = 0; w < words; ++w) kept[w] = kept_of(w, ~std::uint64_t{0});
+  if constexpr (requires { position.rest; }) {
+    if (position.rest != 0) kept[words] = kept_of(words, first_bits(position.rest));
   }
 }
 
@@ -197,7 +226,8 @@ void slab_words_of(const CompiledShaft& shaft, float margin, const float* const*
   by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, position, words, kept);
 }
 
-/// First stage of the slab form: writes the kept bits of `words` whole words.
+/// First stage of the slab form: writes the kept bits of `words` whole words, and of the rest behind them if there is
+/// one.
 template <class L, class Words = WordsInARow<L>>
 void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                     const Words& position = {}) noexcept {

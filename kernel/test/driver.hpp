@@ -1,4 +1,4 @@
-/// From views to words: blocks of whole words through the stages of a test, and the rest of the view through a copy.
+/// From views to words: blocks of bounds through the stages of a test.
 #pragma once
 
 #include "compile/pair.hpp"
@@ -20,10 +20,25 @@
 
 namespace shaftcull::kernel {
 
-/// Begins a stage that clears bits: with those of an earlier one, or with all.
+/// Begins a stage that clears bits: with those of an earlier one, or with those of all `count` bounds.
 template <class L>
-void copy_or_set(const std::uint64_t* from, std::size_t words, std::uint64_t* bits) noexcept {
-  for (std::size_t w = 0; w < words; ++w) bits[w] = from != nullptr ? from[w] : ~std::uint64_t{0};
+void copy_or_set(const std::uint64_t* from, std::size_t count, std::uint64_t* bits) noexcept {
+  for (std::size_t w = 0; w < words_of(count); ++w) bits[w] = from != nullptr ? from[w] : ~std::uint64_t{0};
+  if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
+}
+
+/// Runs a first stage, stage(stream, words, bits), which reads whole words and writes bits, on `count` bounds.
+template <class L, unsigned streams, class Stage>
+void begin_in_whole_words(const float* const* stream, std::size_t count, std::uint64_t* bits,
+                          const float (&nowhere)[streams], Stage stage) noexcept {
+  in_whole_words<L>(stream, count, bits, nowhere, stage);
+  if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
+}
+
+/// The last bounds of `count`, if they do not fill a word.
+template <class L>
+WordsInARow<L> words_in_a_row(std::size_t count) noexcept {
+  return {.rest = static_cast<unsigned>(count % word_bits)};
 }
 
 /// The stages of box tests.
@@ -36,35 +51,38 @@ struct BoxStages {
 
   static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return form == Form::planes; }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if constexpr (form == Form::planes) {
-      box_planes_stage<L>(shaft, stream, words, kept);
+      begin_in_whole_words<L>(stream, count, kept, nowhere,
+                              [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
+                                box_planes_stage<L>(shaft, all, words, bits);
+                              });
     } else {
-      box_slab_stage<L>(shaft, stream, words, kept);
+      box_slab_stage<L>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
     }
-    settle(shaft, stream, words, kept);
+    settle(shaft, stream, count, kept);
   }
 
   /// Clears the bits of boxes that are beyond an added plane.
-  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
     if (shaft.added_count == 0) return;
-    narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+    narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       box_added_stage<L>(shaft, some, n, bits);
     });
   }
 
   /// Writes which boxes are inside: of those kept, if anybody knows.
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
     if constexpr (requires { typename L::Eight; }) {
-      if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words)) {
-        return few_inside_stage<L>(shaft, stream, words, kept, inside);
+      if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words_of(count))) {
+        return few_inside_stage<L>(shaft, stream, words_of(count), kept, inside);
       }
     }
-    copy_or_set<L>(kept, words, inside);
-    narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+    copy_or_set<L>(kept, count, inside);
+    narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       box_inside_stage<L>(shaft, some, n, bits);
     });
   }
@@ -78,24 +96,27 @@ struct SphereStages {
 
   static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return true; }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
-    sphere_planes_stage<L>(shaft, stream, words, kept);
-    settle(shaft, stream, words, kept);
+    begin_in_whole_words<L>(stream, count, kept, nowhere,
+                            [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
+                              sphere_planes_stage<L>(shaft, all, words, bits);
+                            });
+    settle(shaft, stream, count, kept);
   }
 
-  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
-    narrow<L, streams>(stream, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+    narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_settle_stage<L>(shaft, some, n, bits);
     });
   }
 
   /// Writes which spheres are inside: of those kept, if anybody knows.
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
-    copy_or_set<L>(kept, words, inside);
-    narrow<L, streams>(stream, words, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    copy_or_set<L>(kept, count, inside);
+    narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_inside_stage<L>(shaft, some, n, bits);
     });
   }
@@ -105,31 +126,22 @@ struct SphereStages {
 template <class L>
 struct BoxedSphereStages {
   static constexpr unsigned streams = 10;
-  static constexpr float nowhere[streams] = {0,
-                                             0,
-                                             0,
-                                             -1,
-                                             __builtin_inff(),
-                                             __builtin_inff(),
-                                             __builtin_inff(),
-                                             -__builtin_inff(),
-                                             -__builtin_inff(),
-                                             -__builtin_inff()};
 
   static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
     return shaft.slab_form != CompiledShaft::SlabForm::fused;
   }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
-    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, words, kept);
-    sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, words, kept);
-    SphereStages<L>::settle(shaft, stream, words, kept);
+    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
+    sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, count / word_bits, kept,
+                                             words_in_a_row<L>(count));
+    SphereStages<L>::settle(shaft, stream, count, kept);
   }
 
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
-    SphereStages<L>::contain(shaft, stream, words, kept, inside);
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    SphereStages<L>::contain(shaft, stream, count, kept, inside);
   }
 };
 
@@ -137,31 +149,30 @@ struct BoxedSphereStages {
 template <class L>
 struct UnboxedSphereStages {
   static constexpr unsigned streams = 4;
-  static constexpr const float (&nowhere)[streams] = SphereStages<L>::nowhere;
 
   static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
     return BoxedSphereStages<L>::cull_needs_planes(shaft);
   }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
-    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, words, kept);
-    sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept);
-    SphereStages<L>::settle(shaft, stream, words, kept);
+    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
+    SphereStages<L>::settle(shaft, stream, count, kept);
   }
 
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
-    SphereStages<L>::contain(shaft, stream, words, kept, inside);
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    SphereStages<L>::contain(shaft, stream, count, kept, inside);
   }
 };
 
-/// Runs one block through the stages that the caller wants answers of.
+/// Runs the `count` bounds of one block through the stages that the caller wants answers of.
 template <class Stages>
-void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
-  if (kept != nullptr) Stages::cull(shaft, stream, words, kept);
-  if (inside != nullptr) Stages::contain(shaft, stream, words, kept, inside);
+  if (kept != nullptr) Stages::cull(shaft, stream, count, kept);
+  if (inside != nullptr) Stages::contain(shaft, stream, count, kept, inside);
 }
 
 /// A shaft, or a copy of it with its planes if they are needed and pending.
@@ -193,47 +204,25 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
 
   const float* at[Stages::streams];
   for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s];
-  const auto advanced = [](std::uint64_t* bits, std::size_t words) { return bits == nullptr ? bits : bits + words; };
-
-  std::size_t words = count / word_bits;
-  while (words != 0) {
-    const std::size_t block = words < block_words ? words : block_words;
+  while (true) {
+    const std::size_t block = count < block_bounds ? count : block_bounds;
     test_block<Stages>(ready.shaft(), at, block, kept, inside);
-    for (const float*& s : at) s += block * word_bits;
-    kept = advanced(kept, block);
-    inside = advanced(inside, block);
-    words -= block;
+    count -= block;
+    if (count == 0) return;
+    for (const float*& s : at) s += block;
+    if (kept != nullptr) kept += block_words;
+    if (inside != nullptr) inside += block_words;
   }
-
-  const auto rest = static_cast<unsigned>(count % word_bits);
-  if (rest == 0) return;
-  if (count > word_bits) {  // the last 64 bounds once more; those in front were answered already
-    const unsigned again = word_bits - rest;
-    for (const float*& s : at) s -= again;
-    test_block<Stages>(ready.shaft(), at, 1, kept, inside);
-    if (kept != nullptr) *kept >>= again;
-    if (inside != nullptr) *inside >>= again;
-    return;
-  }
-  float padded[Stages::streams][word_bits];
-  for (unsigned s = 0; s < Stages::streams; ++s) {
-    for (unsigned i = 0; i < word_bits; ++i) padded[s][i] = i < rest ? at[s][i] : Stages::nowhere[s];
-    at[s] = padded[s];
-  }
-  test_block<Stages>(ready.shaft(), at, 1, kept, inside);
-  const std::uint64_t mask = (std::uint64_t{1} << rest) - 1;
-  if (kept != nullptr) *kept &= mask;
-  if (inside != nullptr) *inside &= mask;
 }
 
 /// As GridKernels has it.
 template <class L, class Stages>
-void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                     std::uint64_t* inside) noexcept {
   const FloatEnvironment<L> environment;
   const Ready<L> ready(shaft, inside != nullptr);
-  Stages::settle(ready.shaft(), stream, words, kept);
-  if (inside != nullptr) Stages::contain(ready.shaft(), stream, words, kept, inside);
+  Stages::settle(ready.shaft(), stream, count, kept);
+  if (inside != nullptr) Stages::contain(ready.shaft(), stream, count, kept, inside);
 }
 
 /// Forms shafts in batches, as Kernels has it.

@@ -100,7 +100,7 @@ std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid
 template <class L>
 std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t word) noexcept {
   std::uint64_t kept;
-  box_slab_stage<L>(shaft, stream, 1, &kept, [=](std::size_t) { return word * word_bits; });
+  box_slab_stage<L>(shaft, stream, 1, &kept, WordsInARow<L>{.first = word * word_bits});
   return kept;
 }
 

@@ -111,8 +111,9 @@ struct GridKernels {
   void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, const UndecidedWord* undecided, std::size_t count,
                  std::uint64_t* const* kept) noexcept;
 
-  /// What comes after that, for `words` words of bounds: added planes, spheres, and inside bits unless `inside` is null.
-  using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+  /// What comes after that, for `count` bounds, at most block_bounds: added planes, spheres, and inside bits unless
+  /// `inside` is null.
+  using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;
   Settle* settle_boxes;
   Settle* settle_spheres;

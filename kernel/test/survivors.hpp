@@ -109,11 +109,15 @@ template <class L>
   return count * dense_share <= words * word_bits;
 }
 
-/// Runs stage(stream, words, bits), which clears bits, on those bounds of a block whose bits are set.
+/// Runs stage(stream, words, bits), which clears bits, on those of a block's `count` bounds whose bits are set. Bits
+/// behind the last bound are not.
 template <class L, unsigned streams, class Stage>
-void narrow(const float* const* stream, std::size_t words, std::uint64_t* bits, Stage stage) noexcept {
-  if (!are_sparse<L>(bits, words)) return stage(stream, words, bits);
-  Survivors<L, streams> survivors(stream, words, bits);
+void narrow(const float* const* stream, std::size_t count, std::uint64_t* bits, Stage stage) noexcept {
+  if (!are_sparse<L>(bits, words_of(count))) {
+    constexpr float any[streams] = {};
+    return in_whole_words<L>(stream, count, bits, any, stage);
+  }
+  Survivors<L, streams> survivors(stream, words_of(count), bits);
   if (survivors.words() == 0) return;
   stage(survivors.stream(), survivors.words(), survivors.bits());
   survivors.write_back(bits);

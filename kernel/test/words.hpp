@@ -34,8 +34,9 @@ void for_each_word(const float* const* stream, const std::uint32_t* word, std::s
 template <class L, unsigned streams, class Stage>
 void narrow_listed(const float* const* stream, const std::uint32_t* word, std::size_t words, std::uint64_t* bits,
                    Stage stage) noexcept {
-  for_each_word<L, streams>(stream, word, words, bits, 1,
-                            [&](const float* const* at, std::size_t i) { narrow<L, streams>(at, 1, bits + i, stage); });
+  for_each_word<L, streams>(stream, word, words, bits, 1, [&](const float* const* at, std::size_t i) {
+    narrow<L, streams>(at, word_bits, bits + i, stage);
+  });
 }
 
 /// As Stages::cull, for words of a list.
@@ -54,7 +55,7 @@ void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, c
       const float* at[Stages::streams];
       const std::size_t first = position(i);
       for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + first;
-      Stages::cull(shaft, at, 1, kept + i);
+      Stages::cull(shaft, at, word_bits, kept + i);
     }
   } else {
     sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept, position);
@@ -73,7 +74,7 @@ void test_listed_words(const CompiledShaft& shaft, const float* const* stream, c
   if (inside == nullptr) return;
   for (std::size_t i = 0; i < words; ++i) inside[i] = 0;
   for_each_word<L, Stages::streams>(stream, word, words, kept, least_kept, [&](const float* const* at, std::size_t i) {
-    Stages::contain(shaft, at, 1, kept + i, inside + i);
+    Stages::contain(shaft, at, word_bits, kept + i, inside + i);
   });
 }
 

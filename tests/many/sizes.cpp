@@ -1,0 +1,214 @@
+/// Every number of bounds and of shafts: bits, counts, lists and what is refined are the answers that the scalar
+/// kernels give one bound at a time, and nothing is read past the last bound.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "columns.hpp"
+#include "dice.hpp"
+#include "guarded_floats.hpp"
+#include "instruction_sets.hpp"
+#include "many/workload.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/refine.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::uint64_t seed = 191;
+constexpr std::size_t most_bounds = 8193;
+constexpr std::size_t shaft_counts[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 63, 64, 65};
+constexpr std::size_t most_shafts = 65;
+constexpr std::size_t special_shafts[] = {0, 1, 2, 3, 4, 64};  // see mixed_shafts()
+constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
+
+/// 0 to 200, and around every power of two up to 8,192.
+std::vector<std::size_t> bound_counts() {
+  std::vector<std::size_t> counts(201);
+  std::iota(counts.begin(), counts.end(), std::size_t{0});
+  for (std::size_t power = 256; power <= 8192; power *= 2) counts.insert(counts.end(), {power - 1, power, power + 1});
+  for (const std::size_t other : {1500U, 2100U, 3000U, 6145U}) counts.push_back(other);
+  return counts;
+}
+
+/// Shafts of every form: around all bounds, with added planes, of faces that stand, too large for floats; the others
+/// drawn.
+std::vector<CompiledShaft> mixed_shafts() {
+  std::vector<CompiledShaft> shafts = random_shafts(seed, most_shafts);
+  const Box world{{-6, -6, -6}, {6, 6, 6}};
+  Shaft camera(world, world);
+  camera.add_plane({{1, 0, 0}, 2});
+  camera.add_plane({{0, 1, 1}, 3});
+  shafts[1] = compile(camera);
+  shafts[2] = compile(Shaft({{-4, -1, -1}, {-3, 1, 1}}, {{3, -1, -1}, {4, 1, 1}}));
+  shafts[3] = compile(Shaft({{-3e38F, -2, -2}, {-1, 2, 2}}, {{0, -1, -3}, {2, 1, 1}}));
+  shafts[4] = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{2, 3, 0}, {4, 4, 2}}));
+  Shaft cut({{-5, -4, -4}, {-2, 3, 1}}, {{1, -2, 0}, {5, 2, 4}});
+  cut.add_plane({{0, 0, 1}, 1});
+  shafts[64] = compile(cut);
+  return shafts;
+}
+
+std::vector<Box> mixed_boxes() {
+  std::vector<Box> boxes = random_boxes(seed + 1, most_bounds);
+  Dice dice(seed + 2);
+  for (std::size_t i = 0; i < boxes.size(); i += 5) boxes[i] = dice.grid_box(-5, 5);  // many that touch
+  return boxes;
+}
+
+std::vector<Sphere> mixed_spheres() {
+  std::vector<Sphere> spheres = random_spheres(seed + 3, most_bounds);
+  Dice dice(seed + 4);
+  for (std::size_t i = 0; i < spheres.size(); i += 5) {
+    spheres[i] = {{dice.integer(-5, 5), dice.integer(-5, 5), dice.integer(-5, 5)}, dice.integer(-1, 2)};
+  }
+  return spheres;
+}
+
+/// What the scalar kernels say of every shaft and bound, one at a time, as rows of bits.
+struct Expected {
+  std::vector<std::uint64_t> kept[most_shafts];
+  std::vector<std::uint64_t> inside[most_shafts];
+
+  template <class Bound>
+  Expected(const std::vector<CompiledShaft>& shafts, const std::vector<Bound>& bounds) {
+    const UseIsa scalar(Isa::scalar);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      kept[s].resize(words_for(bounds.size()));
+      inside[s].resize(words_for(bounds.size()));
+      for (std::size_t i = 0; i != bounds.size(); ++i) {
+        const Answer answer = classify(shafts[s], bounds[i]);
+        kept[s][i / 64] |= std::uint64_t{answer != Answer::outside} << i % 64;
+        inside[s][i / 64] |= std::uint64_t{answer == Answer::inside} << i % 64;
+      }
+    }
+  }
+};
+
+/// The bits of the first `count` bounds.
+std::vector<std::uint64_t> first_of(const std::vector<std::uint64_t>& bits, std::size_t count) {
+  std::vector<std::uint64_t> some(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(words_for(count)));
+  if (count % 64 != 0) some.back() &= (std::uint64_t{1} << count % 64) - 1;
+  return some;
+}
+
+std::vector<std::uint32_t> indices_of(const std::vector<std::uint64_t>& bits) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t i = 0; i != bits.size() * 64; ++i) {
+    if ((bits[i / 64] >> i % 64 & 1U) != 0) indices.push_back(i);
+  }
+  return indices;
+}
+
+/// What a number of shafts and of bounds should give.
+struct Part {
+  std::vector<std::uint64_t> kept;
+  std::vector<std::uint64_t> inside;
+  std::vector<std::uint64_t> counts;
+  std::vector<std::uint64_t> offsets{0};
+  std::vector<std::uint32_t> indices;
+
+  Part(const Expected& expected, std::size_t first_shaft, std::size_t shafts, std::size_t bounds) {
+    for (std::size_t s = first_shaft; s != first_shaft + shafts; ++s) {
+      const std::vector<std::uint64_t> kept_row = first_of(expected.kept[s], bounds);
+      const std::vector<std::uint64_t> inside_row = first_of(expected.inside[s], bounds);
+      const std::vector<std::uint32_t> row = indices_of(kept_row);
+      kept.insert(kept.end(), kept_row.begin(), kept_row.end());
+      inside.insert(inside.end(), inside_row.begin(), inside_row.end());
+      indices.insert(indices.end(), row.begin(), row.end());
+      counts.push_back(row.size());
+      offsets.push_back(indices.size());
+    }
+  }
+};
+
+/// All that one shaft is asked, in both forms.
+template <class View>
+void expect_one(const CompiledShaft& shaft, const View& view, const Part& right) {
+  std::vector<std::uint64_t> kept(words_for(view.count));
+  std::vector<std::uint64_t> inside(kept.size());
+  for (const Form form : {Form::slab, Form::planes}) {
+    std::fill(kept.begin(), kept.end(), sentinel);
+    cull(shaft, view, kept, form);
+    ASSERT_EQ(kept, right.kept) << "cull";
+    std::fill(inside.begin(), inside.end(), sentinel);
+    classify(shaft, view, kept, inside, form);
+    ASSERT_EQ(kept, right.kept) << "classify";
+    ASSERT_EQ(inside, right.inside) << "classify";
+  }
+  std::fill(inside.begin(), inside.end(), sentinel);
+  contain(shaft, view, inside);
+  ASSERT_EQ(inside, right.inside) << "contain";
+  std::vector<std::uint32_t> candidates(view.count);
+  std::iota(candidates.begin(), candidates.end(), 0U);
+  candidates.resize(refine(shaft, view, candidates, candidates));
+  ASSERT_EQ(candidates, right.indices) << "refine";
+}
+
+/// All that many are asked.
+template <class View>
+void expect_many(std::span<const CompiledShaft> shafts, const View& view, const Part& right) {
+  std::vector<std::uint64_t> kept(right.kept.size(), sentinel);
+  std::vector<std::uint64_t> inside(right.kept.size(), sentinel);
+  cull_many(shafts, view, kept);
+  ASSERT_EQ(kept, right.kept) << "cull_many";
+  classify_many(shafts, view, kept, inside);
+  ASSERT_EQ(kept, right.kept) << "classify_many";
+  ASSERT_EQ(inside, right.inside) << "classify_many";
+  std::vector<std::uint64_t> counts(shafts.size(), sentinel);
+  count_many(shafts, view, counts);
+  ASSERT_EQ(counts, right.counts) << "count_many";
+  IndexLists lists;
+  list_many(shafts, view, lists);
+  ASSERT_EQ(lists.offsets, right.offsets) << "list_many";
+  ASSERT_EQ(lists.indices, right.indices) << "list_many";
+  std::vector<std::uint32_t> candidates(view.count);
+  std::iota(candidates.begin(), candidates.end(), 0U);
+  refine_many(shafts, view, std::span<const std::uint32_t>(candidates), lists);
+  ASSERT_EQ(lists.offsets, right.offsets) << "refine_many";
+  ASSERT_EQ(lists.indices, right.indices) << "refine_many";
+}
+
+template <class Bound>
+void expect_every_size(const std::vector<Bound>& bounds) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::vector<CompiledShaft> shafts = mixed_shafts();
+  const Expected expected(shafts, bounds);
+  const auto memory = columns(bounds);
+  for (const std::size_t bound_count : bound_counts()) {
+    const GuardedView guarded(memory.view().slice(0, bound_count));
+    for (const std::size_t shaft_count : shaft_counts) {
+      const Part right(expected, 0, shaft_count, bound_count);
+      for (const Isa isa : isas_under_test()) {
+        SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(shaft_count) + " shafts, " +
+                     std::to_string(bound_count) + " bounds");
+        const UseIsa use(isa);
+        expect_many(std::span(shafts).first(shaft_count), guarded.view(), right);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+    for (const std::size_t s : special_shafts) {
+      const Part right(expected, s, 1, bound_count);
+      for (const Isa isa : isas_under_test()) {
+        SCOPED_TRACE(std::string(name(isa)) + ", shaft " + std::to_string(s) + ", " + std::to_string(bound_count) +
+                     " bounds");
+        const UseIsa use(isa);
+        expect_one(shafts[s], guarded.view(), right);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(Sizes, EveryNumberOfBoxesAndShaftsGivesTheAnswersOfOneAtATime) { expect_every_size(mixed_boxes()); }
+
+TEST(Sizes, EveryNumberOfSpheresAndShaftsGivesTheAnswersOfOneAtATime) { expect_every_size(mixed_spheres()); }
+
+}  // namespace
+}  // namespace shaftcull
