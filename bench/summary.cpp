@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -46,12 +47,15 @@ ordered_json machine() {
   for (const auto& cache : benchmark::CPUInfo::Get().caches) {
     caches.push_back({{"level", cache.level}, {"type", cache.type}, {"bytes", cache.size}});
   }
+  // What else ran, before this process did. There is none where the system does not tell.
+  const std::vector<double>& load = benchmark::CPUInfo::Get().load_avg;
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return {{"cpu", processor_name()},
           {"cores", std::thread::hardware_concurrency()},
           {"isa", isas},
           {"compiler", compiler_name()},
           {"caches", caches},
+          {"load", load.empty() ? ordered_json(nullptr) : ordered_json(load.front())},
           {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))}};
 }
 

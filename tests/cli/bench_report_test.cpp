@@ -2,11 +2,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -49,6 +55,7 @@ void expect_refusal(const std::string& summary, const std::string& words, const 
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
   EXPECT_THAT(outcome.error, HasSubstr(words));
+  EXPECT_THAT(outcome.error, Not(HasSubstr("json.exception")));
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_FALSE(std::filesystem::exists(scratch.path("out.html")));
 }
@@ -73,8 +80,8 @@ TEST_F(BenchReportPage, HasEveryPlotAndTable) {
   EXPECT_EQ(occurrences(page, "</svg>"), 7U);
   for (const char* title :
        {"Tests a second, by instruction set and form", "Times as fast as the paper's method", "By number of boxes",
-        "By number of shafts", "By number of threads", "Share of what the machine allows", "Roofline", "To be reached",
-        "What limits each path", "Machine"}) {
+        "By number of shafts", "By number of threads", "Share of what the machine allows", "Roofline",
+        "Figures and targets", "What limits each path", "Machine"}) {
     EXPECT_THAT(page, HasSubstr(title));
   }
   EXPECT_THAT(page, Not(HasSubstr("Not measured in this run")));
@@ -106,9 +113,137 @@ TEST_F(BenchReportPage, ShowsTheFiguresOfTheRun) {
   const std::string page = page_of(summary.dump());
   EXPECT_THAT(page, HasSubstr("<td>small/one_shaft_64_boxes/avx2</td><td>time</td>"));
   EXPECT_THAT(page, HasSubstr("not measured"));  // the stored run lacks the figure of its first target
-  std::size_t met = 0;
-  for (const json& row : summary.at("reach")) met += row.at("met").get<bool>() ? 1 : 0;
-  EXPECT_THAT(page, HasSubstr(std::to_string(met) + " of " + std::to_string(summary.at("reach").size())));
+}
+
+TEST_F(BenchReportPage, ShowsHowMuchOfATargetWasReached) {
+  json summary = json::parse(stored());
+  summary["reach"] = {{{"row", "a"},
+                       {"against", "b"},
+                       {"value", 0.9},
+                       {"target", 1.0},
+                       {"unit", "x"},
+                       {"bound", "least"},
+                       {"met", false}},
+                      {{"row", "c"},
+                       {"against", "d"},
+                       {"value", 1.5},
+                       {"target", 1.2},
+                       {"unit", "x"},
+                       {"bound", "most"},
+                       {"met", false}},
+                      {{"row", "e"},
+                       {"against", nullptr},
+                       {"value", 50.0},
+                       {"target", 60.0},
+                       {"unit", "ns"},
+                       {"bound", "most"},
+                       {"met", true}},
+                      {{"row", "f"},
+                       {"against", "g"},
+                       {"value", nullptr},
+                       {"target", 2.0},
+                       {"unit", "x"},
+                       {"bound", "least"},
+                       {"met", false}}};
+  const std::string page = page_of(summary.dump());
+  EXPECT_THAT(page, HasSubstr(">0.90 ×</td><td class=\"n\">≥ 1.00 ×</td><td class=\"n below\">90 %<"));
+  EXPECT_THAT(page, HasSubstr(">1.50 ×</td><td class=\"n\">≤ 1.20 ×</td><td class=\"n below\">80 %<"));
+  EXPECT_THAT(page, HasSubstr(">50.0 ns</td><td class=\"n\">≤ 60.0 ns</td><td class=\"n met\">✓ 120 %<"));
+  EXPECT_THAT(page, HasSubstr("not measured"));
+  EXPECT_THAT(page,
+              HasSubstr("<b>1 of 3</b><span>figures of this run reach their target, the others 90 % of it (median)"));
+}
+
+TEST_F(BenchReportPage, DoesNotCallABusyMachineAFailure) {
+  json summary = json::parse(stored());
+  summary["machine"]["load"] = 5.25;
+  const std::string page = page_of(summary.dump());
+  EXPECT_THAT(page, AllOf(HasSubstr("measure again when it is idle"),
+                          HasSubstr("Load average when measuring began: 5.2, on 2 threads.")));
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("missed")), Not(HasSubstr("failed"))));
+}
+
+TEST_F(BenchReportPage, HasTooltipsForReaders) {
+  const std::string page = page_of(stored());
+  EXPECT_THAT(page, HasSubstr("<title>boxes, cull, slab, AVX-512: 5.82 G</title>"));
+  EXPECT_THAT(page, HasSubstr("<title>boxes, cull, slab, AVX-512: 46 ×</title>"));
+  EXPECT_THAT(page, HasSubstr("<title>64 shafts, AVX2: up to "));
+  EXPECT_THAT(page, HasSubstr(" tests a second with 1024 shafts</title>"));
+  for (const char* raw : {"using", "every", "gnuplot", "NaN", "$curve", "$points"}) {
+    SCOPED_TRACE(raw);
+    const std::regex title(std::string("<title>[^<]*") + (raw[0] == '$' ? "[$]" + std::string(raw + 1) : raw));
+    EXPECT_FALSE(std::regex_search(page, title));
+  }
+}
+
+/// A text of a picture, roughly: across is where it begins and how long it is, along its direction.
+struct Label {
+  std::string text;
+  double across;
+  double down;
+  double length;
+  bool rotated;
+};
+
+std::vector<Label> labels_of(const std::string& svg) {
+  const std::regex pattern(
+      "translate\\(([-0-9.]+),([-0-9.]+)\\)( "
+      "rotate\\(([-0-9.]+)\\))?\"[^>]*text-anchor=\"([a-z]+)\">\\s*<text>([^<]*)");
+  std::vector<Label> labels;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), pattern), end; at != end; ++at) {
+    const std::smatch& match = *at;
+    const bool rotated = match[3].matched;
+    const double angle = rotated ? std::stod(match[4]) * std::numbers::pi / 180 : 0;
+    const double x = std::stod(match[1]);
+    const double y = std::stod(match[2]);
+    const std::string text = match[6];
+    constexpr double character_width = 6.5;
+    const double length = character_width * static_cast<double>(std::count_if(
+                                                text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+    const double shift = match[5] == "end" ? length : match[5] == "middle" ? length / 2 : 0;
+    labels.push_back({text, x * std::cos(angle) + y * std::sin(angle) - shift,
+                      y * std::cos(angle) - x * std::sin(angle), length, rotated});
+  }
+  return labels;
+}
+
+TEST_F(BenchReportPage, HasNoLabelOverAnother) {
+  // Figures that lie close together: instruction sets in the dot plots, caches and kinds of arithmetic on the roofline.
+  json summary = json::parse(stored());
+  json& results = summary.at("results");
+  const std::vector<std::pair<std::string, double>> isas{
+      {"scalar", 0.5}, {"sse4_2", 4.6}, {"avx2", 5.6}, {"avx512", 5.7}};
+  for (auto& [name, result] : results.items()) {
+    for (const auto& [isa, speed] : isas) {
+      if (name.starts_with("test/") && name.ends_with(isa)) result = {{"per_s", speed * 1e9}, {"vs_paper", speed * 10}};
+    }
+  }
+  for (const auto& [isa, speed] : isas) {
+    results["limit/slab_arithmetic/" + isa] = {{"per_s", speed * 1e9}, {"vs_paper", nullptr}};
+    results["limit/grid_arithmetic/" + isa] = {{"per_s", speed * 1.1e9}, {"vs_paper", nullptr}};
+    for (const auto& [level, bandwidth] :
+         std::vector<std::pair<std::string, double>>{{"l1", 230e9}, {"l2", 200e9}, {"l3", 60e9}, {"dram", 30e9}}) {
+      results["limit/read_" + level + "_bytes/" + isa] = {{"per_s", bandwidth}, {"vs_paper", nullptr}};
+    }
+  }
+  const std::string page = page_of(summary.dump());
+  std::size_t pictures = 0;
+  for (std::size_t begin = 0; (begin = page.find("<svg ", begin)) != std::string::npos; ++pictures) {
+    const std::size_t end = page.find("</svg>", begin);
+    const std::vector<Label> labels = labels_of(page.substr(begin, end - begin));
+    EXPECT_GT(labels.size(), 5U);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Label& a = labels[i];
+        const Label& b = labels[j];
+        if (a.rotated != b.rotated || std::abs(a.down - b.down) > 10) continue;
+        EXPECT_FALSE(a.across < b.across + b.length && b.across < a.across + a.length)
+            << "'" << a.text << "' and '" << b.text << "' in picture " << pictures;
+      }
+    }
+    begin = end;
+  }
+  EXPECT_EQ(pictures, 7U);
 }
 
 TEST_F(BenchReportPage, TreatsNamesAsText) {
@@ -129,30 +264,69 @@ TEST_F(BenchReportPage, SaysWhatAPartialRunLacks) {
           "Not measured in this run, and not shown: by number of boxes, by number of shafts, by number of threads."));
 }
 
-TEST(BenchReport, RefusesWhatIsNotASummary) {
-  expect_refusal("", "empty");
-  expect_refusal("speed!", "not JSON");
-  expect_refusal(stored().substr(0, stored().size() / 2), "cut short");
-  expect_refusal("[]", "not what shaftcull-bench writes");
-  expect_refusal("{}", "machine");
+/// The number of the line that `part` is on.
+std::string line_of(const std::string& text, const std::string& part) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(part));
+  return "line " + std::to_string(1 + std::count(text.begin(), end, '\n')) + ": ";
 }
 
-TEST(BenchReport, RefusesASummaryThatLacksAPart) {
+TEST(BenchReport, RefusesWhatIsNotASummary) {
+  expect_refusal("", "empty");
+  expect_refusal("speed!", "line 1: not JSON");
+  expect_refusal("{\n\"machine\": {\n\"cpu\" 7}}", "line 3: not JSON");
+  expect_refusal("{\n\"machine\": 1e999\n}", "line 2: a number is too large");
+  expect_refusal("[]", "line 1: the whole is a list, not an object");
+  expect_refusal("{}", "line 1: the whole lacks 'machine'");
+}
+
+TEST(BenchReport, SaysWhereATextWasCut) {
+  const std::string half = stored().substr(0, stored().size() / 2);
+  const auto lines_before = 1 + std::count(half.begin(), half.end(), '\n');
+  expect_refusal(half, "line " + std::to_string(lines_before) + ": cut short");
+}
+
+TEST(BenchReport, NamesThePartThatASummaryLacks) {
   for (const char* part : {"machine", "run", "results", "reach", "limits"}) {
     json summary = json::parse(stored());
     summary.erase(part);
-    expect_refusal(summary.dump(), part);
+    expect_refusal(summary.dump(), std::string("line 1: the whole lacks '") + part + "'");
   }
+}
+
+TEST(BenchReport, NamesTheLineOfWhatAPartLacks) {
+  json summary = json::parse(stored());
+  summary["machine"].erase("cpu");
+  std::string text = summary.dump(2);
+  expect_refusal(text, line_of(text, "\"machine\"") + "machine lacks 'cpu'");
+
+  summary = json::parse(stored());
+  summary["results"]["form/batch"].erase("per_s");
+  text = summary.dump(2);
+  expect_refusal(text, line_of(text, "\"form/batch\": {") + "results/form/batch lacks 'per_s'");
+
+  summary = json::parse(stored());
+  summary["limits"][1]["ceilings"][0].erase("what");
+  text = summary.dump();
+  text.insert(text.find("{\"by\":\"memory/read/avx512\""), "\n\n");
+  expect_refusal(text, "line 3: limits/1/ceilings/0 lacks 'what'");
 }
 
 TEST(BenchReport, RefusesFiguresThatCannotBe) {
   json summary = json::parse(stored());
   summary["results"]["form/batch"]["per_s"] = "fast";
-  expect_refusal(summary.dump(), "not what shaftcull-bench writes");
+  expect_refusal(summary.dump(), "line 1: results/form/batch/per_s is \"fast\", not a number");
   summary["results"]["form/batch"]["per_s"] = 0;
-  expect_refusal(summary.dump(), "form/batch has the speed 0");
+  expect_refusal(summary.dump(), "results/form/batch/per_s is 0; it should be above 0");
+  summary["results"]["form/batch"]["per_s"] = {{"a", 1}};
+  expect_refusal(summary.dump(), "results/form/batch/per_s is an object, not a number");
   summary["results"] = json::object();
-  expect_refusal(summary.dump(), "there are no results");
+  expect_refusal(summary.dump(), "results is empty");
+  summary = json::parse(stored());
+  summary["machine"]["cores"] = -1;
+  expect_refusal(summary.dump(), "machine/cores is -1; it should be a count");
+  summary["machine"]["cores"] = 1;
+  summary["run"]["quick"] = "yes";
+  expect_refusal(summary.dump(), "run/quick is \"yes\", not true or false");
 }
 
 TEST(BenchReport, RefusesAFileThatIsNotThere) {

@@ -117,7 +117,7 @@ std::optional<Plot> plot_bounds(const BenchSummary& summary) {
       "By number of boxes",
       "Many shafts share what they read, so their speed does not depend on how many boxes there are; one shaft reads "
       "every box anew, and steps down where boxes outgrow a cache.",
-      script + draw_curves(curves, top)};
+      draw_curves(script, curves, top)};
 }
 
 std::optional<Plot> plot_shafts(const BenchSummary& summary) {
@@ -133,7 +133,7 @@ std::optional<Plot> plot_shafts(const BenchSummary& summary) {
   return Plot{"By number of shafts",
               fmt::format("One thread, {} boxes. Each shaft more makes more of the boxes that were read.",
                           grouped(static_cast<unsigned long long>(summary.bounds / 4))),
-              script + draw_curves(curves, top)};
+              draw_curves(script, curves, top)};
 }
 
 std::optional<Plot> plot_threads(const BenchSummary& summary) {
@@ -157,7 +157,7 @@ std::optional<Plot> plot_threads(const BenchSummary& summary) {
   return Plot{"By number of threads",
               fmt::format("{}, {} boxes, by the clock on the wall.", best->label,
                           grouped(static_cast<unsigned long long>(summary.bounds))),
-              script + draw_curves(curves, top)};
+              draw_curves(script, curves, top)};
 }
 
 }  // namespace shaftcull::cli

@@ -11,21 +11,33 @@ namespace {
 /// Room for labels of rows on the left, and for values on the right.
 constexpr Frame frame{.height = 380, .left = 0.31, .right = 0.87, .bottom = 0.09, .top = 0.93};
 
-/// The name of a dot's instruction set above it: ending there, but for the one farthest to the right, which begins
-/// there, so that names of dots close together stay apart.
-std::string name_above(const Dot& dot, double y, bool rightmost) {
-  return fmt::format("set label '{}' at {},{} {} offset char {},1 textcolor rgb '{}'\n", dot.look->label, dot.x, y,
-                     rightmost ? "left" : "right", rightmost ? -0.5 : 0.8, colour(dot.look->ink));
+/// The names of the instruction sets there are, with their marks, side by side above the rows.
+std::string legend(const std::vector<DotRow>& rows) {
+  constexpr double pitch = 0.25;  // of the width of the plot: room for the longest name
+  std::string script;
+  double x = 0;
+  for (const Look& look : looks) {
+    const bool shown = std::any_of(rows.begin(), rows.end(), [&](const DotRow& row) {
+      return std::any_of(row.dots.begin(), row.dots.end(), [&](const Dot& dot) { return dot.look == &look; });
+    });
+    if (!shown) continue;
+    script += fmt::format(
+        "set label '{}' at graph {},1.05 left point pt {} ps 1 lc rgb '{}' offset char 1,0 textcolor rgb '{}'\n",
+        look.label, x, look.mark, colour(look.ink), colour(look.ink));
+    x += pitch;
+  }
+  return script;
 }
 
 }  // namespace
 
-std::string draw_dots(const std::vector<DotRow>& rows, const std::string& axis,
-                      const std::function<std::string(double)>& value_text) {
+Drawing draw_dots(const std::vector<DotRow>& rows, const std::string& axis,
+                  const std::function<std::string(double)>& value_text) {
   const auto height = static_cast<double>(rows.size());
-  std::string script = preamble(frame) + axis;
+  std::string script = preamble(frame) + axis + legend(rows);
   script += fmt::format("set yrange [0.4:{}]\nset grid noytics\nunset ytics\n", height + 0.6);
   std::string command = "plot NaN";
+  std::vector<std::string> tooltips{""};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const DotRow& row = rows[r];
     const double y = height - static_cast<double>(r);
@@ -44,10 +56,10 @@ std::string draw_dots(const std::vector<DotRow>& rows, const std::string& axis,
     for (const Dot& dot : row.dots) {
       command += fmt::format(", '+' using ({}):({}) every ::0::0 with points pt {} ps 1 lc rgb '{}'", dot.x, y,
                              dot.look->mark, colour(dot.look->ink));
-      if (r == 0) script += name_above(dot, y, dot.look == most->look);
+      tooltips.push_back(fmt::format("{}, {}: {}", row.label, dot.look->label, value_text(dot.x)));
     }
   }
-  return script + command + '\n';
+  return {script + command + '\n', tooltips};
 }
 
 }  // namespace shaftcull::cli

@@ -21,9 +21,9 @@ struct DotRow {
   std::vector<Dot> ticks;
 };
 
-/// The script for rows from top to bottom, with the names of instruction sets above the dots of the first row and what
-/// value_text() says of the largest value at the right end of each. `axis` sets range, scale and tics of x.
-[[nodiscard]] std::string draw_dots(const std::vector<DotRow>& rows, const std::string& axis,
-                                    const std::function<std::string(double)>& value_text);
+/// Rows from top to bottom, with a legend of instruction sets above them and what value_text() says of the largest
+/// value at the right end of each. `axis` sets range, scale and tics of x.
+[[nodiscard]] Drawing draw_dots(const std::vector<DotRow>& rows, const std::string& axis,
+                                const std::function<std::string(double)>& value_text);
 
 }  // namespace shaftcull::cli

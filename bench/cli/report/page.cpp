@@ -1,8 +1,12 @@
 #include "report/page.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,10 +31,26 @@ std::string escaped(std::string text) {
   return replaced(std::move(text), "\"", "&quot;");
 }
 
+/// What browsers show for an element that a reader points at: gnuplot has its own commands there. Elements of the plot
+/// command are numbered from 1.
+std::string with_tooltips(std::string svg, const std::vector<std::string>& tooltips) {
+  constexpr std::string_view open = "<title>";
+  constexpr std::string_view close = "</title>";
+  for (std::size_t i = 0; i < tooltips.size(); ++i) {
+    const std::size_t element = svg.find(fmt::format("\"gnuplot_plot_{}\"", i + 1));
+    const std::size_t begin = svg.find(open, element);
+    const std::size_t end = svg.find(close, begin);
+    if (element == std::string::npos || end == std::string::npos) continue;
+    svg.replace(begin, end + close.size() - begin,
+                tooltips[i].empty() ? "" : fmt::format("{}{}{}", open, escaped(tooltips[i]), close));
+  }
+  return svg;
+}
+
 /// gnuplot's picture as an element of the page: its numbers for inks become the page's colours, its names get
 /// a prefix of their own, and screen readers get a title.
 std::string inline_svg(const Plot& plot, std::size_t number) {
-  std::string svg = run_gnuplot(plot.script);
+  std::string svg = with_tooltips(run_gnuplot(plot.drawing.script), plot.drawing.tooltips);
   svg.erase(0, svg.find("<svg"));
   for (int ink = ink_text; ink < ink_end; ++ink) {
     const std::string variable = fmt::format("var(--ink-{})", ink);
@@ -53,21 +73,30 @@ std::string reach_figure(const ReachRow& row, double value) {
   return row.is_time ? fmt::format("{:.1f} ns", value) : fmt::format("{:.{}f} ×", value, value < 9.995 ? 2 : 1);
 }
 
+std::string load_note(const BenchSummary& summary) {
+  if (!summary.load) return "";
+  return fmt::format(" Load average when measuring began: {:.1f}, on {} threads.", *summary.load, summary.cores);
+}
+
 std::string reach_table(const BenchSummary& summary) {
-  std::string text =
-      "<section><h2>To be reached</h2>\n<p>Speeds against each other within this run; times of one call.</p>\n"
+  std::string text = fmt::format(
+      "<section><h2>Figures and targets</h2>\n<p>Speeds against each other within this run, and times of one call. "
+      "Targets are for a machine that does nothing else: on a busy one figures are worse than the library, so measure "
+      "again "
+      "when it is idle before you read much into one below its target.{}</p>\n"
       "<div class=\"scroll\"><table>\n<thead><tr><th>what</th><th>against</th><th class=\"n\">measured</th>"
-      "<th class=\"n\">target</th><th>verdict</th></tr></thead>\n<tbody>\n";
+      "<th class=\"n\">target</th><th class=\"n\">of the target</th></tr></thead>\n<tbody>\n",
+      load_note(summary));
   for (const ReachRow& row : summary.reach) {
-    const char* const verdict = !row.value ? "not measured" : row.met ? "met" : "missed";
+    const std::optional<double> share = row.share_of_target();
     text += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{} {}</td><td class=\"{}\">{}</td></tr>\n",
+        "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{} {}</td><td class=\"n {}\">{}</td></tr>\n",
         escaped(row.row), row.is_time ? "time" : escaped(row.against), row.value ? reach_figure(row, *row.value) : "–",
-        row.is_time ? "≤" : "≥", reach_figure(row, row.target),
-        row.met     ? "met"
-        : row.value ? "missed"
-                    : "none",
-        verdict);
+        row.at_most ? "≤" : "≥", reach_figure(row, row.target),
+        !share    ? "none"
+        : row.met ? "met"
+                  : "below",
+        !share ? "not measured" : fmt::format("{}{:.0f} %", row.met ? "✓ " : "", std::floor(100 * *share)));
   }
   return text + "</tbody></table></div></section>\n";
 }
@@ -127,9 +156,22 @@ std::string headline(const BenchSummary& summary) {
   }
   if (const auto batch = summary.speed("form/batch"))
     tile(fmt::format("{:.1f} ns", 1e9 / *batch), "to form a shaft, in batches");
-  std::size_t met = 0;
-  for (const ReachRow& row : summary.reach) met += row.met ? 1 : 0;
-  if (!summary.reach.empty()) tile(fmt::format("{} of {}", met, summary.reach.size()), "targets met");
+  std::size_t measured = 0;
+  std::vector<double> below;
+  for (const ReachRow& row : summary.reach) {
+    const std::optional<double> share = row.share_of_target();
+    if (share) ++measured;
+    if (share && !row.met) below.push_back(*share);
+  }
+  if (measured > 0) {
+    std::string rest;
+    if (!below.empty()) {
+      const auto middle = below.begin() + static_cast<std::ptrdiff_t>(below.size() / 2);
+      std::nth_element(below.begin(), middle, below.end());
+      rest = fmt::format(", the others {:.0f} % of it (median)", std::floor(100 * *middle));
+    }
+    tile(fmt::format("{} of {}", measured - below.size(), measured), "figures of this run reach their target" + rest);
+  }
   return fmt::format("<div class=\"tiles\">\n{}</div>\n", tiles);
 }
 

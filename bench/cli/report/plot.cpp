@@ -34,14 +34,14 @@ std::string preamble(const Frame& frame) {
       colour(ink_grid));
 }
 
-std::string draw_curves(const std::vector<Curve>& curves, double top) {
+Drawing draw_curves(std::string script, const std::vector<Curve>& curves, double top) {
   constexpr double least_distance = 0.065;  // of the height of the plot: a line of text
   struct Label {
     const Curve* curve;
     double height;
   };
   std::vector<Label> labels;
-  std::string script;
+  std::vector<std::string> tooltips;
   std::string command;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];
@@ -51,6 +51,9 @@ std::string draw_curves(const std::vector<Curve>& curves, double top) {
     command += fmt::format("{} $curve{} using 1:2 with linespoints lc rgb '{}' lw 2 dt {} pt {} ps 0.7",
                            i == 0 ? "plot" : ",", i, colour(curve.ink), curve.dashed ? "(6,4)" : "1", curve.mark);
     labels.push_back({&curve, curve.points.back().y / top});
+    const Point& best = *std::max_element(curve.points.begin(), curve.points.end(),
+                                          [](const Point& a, const Point& b) { return a.y < b.y; });
+    tooltips.push_back(fmt::format("{}: up to {:.2f} G tests a second", curve.name, best.y));
   }
   std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.height < b.height; });
   // Pairs that are too close move apart by the same amount, until none is.
@@ -66,7 +69,7 @@ std::string draw_curves(const std::vector<Curve>& curves, double top) {
     script += fmt::format("set label '{}' at graph 1.02,{} left textcolor rgb '{}'\n", label.curve->name, label.height,
                           colour(label.curve->ink));
   }
-  return script + command + '\n';
+  return {script + command + '\n', tooltips};
 }
 
 }  // namespace shaftcull::cli

@@ -12,14 +12,14 @@ inline constexpr std::string_view page_style = R"(:root {
   --page: #fbfbfa; --card: #ffffff; --line: #e3e3e0;
   --ink-1: #1c1c1a; --ink-2: #6a6a66; --ink-3: #e6e6e2;
   --ink-4: #7a7a76; --ink-5: #a06a00; --ink-6: #0067a5; --ink-7: #c24a00;
-  --good: #00705a; --bad: #b3261e;
+  --good: #00705a;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --page: #161615; --card: #1f1f1e; --line: #353533;
     --ink-1: #ecece8; --ink-2: #a3a39d; --ink-3: #353533;
     --ink-4: #a9a9a3; --ink-5: #e6a117; --ink-6: #5cb8ee; --ink-7: #ff8c4d;
-    --good: #3fc9a5; --bad: #ff8a80;
+    --good: #3fc9a5;
   }
 }
 * { box-sizing: border-box; }
@@ -49,7 +49,7 @@ th, td { padding: 5px 16px 5px 0; border-bottom: 1px solid var(--line); vertical
 tr:last-child td { border-bottom: 0; }
 .n { text-align: right; white-space: nowrap; }
 .met { color: var(--good); }
-.missed { color: var(--bad); font-weight: 600; }
+.below { font-weight: 600; }
 .none { color: var(--ink-2); }
 dl { margin: 12px 0 0; }
 dl div { display: flex; gap: 16px; padding: 3px 0; }

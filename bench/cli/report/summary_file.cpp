@@ -2,76 +2,85 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "report/json_text.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
 namespace {
 
-using Json = nlohmann::json;
-
-std::optional<double> number_or_nothing(const Json& value) {
-  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+std::optional<double> number_or_nothing(const JsonPart& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.number());
 }
 
-double speed_of(const Json& value, const std::string& row) {
-  const auto speed = value.get<double>();
-  if (!(speed > 0) || !std::isfinite(speed)) {
-    throw InvalidArgument(fmt::format("{} has the speed {}, which should be above 0", row, speed));
+/// A speed, a ratio of two, or a target: all are finite and above 0.
+double positive(const JsonPart& value) {
+  const double number = value.number();
+  if (!(number > 0) || !std::isfinite(number)) value.refuse(fmt::format("is {}; it should be above 0", number));
+  return number;
+}
+
+std::size_t count(const JsonPart& value) {
+  const double number = value.number();
+  if (!(number >= 0 && number <= 1e9) || number != std::floor(number)) {
+    value.refuse(fmt::format("is {}; it should be a count", number));
   }
-  return speed;
+  return static_cast<std::size_t>(number);
 }
 
-void read_machine(const Json& machine, BenchSummary& summary) {
-  summary.cpu = machine.at("cpu").get<std::string>();
-  summary.compiler = machine.at("compiler").get<std::string>();
-  summary.date = machine.at("date").get<std::string>();
-  summary.cores = machine.at("cores").get<std::size_t>();
-  summary.isas = machine.at("isa").get<std::vector<std::string>>();
-  for (const Json& cache : machine.at("caches")) {
+void read_machine(const JsonPart& machine, BenchSummary& summary) {
+  summary.cpu = machine.at("cpu").text();
+  summary.compiler = machine.at("compiler").text();
+  summary.date = machine.at("date").text();
+  summary.cores = count(machine.at("cores"));
+  if (machine.has("load")) summary.load = number_or_nothing(machine.at("load"));
+  for (const JsonPart& isa : machine.at("isa").elements()) summary.isas.push_back(isa.text());
+  for (const JsonPart& cache : machine.at("caches").elements()) {
     summary.caches.push_back(
-        {cache.at("level").get<int>(), cache.at("type").get<std::string>(), cache.at("bytes").get<double>()});
+        {static_cast<int>(count(cache.at("level"))), cache.at("type").text(), positive(cache.at("bytes"))});
   }
 }
 
-void read_reach(const Json& rows, BenchSummary& summary) {
-  for (const Json& row : rows) {
-    summary.reach.push_back({row.at("row").get<std::string>(),
-                             row.at("against").is_null() ? std::string() : row.at("against").get<std::string>(),
-                             number_or_nothing(row.at("value")), row.at("target").get<double>(),
-                             row.at("unit").get<std::string>() == "ns", row.at("met").get<bool>()});
+void read_reach(const JsonPart& rows, BenchSummary& summary) {
+  for (const JsonPart& row : rows.elements()) {
+    const JsonPart against = row.at("against");
+    const JsonPart value = row.at("value");
+    summary.reach.push_back({row.at("row").text(), against.is_null() ? std::string() : against.text(),
+                             value.is_null() ? std::nullopt : std::optional(positive(value)),
+                             positive(row.at("target")), row.at("unit").text() == "ns",
+                             row.at("bound").text() == "most", row.at("met").boolean()});
   }
 }
 
-void read_limits(const Json& rows, BenchSummary& summary) {
-  for (const Json& row : rows) {
-    PathLimit path{row.at("row").get<std::string>(), 0, row.at("fraction").get<double>(), {}};
-    path.per_second = speed_of(row.at("per_s"), path.row);
-    for (const Json& ceiling : row.at("ceilings")) {
-      path.ceilings.push_back({ceiling.at("by").get<std::string>(), ceiling.at("what").get<std::string>(),
-                               speed_of(ceiling.at("per_s"), path.row)});
+void read_limits(const JsonPart& rows, BenchSummary& summary) {
+  for (const JsonPart& row : rows.elements()) {
+    PathLimit path{row.at("row").text(), positive(row.at("per_s")), row.at("fraction").number(), {}};
+    const JsonPart ceilings = row.at("ceilings");
+    for (const JsonPart& ceiling : ceilings.elements()) {
+      path.ceilings.push_back({ceiling.at("by").text(), ceiling.at("what").text(), positive(ceiling.at("per_s"))});
     }
-    if (path.ceilings.empty()) throw InvalidArgument(fmt::format("{} has no ceilings", path.row));
+    if (path.ceilings.empty()) ceilings.refuse("is empty");
     summary.limits.push_back(std::move(path));
   }
 }
 
-BenchSummary summary_of(const Json& json) {
+BenchSummary summary_of(const JsonPart& json) {
   BenchSummary summary{};
   read_machine(json.at("machine"), summary);
-  const Json& run = json.at("run");
-  summary.quick = run.at("quick").get<bool>();
-  summary.bounds = run.at("bounds").get<double>();
-  summary.shafts = run.at("shafts").get<double>();
-  for (const auto& [name, result] : json.at("results").items()) {
-    const Json& ratio = result.at("vs_paper");
-    summary.results[name] = {speed_of(result.at("per_s"), name),
-                             ratio.is_null() ? std::nullopt : std::optional(speed_of(ratio, name))};
+  const JsonPart run = json.at("run");
+  summary.quick = run.at("quick").boolean();
+  summary.bounds = positive(run.at("bounds"));
+  summary.shafts = positive(run.at("shafts"));
+  const JsonPart results = json.at("results");
+  for (const auto& [name, result] : results.members()) {
+    const JsonPart ratio = result.at("vs_paper");
+    summary.results[name] = {positive(result.at("per_s")),
+                             ratio.is_null() ? std::nullopt : std::optional(positive(ratio))};
   }
-  if (summary.results.empty()) throw InvalidArgument("there are no results");
+  if (summary.results.empty()) results.refuse("is empty");
   read_reach(json.at("reach"), summary);
   read_limits(json.at("limits"), summary);
   return summary;
@@ -88,17 +97,13 @@ BenchSummary read_summary(const std::string& path) {
   constexpr const char* remedy = "; make one with ./cmake/run bench";
   std::ifstream file(path);
   if (!file) throw InvalidArgument(fmt::format("--in {}: there is no such file, or it cannot be read{}", path, remedy));
-  if (file.peek() == std::ifstream::traits_type::eof()) {
-    throw InvalidArgument(fmt::format("--in {}: empty{}", path, remedy));
-  }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw InvalidArgument(fmt::format("--in {}: it cannot be read{}", path, remedy));
+  if (text.empty()) throw InvalidArgument(fmt::format("--in {}: empty{}", path, remedy));
   try {
-    return summary_of(Json::parse(file));
-  } catch (const Json::parse_error& error) {
-    throw InvalidArgument(fmt::format("--in {}: not JSON, or cut short at byte {}{}", path, error.byte, remedy));
-  } catch (const Json::exception& error) {
-    throw InvalidArgument(fmt::format("--in {}: not what shaftcull-bench writes ({}){}", path, error.what(), remedy));
+    return summary_of(JsonText(text).root());
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(fmt::format("--in {}: {}{}", path, error.what(), remedy));
+    throw InvalidArgument(fmt::format("--in {} {}{}", path, error.what(), remedy));
   }
 }
 

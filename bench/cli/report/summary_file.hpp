@@ -27,8 +27,15 @@ struct ReachRow {
   std::string against;  ///< empty for a time
   std::optional<double> value;
   double target;
-  bool is_time;  ///< nanoseconds, at most; else a ratio, at least
+  bool is_time;  ///< nanoseconds, else a ratio
+  bool at_most;  ///< lower is better
   bool met;
+
+  /// 1 or more where the target is met, else how much of it: 0.9 for nine tenths. Nothing if it was not measured.
+  [[nodiscard]] std::optional<double> share_of_target() const {
+    if (!value) return std::nullopt;
+    return at_most ? target / *value : *value / target;
+  }
 };
 
 /// What a limit allows a path.
@@ -50,6 +57,7 @@ struct BenchSummary {
   std::string compiler;
   std::string date;
   std::size_t cores;
+  std::optional<double> load;  ///< processes that wanted to run in the minute before measuring began
   std::vector<std::string> isas;
   std::vector<Cache> caches;
   bool quick;
@@ -63,8 +71,8 @@ struct BenchSummary {
   [[nodiscard]] std::optional<double> speed(const std::string& name) const;
 };
 
-/// Throws InvalidArgument, which names the file and what is wrong with it, if it cannot be read, is not JSON, lacks
-/// a part of what the benchmark writes, or has no results.
+/// Throws InvalidArgument, which names the file, the line and what is wrong there, if it cannot be read, is not JSON,
+/// lacks a part of what the benchmark writes, or has no results.
 [[nodiscard]] BenchSummary read_summary(const std::string& path);
 
 }  // namespace shaftcull::cli
