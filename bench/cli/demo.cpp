@@ -13,7 +13,9 @@
 
 #include "city.hpp"
 #include "instruction_set.hpp"
+#include "interrupt.hpp"
 #include "moving_scene.hpp"
+#include "number.hpp"
 #include "progress.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "sphereflake.hpp"
@@ -146,7 +148,14 @@ class OverlappedFrameLoop final : public FrameLoop {
   std::optional<std::size_t> made_;  ///< the frame that can be asked about
 };
 
-SceneResult run_frames(FrameLoop& loop, const MovingScene& scene, const DemoOptions& options, Progress& progress) {
+/// What a run is told by, and what may end it.
+struct Console {
+  Progress progress;
+  InterruptWatch interrupt;
+};
+
+/// At least one frame, even if there is an interrupt, so that there is something to show.
+SceneResult run_frames(FrameLoop& loop, const MovingScene& scene, const DemoOptions& options, Console& console) {
   // The first frame meets cold caches and threads that are not started yet; it is not counted.
   loop.run_frame(0);
   SceneResult result;
@@ -157,9 +166,11 @@ SceneResult run_frames(FrameLoop& loop, const MovingScene& scene, const DemoOpti
     const FrameTime time = loop.run_frame(frame);
     result.frames.push_back(time);
     result.kept += loop.kept();
-    progress.update(fmt::format("{}: frame {} of {}, {:.1f} s: move {:.1f} ms, cull {:.1f} ms, {}tests/s, {} kept",
-                                scene.name(), frame, options.frames, seconds, time.move, time.cull,
-                                prefixed(tests(scene, options.shafts) / (time.cull / 1000)), grouped(loop.kept())));
+    console.progress.update(
+        fmt::format("{}: frame {} of {}, {:.1f} s: move {:.1f} ms, cull {:.1f} ms, {}tests/s, {} kept", scene.name(),
+                    frame, options.frames, seconds, time.move, time.cull,
+                    prefixed(tests(scene, options.shafts) / (time.cull / 1000)), grouped(loop.kept())));
+    if (console.interrupt.signal() != 0) break;
   }
   return result;
 }
@@ -191,28 +202,30 @@ std::unique_ptr<MovingScene> make_scene(std::string_view name, std::size_t bound
 }
 
 /// Runs a scene's frames with its bounds in streams, and then as many in a tree and in two, whose answers must be the
-/// same.
-void show(MovingScene& scene, const DemoOptions& options, Table& table, Progress& progress) {
+/// same. An interrupt ends it after any frame.
+void show(MovingScene& scene, const DemoOptions& options, Table& table, Console& console) {
   FrameLoop loop(scene, options.shafts);
-  const SceneResult scanned = run_frames(loop, scene, options, progress);
+  const SceneResult scanned = run_frames(loop, scene, options, console);
   add_row(table, scene, scanned, options, concurrency(), "streams");
 
   DemoOptions as_many = options;
   as_many.frames = scanned.frames.size();
   as_many.seconds = 0;
   const auto show_trees = [&](FrameLoop& trees, const char* way) {
-    const SceneResult walked = run_frames(trees, scene, as_many, progress);
+    const SceneResult walked = run_frames(trees, scene, as_many, console);
     add_row(table, scene, walked, options, concurrency(), way);
-    if (walked.kept != scanned.kept)
+    if (walked.frames.size() == scanned.frames.size() && walked.kept != scanned.kept)
       throw std::logic_error(fmt::format("{}: the {} and the scan differ", scene.name(), way));
   };
+  if (console.interrupt.signal() != 0) return;
   const auto begin = std::chrono::steady_clock::now();
   scene.use_tree();
-  progress.milestone(
+  console.progress.milestone(
       fmt::format("{}: the same bounds in a tree, built in {:.1f} s", scene.name(), milliseconds_since(begin) / 1000));
   show_trees(loop, "tree");
+  if (console.interrupt.signal() != 0) return;
   scene.use_second_tree();
-  progress.milestone(
+  console.progress.milestone(
       fmt::format("{}: and in two trees, one asked while the other is updated for the next frame", scene.name()));
   OverlappedFrameLoop overlapped(scene, options.shafts);
   show_trees(overlapped, "2 trees");
@@ -223,17 +236,18 @@ void run(const DemoOptions& options) {
   const Workers workers(options.threads);
   Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame",
                "kept", "isa", "threads", "bounds in"});
-  Progress progress;
+  Console console;
   for (const std::string_view name : {"sphereflake", "city"}) {
     if (options.scene != "both" && options.scene != name) continue;
     const auto begin = std::chrono::steady_clock::now();
     const auto scene = make_scene(name, options.bounds);
-    progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
-                                   grouped(scene->bounds()), grouped(scene->moving()), options.shafts,
-                                   milliseconds_since(begin) / 1000));
-    workers.run([&] { show(*scene, options, table, progress); });
+    console.progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
+                                           grouped(scene->bounds()), grouped(scene->moving()), options.shafts,
+                                           milliseconds_since(begin) / 1000));
+    workers.run([&] { show(*scene, options, table, console); });
+    if (console.interrupt.signal() != 0) break;
   }
-  progress.milestone("");
+  console.progress.milestone("");
   fmt::print("{}", table.text());
   fmt::print(
       "\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): "
@@ -242,6 +256,9 @@ void run(const DemoOptions& options) {
       "bounds in streams are all tested; in a tree, only those near the shafts (and moving refits its nodes).\n"
       "Of 2 trees one is asked while the other moves on to the next frame: both parts of a frame run at the same time, "
       "and answers come one frame later.\n");
+  if (const int signal = console.interrupt.signal(); signal != 0) {
+    throw Interrupted(signal, "demo: interrupted; the table holds the frames until then");
+  }
 }
 
 }  // namespace
@@ -252,21 +269,24 @@ void add_demo(CLI::App& program) {
   demo.add_option("--scene", options->scene, "sphereflake, city or both (default: both)")
       ->check(CLI::IsMember({"sphereflake", "city", "both"}))
       ->type_name("SCENE");
-  demo.add_option("--bounds", options->bounds, "Bounds in a scene (default: 5,380,840 spheres and 1,000,000 boxes)")
-      ->check(CLI::Range(1, 100'000'000))
+  add_number(demo, "--bounds", options->bounds, 1, 100'000'000,
+             "Bounds in a scene (default: 5,380,840 spheres and 1,000,000 boxes)")
       ->type_name("N");
-  demo.add_option("--shafts", options->shafts, "Shafts (default: 64)")->check(CLI::Range(1, 100'000))->type_name("N");
-  CLI::Option* frames =
-      demo.add_option("--frames", options->frames, "Frames of each scene (default: 100, or what --seconds allows)")
-          ->check(CLI::Range(1, 1'000'000))
-          ->type_name("N");
+  add_number(demo, "--shafts", options->shafts, 1, 100'000, "Shafts (default: 64)")->type_name("N");
+  CLI::Option* frames = add_number(demo, "--frames", options->frames, 1, 1'000'000,
+                                   "Frames of each scene (default: 100, or what --seconds allows)")
+                            ->type_name("N");
   CLI::Option* seconds =
-      demo.add_option("--seconds", options->seconds,
-                      "Begins no frame of a scene later than this (default: 6; none if --frames is given)")
-          ->check(CLI::Range(0.001, 86'400.0))
+      add_number(demo, "--seconds", options->seconds, 0.001, 86'400,
+                 "Begins no frame of a scene later than this (default: 6; none if --frames is given)")
           ->type_name("S");
-  demo.add_option("--threads", options->threads, "Threads (default: 0, all that the machine has)")->type_name("N");
+  add_number(demo, "--threads", options->threads, 0, most_threads, "Threads (default: 0, all that the machine has)")
+      ->type_name("N");
   options->isa.add_option(demo);
+  demo.footer(
+      "Ctrl-C (SIGINT, or SIGTERM) ends it after the frame that runs, with the table of the frames until then; a "
+      "second\n"
+      "one ends it at once.");
   demo.callback([options, frames, seconds] {
     if (frames->count() > 0 && seconds->count() == 0) options->seconds = 0;
     run(*options);

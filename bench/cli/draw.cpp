@@ -10,6 +10,7 @@
 
 #include "box_text.hpp"
 #include "instruction_set.hpp"
+#include "number.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
 
@@ -149,9 +150,9 @@ void add_draw(CLI::App& program) {
   CLI::App& draw = *program.add_subcommand("draw", "Draw three slices through the middle of a shaft");
   draw.add_option("--from", options->from, "Box A: lo x,lo y,lo z,hi x,hi y,hi z")->type_name("BOX");
   draw.add_option("--to", options->to, "Box B, likewise")->type_name("BOX");
-  draw.add_option("--size", options->columns, "Columns that the longest side of the picture takes (default: 48)")
-      ->type_name("COLS")
-      ->check(CLI::Range(12, 400));
+  add_number(draw, "--size", options->columns, 12, 400,
+             "Columns that the longest side of the picture takes (default: 48)")
+      ->type_name("COLS");
   options->isa.add_option(draw);
   draw.callback([options] { run(*options); });
 }

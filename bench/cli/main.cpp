@@ -1,13 +1,25 @@
 /// The program `shaftcull`.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "interrupt.hpp"
+#include "name_search.hpp"
+#include "printable.hpp"
 #include "shaftcull/isa.hpp"
 #include "subcommand.hpp"
 
@@ -30,42 +42,92 @@ std::string version() {
 }
 
 /// Reports an error in a single line, whatever the text that others gave us looks like.
-int complain(std::string what, ExitCode code) {
+int complain(std::string what, int code) {
   for (char& c : what) {
     if (c == '\n' || c == '\r') c = ' ';
   }
   while (!what.empty() && what.back() == ' ') what.pop_back();
-  fmt::print(stderr, "shaftcull: {}\n", what);
+  // Where standard error cannot be written, the exit code has to do.
+  static_cast<void>(std::fputs(fmt::format("shaftcull: {}\n", printable(what)).c_str(), stderr));
   return code;
+}
+
+/// Ends a run whose output is complete, or is found not to have arrived.
+int finish_output(int code) {
+  errno = 0;
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (written) return code;
+  const std::string why = errno != 0 ? fmt::format(": {}", std::strerror(errno)) : "";
+  return complain(fmt::format("standard output cannot be written{}", why), exit_failure);
+}
+
+/// A file that the program opens must not become its standard output because that was closed.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // Opened the wrong way round, so that using it fails, as it did when it was closed.
+    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
+/// What is wrong with a command line that names no subcommand.
+std::string missing_subcommand(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* const subcommand : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(subcommand->get_name());
+  }
+  const std::vector<std::string> unknown = program.remaining();
+  if (unknown.empty()) return fmt::format("do what? Subcommands are {}", closest_names("", names));
+  const std::string& first = unknown.front();
+  if (first.starts_with('-')) {
+    return fmt::format("{}: no option of the program itself; options stand behind the subcommand that they belong to",
+                       first);
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(first, ignored)) {
+    return fmt::format("{} is a file, not a subcommand; for what lies between parts of a mesh: shaftcull cull {}",
+                       first, first);
+  }
+  return fmt::format("there is no subcommand '{}'; there are {}", first, closest_names(first, names));
 }
 
 int run(int argc, char** argv) {
   CLI::App program{"Shaft culling: which of millions of bounds may lie between two boxes?", "shaftcull"};
-  program.set_version_flag("--version", version);
+  program.set_version_flag("--version", version, "Tell the version, and which instruction set runs");
   program.require_subcommand(1);
   program.footer(
       "SHAFTCULL_ISA=scalar|sse4_2|avx2|avx512 in the environment forces an instruction set.\n"
-      "Exit code: 0; 2 if an option, the environment or a file cannot be used; 1 after any other failure.");
+      "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
+      "SIGTERM ended demo or verify, which then show what they have; 1 after any other failure.");
   for (const auto add : subcommands) add(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
-    return complain(fmt::format("{} (see shaftcull --help)", error.what()), exit_bad_input);
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      const bool known = !program.get_subcommands().empty();
+      return complain(fmt::format("{} (see shaftcull {}--help)", known ? error.what() : missing_subcommand(program),
+                                  known ? program.get_subcommands().front()->get_name() + ' ' : ""),
+                      exit_bad_input);
+    }
+    std::ostringstream text;
+    program.exit(error, text, text);
+    static_cast<void>(std::fputs(text.str().c_str(), stdout));
   }
-  return std::fflush(stdout) == 0 ? exit_ok : complain("standard output cannot be written", exit_failure);
+  return finish_output(exit_ok);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
+    open_standard_streams();
     return run(argc, argv);
+  } catch (const Interrupted& interrupted) {
+    return finish_output(complain(interrupted.what(), 128 + interrupted.signal()));
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), exit_bad_input);
   } catch (const std::bad_alloc&) {
     return complain("out of memory; ask for fewer bounds or shafts", exit_failure);
   } catch (const std::exception& error) {
-    return complain(error.what(), exit_failure);
+    return std::ferror(stdout) != 0 ? finish_output(exit_failure) : complain(error.what(), exit_failure);
   }
 }

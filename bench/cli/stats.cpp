@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include "instruction_set.hpp"
+#include "number.hpp"
 #include "plane_count.hpp"
 #include "shaftcull/shaft.hpp"
 #include "subcommand.hpp"
@@ -165,13 +166,12 @@ void run(const StatsOptions& options) {
 void add_stats(CLI::App& program) {
   const auto options = std::make_shared<StatsOptions>();
   CLI::App& stats = *program.add_subcommand("stats", "Gather the paper's statistics over random shafts");
-  stats.add_option("--shafts", options->shafts, "How many random shafts (default: 10000)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100'000'000));
-  stats.add_option("--seed", options->seed, "Seed of the random shafts (default: 12345)")->type_name("S");
-  stats.add_option("--box-radius", options->box_radius, "Half extent of the cubes that are tested (default: 0.125)")
-      ->type_name("R")
-      ->check(CLI::Range(0.0, 10.0));
+  add_number(stats, "--shafts", options->shafts, 1, 100'000'000, "How many random shafts (default: 10000)")
+      ->type_name("N");
+  add_number(stats, "--seed", options->seed, 0, any_seed, "Seed of the random shafts (default: 12345)")->type_name("S");
+  add_number(stats, "--box-radius", options->box_radius, 0, 10,
+             "Half extent of the cubes that are tested (default: 0.125)")
+      ->type_name("R");
   stats.footer(
       "A shaft joins two boxes whose corners are uniform in the unit cube, stretched so that the shaft box is the\n"
       "unit cube; it meets cubes on a grid of 21 x 21 x 21 points over the unit cube. \"outside\" counts the plane\n"

@@ -15,6 +15,8 @@
 
 #include "cases/families.hpp"
 #include "instruction_sets.hpp"
+#include "interrupt.hpp"
+#include "number.hpp"
 #include "progress.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
@@ -33,8 +35,10 @@ struct VerifyOptions {
   int threads = 0;
 };
 
-/// Trials in memory at once, and those that a thread takes at a time.
-constexpr std::size_t batch_trials = 4096;
+/// Trials in memory at once, of the first batch and at most, and those that a thread takes at a time. The first batches
+/// are small so that there is soon something to show.
+constexpr std::size_t first_batch_trials = 256;
+constexpr std::size_t most_batch_trials = 4096;
 constexpr std::size_t chunk_trials = 32;
 
 /// Reproducers that are printed; later failures are only counted.
@@ -60,10 +64,12 @@ class Verification {
  public:
   explicit Verification(const VerifyOptions& options) : options_(options), isas_(isas_of(options)) {}
 
+  /// An interrupt gives up the batch of that moment: its cases do not count, but wrong answers found in it do.
   void run() {
     const Workers workers(options_.threads);
+    progress_.milestone(fmt::format("{} cases (seed {}) on:{}", grouped(options_.cases), options_.seed, isa_names()));
     workers.run([&] {
-      while (done_ < options_.cases) {
+      while (compared_ < options_.cases && interrupt_.signal() == 0) {
         run_batch();
         show_progress();
       }
@@ -71,6 +77,9 @@ class Verification {
   }
 
   [[nodiscard]] std::uint64_t wrong() const noexcept { return wrong_; }
+  [[nodiscard]] std::uint64_t compared() const noexcept { return compared_; }
+  /// The signal that ended it early, or 0.
+  [[nodiscard]] int interrupted() const noexcept { return compared_ < options_.cases ? interrupt_.signal() : 0; }
 
   void print_summary() const {
     Table table({"family", "cases", "outside", "inside", "undecided, slab", "undecided, planes", "on the boundary", "wrong"});
@@ -91,19 +100,24 @@ class Verification {
     }
     add_row("all", sum);
     fmt::print("{}\n", table.text());
-    std::string names;
-    for (const Isa isa : isas_) names += fmt::format(" {}", name(isa));
-    fmt::print("{} cases (seed {}), each in slab and plane form on:{}\n", grouped(sum.bounds), options_.seed, names);
+    fmt::print("{} cases (seed {}), each in slab and plane form on:{}\n", grouped(sum.bounds), options_.seed,
+               isa_names());
     fmt::print("Undecided by the float filter: {} in slab form, {} in plane form\n", grouped(sum.undecided_slab),
                grouped(sum.undecided_planes));
     fmt::print("Right answers from rational arithmetic: {}, {} of them exactly on the boundary; the others proved in intervals\n",
                grouped(sum.by_rationals), grouped(sum.touching));
-    fmt::print("Wrong answers: {}   ({:.0f} s, {} cases/s)\n", grouped(sum.wrong), seconds(),
+    fmt::print("Wrong answers: {}   ({:.0f} s, {} cases/s)\n", grouped(wrong_), seconds(),
                prefixed(static_cast<double>(sum.bounds) / seconds()));
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] std::string isa_names() const {
+    std::string names;
+    for (const Isa isa : isas_) names += fmt::format(" {}", name(isa));
+    return names;
+  }
 
   [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -114,13 +128,15 @@ class Verification {
       std::size_t bounds;
     };
     std::vector<Place> places;
-    for (; done_ < options_.cases && places.size() != batch_trials; ++next_) {
-      const std::uint64_t left = options_.cases - done_;
+    std::uint64_t placed = compared_;
+    for (; placed < options_.cases && places.size() != batch_trials_; ++next_) {
+      const std::uint64_t left = options_.cases - placed;
       places.push_back({next_, static_cast<std::size_t>(std::min<std::uint64_t>(Trial::natural_size(next_), left))});
-      done_ += places.back().bounds;
+      placed += places.back().bounds;
     }
     std::vector<std::vector<Trial>> chunks((places.size() + chunk_trials - 1) / chunk_trials);
     Workers::for_chunks(places.size(), chunk_trials, [&](std::size_t first, std::size_t size) {
+      if (interrupt_.signal() != 0) return;
       std::vector<Trial>& chunk = chunks[first / chunk_trials];
       chunk.reserve(size);
       for (const Place& place : std::span(places).subspan(first, size)) {
@@ -129,15 +145,22 @@ class Verification {
     });
     for (const Isa isa : isas_) {
       select_isa(isa);
-      Workers::for_chunks(chunks.size(), 1, [&](std::size_t i, std::size_t) { Trial::ask(chunks[i]); });
+      Workers::for_chunks(chunks.size(), 1, [&](std::size_t i, std::size_t) {
+        if (interrupt_.signal() == 0) Trial::ask(chunks[i]);
+      });
     }
+    const bool complete = interrupt_.signal() == 0;
     for (const std::vector<Trial>& chunk : chunks) {
-      for (const Trial& trial : chunk) take(trial);
+      for (const Trial& trial : chunk) {
+        if (complete) tallies_[trial.has_spheres()][trial.family()] += trial.tally();
+        take_failures(trial);
+      }
     }
+    if (complete) compared_ = placed;
+    batch_trials_ = std::min(2 * batch_trials_, most_batch_trials);
   }
 
-  void take(const Trial& trial) {
-    tallies_[trial.has_spheres()][trial.family()] += trial.tally();
+  void take_failures(const Trial& trial) {
     for (const std::string& failure : trial.failures()) {
       if (++reported_ <= most_reproducers) progress_.milestone("WRONG: " + failure);
       if (reported_ == most_reproducers) progress_.milestone("Further reproducers are left out.");
@@ -147,27 +170,26 @@ class Verification {
 
   void show_progress() {
     constexpr std::size_t width = 30;
-    const double share = static_cast<double>(done_) / static_cast<double>(options_.cases);
+    if (compared_ == 0) return;
+    const double share = static_cast<double>(compared_) / static_cast<double>(options_.cases);
     const auto full = static_cast<std::size_t>(share * width);
     const double left = seconds() * (1 / share - 1);
-    const std::string line =
-        fmt::format("[{}{}] {:3.0f} %  {} of {} cases, {} wrong, {:.0f} s left", std::string(full, '#'),
-                    std::string(width - full, '.'), 100 * share, grouped(done_), grouped(options_.cases), grouped(wrong_), left);
+    const std::string line = fmt::format("[{}{}] {:3.0f} %  {} of {} cases, {} wrong, {:.0f} s left",
+                                         std::string(full, '#'), std::string(width - full, '.'), 100 * share,
+                                         grouped(compared_), grouped(options_.cases), grouped(wrong_), left);
     progress_.update(line);
-    if (progress_.on_terminal() || share < next_tenth_) return;
-    progress_.milestone(line);  // a log gets ten lines
-    next_tenth_ = share + 0.1;
   }
 
   const VerifyOptions& options_;
   std::vector<Isa> isas_;
   Tally tallies_[2][std::size(families)];  ///< of boxes, then of spheres
+  std::size_t batch_trials_ = first_batch_trials;
   std::uint64_t next_ = 0;
-  std::uint64_t done_ = 0;
+  std::uint64_t compared_ = 0;  ///< cases in all complete batches
   std::uint64_t wrong_ = 0;
   std::uint64_t reported_ = 0;
   Progress progress_;
-  double next_tenth_ = 0.1;
+  InterruptWatch interrupt_;
   Clock::time_point start_ = Clock::now();
 };
 
@@ -178,7 +200,11 @@ void run(const VerifyOptions& options) {
   if (verification.wrong() != 0) {
     std::fflush(stdout);
     throw std::runtime_error(fmt::format("{} of {} cases got a wrong answer; reproducers are above",
-                                         grouped(verification.wrong()), grouped(options.cases)));
+                                         grouped(verification.wrong()), grouped(verification.compared())));
+  }
+  if (const int signal = verification.interrupted(); signal != 0) {
+    throw Interrupted(signal, fmt::format("verify: interrupted after {} of {} cases", grouped(verification.compared()),
+                                          grouped(options.cases)));
   }
 }
 
@@ -187,17 +213,22 @@ void run(const VerifyOptions& options) {
 void add_verify(CLI::App& program) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App& verify = *program.add_subcommand("verify", "Compare answers with exact rational arithmetic");
-  verify.add_option("--cases", options->cases, "How many bounds to test (default: 1000000)")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 50U));
-  verify.add_option("--seed", options->seed, "Seed of the random cases (default: 1)")->type_name("S");
+  add_number(verify, "--cases", options->cases, 1, std::uint64_t{1} << 50U,
+             "How many bounds to test (default: 1000000)")
+      ->type_name("N");
+  add_number(verify, "--seed", options->seed, 0, any_seed, "Seed of the random cases (default: 1)")->type_name("S");
   verify.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")->type_name("NAME");
-  verify.add_option("--threads", options->threads, "Threads, 0 for all there are; results do not depend on it (default: 0)")
+  add_number(verify, "--threads", options->threads, 0, most_threads,
+             "Threads, 0 for all there are; results do not depend on it (default: 0)")
       ->type_name("N");
   verify.footer(
-      "A case is one bound against one shaft: every question, in slab and plane form, on every instruction set. Shafts\n"
-      "and bounds come from families that look for trouble: touching but for an ulp, on a grid, degenerate, far from the\n"
-      "origin, of every magnitude, with faces of every colour, with added planes. Exit code 1 if any answer is wrong.");
+      "A case is one bound against one shaft: every question, in slab and plane form, on every instruction set. "
+      "Shafts\n"
+      "and bounds come from families that look for trouble: touching but for an ulp, on a grid, degenerate, far from "
+      "the\n"
+      "origin, of every magnitude, with faces of every colour, with added planes. Exit code 1 if any answer is wrong. "
+      "Ctrl-C\n"
+      "(SIGINT, or SIGTERM) ends it early with the summary of the cases until then; a second one ends it at once.");
   verify.callback([options] { run(*options); });
 }
 

@@ -14,18 +14,6 @@
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
-namespace {
-
-/// More threads than any machine we know of has: a typing error rather than a wish.
-constexpr int most_threads = 1024;
-
-void require_thread_count(int threads) {
-  if (threads < 0 || threads > most_threads) {
-    throw InvalidArgument(fmt::format("--threads {}: give 0 (all that the machine has) to {}", threads, most_threads));
-  }
-}
-
-}  // namespace
 
 #ifdef SHAFTCULL_CLI_WITH_TBB
 
@@ -38,7 +26,6 @@ struct Workers::Arena {
 };
 
 Workers::Workers(int threads) {
-  require_thread_count(threads);
   if (threads == 0) threads = tbb::this_task_arena::max_concurrency();
   arena_ = std::make_unique<Arena>(threads);
 }
@@ -60,7 +47,6 @@ void Workers::do_both(const std::function<void()>& one, const std::function<void
 struct Workers::Arena {};
 
 Workers::Workers(int threads) {
-  require_thread_count(threads);
   if (threads > 1) {
     throw InvalidArgument(fmt::format("--threads {}: this build has no oneTBB and runs on one thread", threads));
   }

@@ -7,10 +7,13 @@
 
 namespace shaftcull::cli {
 
+/// More threads than any machine we know of has.
+inline constexpr int most_threads = 1024;
+
 /// A fixed number of threads (one, in a build without oneTBB).
 class Workers {
  public:
-  /// 0 threads are as many as the machine offers. Throws InvalidArgument if the build cannot have that many.
+  /// From 0, as many as the machine offers, to most_threads. Throws InvalidArgument if the build cannot have that many.
   explicit Workers(int threads);
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;

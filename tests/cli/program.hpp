@@ -1,6 +1,8 @@
 /// The program `shaftcull`, run from outside as a user runs it.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,8 +18,9 @@ struct Outcome {
 };
 
 /// Runs the program of the environment variable SHAFTCULL_CLI, or else of this build. `environment` holds
-/// assignments, "NAME=value".
-[[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments, const std::string& environment = "");
+/// assignments, "NAME=value"; `redirection` sends standard output elsewhere, ">/dev/full".
+[[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments, const std::string& environment = "",
+                                  const std::string& redirection = "");
 
 [[nodiscard]] std::vector<std::string> lines(std::string_view text);
 
@@ -35,6 +38,29 @@ class ScratchFolder {
 
  private:
   std::filesystem::path folder_;
+};
+
+/// The program while it runs, to send it signals. It is killed at the end if it still runs.
+class RunningProgram {
+ public:
+  explicit RunningProgram(const std::vector<std::string>& arguments);
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+  ~RunningProgram();
+
+  /// Reads standard error until `text` has come. False if it ends without.
+  [[nodiscard]] bool wait_for(std::string_view text);
+  void send(int signal) const;
+  /// Waits for the end. The exit code of a program that a signal ended is -1.
+  [[nodiscard]] Outcome finish();
+
+ private:
+  bool read_error();
+
+  ScratchFolder folder_;
+  std::string error_;
+  int error_pipe_ = -1;
+  pid_t process_ = -1;
 };
 
 }  // namespace shaftcull::test
