@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "box_text.hpp"
+#include "printable.hpp"
 #include "table.hpp"
 
 namespace shaftcull::cli {
@@ -16,7 +17,30 @@ using Json = nlohmann::ordered_json;
 
 const char* answer_name(bool inside) { return inside ? "inside" : "overlap"; }
 
-const char* grain_name(Grain grain) { return grain == Grain::object ? "object" : "triangle"; }
+const char* grain_name(Grain grain) {
+  switch (grain) {
+    case Grain::object:
+      return "object";
+    case Grain::part:
+      return "part";
+    case Grain::triangle:
+      break;
+  }
+  return "triangle";
+}
+
+/// What tells a bound from others of its object: the number of its triangle or part; nothing if it is the object's.
+std::string number_in_object(const CullReport& report, const CullBound& bound) {
+  switch (report.grain) {
+    case Grain::object:
+      return "";
+    case Grain::part:
+      return fmt::format("{}", report.scene.parts[bound.part].number);
+    case Grain::triangle:
+      break;
+  }
+  return fmt::format("{}", bound.triangle);
+}
 
 std::string plural(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
@@ -24,19 +48,21 @@ std::string plural(std::size_t count, std::string_view noun) {
 
 std::string as_text(const CullReport& report) {
   std::string text =
-      fmt::format("{}: {}, {}, {}\n", report.path, plural(report.scene.names.size(), "object"),
-                  plural(report.scene.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
+      fmt::format("{}: {}, {}, {}\n", printable(report.path), plural(report.scene.names.size(), "object"),
+                  plural(report.bounds.size(), fmt::format("{} bound", grain_name(report.grain))), report.isa);
   for (const PairResult& pair : report.pairs) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
-    text += fmt::format("\n{} -> {}: {} may lie between ({} inside, {} overlap)\n", pair.from.label, pair.to.label,
-                        plural(pair.candidates.size(), grain_name(report.grain)), grouped(inside),
-                        grouped(pair.candidates.size() - inside));
+    text += fmt::format("\n{} -> {}: {} may lie between ({} inside, {} overlap)\n", printable(pair.from.label),
+                        printable(pair.to.label), plural(pair.candidates.size(), grain_name(report.grain)),
+                        grouped(inside), grouped(pair.candidates.size() - inside));
     for (const Candidate& candidate : pair.candidates) {
-      const MeshBound& bound = report.scene.bounds[candidate.bound];
-      const std::string triangle = report.grain == Grain::triangle ? fmt::format(" triangle {}", bound.triangle) : "";
-      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate.inside), report.scene.names[bound.object],
-                          triangle, to_text(bound.box));
+      const CullBound& bound = report.bounds[candidate.bound];
+      const std::string number = report.grain == Grain::object
+                                     ? ""
+                                     : fmt::format(" {} {}", grain_name(report.grain), number_in_object(report, bound));
+      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate.inside),
+                          printable(report.scene.names[bound.object]), number, to_text(bound.box));
     }
   }
   return text;
@@ -50,15 +76,15 @@ std::string csv_cell(const std::string& text) {
 }
 
 std::string as_csv(const CullReport& report) {
-  std::string text = "pair,from,to,object,triangle,answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z\n";
+  std::string text = fmt::format("pair,from,to,object,{},answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z\n",
+                                 report.grain == Grain::part ? "part" : "triangle");
   for (std::size_t p = 0; p < report.pairs.size(); ++p) {
     const PairResult& pair = report.pairs[p];
     for (const Candidate& candidate : pair.candidates) {
-      const MeshBound& bound = report.scene.bounds[candidate.bound];
-      const std::string triangle = report.grain == Grain::triangle ? fmt::format("{}", bound.triangle) : "";
+      const CullBound& bound = report.bounds[candidate.bound];
       text += fmt::format("{},{},{},{},{},{},{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
-                          csv_cell(report.scene.names[bound.object]), triangle, answer_name(candidate.inside),
-                          to_text(bound.box));
+                          csv_cell(report.scene.names[bound.object]), number_in_object(report, bound),
+                          answer_name(candidate.inside), to_text(bound.box));
     }
   }
   return text;
@@ -77,9 +103,11 @@ Json as_json(const Box& box) {
   return Json{{"lo", std::move(lo)}, {"hi", std::move(hi)}};
 }
 
-Json as_json(const ShaftEnd& end) {
-  return Json{{"object", end.object == ShaftEnd::no_object ? Json(nullptr) : Json(end.label)},
-              {"box", as_json(end.box)}};
+Json as_json(const MeshScene& scene, const ShaftEnd& end) {
+  Json json{{"object", end.object == none ? Json(nullptr) : Json(scene.names[end.object])}};
+  if (end.part != none) json["part"] = scene.parts[end.part].number;
+  json["box"] = as_json(end.box);
+  return json;
 }
 
 std::string as_json(const CullReport& report) {
@@ -87,20 +115,22 @@ std::string as_json(const CullReport& report) {
   for (const PairResult& pair : report.pairs) {
     Json candidates = Json::array();
     for (const Candidate& candidate : pair.candidates) {
-      const MeshBound& bound = report.scene.bounds[candidate.bound];
+      const CullBound& bound = report.bounds[candidate.bound];
       Json entry{{"object", report.scene.names[bound.object]}};
+      if (report.grain == Grain::part) entry["part"] = report.scene.parts[bound.part].number;
       if (report.grain == Grain::triangle) entry["triangle"] = bound.triangle;
       entry["answer"] = answer_name(candidate.inside);
       entry["box"] = as_json(bound.box);
       candidates.push_back(std::move(entry));
     }
-    pairs.push_back(
-        Json{{"from", as_json(pair.from)}, {"to", as_json(pair.to)}, {"candidates", std::move(candidates)}});
+    pairs.push_back(Json{{"from", as_json(report.scene, pair.from)},
+                         {"to", as_json(report.scene, pair.to)},
+                         {"candidates", std::move(candidates)}});
   }
   const Json root{{"scene", report.path},
                   {"bounds", grain_name(report.grain)},
                   {"objects", report.scene.names.size()},
-                  {"count", report.scene.bounds.size()},
+                  {"count", report.bounds.size()},
                   {"isa", report.isa},
                   {"pairs", std::move(pairs)}};
   // Names come from files: bytes that are not UTF-8 are replaced, not an error.

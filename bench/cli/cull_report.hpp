@@ -11,18 +11,37 @@
 
 namespace shaftcull::cli {
 
+/// What gets a bound of its own.
+enum class Grain : std::uint8_t { object, part, triangle };
+
+/// Stands for an object or a part where there is none.
+inline constexpr std::uint32_t none = 0xffffffff;
+
+/// The bound of an object, of a part of one, or of a triangle.
+struct CullBound {
+  Box box;
+  std::uint32_t object;
+  std::uint32_t part;      ///< position in MeshScene::parts, or none
+  std::uint32_t triangle;  ///< position within the object, or none
+};
+
 /// A bound that may lie between the two ends of a shaft.
 struct Candidate {
-  std::size_t bound;  ///< position in MeshScene::bounds
+  std::size_t bound;  ///< position in CullReport::bounds
   bool inside;        ///< fully inside the shaft, else it overlaps it
 };
 
-/// One end of a shaft: an object, or a box of the user's.
+/// One end of a shaft: an object, a part of one, or a box of the user's.
 struct ShaftEnd {
-  static constexpr std::uint32_t no_object = 0xffffffff;
   Box box;
   std::string label;
-  std::uint32_t object = no_object;
+  std::uint32_t object = none;
+  std::uint32_t part = none;  ///< position in MeshScene::parts
+
+  /// Whether `bound` is the end itself or belongs to it.
+  [[nodiscard]] bool holds(const CullBound& bound) const noexcept {
+    return part != none ? bound.part == part : object != none && bound.object == object;
+  }
 };
 
 /// The candidates between two ends, by position.
@@ -38,12 +57,14 @@ struct CullReport {
   Grain grain;
   std::string isa;
   MeshScene scene;
+  std::vector<CullBound> bounds;  ///< by object, then by part or triangle
   std::vector<PairResult> pairs;
 };
 
 enum class ReportFormat : std::uint8_t { text, json, csv };
 
-/// The whole report, ended by a newline. JSON is one object; CSV is RFC 4180 with a header line.
+/// The whole report, ended by a newline. Text spells control characters of names out; JSON is one object; CSV is
+/// RFC 4180 with a header line.
 [[nodiscard]] std::string format_report(const CullReport& report, ReportFormat format);
 
 }  // namespace shaftcull::cli

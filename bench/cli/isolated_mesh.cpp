@@ -83,15 +83,16 @@ Message rejection(const std::string& why) {
   return message;
 }
 
-Message read_scene(const std::string& path, Grain grain) {
+Message read_scene(const std::string& path, bool with_triangles) {
   Message message;
   try {
-    const MeshScene scene = load_mesh(path, grain);
+    const MeshScene scene = load_mesh(path, with_triangles);
     message.put(Verdict::scene);
     message.put(scene.names.size());
     for (const std::string& name : scene.names) message.put_sequence(name);
     message.put_sequence(scene.boxes);
-    message.put_sequence(scene.bounds);
+    message.put_sequence(scene.parts);
+    message.put_sequence(scene.triangles);
   } catch (const InvalidArgument& error) {
     message = rejection(error.what());
   } catch (const std::exception& error) {
@@ -142,7 +143,7 @@ struct Reading {
   int status;
 };
 
-Reading read_in_child(const std::string& path, Grain grain) {
+Reading read_in_child(const std::string& path, bool with_triangles) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "a pipe to the mesh reader");
   const pid_t child = fork();
@@ -150,7 +151,7 @@ Reading read_in_child(const std::string& path, Grain grain) {
   if (child == 0) {
     close(ends[0]);
     limit_reader(path);
-    write_all(ends[1], read_scene(path, grain).bytes());
+    write_all(ends[1], read_scene(path, with_triangles).bytes());
     // Not exit(): what the parent has open or buffered is not the child's to finish.
     _exit(0);
   }
@@ -167,15 +168,16 @@ bool ran_out_of_time(int status) {
 
 }  // namespace
 
-MeshScene load_mesh_isolated(const std::string& path, Grain grain) {
-  auto [message, status] = read_in_child(path, grain);
+MeshScene load_mesh_isolated(const std::string& path, bool with_triangles) {
+  auto [message, status] = read_in_child(path, with_triangles);
   try {
     if (message.take<Verdict>() == Verdict::scene) {
       MeshScene scene;
       scene.names.resize(message.take<std::size_t>());
       for (std::string& name : scene.names) name = message.take_sequence<std::string>();
       scene.boxes = message.take_sequence<std::vector<Box>>();
-      scene.bounds = message.take_sequence<std::vector<MeshBound>>();
+      scene.parts = message.take_sequence<std::vector<MeshPart>>();
+      scene.triangles = message.take_sequence<std::vector<MeshTriangle>>();
       return scene;
     }
     throw InvalidArgument(message.take_sequence<std::string>());

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <assimp/Importer.hpp>
 
+#include "mesh_parts.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
@@ -34,27 +35,29 @@ void require_readable(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw InvalidArgument(
-        fmt::format("{}: there is no such file; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: there is no such file; cull needs a mesh file (OBJ, PLY, glTF, …)", path));
   }
   if (std::filesystem::is_directory(status)) {
-    throw InvalidArgument(fmt::format("{}: is a directory; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: is a directory; cull needs a mesh file (OBJ, PLY, glTF, …)", path));
   }
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0 && !error) {
-    throw InvalidArgument(fmt::format("{}: the file is empty; --scene needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: the file is empty; cull needs a mesh file (OBJ, PLY, glTF, …)", path));
   }
 }
 
 /// Walks a file's nodes and collects what has faces.
 class Collector {
  public:
-  Collector(const std::string& path, const aiScene& file, Grain grain) : path_(path), file_(file), grain_(grain) {}
+  Collector(const std::string& path, const aiScene& file, bool with_triangles)
+      : path_(path), file_(file), with_triangles_(with_triangles) {}
 
   MeshScene collect() {
     split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
     visit(*file_.mRootNode, aiMatrix4x4{});
-    if (scene_.bounds.empty())
+    if (triangles_.empty())
       throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to cull", path_));
+    scene_.parts = divide_into_parts(triangles_, (triangles_.size() + usual_parts - 1) / usual_parts);
+    if (with_triangles_) scene_.triangles = std::move(triangles_);
     return std::move(scene_);
   }
 
@@ -87,14 +90,13 @@ class Collector {
     for (const unsigned m : meshes) {
       const aiMesh& mesh = *file_.mMeshes[m];
       for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        if (mesh.mFaces[f].mNumIndices == 0) continue;
         const Box box = face_box(mesh, mesh.mFaces[f], to_world, unique);
         grow(whole, box);
-        if (grain_ == Grain::triangle) scene_.bounds.push_back({box, object, triangle});
-        ++triangle;
+        triangles_.push_back({box, object, 0, triangle++});
       }
     }
     if (triangle == 0) return;
-    if (grain_ == Grain::object) scene_.bounds.push_back({whole, object, 0});
     taken_.insert(unique);
     scene_.boxes.push_back(whole);
     scene_.names.push_back(unique);
@@ -103,15 +105,24 @@ class Collector {
   Box face_box(const aiMesh& mesh, const aiFace& face, const aiMatrix4x4& to_world, const std::string& object) const {
     Box box = empty_box;
     for (unsigned i = 0; i < face.mNumIndices; ++i) {
-      const aiVector3D vertex = to_world * mesh.mVertices[face.mIndices[i]];
+      const unsigned index = face.mIndices[i];
+      // Checked before it is moved, which makes one NaN three.
+      const aiVector3D& in_file = mesh.mVertices[index];
+      require_finite({in_file.x, in_file.y, in_file.z}, index, object, "in the file");
+      const aiVector3D vertex = to_world * in_file;
       const Vec3 p{vertex.x, vertex.y, vertex.z};
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-        throw InvalidArgument(fmt::format("{}: a vertex of '{}' is ({}, {}, {}); coordinates must be finite", path_,
-                                          object, p[0], p[1], p[2]));
-      }
+      require_finite(p, index, object, "in world space");
       grow(box, {p, p});
     }
     return box;
+  }
+
+  void require_finite(const Vec3& p, unsigned vertex, const std::string& object, const char* where) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::isfinite(p[axis])) continue;
+      throw InvalidArgument(fmt::format("{}: {} of vertex {} of '{}' is {} {}; coordinates must be finite", path_,
+                                        "xyz"[axis], vertex, object, p[axis], where));
+    }
   }
 
   std::string unique_name(std::string name) const {
@@ -123,9 +134,10 @@ class Collector {
 
   const std::string& path_;
   const aiScene& file_;
-  Grain grain_;
+  bool with_triangles_;
   bool split_meshes_ = false;
   std::set<std::string> taken_;  ///< names given
+  std::vector<MeshTriangle> triangles_;
   MeshScene scene_;
 };
 
@@ -143,7 +155,7 @@ void require_complete_ply_header(const std::string& path) {
 
 }  // namespace
 
-MeshScene load_mesh(const std::string& path, Grain grain) {
+MeshScene load_mesh(const std::string& path, bool with_triangles) {
   require_readable(path);
   require_complete_ply_header(path);
   Assimp::Importer importer;
@@ -152,7 +164,7 @@ MeshScene load_mesh(const std::string& path, Grain grain) {
     throw InvalidArgument(fmt::format("{}: not a mesh file that can be read: {}", path, importer.GetErrorString()));
   }
   if (file->mRootNode == nullptr) throw InvalidArgument(fmt::format("{}: the file has no scene in it", path));
-  return Collector(path, *file, grain).collect();
+  return Collector(path, *file, with_triangles).collect();
 }
 
 }  // namespace shaftcull::cli

@@ -10,29 +10,35 @@
 
 namespace shaftcull::cli {
 
-/// What gets a bound of its own.
-enum class Grain : std::uint8_t { object, triangle };
-
-/// One bound of a mesh: of a whole object, or of one of its triangles.
-struct MeshBound {
+/// A triangle of an object.
+struct MeshTriangle {
   Box box;
-  std::uint32_t object;    ///< which object
-  std::uint32_t triangle;  ///< position within the object; 0 for a whole object
+  std::uint32_t object;
+  std::uint32_t part;      ///< position in MeshScene::parts
+  std::uint32_t triangle;  ///< position within the object
 };
 
-/// The objects of a mesh file and their bounds.
+/// Triangles of one object that lie close together (mesh_parts.hpp).
+struct MeshPart {
+  Box box;
+  std::uint32_t object;
+  std::uint32_t number;  ///< within the object, from 1
+};
+
+/// The objects of a mesh file, what they are made of, and the boxes of all that.
 ///
 /// An object is a node of the file's hierarchy that has meshes, placed in world space, under its node's name; in a file
 /// with a single such node, each of its meshes is an object. Nameless objects are called "object 1", …; a name
 /// that comes again gets a suffix, "wheel #2". Triangles include points, lines and parts of larger faces.
 struct MeshScene {
-  std::vector<std::string> names;  ///< one for each object, all different
-  std::vector<Box> boxes;          ///< one for each object
-  std::vector<MeshBound> bounds;   ///< by object, then by triangle
+  std::vector<std::string> names;       ///< one for each object, all different
+  std::vector<Box> boxes;               ///< one for each object
+  std::vector<MeshPart> parts;          ///< at least one of each object, by object
+  std::vector<MeshTriangle> triangles;  ///< by object; empty if they were not asked for
 };
 
 /// Reads any format that assimp knows. Throws InvalidArgument, naming the file, if it is missing, empty, broken, has
 /// no face in it, or has a vertex that is not finite.
-[[nodiscard]] MeshScene load_mesh(const std::string& path, Grain grain);
+[[nodiscard]] MeshScene load_mesh(const std::string& path, bool with_triangles);
 
 }  // namespace shaftcull::cli
