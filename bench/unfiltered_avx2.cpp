@@ -1,3 +1,5 @@
+// Which instruction set this unit is for, to simd/lanes.hpp.
+#define SHAFTCULL_UNIT_AVX2
 #define xsimd xsimd_unfiltered_avx2
 #include "simd/lanes.hpp"
 #include "test/box_slab.hpp"

@@ -1,6 +1,7 @@
 /// The one place that knows which instruction sets this build has kernels for.
 #pragma once
 
+#include "isa/baseline.hpp"
 #include "test/kernels.hpp"
 
 namespace shaftcull::kernel {
@@ -14,10 +15,10 @@ extern const Kernels avx512_kernels;
 inline const Kernels* kernels_of(Isa isa) noexcept {
   switch (isa) {
     case Isa::scalar: return &scalar_kernels;
-#ifdef SHAFTCULL_HAVE_SSE4_2
+#if defined(SHAFTCULL_HAVE_SSE4_2) && !defined(SHAFTCULL_COMPILED_FOR_AVX2)
     case Isa::sse4_2: return &sse4_2_kernels;
 #endif
-#ifdef SHAFTCULL_HAVE_AVX2
+#if defined(SHAFTCULL_HAVE_AVX2) && !defined(SHAFTCULL_COMPILED_FOR_AVX512)
     case Isa::avx2: return &avx2_kernels;
 #endif
 #ifdef SHAFTCULL_HAVE_AVX512

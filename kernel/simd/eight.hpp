@@ -4,7 +4,7 @@
 /// translation unit uses.
 #pragma once
 
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
 #include <immintrin.h>
 
 #include <cstddef>

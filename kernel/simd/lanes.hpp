@@ -3,6 +3,9 @@
 /// Only what kernels need, and with semantics pinned down: minimum(a, b) and maximum(a, b) give b if either is
 /// NaN, so that a NaN coordinate in `a` is ignored. Functions are templates on an architecture that only one
 /// translation unit uses; see kernel/test/README.md for why.
+///
+/// SHAFTCULL_UNIT_AVX2 and, besides, SHAFTCULL_UNIT_AVX512 say whose unit this is. What the compiler may use (__AVX2__) says
+/// something else: with -march=native it may use AVX-512 in the units of all instruction sets.
 #pragma once
 
 #include <immintrin.h>
@@ -23,7 +26,7 @@ struct Shorts;
 template <class Arch>
 struct Lanes {
   using Shorts = kernel::Shorts<Arch>;
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
   using Eight = kernel::Eight<Arch>;
 #endif
   using Vector = xsimd::batch<float, Arch>;
@@ -34,13 +37,13 @@ struct Lanes {
   static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
   /// p[index[i]] in lane i.
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) {
       const __m256i sixteen = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
       return _mm512_i32gather_ps(_mm512_cvtepu16_epi32(sixteen), p, sizeof(float));
     }
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) {
       const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(index));
       return _mm256_i32gather_ps(p, _mm256_cvtepu16_epi32(eight), sizeof(float));
@@ -54,13 +57,13 @@ struct Lanes {
   class Packing {
    public:
     explicit Packing(std::uint64_t lanes) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
       if constexpr (width == 16) {
         const __m512i all = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
         from_ = _mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), all);
       }
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
       if constexpr (width == 8) {
         from_ = _mm256_cvtepu8_epi32(
             _mm_loadl_epi64(reinterpret_cast<const __m128i*>(left_packing<8, 1>.part[lanes])));
@@ -74,10 +77,10 @@ struct Lanes {
 
     /// Stores the first `count` of them, which is less than a whole vector, and nothing else.
     void store(float* p, Vector a, std::size_t count) const noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
       if constexpr (width == 16) return _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1U << count) - 1), packed(a));
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
       if constexpr (width == 8) {
         const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
         return _mm256_maskstore_ps(p, _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(count)), lane), packed(a));
@@ -92,10 +95,10 @@ struct Lanes {
 
    private:
     [[nodiscard]] Vector packed(Vector a) const noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
       if constexpr (width == 16) return _mm512_permutexvar_ps(from_, a);
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
       if constexpr (width == 8) return _mm256_permutevar8x32_ps(a, from_);
 #endif
       if constexpr (width == 4) return _mm_castsi128_ps(_mm_shuffle_epi8(_mm_castps_si128(a), from_));
@@ -111,19 +114,19 @@ struct Lanes {
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
   // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and before that the second.
   static Vector minimum(Vector a, Vector b) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) return _mm512_min_ps(a, b);
 #endif
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) return _mm256_min_ps(a, b);
 #endif
     if constexpr (width == 4) return _mm_min_ps(a, b);
   }
   static Vector maximum(Vector a, Vector b) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) return _mm512_max_ps(a, b);
 #endif
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) return _mm256_max_ps(a, b);
 #endif
     if constexpr (width == 4) return _mm_max_ps(a, b);
@@ -137,14 +140,14 @@ struct Lanes {
 
   /// a · b + c, rounded once where the instruction set can and twice where it cannot: margins allow for both.
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) return _mm512_fmadd_ps(a, b, c);  // xsimd 8 multiplies and adds there
     else
 #endif
       return xsimd::fma(a, b, c);
   }
 
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
   using Row = __m256;
 #else
   struct Row {
@@ -154,7 +157,7 @@ struct Lanes {
 
   /// Lane i of the eight vectors becomes row i.
   static void transpose(const Vector (&columns)[8], Row (&rows)[width]) noexcept {
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     for (unsigned lane = 0; lane < width; lane += 8) {  // 8 × 8, in pairs, then fours, then halves
       __m256 pair[8];
       for (unsigned c = 0; c < 8; c += 2) {
@@ -184,7 +187,7 @@ struct Lanes {
 
   /// Float i is row[order[i]].
   static Row permuted(const Row& row, const std::uint32_t (&order)[8]) noexcept {
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     return _mm256_permutevar8x32_ps(row, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(order)));
 #else
     Row permuted;
@@ -194,7 +197,7 @@ struct Lanes {
   }
 
   static void store_row(const Row& row, void* out) noexcept {
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     _mm256_storeu_ps(static_cast<float*>(out), row);
 #else
     __builtin_memcpy(out, row.of, sizeof row.of);
@@ -203,7 +206,7 @@ struct Lanes {
 
   /// Bit i is the sign of row[i].
   static unsigned row_signs(const Row& row) noexcept {
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     return static_cast<unsigned>(_mm256_movemask_ps(row));
 #else
     return static_cast<unsigned>(_mm_movemask_ps(_mm_loadu_ps(row.of)) | _mm_movemask_ps(_mm_loadu_ps(row.of + 4)) << 4);
@@ -220,13 +223,13 @@ struct Lanes {
   /// The signs of four vectors, as those of bytes; on AVX2 and AVX-512 in another order.
   using Packed = xsimd::batch<std::int32_t, Arch>;
   static Packed packed(const Vector (&of)[4]) noexcept {  // packing saturates, which keeps signs
-#ifdef __AVX512BW__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) {
       return _mm512_packs_epi16(_mm512_packs_epi32(_mm512_castps_si512(of[0]), _mm512_castps_si512(of[1])),
                                 _mm512_packs_epi32(_mm512_castps_si512(of[2]), _mm512_castps_si512(of[3])));
     }
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) {
       return _mm256_packs_epi16(_mm256_packs_epi32(_mm256_castps_si256(of[0]), _mm256_castps_si256(of[1])),
                                 _mm256_packs_epi32(_mm256_castps_si256(of[2]), _mm256_castps_si256(of[3])));
@@ -238,13 +241,13 @@ struct Lanes {
     }
   }
   static std::uint64_t signs(Packed bytes) noexcept {  // packing works on quarters: fours of lanes 0–3 come before fours of lanes 4–7
-#ifdef __AVX512BW__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) {
       const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
       return _mm512_movepi8_mask(_mm512_permutexvar_epi32(order, bytes));
     }
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) {
       const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
       return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order)));
@@ -268,7 +271,7 @@ struct Lanes {
     /// Bit i is the verdict of lane i of four vectors side by side.
     std::uint64_t read(const Vector (&of)[4]) noexcept {
       if constexpr (width == 16) {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
         for (unsigned v = 0; v < 4; ++v) {  // as unsigned integers, negative floats are above all others
           undecided_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(of[v]), _mm512_castps_si512(limit_));
         }
@@ -298,12 +301,12 @@ struct Lanes {
 
   /// The larger of the bit patterns, as unsigned integers.
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) {
       return _mm512_castsi512_ps(_mm512_max_epu32(_mm512_castps_si512(a), _mm512_castps_si512(b)));
     }
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) {
       return _mm256_castsi256_ps(_mm256_max_epu32(_mm256_castps_si256(a), _mm256_castps_si256(b)));
     }
@@ -318,10 +321,10 @@ struct Lanes {
     if constexpr (requires { mask.mask(); }) {
       return mask.mask();
     } else {  // xsimd 8 has no mask()
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
       if constexpr (width == 16) return static_cast<__mmask16>(mask);
 #endif
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
       if constexpr (width == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps(mask));
 #endif
       if constexpr (width == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(mask));
@@ -341,7 +344,7 @@ struct Lanes {
   template <class One>
   static float folded(Vector a, One one) noexcept {
     __m128 four;
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width != 4) {
       const __m256 low = eight_of(a, 0);
       four = one(_mm256_castps256_ps128(low), _mm256_extractf128_ps(low, 1));
@@ -355,10 +358,10 @@ struct Lanes {
     four = one(four, _mm_movehl_ps(four, four));
     return _mm_cvtss_f32(one(four, _mm_shuffle_ps(four, four, 1)));
   }
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
   /// Lanes [lane, lane + 8).
   static __m256 eight_of(Vector a, [[maybe_unused]] unsigned lane) noexcept {
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) return lane == 0 ? _mm512_castps512_ps256(a) : _mm512_extractf32x8_ps(a, 1);
     else
 #endif

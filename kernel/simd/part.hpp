@@ -35,7 +35,7 @@ class Part<Arch, 4> {
   int count_;
 };
 
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
 template <class Arch>
 class Part<Arch, 8> {
  public:
@@ -52,7 +52,7 @@ class Part<Arch, 8> {
 };
 #endif
 
-#ifdef __AVX512F__
+#ifdef SHAFTCULL_UNIT_AVX512
 template <class Arch>
 class Part<Arch, 16> {
  public:

@@ -26,10 +26,10 @@ struct Shorts {
 
   /// a − b, or the nearest to it of what there is. (xsimd 8 has ssub(), but not without optimisation.)
   static Vector subtract_saturated(Vector a, Vector b) noexcept {
-#ifdef __AVX512BW__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 32) return _mm512_subs_epi16(a, b);
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 16) return _mm256_subs_epi16(a, b);
 #endif
     if constexpr (width == 8) return _mm_subs_epi16(a, b);
@@ -37,10 +37,10 @@ struct Shorts {
 
   /// a · b / 2¹⁵, rounded to nearest. Not for −2¹⁵ times itself.
   static Vector multiply(Vector a, Vector b) noexcept {
-#ifdef __AVX512BW__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 32) return _mm512_mulhrs_epi16(a, b);
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 16) return _mm256_mulhrs_epi16(a, b);
 #endif
     if constexpr (width == 8) return _mm_mulhrs_epi16(a, b);
@@ -48,14 +48,14 @@ struct Shorts {
 
   /// Stores the nearest integers of a word of floats within the range of shorts.
   static void store_word(std::int16_t* out, const typename Floats::Vector (&of)[64 / Floats::width]) noexcept {
-#ifdef __AVX512BW__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 32) {
       for (unsigned v = 0; v < 4; ++v) {
         _mm256_store_si256(reinterpret_cast<__m256i*>(out) + v, _mm512_cvtsepi32_epi16(_mm512_cvtps_epi32(of[v])));
       }
     }
 #endif
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 16) {  // of 32, the first vector has the first and third eight, so that outcomes() packs them in order
       for (unsigned v = 0; v < 4; ++v) {
         const unsigned first = v / 2 * 4 + v % 2;
@@ -80,7 +80,7 @@ struct Shorts {
 
   /// `limit` is at most 126, in every byte.
   static Outcomes outcomes(const Vector (&of)[vectors], Vector limit) noexcept {
-#ifdef __AVX512BW__
+#ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 32) {
       const __m512i wide = _mm512_srli_epi16(limit, 8);
       return {_mm512_movepi16_mask(of[0]) | std::uint64_t{_mm512_movepi16_mask(of[1])} << 32,
@@ -88,7 +88,7 @@ struct Shorts {
     }
 #endif
     // Packed into bytes, which saturates and so keeps what matters, negative ones are above all others as unsigned integers.
-#ifdef __AVX2__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 16) {
       const __m256i low = _mm256_packs_epi16(of[0], of[1]);
       const __m256i high = _mm256_packs_epi16(of[2], of[3]);

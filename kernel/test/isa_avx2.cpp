@@ -1,7 +1,13 @@
+// Which instruction set this unit is for, to simd/lanes.hpp.
+#define SHAFTCULL_UNIT_AVX2
+
 // xsimd gets a name of its own in this unit, so that none of its inline functions is shared with another one.
 #define xsimd xsimd_avx2
+#include "isa/baseline.hpp"
+#ifndef SHAFTCULL_COMPILED_FOR_AVX512
 #include "isa/table.hpp"
 #include "simd/shorts.hpp"
 #include "test/driver.hpp"
 
 const shaftcull::kernel::Kernels shaftcull::kernel::avx2_kernels = kernels_for<Lanes<xsimd::fma3<xsimd::avx2>>>;
+#endif

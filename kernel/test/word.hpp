@@ -5,7 +5,7 @@
 /// the real-arithmetic answer.
 #pragma once
 
-#ifdef __BMI__
+#ifdef SHAFTCULL_UNIT_AVX2
 #include <immintrin.h>
 #endif
 
@@ -38,7 +38,7 @@ constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
 /// Position of the lowest bit that is set; 63 or 64 if none is.
 template <class L>
 unsigned lowest_bit(std::uint64_t word) noexcept {
-#ifdef __BMI__
+#ifdef SHAFTCULL_UNIT_AVX2
   return static_cast<unsigned>(_tzcnt_u64(word));
 #else
   return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
