@@ -1,7 +1,29 @@
 # The libraries that this project needs, found once for all folders.
 include(${CMAKE_CURRENT_LIST_DIR}/dependency.cmake)
 
-shaftcull_dependency(xsimd TARGET xsimd VERSION 8.1 DEBIAN libxsimd-dev NEEDED_BY "The library")
+# Kernels in vectors are there for 64-bit x86, by g++ and clang; other builds have the scalar ones alone, which need no xsimd.
+set(shaftcull_has_vectors FALSE)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8
+   AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(shaftcull_has_vectors TRUE)
+endif()
+
+if(shaftcull_has_vectors)
+  shaftcull_dependency(xsimd TARGET xsimd VERSION 8.1 DEBIAN libxsimd-dev
+    NEEDED_BY "On 64-bit x86 the library")
+  # Where xsimd is in a system's folder, such as /usr/include, that folder would come before a cross compiler's own: so the
+  # include path names one that holds xsimd and nothing else.
+  set(shaftcull_xsimd_include $<TARGET_PROPERTY:xsimd,INTERFACE_INCLUDE_DIRECTORIES>)
+  get_target_property(shaftcull_xsimd_folders xsimd INTERFACE_INCLUDE_DIRECTORIES)
+  foreach(folder IN LISTS shaftcull_xsimd_folders)
+    if(EXISTS ${folder}/xsimd/xsimd.hpp)
+      set(shaftcull_xsimd_include ${PROJECT_BINARY_DIR}/xsimd)
+      file(MAKE_DIRECTORY ${shaftcull_xsimd_include})
+      file(CREATE_LINK ${folder}/xsimd ${shaftcull_xsimd_include}/xsimd SYMBOLIC COPY_ON_ERROR)
+      break()
+    endif()
+  endforeach()
+endif()
 if(SHAFTCULL_WITH_TBB)
   shaftcull_dependency(TBB TARGET TBB::tbb DEBIAN libtbb-dev
     NEEDED_BY "With SHAFTCULL_WITH_TBB=ON the library")

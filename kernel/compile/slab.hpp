@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "exact_floats.hpp"
 #include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {

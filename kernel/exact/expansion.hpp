@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 
+#include "exact_floats.hpp"
+
 namespace shaftcull::kernel {
 
 /// a + b = sum + error exactly.

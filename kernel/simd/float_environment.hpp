@@ -1,6 +1,8 @@
 /// The floating-point environment that error margins and exact predicates are proven for.
 #pragma once
 
+#include "exact_floats.hpp"
+
 #ifdef __SSE__
 #include <xmmintrin.h>
 #endif

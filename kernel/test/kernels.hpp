@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "exact_floats.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
