@@ -1,37 +1,55 @@
-# Installs the library and the CMake package that find_package(shaftcull) finds.
+# Installs two components: `shaftcull`, which is the library, its headers, the CMake package that find_package(shaftcull)
+# finds and the file that pkg-config reads; and `shaftcull_program`, where it is built.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shaftcull)
+set(shaftcull_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shaftcull)
+set(shaftcull_pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 # Only a static library makes its user link oneTBB.
-get_target_property(library_type shaftcull TYPE)
-if(SHAFTCULL_WITH_TBB AND library_type STREQUAL "STATIC_LIBRARY")
-  set(package_needs_tbb TRUE)
-else()
-  set(package_needs_tbb FALSE)
+set(shaftcull_package_needs_tbb FALSE)
+set(shaftcull_pc_requires "")
+set(shaftcull_pc_definitions "")
+get_target_property(shaftcull_type shaftcull TYPE)
+if(shaftcull_type STREQUAL "SHARED_LIBRARY")
+  set(shaftcull_pc_definitions " -DSHAFTCULL_SHARED")
+elseif(SHAFTCULL_WITH_TBB)
+  set(shaftcull_package_needs_tbb TRUE)
+  set(shaftcull_pc_requires tbb)
 endif()
 
 install(TARGETS shaftcull EXPORT shaftcull
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/shaftcull
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT library)
+  COMPONENT shaftcull)
 
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/shaftcull-config.cmake.in ${PROJECT_BINARY_DIR}/shaftcull-config.cmake
-  INSTALL_DESTINATION ${package_dir}
+  INSTALL_DESTINATION ${shaftcull_package_dir}
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/shaftcull-config-version.cmake
-  COMPATIBILITY SameMajorVersion)
+  COMPATIBILITY SameMinorVersion)  # while the major version is 0; see include/shaftcull/version.hpp
 install(EXPORT shaftcull
   FILE shaftcull-targets.cmake
   NAMESPACE shaftcull::
-  DESTINATION ${package_dir}
-  COMPONENT library)
+  DESTINATION ${shaftcull_package_dir}
+  COMPONENT shaftcull)
 install(FILES ${PROJECT_BINARY_DIR}/shaftcull-config.cmake ${PROJECT_BINARY_DIR}/shaftcull-config-version.cmake
-  DESTINATION ${package_dir}
-  COMPONENT library)
+  DESTINATION ${shaftcull_package_dir}
+  COMPONENT shaftcull)
+
+# pkg-config says where it found its file, from which the prefix follows: what is installed can be moved.
+file(RELATIVE_PATH shaftcull_prefix_from_pc /${shaftcull_pc_dir} /)
+string(REGEX REPLACE "/$" "" shaftcull_prefix_from_pc "${shaftcull_prefix_from_pc}")
+configure_file(${CMAKE_CURRENT_LIST_DIR}/shaftcull.pc.in ${PROJECT_BINARY_DIR}/shaftcull.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/shaftcull.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull)
+
+if(TARGET shaftcull_cli)
+  file(RELATIVE_PATH shaftcull_lib_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(shaftcull_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${shaftcull_lib_from_bin}")
+  install(TARGETS shaftcull_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull_program)
+endif()

@@ -21,6 +21,7 @@
 #include "name_search.hpp"
 #include "printable.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/version.hpp"
 #include "subcommand.hpp"
 
 namespace {
@@ -37,7 +38,7 @@ std::string version() {
   std::string isas;
   for (const shaftcull::Isa isa : shaftcull::available_isas()) isas += fmt::format(" {}", shaftcull::name(isa));
   const shaftcull::IsaChoice choice = shaftcull::isa_choice();
-  return fmt::format("shaftcull {} (this machine runs:{}; in use: {}{}{})", SHAFTCULL_VERSION, isas,
+  return fmt::format("shaftcull {} (this machine runs:{}; in use: {}{}{})", SHAFTCULL_VERSION_STRING, isas,
                      shaftcull::name(choice.running), choice.refusal.empty() ? "" : "; ", choice.refusal);
 }
 

@@ -14,3 +14,4 @@
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/version.hpp"

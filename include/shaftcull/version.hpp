@@ -1,0 +1,18 @@
+/// The version of this library, for code that must compile with several. While the major version is 0, a new minor
+/// version may change the interface.
+#pragma once
+
+// CMakeLists.txt reads these three lines.
+#define SHAFTCULL_VERSION_MAJOR 0
+#define SHAFTCULL_VERSION_MINOR 1
+#define SHAFTCULL_VERSION_PATCH 0
+
+/// "0.1.0"
+#define SHAFTCULL_VERSION_STRING            \
+  SHAFTCULL_QUOTED(SHAFTCULL_VERSION_MAJOR) \
+  "." SHAFTCULL_QUOTED(SHAFTCULL_VERSION_MINOR) "." SHAFTCULL_QUOTED(SHAFTCULL_VERSION_PATCH)
+#define SHAFTCULL_QUOTED(number) SHAFTCULL_QUOTED_AS_IT_IS(number)
+#define SHAFTCULL_QUOTED_AS_IT_IS(number) #number
+
+/// To compare: `#if SHAFTCULL_VERSION >= 1002` asks for 0.1.2 or newer.
+#define SHAFTCULL_VERSION (SHAFTCULL_VERSION_MAJOR * 1000000 + SHAFTCULL_VERSION_MINOR * 1000 + SHAFTCULL_VERSION_PATCH)
