@@ -1,4 +1,4 @@
-/// Added planes: the exact value of n · p − d.
+/// Added planes: the value of n · p − d.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,11 @@
 
 namespace shaftcull::kernel {
 
-/// n · p − d of added plane `i`, exactly; axes with a zero normal component or a coordinate that is not finite
-/// are left out.
-inline Expansion<7> added_side(const CompiledShaft& shaft, unsigned i, const double (&point)[3]) noexcept {
-  Expansion<7> sum(shaft.added_minus_offset[i]);
+/// n · p − d of added plane `i` in the arithmetic of `Number`, Measured or Expansion<7>; axes with a zero normal
+/// component or a coordinate that is not finite are left out.
+template <class Number>
+Number added_side(const CompiledShaft& shaft, unsigned i, const double (&point)[3]) noexcept {
+  Number sum(shaft.added_minus_offset[i]);
   for (unsigned k = 0; k < 3; ++k) {
     const double n = shaft.added_normal[k][i];
     if (n != 0 && std::isfinite(point[k])) sum.grow(n * point[k]);  // two 24-bit factors: exact in a double
@@ -19,9 +20,10 @@ inline Expansion<7> added_side(const CompiledShaft& shaft, unsigned i, const dou
   return sum;
 }
 
-/// The squared length of the normal, exactly.
-inline Expansion<3> added_squared_length(const CompiledShaft& shaft, unsigned i) noexcept {
-  Expansion<3> sum;
+/// The squared length of the normal, likewise; Measured or Expansion<3>.
+template <class Number>
+Number added_squared_length(const CompiledShaft& shaft, unsigned i) noexcept {
+  Number sum;
   for (const auto& normal : shaft.added_normal) sum.grow(static_cast<double>(normal[i]) * normal[i]);
   return sum;
 }

@@ -84,7 +84,7 @@ bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
       near[k] = bound[shaft.added_near[k][i]];
       bounded = bounded && (shaft.added_normal[k][i] == 0 || std::isfinite(near[k]));
     }
-    if (bounded && added_side(shaft, i, near).sign() > 0) return true;
+    if (bounded && added_side<Expansion<7>>(shaft, i, near).sign() > 0) return true;
   }
   return false;
 }
@@ -103,7 +103,7 @@ bool box_inside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
   }
   for (unsigned i = 0; i < shaft.added_count; ++i) {
     const double far[3] = {bound[shaft.added_far[0][i]], bound[shaft.added_far[1][i]], bound[shaft.added_far[2][i]]};
-    if (added_side(shaft, i, far).sign() > 0) return false;
+    if (added_side<Expansion<7>>(shaft, i, far).sign() > 0) return false;
   }
   return true;
 }

@@ -47,6 +47,22 @@ class Edge {
   Edge(const Box& a, const Box& b, unsigned red, unsigned blue) noexcept
       : red_a_(face_of(a, red)), red_b_(face_of(b, red)), blue_a_(face_of(a, blue)), blue_b_(face_of(b, blue)) {}
 
+  /// side(x, y) in the arithmetic of `Number`, Measured or Expansion<2>.
+  template <class Number>
+  [[nodiscard]] auto side_in(double x, double y) const noexcept {
+    const auto det = Number::difference(y, blue_a_) * Number::difference(red_b_, red_a_) -
+                     Number::difference(x, red_a_) * Number::difference(blue_b_, blue_a_);
+    return orientation() > 0 ? det : -det;
+  }
+
+  /// |(q_i, q_j)|², likewise.
+  template <class Number>
+  [[nodiscard]] auto squared_length_in() const noexcept {
+    const auto red = Number::difference(red_b_, red_a_);
+    const auto blue = Number::difference(blue_b_, blue_a_);
+    return red * red + blue * blue;
+  }
+
   /// Sign of side(x, y), exactly; x is on the red face's axis, y on the blue face's. Both finite.
   [[nodiscard]] int side(double x, double y) const noexcept {
     constexpr double unit = 0x1p-53;
@@ -57,21 +73,7 @@ class Edge {
     // Products of differences of floats neither over- nor underflow.
     if (std::fabs(det) > 8 * unit * (std::fabs(left) + std::fabs(right))) return det > 0 ? orientation() : -orientation();
     if (left == right && exact_product(y, blue_a_, red_b_, red_a_) && exact_product(x, red_a_, blue_b_, blue_a_)) return 0;
-    return exact_side(x, y).sign();
-  }
-
-  [[nodiscard]] Expansion<16> exact_side(double x, double y) const noexcept {
-    using Difference = Expansion<2>;
-    const auto det = Difference::difference(y, blue_a_) * Difference::difference(red_b_, red_a_) -
-                     Difference::difference(x, red_a_) * Difference::difference(blue_b_, blue_a_);
-    return orientation() > 0 ? det : -det;
-  }
-
-  /// |(q_i, q_j)|², exactly.
-  [[nodiscard]] Expansion<16> squared_length() const noexcept {
-    const auto red = Expansion<2>::difference(red_b_, red_a_);
-    const auto blue = Expansion<2>::difference(blue_b_, blue_a_);
-    return red * red + blue * blue;
+    return side_in<Expansion<2>>(x, y).sign();
   }
 
  private:

@@ -106,6 +106,28 @@ inline Sphere resting_sphere(Dice& dice, const Subject& subject, const oracle::Q
   return touching_sphere(dice, hull, centre);
 }
 
+/// A sphere with whole steps of 2^exponent as centre and radius, in and around a pythagorean_subject(); a point as
+/// often as not. Now and then one of its numbers is an ulp or two off.
+inline Sphere whole_sphere(Dice& dice, int exponent = 0) {
+  float number[4];
+  for (float& x : number) x = std::ldexp(dice.integer(-12, 24), exponent);
+  number[3] = dice.one_in(2) ? 0.0F : std::ldexp(dice.integer(1, 5), exponent);
+  if (dice.one_in(4)) {
+    float& off = number[dice.below(4)];
+    off = dice.nudge(off);
+  }
+  return {{number[0], number[1], number[2]}, std::max(0.0F, number[3])};
+}
+
+/// Likewise, with as radius the distance from the shaft, which is whole as often as not.
+inline Sphere whole_touching_sphere(Dice& dice, const oracle::QuickHull& hull, int exponent = 0) {
+  Sphere sphere = whole_sphere(dice, exponent);
+  const float radius = static_cast<float>(hull.reach(sphere.centre));
+  const float whole = std::ldexp(std::round(std::ldexp(radius, -exponent)), exponent);
+  sphere.radius = std::max(0.0F, dice.one_in(2) ? whole : dice.nudge(radius));
+  return sphere;
+}
+
 /// A sphere of 2⁴⁴ to 2⁶⁰ beside a huge_subject(), not far from where it starts.
 inline Sphere sphere_beside_huge(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
   const auto power = [&](float low, float high) { return std::exp2(dice.uniform(low, high)); };

@@ -132,6 +132,11 @@ inline constexpr Family families[] = {
      [](Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
        return dice.one_in(2) ? random_sphere(dice, subject) : boundless_sphere(dice, subject, hull);
      }},
+    {"touching on a grid", [](Dice& dice, unsigned) { return pythagorean_subject(dice); },
+     [](Dice& dice, const Subject&) { return dice.grid_box(-12, 24); },
+     [](Dice& dice, const Subject&, const oracle::QuickHull& hull) {
+       return dice.one_in(2) ? whole_sphere(dice) : whole_touching_sphere(dice, hull);
+     }},
 };
 
 }  // namespace shaftcull

@@ -14,6 +14,30 @@ inline Subject random_subject(Dice& dice) { return {dice.box(-5, 5, 0.2F, 1.0F),
 
 inline Subject grid_subject(Dice& dice, int size = 8) { return {dice.grid_box(0, size), dice.grid_box(0, size)}; }
 
+/// A box that moves by whole steps of 2^exponent, on two of its axes by 3 k and 4 k steps: joining planes whose normals
+/// have a length of 5 k, so that spheres with whole centres and radii touch them. Its size may change, on any axis by
+/// up to two steps.
+inline Subject pythagorean_subject(Dice& dice, int exponent = 0) {
+  Subject subject{};
+  const std::size_t first = dice.below(3);
+  const int steps = static_cast<int>(dice.integer(1, 4));
+  for (std::size_t i = 0; i != 3; ++i) {
+    const std::size_t k = (first + i) % 3;
+    int way = i == 2 ? static_cast<int>(dice.integer(-6, 6)) : (3 + static_cast<int>(i)) * steps;
+    if (dice.one_in(2)) way = -way;
+    const auto at = [&](int x) { return std::ldexp(static_cast<float>(x), exponent); };
+    const int lo = static_cast<int>(dice.integer(0, 8));
+    const int hi = lo + static_cast<int>(dice.integer(0, 4));
+    const int less = dice.one_in(4) ? static_cast<int>(dice.integer(0, 2)) : 0;
+    const int more = dice.one_in(4) ? static_cast<int>(dice.integer(0, 2)) : 0;
+    subject.a.lo[k] = at(lo);
+    subject.a.hi[k] = at(hi);
+    subject.b.lo[k] = at(lo + way - less);
+    subject.b.hi[k] = at(hi + way + more);
+  }
+  return subject;
+}
+
 /// Two boxes of which the second is made from the first: equal, nested, touching, sharing faces, flat, or points.
 inline Subject degenerate_subject(Dice& dice) {
   const Box a = dice.box(-2, 2, 0.1F, 1.0F);

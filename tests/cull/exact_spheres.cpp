@@ -77,6 +77,51 @@ TEST(ExactSpheres, SpheresOnJoiningPlanes) {
   check(35, 50, 32, [](Dice& dice) { return long_subject(dice, true); }, resting_sphere);
 }
 
+// A distance that is less than the radius by so little that it is rounded to it, in doubles too.
+TEST(ExactSpheres, ASphereAsFarFromAFaceAsItsRadiusButForADenormal) {
+  const Box box{{0x1p-140F, -4, -4}, {4, 4, 4}};
+  const Box ends_at_zero{{0, -4, -4}, {4, 4, 4}};
+  const Sphere sphere{{1, 0, 0}, 1};
+  expect_exact(Subject{box, box}, std::vector<Sphere>{sphere});
+  expect_exact(Subject{ends_at_zero, ends_at_zero}, std::vector<Sphere>{sphere});
+  expect_exact(Subject{{{-4, -4, -4}, {-0x1p-140F, 4, 4}}, {{-4, -4, -4}, {-0x1p-140F, 4, 4}}},
+               std::vector<Sphere>{{{-1, 0, 0}, 1}, {{1, 0, 0}, 1}});
+}
+
+// Whole numbers, of which exact answers need no expansions, at any magnitude that floats have.
+TEST(ExactSpheres, SpheresAndPointsThatTouchOnAGrid) {
+  for (const int exponent : {-149, -130, -60, 0, 60, 121}) {
+    const auto subject = [exponent](Dice& dice) { return pythagorean_subject(dice, exponent); };
+    check(38, 60, 64, subject,
+          [exponent](Dice& dice, const Subject&, const oracle::QuickHull&) { return whole_sphere(dice, exponent); });
+    check(39, 60, 64, subject, [exponent](Dice& dice, const Subject&, const oracle::QuickHull& hull) {
+      return whole_touching_sphere(dice, hull, exponent);
+    });
+  }
+}
+
+// Decimal fractions: none of them is a float, and what would touch is off by the last bits.
+TEST(ExactSpheres, SpheresAndPointsOnAGridOfTenths) {
+  const auto tenths = [](const Box& box) {
+    Box scaled = box;
+    for (std::size_t k = 0; k != 3; ++k) {
+      scaled.lo[k] *= 0.1F;
+      scaled.hi[k] *= 0.1F;
+    }
+    return scaled;
+  };
+  const auto subject = [tenths](Dice& dice) {
+    const Subject whole = pythagorean_subject(dice);
+    return Subject{tenths(whole.a), tenths(whole.b)};
+  };
+  check(40, 150, 64, subject, [](Dice& dice, const Subject&, const oracle::QuickHull&) {
+    Sphere sphere = whole_sphere(dice);
+    for (float& x : sphere.centre) x *= 0.1F;
+    sphere.radius *= 0.1F;
+    return sphere;
+  });
+}
+
 TEST(ExactSpheres, NearlyEqualFaces) { check(31, 100, 24, nearly_equal_subject, near_sphere); }
 
 TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {

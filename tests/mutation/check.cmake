@@ -64,6 +64,7 @@ if(NOT ISA STREQUAL scalar)  # which has no grid
   must_notice(grid_slack ExactSpheres.* grid)
   must_notice(grid_limit ExactBoxes.* grid)
 endif()
+must_notice(measured_error ExactSpheres.* slab planes)
 must_notice(added_margin ${added_boxes} slab planes)
 must_notice(added_margin ${added_spheres} slab planes)
 foreach(filter IN ITEMS ExactBoxes.* ExactSpheres.* ${added_boxes} ${added_spheres})

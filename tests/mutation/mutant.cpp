@@ -15,6 +15,7 @@ float bound_margin_factor = 1.0F;
 float radius_margin_factor = 1.0F;
 float grid_slack_factor = 1.0F;
 float grid_limit_factor = 1.0F;
+float measured_error_factor = 1.0F;
 
 }  // namespace kernel
 
@@ -46,6 +47,8 @@ bool apply(std::string_view fault) {
     kernel::grid_slack_factor = weak;
   } else if (fault == "grid_limit") {
     kernel::grid_limit_factor = weak;
+  } else if (fault == "measured_error") {
+    kernel::measured_error_factor = weak;
   } else if (fault == "no_exact_step") {
     kernel::drops_exact_step = true;
   } else if (fault != "none") {
