@@ -54,9 +54,14 @@ ShaftEnd part_end(const MeshScene& scene, std::uint32_t part) {
   return {scene.parts[part].box, part_name(scene, scene.parts[part]), scene.parts[part].object, part};
 }
 
-std::string objects_of(std::string_view wanted, const MeshScene& scene) {
-  return fmt::format("{} {}", scene.names.size() == 1 ? "its object is" : "its objects are",
-                     closest_names(wanted, scene.names));
+std::string names_of_ends(std::string_view wanted, const MeshScene& scene) {
+  const bool one = scene.names.size() == 1;
+  std::string text =
+      fmt::format("{} {}", one ? "its object is" : "its objects are", closest_names(wanted, scene.names));
+  if (scene.names.size() < fewest_objects) {
+    text += fmt::format(", {} parts, as '{}'", one ? "with its" : "each with", part_name(scene, scene.parts.front()));
+  }
+  return text;
 }
 
 ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::string_view option,
@@ -71,7 +76,7 @@ ShaftEnd end_from_option(const MeshScene& scene, const std::string& path, std::s
   throw InvalidArgument(
       fmt::format("{} {}: {} has no object of that name; {} (or give a box, "
                   "lo x,lo y,lo z,hi x,hi y,hi z)",
-                  option, text, path, objects_of(text, scene)));
+                  option, text, path, names_of_ends(text, scene)));
 }
 
 bool joins_parts(const MeshScene& scene, const CullOptions& options) {
@@ -104,7 +109,7 @@ std::vector<PairResult> pairs_of(const MeshScene& scene, const CullOptions& opti
   if (options.random_pairs > 0) return random_pairs(scene, options);
   if (options.from.empty()) {
     throw InvalidArgument(fmt::format("cull {}: between what? Add --from NAME --to NAME, or --random 10; {}",
-                                      options.path, objects_of("", scene)));
+                                      options.path, names_of_ends("", scene)));
   }
   return {{end_from_option(scene, options.path, "--from", options.from),
            end_from_option(scene, options.path, "--to", options.to),
@@ -197,7 +202,7 @@ void run(const CullOptions& options) {
 
 void add_cull(CLI::App& program) {
   const auto options = std::make_shared<CullOptions>();
-  CLI::App& cull = *program.add_subcommand("cull", "List what may lie between two objects of a mesh file");
+  CLI::App& cull = *program.add_subcommand("cull", "List what may lie between two objects, or parts, of a mesh file");
   CLI::Option* scene =
       cull.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
   cull.add_option("--bounds", options->bounds,
@@ -219,7 +224,7 @@ void add_cull(CLI::App& program) {
       ->check(CLI::IsMember({"object", "part"}))
       ->type_name("KIND")
       ->needs(random);
-  add_number(cull, "--seed", options->seed, 0, any_seed, "Seed of --random (default: 1)")
+  add_number(cull, "--seed", options->seed, 0, largest_seed, "Seed of --random (default: 1)")
       ->type_name("S")
       ->needs(random);
   cull.add_option("--format", options->format, "Output: text, json or csv (default: text)")

@@ -1,7 +1,10 @@
 #include "instruction_set.hpp"
 
+#include <cstdio>
+
 #include <fmt/format.h>
 
+#include "printable.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
 
@@ -15,7 +18,9 @@ void InstructionSet::add_option(CLI::App& subcommand) {
 void InstructionSet::select() const {
   if (name_.empty()) {
     const IsaChoice choice = isa_choice();
-    if (!choice.refusal.empty()) fmt::print(stderr, "shaftcull: {}; using {}\n", choice.refusal, name(choice.running));
+    if (choice.refusal.empty()) return;
+    const std::string note = fmt::format("shaftcull: {}; using {}", printable(choice.refusal), name(choice.running));
+    static_cast<void>(std::fputs((note + '\n').c_str(), stderr));
     return;
   }
   const auto isa = isa_from_name(name_);

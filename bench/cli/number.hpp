@@ -39,8 +39,7 @@ template <class T>
                                          std::uint64_t most);
 [[nodiscard]] double real_number(std::string_view option, std::string_view text, double least, double most);
 
-/// The largest seed.
-inline constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint64_t largest_seed = std::numeric_limits<std::uint64_t>::max();
 
 /// Adds an option that takes a number from `least` to `most`; any other ends the run as whole_number() and
 /// real_number() say. `value` must live until the command line has been parsed.

@@ -168,7 +168,8 @@ void add_stats(CLI::App& program) {
   CLI::App& stats = *program.add_subcommand("stats", "Gather the paper's statistics over random shafts");
   add_number(stats, "--shafts", options->shafts, 1, 100'000'000, "How many random shafts (default: 10000)")
       ->type_name("N");
-  add_number(stats, "--seed", options->seed, 0, any_seed, "Seed of the random shafts (default: 12345)")->type_name("S");
+  add_number(stats, "--seed", options->seed, 0, largest_seed, "Seed of the random shafts (default: 12345)")
+      ->type_name("S");
   add_number(stats, "--box-radius", options->box_radius, 0, 10,
              "Half extent of the cubes that are tested (default: 0.125)")
       ->type_name("R");

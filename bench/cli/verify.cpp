@@ -216,7 +216,7 @@ void add_verify(CLI::App& program) {
   add_number(verify, "--cases", options->cases, 1, std::uint64_t{1} << 50U,
              "How many bounds to test (default: 1000000)")
       ->type_name("N");
-  add_number(verify, "--seed", options->seed, 0, any_seed, "Seed of the random cases (default: 1)")->type_name("S");
+  add_number(verify, "--seed", options->seed, 0, largest_seed, "Seed of the random cases (default: 1)")->type_name("S");
   verify.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")->type_name("NAME");
   add_number(verify, "--threads", options->threads, 0, most_threads,
              "Threads, 0 for all there are; results do not depend on it (default: 0)")
