@@ -34,7 +34,8 @@ void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::
 
 /// Classifies: `kept` as in cull(), and bit i of `inside` set iff bound i is fully inside the shaft (and of
 /// every added plane). The three answers are outside = not kept, inside, and overlap = kept and not inside.
-/// Inside is always decided by planes. Sizes, errors and guarantees as cull(), for both spans.
+/// Inside is always decided by planes. Sizes, errors and guarantees as cull(), for both spans, and InvalidArgument if
+/// they share memory.
 void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, std::span<std::uint64_t> inside,
               Form form = Form::fastest);
 void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,

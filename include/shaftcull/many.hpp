@@ -34,7 +34,7 @@ void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std:
 void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
                Form form = Form::fastest);
 
-/// Bits of both kinds, as classify().
+/// Bits of both kinds, as classify(). Throws InvalidArgument if the two spans share memory.
 void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
                    std::span<std::uint64_t> inside_rows, Form form = Form::fastest);
 void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,

@@ -1,9 +1,10 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
-/// Bounds and indices are of the tree's kind: a vector passes for a span of them, and braces for `excluding`. Results are
-/// in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument if the tree
-/// needs a refit, if a shaft was formed without the answer asked for, or if `excluding` does not fit. Cost: about 20 ns
-/// for each node or group of 64 bounds that the shaft reaches. Safe to call from many threads.
+/// Bounds and indices are of the tree's kind: a vector passes for a span of them, and braces for `excluding`. Results
+/// are in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument if the
+/// tree needs a refit, if a shaft was formed without the answer asked for, if `excluding` does not fit, or if an output
+/// shares memory with another output or with `excluding`; nothing is written then. Cost: about 20 ns for each node or
+/// group of 64 bounds that the shaft reaches. Safe to call from many threads.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,7 @@ struct TreeRunOf {
 template <BoundIndex Index>
 struct ExcludingOf {
   /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two
-  /// objects, say.
+  /// objects, say. All are below the tree's size().
   std::span<const Index> own{};
   /// Bit i of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
   std::span<const std::uint64_t> mask{};

@@ -18,9 +18,10 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Writes those of `candidates` that the shaft keeps, in their order, and returns how many there are. Candidates
-/// are positions in the view; for BoundsTree::leaves() these are leaves. `kept` needs room for all of them and may be
-/// the memory of `candidates`. Throws InvalidArgument for a candidate not below the view's count, too little room, or
-/// as cull() does. O(candidates.size()); no allocation; safe to call from many threads.
+/// are positions in the view; for BoundsTree::leaves() these are leaves. `kept` needs room for all of them. It may
+/// begin where `candidates` begins, which overwrites them; else the two must not share memory. Throws InvalidArgument
+/// for a candidate not below the view's count, for too little room, for spans that overlap otherwise, or as cull()
+/// does. O(candidates.size()); no allocation; safe to call from many threads.
 std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept);
 std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> candidates,
@@ -31,8 +32,8 @@ std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::s
                    std::span<std::uint64_t> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
-/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`,
-/// of which candidates must not be a part. Errors as refine().
+/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`.
+/// Errors as refine(), and InvalidArgument if candidates are a part of `lists`.
 template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);

@@ -125,7 +125,8 @@ class BoxStream {
   ~BoxStream() = default;
 
   /// Replaces the boxes [first, first + records.count) in place, without allocation; O(records.count).
-  /// Throws InvalidArgument if the range does not lie within size(), BadBound as above.
+  /// Throws InvalidArgument if the range does not lie within size() or the records lie in the stream's own memory,
+  /// BadBound as above.
   void update(std::size_t first, std::span<const Box> boxes);
   void update(std::size_t first, const MinMaxRecords& boxes);
   void update(std::size_t first, const CentreExtentRecords& boxes);

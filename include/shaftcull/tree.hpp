@@ -71,14 +71,14 @@ class BoundsTree {
 
   /// Gives every bound a new value, bound i the value at i, and refits: one pass. Records are faster than separate
   /// streams, since tree order jumps about in the user's memory. Throws InvalidArgument unless there are size() of
-  /// them.
+  /// them, or if they are the tree's own leaves().
   void update(const View& all);
   void update(const Records& all);
   void update(std::span<const Bound> all);
 
   /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw until refit()
   /// is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for an index not
-  /// below size(), or unless there are as many indices as values.
+  /// below size(), unless there are as many indices as values, or if the values are among the tree's own leaves().
   void update(std::span<const Index> indices, const View& bounds);
   void update(std::span<const Index> indices, const Records& bounds);
   void update(std::span<const Index> indices, std::span<const Bound> bounds);

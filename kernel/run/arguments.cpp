@@ -57,4 +57,14 @@ void refuse_counts(std::size_t size, std::size_t shafts) {
                         " need one each");
 }
 
+void refuse_shared_memory(const char* call, const char* one, const char* other) {
+  throw InvalidArgument(std::string(call) + ": " + one + " and " + other +
+                        " share memory; what is written needs memory of its own");
+}
+
+void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds) {
+  throw InvalidArgument(std::string(what) + "[" + std::to_string(position) + "] = " + std::to_string(index) +
+                        " is not below the number of bounds, " + std::to_string(bounds));
+}
+
 }  // namespace shaftcull::kernel

@@ -1,16 +1,18 @@
-/// What public calls check before they write anything: null memory, sizes, enumerators, and what a shaft was formed
-/// for.
+/// What public calls check before they write anything: null and shared memory, sizes, indices, enumerators, and what a
+/// shaft was formed for.
 ///
 /// Every check throws InvalidArgument with a message that names the argument, its value and what would be right. The
 /// messages are made in arguments.cpp, so that a call pays for comparisons only.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <type_traits>
 
+#include "overlap.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
@@ -24,6 +26,8 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(std::size_t size, std::size_t shafts);
+[[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
+[[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
 
 /// More floats than one array can have.
 inline constexpr std::size_t most_floats = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(float);
@@ -81,6 +85,25 @@ inline void require_counts(std::span<const std::uint64_t> kept_counts, std::size
   if (kept_counts.size() != shafts) [[unlikely]]
     refuse_counts(kept_counts.size(), shafts);
   require_memory("kept_counts", kept_counts, "counts");
+}
+
+/// What `call` writes, and what else it writes or reads, share no memory. `one` and `other` are their names.
+inline void require_apart(const char* call, const char* one, std::span<const std::byte> one_bytes, const char* other,
+                          std::span<const std::byte> other_bytes) {
+  if (overlap(one_bytes, other_bytes)) [[unlikely]]
+    refuse_shared_memory(call, one, other);
+}
+
+/// The span called `what` is there, and holds indices of so many bounds.
+template <class Index>
+void require_below(const char* what, std::span<const Index> indices, std::size_t bounds) {
+  require_memory(what, indices, "indices");
+  Index most = 0;
+  for (const Index index : indices) most = std::max(most, index);  // no early end: this loop becomes vectors
+  if (indices.empty() || most < bounds) return;
+  std::size_t bad = 0;
+  while (indices[bad] < bounds) ++bad;
+  refuse_index(what, bad, indices[bad], bounds);
 }
 
 }  // namespace shaftcull::kernel

@@ -32,6 +32,7 @@ void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, st
   const kernel::Job<View> job(shafts, bounds, true, form);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
+  kernel::require_apart("classify_many", "kept_rows", kernel::bytes_of(kept), "inside_rows", kernel::bytes_of(inside));
   write_bits(job, kept.data(), inside.data());
 }
 

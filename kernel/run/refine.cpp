@@ -21,17 +21,6 @@ inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>
 /// Candidates ahead of the one collected whose bounds are fetched.
 constexpr std::size_t fetched_candidates = 16;
 
-template <class View, class Index>
-void require_candidates(const View& view, std::span<const Index> candidates) {
-  kernel::require_memory("candidates", candidates, "indices");
-  Index most = 0;
-  for (const Index candidate : candidates) most = std::max(most, candidate);
-  if (candidates.empty() || most < view.count) return;
-  const auto bad = std::find_if(candidates.begin(), candidates.end(), [&](Index c) { return c >= view.count; });
-  throw InvalidArgument("refine: candidates[" + std::to_string(bad - candidates.begin()) + "] = " +
-                        std::to_string(*bad) + " is not below the number of bounds, " + std::to_string(view.count));
-}
-
 /// Copies the bounds of candidates [first, first + size) side by side.
 template <class View, class Index>
 void collect(const View& view, std::span<const Index> candidates, std::size_t first, std::size_t size,
@@ -49,12 +38,16 @@ template <class View, class Index>
 std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
                         std::span<Index> kept) {
   const kernel::Job<View> job({&shaft, 1}, view, false, Form::fastest);
-  require_candidates(view, candidates);
+  kernel::require_below("candidates", candidates, view.count);
   if (kept.size() < candidates.size()) {
     throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) +
                           " indices; it needs as much as the " + std::to_string(candidates.size()) + " candidates");
   }
   kernel::require_memory("kept", kept, "indices");
+  if (kept.data() != candidates.data()) {  // the same beginning is fine: see below
+    kernel::require_apart("refine", "kept", kernel::bytes_of(kept.data(), candidates.size()), "candidates",
+                          kernel::bytes_of(candidates));
+  }
   CompiledShaft ready = shaft;  // planes once, not block by block
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
   constexpr std::size_t block = 1024;
@@ -83,7 +76,11 @@ template <class View, class Index>
 void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
                   IndexListsOf<Index>& lists) {
   kernel::require_view(view);
-  require_candidates(view, candidates);
+  kernel::require_below("candidates", candidates, view.count);
+  kernel::require_apart("refine_many", "lists", kernel::bytes_of(lists.indices), "candidates",
+                        kernel::bytes_of(candidates));
+  kernel::require_apart("refine_many", "lists", kernel::bytes_of(lists.offsets), "candidates",
+                        kernel::bytes_of(candidates));
   const StreamMemory memory(rows_of<View>, words_for(candidates.size()) * 64);
   View packed;
   packed.count = candidates.size();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "run/arguments.hpp"
 #include "simd/float_environment.hpp"
 #include "streams/records.hpp"
 #include "text.hpp"
@@ -113,6 +114,9 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
     throw InvalidArgument("update of " + std::to_string(count) + " " + (count == 1 ? Reader::noun : Reader::nouns) +
                           " from position " + std::to_string(first) + " on does not fit a stream of " +
                           std::to_string(size));
+  }
+  if (reader.overlaps(bytes_of(memory.row(0), Reader::rows * memory.row_length()))) {
+    refuse_shared_memory("update", "the records", "the stream");
   }
   require_legal(reader);
   float* row[Reader::rows];

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 
+#include "overlap.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/four.hpp"
 
@@ -29,6 +31,16 @@ struct VectorRecords {
   /// The same three floats, and 0.
   [[nodiscard]] Four read_vector(std::size_t i) const noexcept { return Four::three_at(first + i * stride); }
 
+  /// Whether the memory from the first of `count` records of `size` floats to the last has a byte in common with
+  /// `memory`.
+  [[nodiscard]] bool overlaps(std::span<const std::byte> memory, std::size_t count, std::size_t size) const noexcept {
+    if (count == 0) return false;
+    const auto last = static_cast<std::ptrdiff_t>((count - 1) * stride);  // negative where records go backwards
+    const std::ptrdiff_t from = last < 0 ? last : 0;
+    const std::ptrdiff_t to = (last < 0 ? 0 : last) + static_cast<std::ptrdiff_t>(size * sizeof(float));
+    return overlap(memory, {first + from, static_cast<std::size_t>(to - from)});
+  }
+
   /// Copies the three floats of records which[0 … 3] to to[0 … 2][0 … 3].
   template <class Which>
   void read_four(Which which, float* const* to) const noexcept {
@@ -45,6 +57,7 @@ struct VectorRecords {
 //   are_clearly_legal(i, j)  whether records [i, j) are, at a glance: false of some that are
 //   read(i, bound)   packs record i into `bound`
 //   read_four(which, row)  packs records which[0 … 3] into row[·][0 … 3]; `which` is a pointer to indices, or InOrder
+//   overlaps(memory) whether records lie in that memory
 //   fault(i)         what is wrong with record i, for messages
 
 /// Records one after the other, in place of a pointer to their indices.
@@ -137,6 +150,9 @@ class MinMaxReader {
     lo_.read_four(which, row);
     hi_.read_four(which, row + 3);
   }
+  [[nodiscard]] bool overlaps(std::span<const std::byte> memory) const noexcept {
+    return lo_.overlaps(memory, count_, 3) || hi_.overlaps(memory, count_, 3);
+  }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
 
@@ -214,6 +230,9 @@ class CentreExtentReader {
       std::memcpy(row[k + 3], hi, sizeof hi);
     }
   }
+  [[nodiscard]] bool overlaps(std::span<const std::byte> memory) const noexcept {
+    return centre_.overlaps(memory, count_, 3) || half_.overlaps(memory, count_, 3);
+  }
 
   [[nodiscard]] std::string fault(std::size_t i) const;
 
@@ -277,6 +296,9 @@ class SphereReader {
       radius_.read(which[i], radius);
       row[3][i] = radius[0];
     }
+  }
+  [[nodiscard]] bool overlaps(std::span<const std::byte> memory) const noexcept {
+    return centre_.overlaps(memory, count_, 3) || radius_.overlaps(memory, count_, 1);
   }
 
   [[nodiscard]] std::string fault(std::size_t i) const;

@@ -28,6 +28,7 @@ void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::
   kernel::require_words("kept", kept, view.count);
   kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
+  kernel::require_apart("classify", "kept", kernel::bytes_of(kept), "inside", kernel::bytes_of(inside));
   kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), inside.data());
 }
 

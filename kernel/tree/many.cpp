@@ -87,10 +87,18 @@ class Pieces {
   Lists& lists_;
 };
 
+/// Throws InvalidArgument if lists, called `name` in the message, hold memory that excludes bounds.
+template <class Bound, class Index, class Lists>
+void require_apart(const kernel::Query<Bound, Index>& query, const char* name, Lists& lists) {
+  query.require_apart("list_many", name, kernel::bytes_of(lists.offsets));
+  query.require_apart("list_many", name, kernel::bytes_of(items_of(lists)));
+}
+
 template <class Bound, class Index, class Lists>
 void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& kept,
                const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+  require_apart(query, "kept", kept);
   Pieces<Lists> all(shafts.size(), kept);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
@@ -107,6 +115,9 @@ template <class Bound, class Index, class Lists>
 void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& overlap,
                   Lists& inside, const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
+  if (&overlap == &inside) kernel::refuse_shared_memory("list_many", "overlap", "inside");
+  require_apart(query, "overlap", overlap);
+  require_apart(query, "inside", inside);
   Pieces<Lists> overlaps(shafts.size(), overlap);
   Pieces<Lists> insides(shafts.size(), inside);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -164,6 +175,7 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, I
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
   kernel::require_counts(kept_counts, shafts.size());
+  query.require_apart("count_many", "kept_counts", kernel::bytes_of(kept_counts));
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {

@@ -14,6 +14,7 @@ template <template <class, class> class List, class Bound, class Index, class It
 std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> kept,
                       const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  query.require_apart("cull", "kept", kernel::bytes_of(kept));
   SpanOutput<Item> output(kept);
   kernel::KeptLister lister(List<Index, SpanOutput<Item>>(query.indices(), output));
   query.walk(0, lister);
@@ -24,6 +25,9 @@ template <template <class, class> class List, class Bound, class Index, class It
 KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> overlap,
                         std::span<Item> inside, const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
+  kernel::require_apart("classify", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
+  query.require_apart("classify", "overlap", kernel::bytes_of(overlap));
+  query.require_apart("classify", "inside", kernel::bytes_of(inside));
   using Output = SpanOutput<Item>;
   Output overlaps(overlap);
   Output insides(inside);

@@ -38,6 +38,7 @@ class Query {
                             " indices, which is not a multiple of the " + std::to_string(shafts.size()) +
                             " shafts; each needs as many");
     }
+    require_below("excluding.own", own_, parts_.size);
     if (!mask_.empty() && mask_.size() != words_for(parts_.size)) {
       throw InvalidArgument("excluding.mask has " + std::to_string(mask_.size()) + " words; " +
                             std::to_string(parts_.size) + " bounds take " + std::to_string(words_for(parts_.size)));
@@ -46,6 +47,12 @@ class Query {
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
   [[nodiscard]] LeafIndices<Index> indices() const noexcept { return {parts_.order, parts_.is_worth_fetching(), kernels_}; }
+
+  /// Throws InvalidArgument if `output`, called `name` in the message, is memory that excludes bounds.
+  void require_apart(const char* call, const char* name, std::span<const std::byte> output) const {
+    kernel::require_apart(call, name, output, "excluding.own", bytes_of(own_));
+    kernel::require_apart(call, name, output, "excluding.mask", bytes_of(mask_));
+  }
 
   /// Gives the visitor what shaft s keeps.
   template <class Visitor>

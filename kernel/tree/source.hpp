@@ -5,9 +5,11 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "fetch.hpp"
+#include "overlap.hpp"
 #include "run/arguments.hpp"
 #include "run/cut.hpp"
 #include "run/parallel.hpp"
@@ -56,6 +58,10 @@ class ViewSource {
     }
     return others == 0;
   }
+  [[nodiscard]] bool overlaps(std::span<const std::byte> memory) const noexcept {
+    return std::any_of(view_.stream.begin(), view_.stream.end(),
+                       [&](const float* stream) { return overlap(memory, bytes_of(stream, view_.count)); });
+  }
   [[nodiscard]] std::string fault(std::size_t i) const {
     const Bound bound = view_[i];
     return ReaderOf<Bound>(records({&bound, 1})).fault(0);
@@ -88,6 +94,7 @@ class RecordSource {
   [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
     return reader_.are_clearly_legal(first, end);
   }
+  [[nodiscard]] bool overlaps(std::span<const std::byte> memory) const noexcept { return reader_.overlaps(memory); }
   [[nodiscard]] std::string fault(std::size_t i) const { return reader_.fault(i); }
 
  private:

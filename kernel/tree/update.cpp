@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "run/arguments.hpp"
 #include "shaftcull/error.hpp"
 #include "tree/write_leaves.hpp"
 
@@ -18,6 +19,14 @@ void require_count(std::size_t count, std::size_t size) {
                         "; give one for each, or the indices of those that changed");
 }
 
+/// Tree order reads and writes all over both, so a part of the leaves cannot be their new value.
+template <class Bound, class Source>
+void require_other_memory(const TreeLevels<Bound>& parts, const Source& source) {
+  if (source.overlaps(bytes_of(parts.leaves.row(0), parts.leaves.bytes() / sizeof(float)))) {
+    refuse_shared_memory("update", "the new bounds", "the tree's leaves");
+  }
+}
+
 template <class Bound, class Index>
 void require_places(TreeParts<Bound, Index>& parts) {
   if (!parts.place.empty() || parts.size == 0) return;
@@ -30,6 +39,7 @@ void require_places(TreeParts<Bound, Index>& parts) {
 template <class Bound, class Index, class Source>
 void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   require_count(source.count(), parts.size);
+  require_other_memory(parts, source);
   require_legal<Bound>(source);
   parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
     write_leaves(parts, parts.order.data(), piece(parts.size, block_leaves, b), source);
@@ -43,11 +53,8 @@ void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices,
     throw InvalidArgument("update got " + std::to_string(indices.size()) + " indices and " +
                           std::to_string(source.count()) + " bounds; every index needs one bound");
   }
-  for (std::size_t i = 0; i != indices.size(); ++i) {
-    if (indices[i] < parts.size) continue;
-    throw InvalidArgument("update: indices[" + std::to_string(i) + "] = " + std::to_string(indices[i]) +
-                          " is not below the number of bounds, " + std::to_string(parts.size));
-  }
+  require_below("update: indices", indices, parts.size);
+  require_other_memory(parts, source);
   require_legal<Bound>(source);
   if (indices.empty()) return;
   require_places(parts);

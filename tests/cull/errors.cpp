@@ -73,6 +73,17 @@ TEST_F(CullErrors, AShaftWithoutSpheresDoesNotTestThem) {
   EXPECT_NO_THROW(classify(shaft, boxes_.view(), kept_, inside_));
 }
 
+TEST_F(CullErrors, SpansThatShareMemoryAreRefused) {
+  const CompiledShaft shaft = shaft_for(true, true, true);
+  std::vector<std::uint64_t> both(3, 7);
+  const std::vector<std::uint64_t> before = both;
+  const std::span<std::uint64_t> kept = std::span(both).first(2);
+  const auto names_them = HasSubstr("classify: kept and inside share memory");
+  EXPECT_THAT(refusal([&] { classify(shaft, boxes_.view(), kept, kept); }), names_them);
+  EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept, std::span(both).last(2)); }), names_them);
+  EXPECT_EQ(both, before);
+}
+
 TEST_F(CullErrors, SpansOfTheWrongSizeAreRefusedWithBothSizes) {
   const CompiledShaft shaft = shaft_for(true, true, true);
   for (const std::size_t size : {0U, 1U, 3U}) {

@@ -54,6 +54,15 @@ TEST_F(ManyErrors, RowsOfTheWrongSizeAreRefusedWithBothSizes) {
   EXPECT_EQ(rows_, std::vector<std::uint64_t>(15, 7)) << "written before the error was found";
 }
 
+TEST_F(ManyErrors, RowsThatShareMemoryAreRefused) {
+  std::vector<std::uint64_t> both(29, 7);
+  const std::span<std::uint64_t> kept = std::span(both).first(15);
+  const auto names_them = HasSubstr("classify_many: kept_rows and inside_rows share memory");
+  EXPECT_THAT(refusal([&] { classify_many(shafts_, boxes_.view(), kept, kept); }), names_them);
+  EXPECT_THAT(refusal([&] { classify_many(shafts_, spheres_.view(), kept, std::span(both).last(15)); }), names_them);
+  EXPECT_EQ(both, std::vector<std::uint64_t>(29, 7));
+}
+
 TEST_F(ManyErrors, ASpanOfCountsOfTheWrongSizeIsRefused) {
   std::vector<std::uint64_t> counts(4, 7);
   EXPECT_THAT(refusal([&] { count_many(shafts_, boxes_.view(), counts); }), testing::AllOf(HasSubstr("4"), HasSubstr("3")));

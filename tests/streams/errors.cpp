@@ -155,5 +155,19 @@ TEST(UpdateErrors, NameANullPointer) {
   EXPECT_NO_THROW(SphereStream().update(0, SphereRecords{}));
 }
 
+TEST(UpdateErrors, AStreamsOwnMemoryIsNoUpdateOfIt) {
+  BoxStream boxes(std::vector<Box>(100, Box{{0, 0, 0}, {1, 1, 1}}));
+  SphereStream spheres(std::vector<Sphere>(100, Sphere{{0, 0, 0}, 1}));
+  const float* const box_row = boxes.view().stream[5];
+  const float* const sphere_row = spheres.view().stream[0];
+  const float others[6] = {};
+  const auto refusal = HasSubstr("update: the records and the stream share memory");
+  EXPECT_THAT(message_of([&] { boxes.update(0, MinMaxRecords{others, box_row, 24, 1}); }), refusal);
+  EXPECT_THAT(message_of([&] { boxes.update(0, CentreExtentRecords{box_row, others, 24, 1}); }), refusal);
+  EXPECT_THAT(message_of([&] { spheres.update(0, SphereRecords{others, sphere_row + 99, 24, 1}); }), refusal);
+  EXPECT_NO_THROW(spheres.update(0, SphereRecords{boxes.view().stream[0], box_row, 24, 1}));
+  for (std::size_t i = 0; i != 100; ++i) EXPECT_EQ(boxes[i], (Box{{0, 0, 0}, {1, 1, 1}}));
+}
+
 }  // namespace
 }  // namespace shaftcull

@@ -1,0 +1,216 @@
+/// Outputs that share memory with inputs or with each other are refused, and nothing is written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "columns.hpp"
+#include "message_of.hpp"
+#include "overlap.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/kinds.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(SharedMemory, RangesThatOnlyTouchAreApart) {
+  const std::array<std::uint32_t, 8> memory{};
+  const auto bytes = [&](std::size_t first, std::size_t count) {
+    return kernel::bytes_of(memory.data() + first, count);
+  };
+  EXPECT_FALSE(kernel::overlap(bytes(0, 4), bytes(4, 4)));
+  EXPECT_FALSE(kernel::overlap(bytes(4, 4), bytes(0, 4)));
+  EXPECT_TRUE(kernel::overlap(bytes(0, 5), bytes(4, 4)));
+  EXPECT_TRUE(kernel::overlap(bytes(4, 4), bytes(0, 5)));
+  EXPECT_TRUE(kernel::overlap(bytes(0, 8), bytes(3, 1)));
+  EXPECT_TRUE(kernel::overlap(bytes(3, 1), bytes(0, 8)));
+  EXPECT_FALSE(kernel::overlap(bytes(3, 0), bytes(0, 8)));
+  EXPECT_FALSE(kernel::overlap(bytes(0, 8), bytes(3, 0)));
+}
+
+template <class Tree>
+class TreeSharedMemory : public testing::Test {
+ protected:
+  static constexpr std::size_t count = 5000;
+
+  static std::vector<BoundOf<Tree>> leaves_of(const Tree& tree) {
+    std::vector<BoundOf<Tree>> leaves;
+    for (std::size_t p = 0; p != tree.size(); ++p) leaves.push_back(tree.leaves()[p]);
+    return leaves;
+  }
+  static Tree random_tree() {
+    Dice dice(51);
+    return Tree{std::span<const BoundOf<Tree>>(scene<BoundOf<Tree>>(dice, Shape::uniform, count))};
+  }
+
+  const CompiledShaft shaft_ = compile(Shaft({{-4, -4, -4}, {0, 0, 0}}, {{1, 1, 1}, {4, 4, 4}}));
+};
+TYPED_TEST_SUITE(TreeSharedMemory, TreeKinds);
+
+TYPED_TEST(TreeSharedMemory, ATreesOwnLeavesAreNoUpdateOfIt) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
+  TypeParam tree = this->random_tree();
+  const std::vector<Bound> before = this->leaves_of(tree);
+  const auto refusal = AllOf(HasSubstr("update: "), HasSubstr("the tree's leaves share memory"));
+
+  EXPECT_THAT(message_of([&] { tree.update(tree.leaves()); }), refusal);
+  const std::vector<Index> indices = {1, 2, 3};
+  EXPECT_THAT(message_of([&] { tree.update(indices, tree.leaves().slice(7, 3)); }), refusal);
+
+  // One stream of many is enough, and so is one float of it.
+  const auto memory = columns(before);
+  auto mixed = memory.view();
+  mixed.stream[2] = tree.leaves().stream[1];
+  EXPECT_THAT(message_of([&] { tree.update(mixed); }), refusal);
+  auto last = memory.view().slice(0, 3);
+  last.stream[0] = tree.leaves().stream[0] + (words_for(this->count) * 64 - 1);
+  EXPECT_THAT(message_of([&] { tree.update(indices, last); }), refusal);
+
+  // So are records in that memory, forwards and backwards.
+  typename TypeParam::Records records{};
+  if constexpr (std::is_same_v<Bound, Box>) {
+    records = {tree.leaves().stream[0], tree.leaves().stream[3], sizeof(float), 3};
+  } else {
+    records = {tree.leaves().stream[0], tree.leaves().stream[3], sizeof(float), 3};
+  }
+  EXPECT_THAT(message_of([&] { tree.update(indices, records); }), refusal);
+  records.stride = 0 - sizeof(float);
+  EXPECT_THAT(message_of([&] { tree.update(indices, records); }), refusal);
+
+  EXPECT_EQ(this->leaves_of(tree), before);
+  EXPECT_FALSE(tree.needs_refit());
+}
+
+TYPED_TEST(TreeSharedMemory, AnotherTreesLeavesAndTheTreesOwnOrderMayBeRead) {
+  using Bound = BoundOf<TypeParam>;
+  TypeParam tree = this->random_tree();
+  const std::vector<Bound> before = this->leaves_of(tree);
+  const TypeParam copy = tree;
+  tree.update(tree.order(), copy.leaves());  // bound order()[p] becomes leaf p, which it is
+  tree.refit();
+  EXPECT_EQ(this->leaves_of(tree), before);
+}
+
+TYPED_TEST(TreeSharedMemory, OutputsOfAQueryMustNotBeWhatItLeavesOutNorOneAnother) {
+  using Index = IndexOf<TypeParam>;
+  const TypeParam tree = this->random_tree();
+  const std::vector<Index> untouched(200, 7);
+  std::vector<Index> memory = untouched;
+  const std::span<Index> all(memory);
+  const auto shares = [](const char* one, const char* other) {
+    return AllOf(HasSubstr(one), HasSubstr(other), HasSubstr("share memory"));
+  };
+  EXPECT_THAT(message_of([&] { cull(this->shaft_, tree, all, {.own = all.subspan(199, 1)}); }),
+              shares("cull: kept", "excluding.own"));
+  EXPECT_THAT(message_of([&] { classify(this->shaft_, tree, all.first(100), all.subspan(99)); }),
+              shares("classify: overlap", "inside"));
+  EXPECT_THAT(
+      message_of([&] { classify(this->shaft_, tree, all.first(100), all.subspan(100), {.own = all.subspan(100, 2)}); }),
+      shares("classify: inside", "excluding.own"));
+  EXPECT_EQ(memory, untouched);
+  EXPECT_NO_THROW(classify(this->shaft_, tree, all.first(90), all.subspan(90, 90), {.own = all.subspan(180)}));
+
+  std::vector<std::uint64_t> mask(words_for(this->count));
+  EXPECT_THAT(message_of([&] {
+                count_many({&this->shaft_, 1}, tree, std::span(mask).first(1), {.mask = mask});
+              }),
+              shares("count_many: kept_counts", "excluding.mask"));
+  EXPECT_EQ(mask, std::vector<std::uint64_t>(words_for(this->count)));
+}
+
+TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {
+  using Index = IndexOf<TypeParam>;
+  const TypeParam tree = this->random_tree();
+  const std::span<const CompiledShaft> shafts(&this->shaft_, 1);
+  IndexListsOf<Index> lists{{0, 2}, {11, 12}};
+  IndexListsOf<Index> others{{0, 1}, {13}};
+  const auto expect_unchanged = [&] {
+    EXPECT_EQ(lists.offsets, (std::vector<std::uint64_t>{0, 2}));
+    EXPECT_EQ(lists.indices, (std::vector<Index>{11, 12}));
+    EXPECT_EQ(others.indices, (std::vector<Index>{13}));
+  };
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, lists); }),
+              HasSubstr("list_many: overlap and inside share memory"));
+  expect_unchanged();
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = lists.indices}); }),
+              HasSubstr("list_many: kept and excluding.own share memory"));
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, others, {.own = others.indices}); }),
+              HasSubstr("list_many: inside and excluding.own share memory"));
+  expect_unchanged();
+  RunListsOf<Index> runs;
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, runs, runs); }),
+              HasSubstr("list_many: overlap and inside share memory"));
+}
+
+TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginningOnly) {
+  using Index = IndexOf<TypeParam>;
+  const TypeParam tree = this->random_tree();
+  std::vector<Index> candidates;
+  for (Index i = 0; i != 2000; ++i) candidates.push_back(i * 7 % 5000);
+  std::vector<Index> expected(candidates.size());
+  expected.resize(refine(this->shaft_, tree.leaves(), candidates, expected));
+  ASSERT_GT(expected.size(), 10U);
+
+  std::vector<Index> memory(10, 0);
+  memory.insert(memory.end(), candidates.begin(), candidates.end());
+  memory.insert(memory.end(), candidates.size(), 0);
+  const std::vector<Index> before = memory;
+  const auto all = std::span(memory);
+  const std::span<const Index> in = all.subspan(10, candidates.size());
+  for (const std::size_t start :
+       {std::size_t{0}, std::size_t{9}, std::size_t{11}, std::size_t{9 + candidates.size()}}) {
+    EXPECT_THAT(message_of([&] { refine(this->shaft_, tree.leaves(), in, all.subspan(start, candidates.size())); }),
+                HasSubstr("refine: kept and candidates share memory"))
+        << start;
+  }
+  EXPECT_EQ(memory, before);
+  const std::span<Index> behind = all.subspan(10 + candidates.size());
+  ASSERT_EQ(refine(this->shaft_, tree.leaves(), in, behind), expected.size());
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), behind.begin()));
+  // What `kept` has room for past the number of candidates is never written.
+  ASSERT_EQ(refine(this->shaft_, tree.leaves(), behind.first(0), all), 0U);
+  ASSERT_EQ(refine(this->shaft_, tree.leaves(), in, all.subspan(10)), expected.size());
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), all.begin() + 10));
+}
+
+TYPED_TEST(TreeSharedMemory, RefiningManyRefusesCandidatesThatAreItsLists) {
+  using Index = IndexOf<TypeParam>;
+  const TypeParam tree = this->random_tree();
+  IndexListsOf<Index> lists{{0, 3}, {11, 12, 13}};
+  EXPECT_THAT(message_of([&] {
+                refine_many({&this->shaft_, 1}, tree.leaves(), std::span<const Index>(lists.indices).last(1), lists);
+              }),
+              HasSubstr("refine_many: lists and candidates share memory"));
+  EXPECT_EQ(lists.indices, (std::vector<Index>{11, 12, 13}));
+}
+
+TYPED_TEST(TreeSharedMemory, IndicesLeftOutMustExist) {
+  using Index = IndexOf<TypeParam>;
+  const TypeParam tree = this->random_tree();
+  std::vector<Index> own = {4999, 5000};
+  const auto refusal = HasSubstr("excluding.own[1] = 5000 is not below the number of bounds, 5000");
+  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(this->shaft_, tree, {.own = own})); }), refusal);
+  IndexListsOf<Index> lists;
+  const std::vector<CompiledShaft> shafts(2, this->shaft_);
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = own}); }), refusal);
+  std::vector<std::uint64_t> counts(2);
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = own}); }), refusal);
+  EXPECT_THAT(message_of([&] { cull_each(shafts, tree, [](const ShaftAnswersOf<Index>&) { FAIL(); }, {.own = own}); }),
+              refusal);
+  own[1] = 0;
+  EXPECT_NO_THROW(list_many(shafts, tree, lists, {.own = own}));
+}
+
+}  // namespace
+}  // namespace shaftcull
