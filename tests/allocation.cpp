@@ -1,50 +1,15 @@
-/// Hot calls do not allocate: this executable counts every call of operator new, in all threads.
+/// Hot calls do not allocate: every call of operator new is counted, in all threads.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <vector>
 
 #include "columns.hpp"
 #include "dice.hpp"
+#include "failing_memory.hpp"
 #include "instruction_sets.hpp"
 #include "shaftcull/shaftcull.hpp"
-
-namespace {
-
-std::atomic<std::size_t> allocations = 0;
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  // aligned_alloc() wants a multiple of the alignment.
-  void* const memory = std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-/// Not inlined: where only operator delete is, g++ takes the pair for a mismatched one.
-[[gnu::noinline]] void release(void* memory) noexcept { std::free(memory); }
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new[](std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete[](void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
 namespace shaftcull {
 namespace {
@@ -69,9 +34,9 @@ class Allocation : public testing::Test {
 
   template <class Call>
   static std::size_t allocations_in(const Call& call) {
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     call();
-    return allocations - before;
+    return allocations() - before;
   }
 
   std::vector<Box> boxes_;
@@ -180,8 +145,13 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
 
 TEST_F(Allocation, UpdatingAndRefittingATreeDoNone) {
   BoxTree boxes{std::span<const Box>(boxes_)};
-  const auto calls = [&] { boxes.update(std::span<const Box>(boxes_)); };
-  calls();  // threads are started once
+  const std::vector<std::uint32_t> few = {1, 2};
+  const auto calls = [&] {
+    boxes.update(std::span<const Box>(boxes_));
+    boxes.update(few, std::span<const Box>(boxes_).first(2));
+    boxes.refit();
+  };
+  calls();  // threads are started once, and leaves are looked for by index
   EXPECT_EQ(allocations_in(calls), 0U);
 }
 

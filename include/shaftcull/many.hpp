@@ -11,6 +11,9 @@
 /// Callbacks run on any thread of the arena, in the caller's floating-point modes.
 ///
 /// Errors are those of cull() and classify(), found before anything is written.
+///
+/// If memory runs out (std::bad_alloc) or a callback throws, the call ends by that exception when its tasks have ended.
+/// Lists are then as they were or empty, bits and counts are unspecified, and everything else is as it was.
 #pragma once
 
 #include <cstddef>
@@ -59,8 +62,8 @@ struct IndexListsOf {
 };
 using IndexLists = IndexListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps. Reuses the memory of `lists`; if there is none left, which it throws, what they hold is
-/// anything. Throws InvalidArgument if there are more bounds than an Index can tell apart.
+/// Lists what each shaft keeps. Reuses the memory of `lists`; if this throws, they are as they were or empty. Throws
+/// InvalidArgument if there are more bounds than an Index can tell apart, std::bad_alloc if memory runs out.
 template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists,
                Form form = Form::fastest);

@@ -1,10 +1,12 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
 /// Bounds and indices are of the tree's kind: a vector passes for a span of them, and braces for `excluding`. Results
-/// are in tree order (BoundsTree::order()), which depends on the bounds alone. A query throws InvalidArgument if the
-/// tree needs a refit, if a shaft was formed without the answer asked for, if `excluding` does not fit, or if an output
-/// shares memory with another output or with `excluding`; nothing is written then. Cost: about 20 ns for each node or
-/// group of 64 bounds that the shaft reaches. Safe to call from many threads.
+/// are in tree order (BoundsTree::order()), which depends on nothing but the bounds, by index, that the tree was last
+/// built or rebuilt from: not on threads, instruction sets, or what happened before. A query throws InvalidArgument if
+/// the tree needs a refit, if a shaft was formed without the answer asked for, if `excluding` does not fit, or if an
+/// output shares memory with another output or with `excluding`; nothing is written then. Cost: about 20 ns for each
+/// node or group of 64 bounds that the shaft reaches. Safe to call from many threads. Trees stay as they are, whatever
+/// a query throws.
 #pragma once
 
 #include <cstddef>
@@ -83,7 +85,8 @@ KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& 
                     std::type_identity_t<std::span<TreeRunOf<Index>>> inside,
                     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-// Many shafts, in parallel. Results do not depend on the number of threads.
+// Many shafts, in parallel. Results do not depend on the number of threads. If memory runs out (std::bad_alloc), counts
+// are unspecified, and lists are as they were or empty.
 
 /// kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
 template <class Bound, BoundIndex Index>
@@ -103,8 +106,8 @@ struct RunListsOf {
 };
 using RunLists = RunListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps, as indices or as runs. Reuses the memory of the lists; if there is none left, which it
-/// throws, what they hold is anything.
+/// Lists what each shaft keeps, as indices or as runs. Reuses the memory of the lists; if this throws, they are as they
+/// were or empty.
 template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
@@ -130,7 +133,8 @@ struct ShaftAnswersOf {
 };
 using ShaftAnswers = ShaftAnswersOf<std::uint32_t>;
 
-/// Called once for every shaft, one call at a time, in their order. An exception ends the run and reaches the caller.
+/// Called once for every shaft, one call at a time, in their order. An exception ends the run and reaches the caller;
+/// shafts after it are not handed out.
 template <BoundIndex Index>
 using ShaftCallbackOf = std::function<void(const ShaftAnswersOf<Index>&)>;
 using ShaftCallback = ShaftCallbackOf<std::uint32_t>;

@@ -32,8 +32,9 @@ std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::s
                    std::span<std::uint64_t> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
-/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`.
-/// Errors as refine(), and InvalidArgument if candidates are a part of `lists`.
+/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`;
+/// if this throws, they are as they were or empty. Errors as refine(), InvalidArgument if candidates are a part of
+/// `lists`, and std::bad_alloc if memory runs out.
 template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);

@@ -108,7 +108,8 @@ class StreamMemory {
 /// boxes of padding. Copies are deep; moves are O(1) and leave an empty stream.
 ///
 /// Packing checks its input: a NaN, lo > hi (but for the empty box) or a negative half extent throws
-/// BadBound, which names the first bad record and what is wrong with it, and leaves the stream unchanged.
+/// BadBound, which names the first bad record and what is wrong with it. Whatever is thrown, std::bad_alloc included,
+/// leaves the stream unchanged.
 /// Const members are safe to call from many threads; update() of disjoint ranges too.
 class BoxStream {
  public:

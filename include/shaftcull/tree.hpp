@@ -35,7 +35,11 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// InvalidArgument for more.
 ///
 /// Bounds are checked as in packing: a NaN, lo > hi (but for the empty box), a negative radius or a centre
-/// that is not finite throws BadBound, which names the first bad one, and leaves the tree unchanged.
+/// that is not finite throws BadBound, which names the first bad one.
+///
+/// A call that throws leaves the tree as it was, std::bad_alloc included, but for this: update() of all bounds and
+/// refit() allocate nothing themselves, and if oneTBB cannot start their tasks, needs_refit() is true afterwards. After
+/// such an update() each bound has its old value or its new one. Update again, or refit().
 ///
 /// Building, updating and refitting run in parallel on oneTBB inside the caller's task_arena. Const members and
 /// queries are safe to call from many threads. To ask the last frame while the next is made, keep two trees: update the
@@ -50,8 +54,8 @@ class BoundsTree {
 
   BoundsTree() noexcept;
   /// Copies and sorts the bounds; O(n log n). Bounds much larger than their share of space, and empty boxes, are kept
-  /// apart from the others, whose nodes they would spoil. The order depends on the bounds alone, not on the number of
-  /// threads.
+  /// apart from the others, whose nodes they would spoil. The order depends on the bounds and their indices alone, not
+  /// on the number of threads.
   explicit BoundsTree(const View& bounds);
   explicit BoundsTree(const Records& bounds);
   explicit BoundsTree(std::span<const Bound> bounds);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "run/job.hpp"
+#include "run/list_memory.hpp"
 #include "run/parallel.hpp"
 #include "run/set_bits.hpp"
 #include "run/task_memory.hpp"
@@ -28,13 +29,6 @@ void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t s
   for (std::size_t b = 0; b != blocks; ++b) {
     for (std::size_t s = 0; s != shafts; ++s) next[s] += std::exchange(counts[b * shafts + s], next[s]);
   }
-}
-
-/// Makes `indices` that long without copying what it holds.
-template <BoundIndex Index>
-void resize_unkept(std::vector<Index>& indices, std::uint64_t size) {
-  if (indices.capacity() < size) indices.clear();
-  indices.resize(static_cast<std::size_t>(size));
 }
 
 template <class View, class Index>
@@ -70,8 +64,9 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
     pieces[b * cut.groups() + g] = std::move(piece);
   });
 
+  kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
   place(places, cut.blocks(), job.shafts(), lists.offsets);
-  resize_unkept(lists.indices, lists.offsets.back());
+  in_progress.resize_items(lists.offsets.back());
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
     const Piece piece = std::move(pieces[b * cut.groups() + g]);
     const std::uint32_t* from = piece.get();
@@ -84,6 +79,7 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
       from += size;
     }
   });
+  in_progress.complete();
 }
 
 }  // namespace

@@ -7,10 +7,12 @@
 #include <tuple>
 
 #include "fetch.hpp"
+#include "run/arguments.hpp"
 #include "run/cut.hpp"
-#include "run/job.hpp"
+#include "run/list_memory.hpp"
 #include "run/parallel.hpp"
 #include "shaftcull/error.hpp"
+#include "test/kernels.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
@@ -37,7 +39,8 @@ void collect(const View& view, std::span<const Index> candidates, std::size_t fi
 template <class View, class Index>
 std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
                         std::span<Index> kept) {
-  const kernel::Job<View> job({&shaft, 1}, view, false, Form::fastest);
+  kernel::require_answers(shaft, true, false, std::is_same_v<View, SphereView>, 0);
+  kernel::require_view(view);
   kernel::require_below("candidates", candidates, view.count);
   if (kept.size() < candidates.size()) {
     throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) +
@@ -48,6 +51,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
     kernel::require_apart("refine", "kept", kernel::bytes_of(kept.data(), candidates.size()), "candidates",
                           kernel::bytes_of(candidates));
   }
+  kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);  // for all blocks
   CompiledShaft ready = shaft;  // planes once, not block by block
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
   constexpr std::size_t block = 1024;
@@ -61,7 +65,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
     some.count = std::min(block, candidates.size() - first);
     collect(view, candidates, first, some.count, row);
     std::uint64_t bits[block / 64];
-    cull(ready, some, std::span(bits, words_for(some.count)));
+    test(ready, some.stream.data(), some.count, bits, nullptr);
     for (std::size_t w = 0; w != words_for(some.count); ++w) {
       for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
         // Never ahead of what is read, so `kept` may be the candidates' own memory.
@@ -93,10 +97,12 @@ void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::
     collect(view, candidates, task.first, task.size, row);
   });
   list_many(shafts, packed, lists);
+  kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
   kernel::parallel_for(kernel::pieces(lists.indices.size(), block), 1, [&](std::size_t b, std::size_t) {
     const kernel::Run task = kernel::piece(lists.indices.size(), block, b);
     for (std::size_t i = task.first; i != task.end(); ++i) lists.indices[i] = candidates[lists.indices[i]];
   });
+  in_progress.complete();
 }
 
 }  // namespace

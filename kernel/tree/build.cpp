@@ -48,21 +48,33 @@ void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
   parts.gaps.assign(nodes / 64, ~std::uint64_t{0});
 }
 
+namespace {
+
+static_assert(source_block % gap_leaves == 0, "tasks that write leaves must not share a word of gaps");
+
+/// Builds a tree of the bounds of a source, which may be the workshop's own records.
 template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build(const Source& source) {
-  const Workshop<Bound, Index> workshop(source.count());
+TreeParts<Bound, Index> build_in(const Workshop<Bound, Index>& workshop, const Source& source) {
+  const Kernels& kernels = active_kernels();
   const ClassBounds class_first = write_entries(source, workshop);
   TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
-  write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, parts.order.data());
+  write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(workshop.records());
   parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, parts.order.data(), piece(parts.size, source_block, b), all);
+    write_leaves(parts, kernels, parts.order.data(), piece(parts.size, source_block, b), all);
   });
-  fit_upper(parts);
+  fit_upper(parts, kernels);
   parts.surface_when_built = surface(parts);
   return parts;
+}
+
+}  // namespace
+
+template <class Bound, class Index, class Source>
+TreeParts<Bound, Index> build(const Source& source) {
+  return build_in(Workshop<Bound, Index>(source.count()), source);
 }
 
 template TreeParts<Box, std::uint32_t> build(const ViewSource<Box>& source);

@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <vector>
 
 #include "run/cut.hpp"
 #include "run/parallel.hpp"
-#include "test/kernels.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
@@ -14,7 +12,8 @@ namespace {
 
 /// Fits `words` entries of level k, at most 64, from entry `first` on, a multiple of 64.
 template <class Bound>
-void fit_words(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t first, std::size_t words) {
+void fit_words(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t first,
+               std::size_t words) noexcept {
   const auto out = parts.node_rows(k, first);
   std::uint64_t gaps = 0;
   if (k == 1) {
@@ -35,7 +34,7 @@ void fit_words(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, 
 }
 
 template <class Bound>
-void set_gap(TreeLevels<Bound>& parts, std::size_t k, std::size_t entry, bool is_gap) {
+void set_gap(TreeLevels<Bound>& parts, std::size_t k, std::size_t entry, bool is_gap) noexcept {
   const std::uint64_t bit = std::uint64_t{1} << entry % fanout;
   std::uint64_t& word = parts.gap_words(k)[entry / fanout];
   word = is_gap ? word | bit : word & ~bit;
@@ -43,7 +42,7 @@ void set_gap(TreeLevels<Bound>& parts, std::size_t k, std::size_t entry, bool is
 
 /// Fits one entry of a level above the first.
 template <class Bound>
-void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) {
+void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) noexcept {
   const auto rows = parts.node_rows(k - 1, entry * fanout);
   const float* in[6];
   std::copy(rows.begin(), rows.end(), in);
@@ -53,18 +52,19 @@ void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t
 
 /// Entries of level 1 that a task fits: 1.5 MiB of boxes.
 constexpr std::size_t task_entries = 1024;
+static_assert(task_entries % fanout == 0, "tasks must not share a word of gaps");
 
 }  // namespace
 
 template <class Bound>
-void fit_leaf_word(TreeLevels<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]) {
-  const std::uint64_t gap = active_kernels().unite(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
+void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t entry,
+                   const float* const (&leaves)[rows_of<Bound>]) noexcept {
+  const std::uint64_t gap = kernels.unite(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
   set_gap(parts, 1, entry, gap != 0);
 }
 
 template <class Bound>
-void fit_upper(TreeLevels<Bound>& parts) {
-  const Kernels& kernels = active_kernels();
+void fit_upper(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
   for (std::size_t k = 2; k < parts.levels; ++k) {
     for (std::size_t first = 0; first < parts.level[k].entries; first += fanout) {
       fit_words(parts, kernels, k, first, std::min(fanout, parts.level[k].entries - first));
@@ -75,45 +75,45 @@ void fit_upper(TreeLevels<Bound>& parts) {
 }
 
 template <class Bound>
-void fit_all(TreeLevels<Bound>& parts) {
+void fit_all(TreeLevels<Bound>& parts, const Kernels& kernels) {
   if (parts.levels > 1) {
     const std::size_t entries = parts.level[1].entries;
     parallel_for(pieces(entries, task_entries), 1, [&](std::size_t t, std::size_t) {
-      const Kernels& kernels = active_kernels();
       const Run task = piece(entries, task_entries, t);
       for (std::size_t first = task.first; first < task.end(); first += fanout) {
         fit_words(parts, kernels, 1, first, std::min(fanout, entries - first));
       }
     });
   }
-  fit_upper(parts);
+  fit_upper(parts, kernels);
 }
 
 template <class Bound>
-void fit_dirty(TreeLevels<Bound>& parts) {
-  const Kernels& kernels = active_kernels();
-  std::vector<std::size_t> entries;  // of one level, ascending
-  for (std::size_t w = 0; w != parts.dirty.size(); ++w) {
-    for (std::uint64_t left = parts.dirty[w]; left != 0; left &= left - 1) {
-      entries.push_back(w * 64 + static_cast<std::size_t>(std::countr_zero(left)));
-    }
-    parts.dirty[w] = 0;
-  }
-  parts.dirty_words = 0;
-  for (std::size_t k = 1; k < parts.levels; ++k) {
-    for (const std::size_t entry : entries) {
-      if (k == 1) {
+void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
+  static_assert(fanout == 64, "a word of dirty bits is one entry of level 2");
+  const std::size_t words = parts.dirty.size();
+  if (parts.levels > 1) {
+    for (std::size_t w = 0; w != words; ++w) {
+      for (std::uint64_t left = parts.dirty[w]; left != 0; left &= left - 1) {
+        const std::size_t entry = w * 64 + static_cast<std::size_t>(std::countr_zero(left));
         const auto rows = parts.leaf_rows(entry * fanout);
         const float* leaves[rows_of<Bound>];
         std::copy(rows.begin(), rows.end(), leaves);
-        fit_leaf_word(parts, entry, leaves);
-      } else {
-        fit_node_word(parts, kernels, k, entry);
+        fit_leaf_word(parts, kernels, entry, leaves);
       }
     }
-    for (std::size_t& entry : entries) entry /= fanout;
-    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
   }
+  for (std::size_t k = 2; k < parts.levels; ++k) {
+    std::size_t next = 0;  // entries before this one are fitted, or not dirty
+    for (std::size_t w = 0; w != words; ++w) {
+      const std::size_t entry = w >> 6 * (k - 2);
+      if (parts.dirty[w] == 0 || entry < next) continue;
+      fit_node_word(parts, kernels, k, entry);
+      next = entry + 1;
+    }
+  }
+  std::fill(parts.dirty.begin(), parts.dirty.end(), 0);
+  parts.dirty_words = 0;
 }
 
 template <class Bound>
@@ -131,14 +131,16 @@ double surface(const TreeLevels<Bound>& parts) {
   return sum;
 }
 
-template void fit_leaf_word(TreeLevels<Box>& parts, std::size_t entry, const float* const (&leaves)[6]);
-template void fit_leaf_word(TreeLevels<Sphere>& parts, std::size_t entry, const float* const (&leaves)[4]);
-template void fit_upper(TreeLevels<Box>& parts);
-template void fit_upper(TreeLevels<Sphere>& parts);
-template void fit_all(TreeLevels<Box>& parts);
-template void fit_all(TreeLevels<Sphere>& parts);
-template void fit_dirty(TreeLevels<Box>& parts);
-template void fit_dirty(TreeLevels<Sphere>& parts);
+template void fit_leaf_word(TreeLevels<Box>& parts, const Kernels& kernels, std::size_t entry,
+                            const float* const (&leaves)[6]) noexcept;
+template void fit_leaf_word(TreeLevels<Sphere>& parts, const Kernels& kernels, std::size_t entry,
+                            const float* const (&leaves)[4]) noexcept;
+template void fit_upper(TreeLevels<Box>& parts, const Kernels& kernels) noexcept;
+template void fit_upper(TreeLevels<Sphere>& parts, const Kernels& kernels) noexcept;
+template void fit_all(TreeLevels<Box>& parts, const Kernels& kernels);
+template void fit_all(TreeLevels<Sphere>& parts, const Kernels& kernels);
+template void fit_dirty(TreeLevels<Box>& parts, const Kernels& kernels) noexcept;
+template void fit_dirty(TreeLevels<Sphere>& parts, const Kernels& kernels) noexcept;
 template double surface(const TreeLevels<Box>& parts);
 template double surface(const TreeLevels<Sphere>& parts);
 

@@ -1,8 +1,10 @@
 /// Many shafts against a tree, in parallel: counts, lists and callbacks.
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "run/cut.hpp"
+#include "run/list_memory.hpp"
 #include "run/parallel.hpp"
 #include "tree/query.hpp"
 
@@ -57,7 +59,11 @@ class Pieces {
  public:
   using Output = decltype(output_for(std::declval<const Lists&>()));
 
-  Pieces(std::size_t shafts, Lists& lists) : shafts_(shafts), piece_(pieces(shafts, task_shafts)), lists_(lists) {
+  Pieces(std::size_t shafts, Lists& lists)
+      : shafts_(shafts),
+        piece_(pieces(shafts, task_shafts)),
+        lists_(lists),
+        in_progress_(lists.offsets, items_of(lists)) {
     lists.offsets.assign(shafts + 1, 0);
   }
   [[nodiscard]] Output& operator[](std::size_t task) noexcept { return piece_[task]; }
@@ -72,19 +78,21 @@ class Pieces {
       for (std::size_t s = task.first; s != task.end(); ++s) lists_.offsets[s + 1] += before;
       before = lists_.offsets[task.end()];
     }
+    in_progress_.resize_items(before);
     auto& items = items_of(lists_);
-    if (items.capacity() < before) items.clear();  // do not copy what is to be overwritten
-    items.resize(static_cast<std::size_t>(before));
     kernel::parallel_for(piece_.size(), 1, [&](std::size_t t, std::size_t) {
       const Output done = std::move(piece_[t]);
       write(done, indices, items.data() + lists_.offsets[t * task_shafts]);
     });
   }
+  /// All lists of the call are put together: they are not emptied at the end.
+  void complete() noexcept { in_progress_.complete(); }
 
  private:
   std::size_t shafts_;
   std::vector<Output> piece_;
   Lists& lists_;
+  kernel::IncompleteLists<typename std::decay_t<decltype(items_of(std::declval<Lists&>()))>::value_type> in_progress_;
 };
 
 /// Throws InvalidArgument if lists, called `name` in the message, hold memory that excludes bounds.
@@ -109,6 +117,7 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
     }
   });
   all.put_together(query.indices());
+  all.complete();
 }
 
 template <class Bound, class Index, class Lists>
@@ -132,6 +141,8 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
   });
   overlaps.put_together(query.indices());
   insides.put_together(query.indices());
+  overlaps.complete();
+  insides.complete();
 }
 
 /// Shafts whose answers wait for their turn, for each thread.

@@ -3,7 +3,6 @@
 #include "tree/order.hpp"
 
 #include "run/parallel.hpp"
-#include "test/kernels.hpp"
 #include "tree/parts.hpp"
 #include "tree/split.hpp"
 
@@ -52,8 +51,7 @@ void order_part(const Part<Index>& part, std::size_t parts, const Kernels& kerne
 
 template <class Index>
 void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
-                      const ClassBounds& class_first, Index* order) {
-  const Kernels& kernels = active_kernels();
+                      const ClassBounds& class_first, const Kernels& kernels, Index* order) {
   parallel_for(size_classes, 1, [&](std::size_t c, std::size_t) {
     if (class_first[c] != class_first[c + 1]) {
       order_part<Index>({class_first[c], class_first[c + 1], &entries, &spare}, 1, kernels, order);
@@ -62,8 +60,8 @@ void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Ind
 }
 
 template void write_tree_order(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
-                               const ClassBounds& class_first, std::uint32_t* order);
+                               const ClassBounds& class_first, const Kernels& kernels, std::uint32_t* order);
 template void write_tree_order(const EntryStreams<std::uint64_t>& entries, const EntryStreams<std::uint64_t>& spare,
-                               const ClassBounds& class_first, std::uint64_t* order);
+                               const ClassBounds& class_first, const Kernels& kernels, std::uint64_t* order);
 
 }  // namespace shaftcull::kernel

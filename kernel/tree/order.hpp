@@ -1,6 +1,7 @@
 /// Tree order: which bounds share a node.
 #pragma once
 
+#include "test/kernels.hpp"
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {
@@ -10,6 +11,6 @@ namespace shaftcull::kernel {
 /// threads. Entries are lost; `spare` has room for as many.
 template <class Index>
 void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
-                      const ClassBounds& class_first, Index* order);
+                      const ClassBounds& class_first, const Kernels& kernels, Index* order);
 
 }  // namespace shaftcull::kernel

@@ -9,6 +9,7 @@
 
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "test/kernels.hpp"
 
 namespace shaftcull::kernel {
 
@@ -51,8 +52,16 @@ struct TreeLevels {
   std::vector<std::uint64_t> gaps;
 
   std::vector<std::uint64_t> dirty;  ///< bit i: a leaf under entry i of level 1 has changed; empty until then
-  std::size_t dirty_words = 0;       ///< how many of those bits are set
+  std::size_t dirty_words = 0;       ///< how many of those bits are set; as many as there are words, or more: see below
   double surface_when_built = 0;
+
+  /// Counts every word of leaves as dirty, whatever the bits say, until fit_upper(). Who writes leaves in parallel does
+  /// this first: an exception on the way then leaves a tree that asks for a refit.
+  void mark_all_dirty() noexcept { dirty_words = words_for(size); }
+
+  /// Whether fitting all nodes in one pass is cheaper than fitting dirty ones entry by entry: from about one word in
+  /// eight on.
+  [[nodiscard]] bool are_many_dirty() const noexcept { return dirty_words > words_for(size) / 8; }
 
   /// Whether the leaves are more than a second-level cache holds.
   [[nodiscard]] bool is_worth_fetching() const noexcept { return leaves.bytes() > second_level_bytes; }
@@ -84,21 +93,28 @@ struct TreeParts : TreeLevels<Bound> {
 template <class Bound>
 void lay_out(TreeLevels<Bound>& parts, std::size_t size);
 
-/// Fits all nodes, in parallel; leaves the list of dirty ones empty.
+// Kernels are passed along: a call goes on with the instruction set that it began with.
+
+/// Fits all nodes, in parallel; leaves none dirty. If it throws, those that were dirty still are.
 template <class Bound>
-void fit_all(TreeLevels<Bound>& parts);
+void fit_all(TreeLevels<Bound>& parts, const Kernels& kernels);
 
 /// Fits an entry of level 1 to the word of leaves below it, which is in `leaves`.
+///
+/// Threads may fit entries at the same time if no two of these share a word of gaps: entries of different blocks of
+/// gap_leaves leaves.
 template <class Bound>
-void fit_leaf_word(TreeLevels<Bound>& parts, std::size_t entry, const float* const (&leaves)[rows_of<Bound>]);
+void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t entry,
+                   const float* const (&leaves)[rows_of<Bound>]) noexcept;
+inline constexpr std::size_t gap_leaves = fanout * fanout;
 
-/// Fits the levels above level 1, whose entries are all fitted; leaves the list of dirty ones empty.
+/// Fits the levels above level 1, whose entries are all fitted; leaves none dirty.
 template <class Bound>
-void fit_upper(TreeLevels<Bound>& parts);
+void fit_upper(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
 
-/// Fits the nodes above dirty words of leaves, and leaves none dirty.
+/// Fits the nodes above dirty words of leaves, and leaves none dirty. O(nodes fitted + size / 64²).
 template <class Bound>
-void fit_dirty(TreeLevels<Bound>& parts);
+void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
 
 /// Summed surface of the boxes of level 1; infinite ones are left out.
 template <class Bound>

@@ -145,11 +145,11 @@ void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::refit() {
   if (!needs_refit()) return;
-  // Entry by entry is dearer than in one sweep; from about one word in eight on the sweep wins.
-  if (parts_->dirty_words * 8 > words_for(parts_->size)) {
-    kernel::fit_all(*parts_);
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  if (parts_->are_many_dirty()) {
+    kernel::fit_all(*parts_, kernels);
   } else {
-    kernel::fit_dirty(*parts_);
+    kernel::fit_dirty(*parts_, kernels);
   }
 }
 

@@ -11,7 +11,7 @@ namespace shaftcull::kernel {
 namespace {
 
 /// Leaves that a task updates: one word of nodes.
-constexpr std::size_t block_leaves = fanout * fanout;
+constexpr std::size_t block_leaves = gap_leaves;
 
 void require_count(std::size_t count, std::size_t size) {
   if (count == size) return;
@@ -41,10 +41,12 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   require_count(source.count(), parts.size);
   require_other_memory(parts, source);
   require_legal<Bound>(source);
+  const Kernels& kernels = active_kernels();
+  parts.mark_all_dirty();
   parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, parts.order.data(), piece(parts.size, block_leaves, b), source);
+    write_leaves(parts, kernels, parts.order.data(), piece(parts.size, block_leaves, b), source);
   });
-  fit_upper(parts);
+  fit_upper(parts, kernels);
 }
 
 template <class Bound, class Index, class Source>
@@ -59,6 +61,7 @@ void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices,
   if (indices.empty()) return;
   require_places(parts);
   parts.dirty.resize(words_for(words_for(parts.size)));
+  // Nothing from here on throws.
   const auto row = parts.leaf_rows();
   for (std::size_t i = 0; i != indices.size(); ++i) {
     const std::size_t p = parts.place[indices[i]];

@@ -15,12 +15,13 @@ namespace shaftcull::kernel {
 inline constexpr std::size_t fetched_leaves = 64;
 
 /// Writes leaves [run.first, run.end()), leaf p being bound order[p] of the source, and fits level 1 above them. run is
-/// whole words but for the tree's last one.
+/// whole words but for the tree's last one; if others write leaves at the same time, whole blocks of gap_leaves.
 ///
 /// Written one leaf at a time, every leaf would write as many cache lines as there are streams, and keep the next one
 /// waiting for them.
 template <class Bound, class Index, class Source>
-void write_leaves(TreeLevels<Bound>& parts, const Index* order, const Run& run, const Source& source) {
+void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, const Run& run,
+                  const Source& source) noexcept {
   constexpr std::size_t rows = rows_of<Bound>;
   const auto row = parts.leaf_rows();
   const WordWriter writer(parts.leaves.bytes());
@@ -40,7 +41,7 @@ void write_leaves(TreeLevels<Bound>& parts, const Index* order, const Run& run, 
     for (std::size_t s = 0; s != rows; ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding
     for (std::size_t s = 0; s != rows; ++s) writer.write(row[s] + first, word[s], fanout);
-    if (parts.levels > 1) fit_leaf_word(parts, first / fanout, words);
+    if (parts.levels > 1) fit_leaf_word(parts, kernels, first / fanout, words);
   }
 }
 

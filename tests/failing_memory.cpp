@@ -1,0 +1,86 @@
+#include "failing_memory.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace shaftcull {
+namespace {
+
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+std::atomic<std::size_t> calls = 0;
+std::atomic<std::size_t> first_failing = never;  // calls are counted from 1
+std::atomic<std::size_t> last_failing = never;
+std::atomic<bool> any_failed = false;
+
+/// Null if it fails.
+void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
+  const std::size_t call = ++calls;
+  if (call >= first_failing && call <= last_failing) {
+    any_failed = true;
+    return nullptr;
+  }
+  // aligned_alloc() wants a multiple of the alignment.
+  return std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
+}
+
+void* allocate_or_throw(std::size_t bytes, std::size_t alignment) {
+  void* const memory = allocate(bytes, alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// Not inlined: where only operator delete is, g++ takes the pair for a mismatched one.
+[[gnu::noinline]] void release(void* memory) noexcept { std::free(memory); }
+
+constexpr std::size_t usual = alignof(std::max_align_t);
+
+}  // namespace
+
+std::size_t allocations() noexcept { return calls; }
+
+FailingMemory::FailingMemory(std::size_t n, Failing failing) noexcept {
+  any_failed = false;
+  last_failing = failing == Failing::only_one ? calls + n : never;
+  first_failing = calls + n;
+}
+FailingMemory::~FailingMemory() { first_failing = never; }
+bool FailingMemory::has_failed() const noexcept { return any_failed; }
+
+}  // namespace shaftcull
+
+using shaftcull::allocate;
+using shaftcull::allocate_or_throw;
+using shaftcull::release;
+using shaftcull::usual;
+
+void* operator new(std::size_t bytes) { return allocate_or_throw(bytes, usual); }
+void* operator new[](std::size_t bytes) { return allocate_or_throw(bytes, usual); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual); }
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual); }
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept { release(memory); }

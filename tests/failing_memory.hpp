@@ -1,0 +1,33 @@
+/// operator new of the whole program, which counts its calls and fails where it is told to.
+///
+/// Memory that oneTBB gets for itself, and what tasks list in (kernel/run/task_memory.hpp) in builds with it, comes
+/// from oneTBB's allocator and does not pass here; in builds without oneTBB (preset serial) the tasks' memory does.
+#pragma once
+
+#include <cstddef>
+
+namespace shaftcull {
+
+/// Calls of operator new so far, in all threads.
+[[nodiscard]] std::size_t allocations() noexcept;
+
+/// Which calls of operator new fail, counted in all threads from when a FailingMemory is made.
+enum class Failing {
+  only_one,      ///< the n-th
+  from_then_on,  ///< the n-th and all after it
+};
+
+/// While one of these lives, some calls of operator new throw std::bad_alloc. One at a time.
+class FailingMemory {
+ public:
+  /// n is counted from 1.
+  FailingMemory(std::size_t n, Failing failing) noexcept;
+  ~FailingMemory();
+  FailingMemory(const FailingMemory&) = delete;
+  FailingMemory& operator=(const FailingMemory&) = delete;
+
+  /// Whether a call has failed.
+  [[nodiscard]] bool has_failed() const noexcept;
+};
+
+}  // namespace shaftcull

@@ -1,0 +1,402 @@
+/// Memory that runs out: after std::bad_alloc every object is as it was, lists are as they were or empty, and the same
+/// call made again does its work.
+///
+/// Every call is made with its first allocation failing, then with its second, and so on (failing_memory.hpp says which
+/// allocations these are), until it succeeds; and once more with all after the first failing one failing, too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <new>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "columns.hpp"
+#include "failing_memory.hpp"
+#include "many/workload.hpp"
+#include "shaftcull/shaftcull.hpp"
+#include "tree/flat.hpp"
+#include "tree/kinds.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Calls `call` with a new object of make() for every allocation of it that fails, and then `check` with that object.
+/// Returns how many allocations the call makes.
+template <class Make, class Call, class Check>
+std::size_t fail_each_allocation(const Make& make, const Call& call, const Check& check) {
+  std::size_t allocations = 0;
+  for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
+    for (std::size_t n = 1;; ++n) {
+      auto object = make();
+      bool was_thrown = false;
+      bool has_failed = false;
+      {
+        const FailingMemory memory(n, failing);
+        try {
+          call(object);
+        } catch (const std::bad_alloc&) {
+          was_thrown = true;
+        }
+        has_failed = memory.has_failed();
+      }
+      EXPECT_EQ(was_thrown, has_failed) << "allocation " << n;
+      if (!has_failed) break;
+      allocations = std::max(allocations, n);
+      check(object);
+      if (testing::Test::HasFailure()) {
+        ADD_FAILURE() << "after allocation " << n << " had failed";
+        return allocations;
+      }
+    }
+  }
+  return allocations;
+}
+
+TEST(OutOfMemory, FailsHereWhereItIsToldTo) {
+  std::vector<std::size_t> failed;
+  const std::size_t allocations =
+      fail_each_allocation([] { return 0; },
+                           [](int& done) {
+                             for (; done != 3; ++done) ::operator delete(::operator new(1));
+                           },
+                           [&](int done) { failed.push_back(static_cast<std::size_t>(done)); });
+  EXPECT_EQ(allocations, 3U);
+  EXPECT_EQ(failed, (std::vector<std::size_t>{0, 1, 2, 0, 1, 2}));
+}
+
+template <class View>
+auto bounds_of(const View& view) {
+  std::vector<std::decay_t<decltype(view[0])>> bounds;
+  for (std::size_t i = 0; i != view.count; ++i) bounds.push_back(view[i]);
+  return bounds;
+}
+
+/// Streams: whatever `assign` does to one of 100 bounds, if it fails they are what they were.
+template <class Stream, class Bound, class Assign>
+void expect_kept_by(const std::vector<Bound>& before, const Assign& assign) {
+  EXPECT_GT(fail_each_allocation([&] { return Stream(before); }, assign,
+                                 [&](const Stream& stream) { EXPECT_EQ(bounds_of(stream.view()), before); }),
+            0U);
+}
+
+TEST(OutOfMemory, StreamsKeepTheirBounds) {
+  const std::vector<Box> boxes = random_boxes(1, 100);
+  const std::vector<Box> more_boxes = random_boxes(2, 1000);
+  const std::vector<Box> unit_boxes(1000, Box{{0, 0, 0}, {1, 1, 1}});
+  const BoxStream other_boxes(more_boxes);
+  expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) { stream = other_boxes; });
+  expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) { stream = BoxStream(1000); });
+  expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) { stream = BoxStream(more_boxes); });
+  expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) {
+    stream = BoxStream(CentreExtentRecords{&unit_boxes[0].lo, &unit_boxes[0].hi, sizeof(Box), unit_boxes.size()});
+  });
+
+  const std::vector<Sphere> spheres = random_spheres(3, 100);
+  const std::vector<Sphere> more_spheres = random_spheres(4, 1000);
+  const SphereStream other_spheres(more_spheres);
+  expect_kept_by<SphereStream>(spheres, [&](SphereStream& stream) { stream = other_spheres; });
+  expect_kept_by<SphereStream>(spheres, [&](SphereStream& stream) { stream = SphereStream(1000); });
+  expect_kept_by<SphereStream>(spheres, [&](SphereStream& stream) { stream = SphereStream(more_spheres); });
+}
+
+TEST(OutOfMemory, ARefusalThatFindsNoMemoryForItsMessageChangesNothing) {
+  std::vector<Box> bad = random_boxes(5, 100);
+  bad[50].lo[0] = bad[50].hi[0] + 1;
+  expect_kept_by<BoxStream>(random_boxes(6, 100), [&](BoxStream& stream) {
+    try {
+      stream.update(0, bad);
+    } catch (const InvalidArgument&) {
+    }
+  });
+}
+
+template <class Tree>
+class TreeOutOfMemory : public testing::Test {
+ protected:
+  static constexpr std::size_t count = 5000;
+
+  TreeOutOfMemory() {
+    Dice dice(61);
+    before_ = scene<BoundOf<Tree>>(dice, Shape::uniform, count);
+    after_ = scene<BoundOf<Tree>>(dice, Shape::wild_sizes, count);
+    for (IndexOf<Tree> i = 0; i < count; i += 1001) {  // few enough for single nodes to be fitted
+      some_.push_back(i);
+      some_values_.push_back(after_[i]);
+    }
+    tree_ = Tree{std::span<const BoundOf<Tree>>(before_)};
+    shafts_ = shafts_for(dice, 40);
+  }
+
+  /// What a tree is and answers.
+  struct Snapshot {
+    std::vector<BoundOf<Tree>> leaves;
+    std::vector<IndexOf<Tree>> order;
+    std::vector<IndexOf<Tree>> found;
+    double growth;
+    friend bool operator==(const Snapshot&, const Snapshot&) = default;
+  };
+  [[nodiscard]] Snapshot snapshot(const Tree& tree) const {
+    Snapshot now{bounds_of(tree.leaves()), {tree.order().begin(), tree.order().end()}, {}, tree.growth()};
+    for (const CompiledShaft& shaft : shafts_) {
+      std::vector<IndexOf<Tree>> kept(tree.size());
+      kept.resize(cull(shaft, tree, kept));
+      now.found.insert(now.found.end(), kept.begin(), kept.end());
+    }
+    return now;
+  }
+  void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds) const {
+    for (const CompiledShaft& shaft : shafts_) {
+      std::vector<IndexOf<Tree>> kept(tree.size());
+      kept.resize(cull(shaft, tree, kept));
+      ASSERT_EQ(sorted(kept), FlatAnswers(shaft, bounds).kept());
+    }
+  }
+  /// Makes `change` of a copy of the tree, which stays as it was if it fails. Returns the number of allocations.
+  template <class Change>
+  std::size_t expect_unchanged_by(const Change& change) const {
+    const Snapshot as_it_was = snapshot(tree_);
+    return fail_each_allocation([&] { return tree_; }, change,
+                                [&](const Tree& tree) {
+                                  EXPECT_FALSE(tree.needs_refit());
+                                  EXPECT_EQ(snapshot(tree) == as_it_was, true);
+                                });
+  }
+
+  std::vector<BoundOf<Tree>> before_;
+  std::vector<BoundOf<Tree>> after_;
+  std::vector<IndexOf<Tree>> some_;
+  std::vector<BoundOf<Tree>> some_values_;
+  std::vector<CompiledShaft> shafts_;
+  Tree tree_;
+};
+TYPED_TEST_SUITE(TreeOutOfMemory, TreeKinds);
+
+TYPED_TEST(TreeOutOfMemory, ATreeThatIsBuiltOrCopiedAnewStaysWhatItWas) {
+  using Bound = BoundOf<TypeParam>;
+  const auto records = std::span<const Bound>(this->after_);
+  EXPECT_GT(this->expect_unchanged_by([&](TypeParam& tree) { tree = TypeParam{records}; }), 3U);
+  const auto memory = columns(this->after_);
+  EXPECT_GT(this->expect_unchanged_by([&](TypeParam& tree) { tree = TypeParam{memory.view()}; }), 3U);
+  const TypeParam other{records};
+  EXPECT_GT(this->expect_unchanged_by([&](TypeParam& tree) { tree = other; }), 3U);
+}
+
+TYPED_TEST(TreeOutOfMemory, MovingAllocatesNothing) {
+  TypeParam tree = this->tree_;
+  EXPECT_EQ(fail_each_allocation([] { return TypeParam(); }, [&](TypeParam& other) { other = std::move(tree); },
+                                 [](const TypeParam&) {}),
+            0U);
+}
+
+TYPED_TEST(TreeOutOfMemory, ARebuildThatFailsLeavesTheTree) {
+  EXPECT_GT(this->expect_unchanged_by([](TypeParam& tree) { tree.rebuild(); }), 3U);
+}
+
+TYPED_TEST(TreeOutOfMemory, UpdatingAllAllocatesNothing) {
+  using Bound = BoundOf<TypeParam>;
+  EXPECT_EQ(this->expect_unchanged_by([&](TypeParam& tree) { tree.update(std::span<const Bound>(this->after_)); }), 0U);
+}
+
+TYPED_TEST(TreeOutOfMemory, AnUpdateOfSomeThatFailsLeavesTheTreeAndWorksTheNextTime) {
+  using Bound = BoundOf<TypeParam>;
+  std::vector<Bound> updated = this->before_;
+  for (std::size_t i = 0; i != this->some_.size(); ++i) updated[this->some_[i]] = this->some_values_[i];
+  const auto update = [&](TypeParam& tree) { tree.update(this->some_, std::span<const Bound>(this->some_values_)); };
+  const auto as_it_was = this->snapshot(this->tree_);
+  const auto check = [&](TypeParam& tree) {
+    EXPECT_FALSE(tree.needs_refit());
+    EXPECT_EQ(this->snapshot(tree) == as_it_was, true);
+    update(tree);
+    EXPECT_TRUE(tree.needs_refit());
+    tree.refit();
+    this->expect_flat_answers(tree, updated);
+  };
+  EXPECT_EQ(fail_each_allocation([&] { return this->tree_; }, update, check), 2U);
+}
+
+TYPED_TEST(TreeOutOfMemory, ARefitThatFailsIsStillNeeded) {
+  using Bound = BoundOf<TypeParam>;
+  for (const bool updates_most : {false, true}) {
+    std::vector<IndexOf<TypeParam>> indices = this->some_;
+    std::vector<Bound> values = this->some_values_;
+    if (updates_most) {
+      indices.resize(this->count);
+      std::iota(indices.begin(), indices.end(), IndexOf<TypeParam>{0});
+      values = this->after_;
+    }
+    std::vector<Bound> updated = this->before_;
+    for (std::size_t i = 0; i != indices.size(); ++i) updated[indices[i]] = values[i];
+    const auto make = [&] {
+      TypeParam tree = this->tree_;
+      tree.update(indices, std::span<const Bound>(values));
+      return tree;
+    };
+    const auto check = [&](TypeParam& tree) {
+      EXPECT_TRUE(tree.needs_refit());
+      EXPECT_THROW(static_cast<void>(shaftcull::count(this->shafts_[0], tree)), InvalidArgument);
+      tree.refit();
+      this->expect_flat_answers(tree, updated);
+    };
+    EXPECT_EQ(fail_each_allocation(
+                  make, [](TypeParam& tree) { tree.refit(); }, check),
+              0U)
+        << "refit() allocates";
+    TypeParam tree = make();
+    tree.refit();
+    this->expect_flat_answers(tree, updated);
+  }
+}
+
+TYPED_TEST(TreeOutOfMemory, AnEmptyTreeStaysOne) {
+  using Bound = BoundOf<TypeParam>;
+  const auto check = [](const TypeParam& tree) {
+    EXPECT_EQ(tree.size(), 0U);
+    EXPECT_FALSE(tree.needs_refit());
+  };
+  const auto make = [] { return TypeParam(); };
+  EXPECT_GT(fail_each_allocation(
+                make, [](TypeParam& tree) { tree.update(std::span<const Bound>()); }, check),
+            0U);
+  fail_each_allocation(
+      make, [](TypeParam& tree) { tree.rebuild(); }, check);
+}
+
+TEST(LargeTreeOutOfMemory, NoThreadOfABuildLosesTheException) {
+  Dice dice(62);
+  const std::vector<Box> boxes = scene<Box>(dice, Shape::uniform, 70000);  // halved by all threads together
+  with_threads(4, [&] {
+    EXPECT_GT(fail_each_allocation([] { return BoxTree(); },
+                                   [&](BoxTree& tree) { tree = BoxTree{std::span<const Box>(boxes)}; },
+                                   [](const BoxTree& tree) { EXPECT_EQ(tree.size(), 0U); }),
+              3U);
+  });
+}
+
+/// Whether lists that a failed call filled are as they were, or empty.
+template <class Index>
+bool are_as_before_or_empty(const IndexListsOf<Index>& lists, const IndexListsOf<Index>& before) {
+  return (lists.offsets == before.offsets && lists.indices == before.indices) ||
+         (lists.size() == 0 && lists.indices.empty());
+}
+template <class Index>
+bool are_as_before_or_empty(const RunListsOf<Index>& lists, const RunListsOf<Index>& before) {
+  return (lists.offsets == before.offsets && lists.runs == before.runs) || (lists.size() == 0 && lists.runs.empty());
+}
+
+template <class Index>
+bool are_equal(const IndexListsOf<Index>& one, const IndexListsOf<Index>& other) {
+  return one.offsets == other.offsets && one.indices == other.indices;
+}
+template <class Index>
+bool are_equal(const RunListsOf<Index>& one, const RunListsOf<Index>& other) {
+  return one.offsets == other.offsets && one.runs == other.runs;
+}
+
+/// Makes call(lists) fail at every allocation, and again without: it lists what it lists of new memory.
+template <class Lists, class Call>
+void expect_lists_or_none(const Lists& before, const Call& call) {
+  Lists expected;
+  call(expected);
+  EXPECT_GT(expected.offsets.back(), 0U);
+  EXPECT_GT(fail_each_allocation([&] { return before; }, call,
+                                 [&](Lists& lists) {
+                                   EXPECT_EQ(are_as_before_or_empty(lists, before), true);
+                                   call(lists);
+                                   EXPECT_EQ(are_equal(lists, expected), true);
+                                 }),
+            1U);
+}
+
+TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
+  using Index = IndexOf<TypeParam>;
+  const IndexListsOf<Index> indices{{0, 1}, {5}};
+  const RunListsOf<Index> runs{{0, 1}, {{5, 1}}};
+  const auto list = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists); };
+  expect_lists_or_none(indices, list);
+  expect_lists_or_none(runs, list);
+  const auto refine = [&](auto& lists) {
+    refine_many(this->shafts_, this->tree_.leaves(), this->tree_.order(), lists);
+  };
+  expect_lists_or_none(indices, refine);
+
+  const auto fail_both = [&](const auto& before) {
+    const auto list_both = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists.first, lists.second); };
+    auto expected = std::pair(before, before);
+    list_both(expected);
+    EXPECT_GT(fail_each_allocation([&] { return std::pair(before, before); }, list_both,
+                                   [&](auto& lists) {
+                                     EXPECT_EQ(are_as_before_or_empty(lists.first, before), true);
+                                     EXPECT_EQ(are_as_before_or_empty(lists.second, before), true);
+                                     list_both(lists);
+                                     EXPECT_EQ(are_equal(lists.first, expected.first), true);
+                                     EXPECT_EQ(are_equal(lists.second, expected.second), true);
+                                   }),
+              1U);
+  };
+  fail_both(indices);
+  fail_both(runs);
+}
+
+template <class Index>
+class ListsOutOfMemory : public testing::Test {};
+using IndexKinds = testing::Types<std::uint32_t, std::uint64_t>;
+TYPED_TEST_SUITE(ListsOutOfMemory, IndexKinds);
+
+TYPED_TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
+  const std::vector<CompiledShaft> shafts = random_shafts(63, 70);  // two groups
+  const BoxColumns boxes(random_boxes(64, 9000));
+  const SphereColumns spheres(random_spheres(65, 9000));
+  const IndexListsOf<TypeParam> before{{0, 1}, {5}};
+  expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, spheres.view(), lists); });
+}
+
+/// Makes `call`, which hands answers to a callback, fail at every allocation: those that were handed out are the first
+/// ones of all, and the next call hands out all.
+template <class Call>
+void expect_first_answers(const Call& call) {
+  std::vector<std::size_t> all;
+  const auto call_into = [&](std::vector<std::size_t>& answers) { call(answers); };
+  call_into(all);
+  EXPECT_FALSE(all.empty());
+  const auto make = [&] {
+    std::vector<std::size_t> answers;
+    answers.reserve(all.size());
+    return answers;
+  };
+  EXPECT_GT(fail_each_allocation(make, call_into,
+                                 [&](std::vector<std::size_t>& answers) {
+                                   ASSERT_LE(answers.size(), all.size());
+                                   EXPECT_TRUE(std::equal(answers.begin(), answers.end(), all.begin()));
+                                   answers.clear();
+                                   call_into(answers);
+                                   EXPECT_EQ(answers, all);
+                                 }),
+            0U);
+}
+
+TYPED_TEST(TreeOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {
+  using Answers = ShaftAnswersOf<IndexOf<TypeParam>>;
+  const auto sizes_in = [](std::vector<std::size_t>& sizes) {
+    return [&sizes](const Answers& answers) { sizes.push_back(answers.overlap.size() + answers.inside.size()); };
+  };
+  expect_first_answers([&](auto& sizes) { cull_each(this->shafts_, this->tree_, sizes_in(sizes)); });
+  expect_first_answers([&](auto& sizes) { classify_each(this->shafts_, this->tree_, sizes_in(sizes)); });
+}
+
+TEST(TilesOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {
+  const std::vector<CompiledShaft> shafts = random_shafts(66, 70);
+  const BoxColumns boxes(random_boxes(67, 9000));
+  const auto sizes_in = [](std::vector<std::size_t>& sizes) {
+    return [&sizes](const TileAnswers& answers) { sizes.push_back(answers.first + answers.kept.size()); };
+  };
+  expect_first_answers([&](auto& sizes) { cull_tiles(shafts, boxes.view(), sizes_in(sizes)); });
+  expect_first_answers([&](auto& sizes) { classify_tiles(shafts, boxes.view(), sizes_in(sizes)); });
+}
+
+}  // namespace
+}  // namespace shaftcull

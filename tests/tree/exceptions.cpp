@@ -1,0 +1,141 @@
+/// Exceptions out of the middle of a call: from the user's callbacks, and from an update or refit that does not end.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "many/workload.hpp"
+#include "message_of.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/flat.hpp"
+#include "tree/kinds.hpp"
+#include "tree/parts.hpp"
+#include "tree/scenes.hpp"
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+#include <oneapi/tbb/parallel_for.h>
+#endif
+
+namespace shaftcull {
+namespace {
+
+template <class Tree>
+class TreeExceptions : public testing::Test {
+ protected:
+  static void expect_flat_answers(const Tree& tree, const std::vector<CompiledShaft>& shafts,
+                                  const std::vector<BoundOf<Tree>>& bounds) {
+    IndexListsOf<IndexOf<Tree>> kept;
+    list_many(shafts, tree, kept);
+    for (std::size_t s = 0; s != shafts.size(); ++s) ASSERT_EQ(sorted(kept[s]), FlatAnswers(shafts[s], bounds).kept());
+  }
+};
+TYPED_TEST_SUITE(TreeExceptions, TreeKinds);
+
+TYPED_TEST(TreeExceptions, OneFromACallbackEndsTheCallAndLeavesTheTree) {
+  using Bound = BoundOf<TypeParam>;
+  Dice dice(81);
+  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  const TypeParam tree{std::span<const Bound>(bounds)};
+  const std::vector<CompiledShaft> shafts = shafts_for(dice, 200);
+  for (const int threads : thread_counts) {
+    for (const int last : {1, 2, 100, 200}) {
+      for (const bool classifies : {false, true}) {
+        int calls = 0;
+        const auto callback = [&](const ShaftAnswersOf<IndexOf<TypeParam>>&) {
+          if (++calls == last) throw std::domain_error("from the callback");
+        };
+        with_threads(threads, [&] {
+          try {
+            if (classifies) {
+              classify_each(shafts, tree, callback);
+            } else {
+              cull_each(shafts, tree, callback);
+            }
+            ADD_FAILURE() << "nothing was thrown";
+          } catch (const std::domain_error& error) {
+            EXPECT_STREQ(error.what(), "from the callback");
+          }
+        });
+        EXPECT_EQ(calls, last) << "called after the exception";
+      }
+    }
+    with_threads(threads, [&] { this->expect_flat_answers(tree, shafts, bounds); });
+  }
+}
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+
+TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
+  using Bound = BoundOf<TypeParam>;
+  Dice dice(83);
+  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  const TypeParam tree{std::span<const Bound>(bounds)};
+  const std::vector<CompiledShaft> shafts = shafts_for(dice, 50);
+  with_threads(4, [&] {
+    const auto ask_from_tasks = [&] {
+      tbb::parallel_for(0, 16, [&](int task) {
+        cull_each(shafts, tree, [&](const ShaftAnswersOf<IndexOf<TypeParam>>& answers) {
+          if (task == 7 && answers.shaft == 30) throw std::domain_error("from a task");
+        });
+      });
+    };
+    EXPECT_THROW(ask_from_tasks(), std::domain_error);
+    this->expect_flat_answers(tree, shafts, bounds);
+  });
+}
+
+#endif
+
+/// A tree as update() of all bounds leaves it if it is ended by an exception: some leaves have their new value, and
+/// nodes were not fitted.
+TYPED_TEST(TreeExceptions, AnUpdateThatDidNotEndAsksForARefit) {
+  using Bound = BoundOf<TypeParam>;
+  Dice dice(82);
+  const std::vector<CompiledShaft> shafts = shafts_for(dice, 20);
+  for (const std::size_t count : {10U, 64U, 5000U, 20000U}) {
+    std::vector<Bound> bounds = scene<Bound>(dice, Shape::clustered, count);
+    const std::vector<Bound> news = scene<Bound>(dice, Shape::uniform, count);
+    TypeParam tree{std::span<const Bound>(bounds)};
+    auto& parts = const_cast<std::remove_const_t<std::remove_pointer_t<decltype(tree.parts())>>&>(*tree.parts());
+    parts.mark_all_dirty();
+    const auto row = parts.leaf_rows();
+    for (std::size_t p = 0; p < count; p += 3) {
+      const Bound& bound = bounds[tree.order()[p]] = news[p];
+      if constexpr (std::is_same_v<Bound, Box>) {
+        for (std::size_t k = 0; k != 3; ++k) row[k][p] = bound.lo[k], row[k + 3][p] = bound.hi[k];
+      } else {
+        for (std::size_t k = 0; k != 3; ++k) row[k][p] = bound.centre[k];
+        row[3][p] = bound.radius;
+      }
+    }
+    EXPECT_TRUE(tree.needs_refit());
+    EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(shafts[0], tree)); }),
+                testing::HasSubstr("call refit() first"));
+    TypeParam copy = tree;
+    TypeParam updated = tree;
+    tree.refit();
+    EXPECT_FALSE(tree.needs_refit());
+    this->expect_flat_answers(tree, shafts, bounds);
+
+    copy.rebuild();
+    EXPECT_FALSE(copy.needs_refit());
+    this->expect_flat_answers(copy, shafts, bounds);
+
+    const std::vector<IndexOf<TypeParam>> one = {static_cast<IndexOf<TypeParam>>(count - 1)};
+    updated.update(one, std::span<const Bound>(news).first(1));
+    bounds[one[0]] = news[0];
+    updated.refit();
+    this->expect_flat_answers(updated, shafts, bounds);
+
+    updated.update(std::span<const Bound>(news));
+    EXPECT_FALSE(updated.needs_refit());
+    this->expect_flat_answers(updated, shafts, news);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
