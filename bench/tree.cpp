@@ -147,6 +147,13 @@ void declare_build(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
                 state.SetItemsProcessed(state.iterations() * items);
               },
               {.threads = threads, .wall_clock = true});
+    suite.add(fmt::format("tree/rebuild/{}", threads), "",
+              [=](benchmark::State& state) {
+                BoxTree tree(scene->stream().view());
+                for (auto _ : state) tree.rebuild();
+                state.SetItemsProcessed(state.iterations() * items);
+              },
+              {.threads = threads, .wall_clock = true, .brief = true});
   }
 #ifdef SHAFTCULL_BENCH_WITH_BULLET
   suite.add("tree/build/bullet", "",

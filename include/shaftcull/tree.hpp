@@ -98,12 +98,14 @@ class BoundsTree {
   /// needs_refit().
   [[nodiscard]] double growth() const;
 
-  /// Sorts the bounds anew as they are now, and refits. Indices stay; order() changes.
+  /// Sorts the bounds anew as they are now, and refits: the tree becomes the one that would be built of the same bounds
+  /// with the same indices, whatever it went through before, so rebuilding it once more moves nothing. Indices stay;
+  /// order() changes. O(n log n); takes as long and as much memory as building.
   void rebuild();
 
   /// Numbers the bounds anew, in tree order: the index of leaf p becomes p. For users who have sorted their own objects
   /// by order(), as they should if all of them move: update() then reads their memory from front to back, twice as
-  /// fast.
+  /// fast. With other indices, a rebuild() may find another order.
   void renumber() noexcept;
 
   /// The tree's own format.

@@ -11,4 +11,8 @@ namespace shaftcull::kernel {
 template <class Bound, class Index, class Source>
 TreeParts<Bound, Index> build(const Source& source);
 
+/// The tree that build() makes of the same bounds in the user's order, whatever order they have in `parts`.
+template <class Bound, class Index>
+TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts);
+
 }  // namespace shaftcull::kernel

@@ -169,9 +169,7 @@ double BoundsTree<Bound, Index>::growth() const {
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::rebuild() {
   if (!parts_) return;
-  kernel::TreeParts<Bound, Index> anew = kernel::build<Bound, Index>(kernel::ViewSource<Bound>(leaves()));
-  for (Index& index : anew.order) index = parts_->order[index];
-  *parts_ = std::move(anew);
+  *parts_ = kernel::rebuild(*parts_);
 }
 
 template <class Bound, BoundIndex Index>
