@@ -15,7 +15,7 @@
 
 namespace shaftcull {
 
-/// What it takes to be tested on a grid; cull/agreement.cpp sees to it that the kernels agree.
+/// What it takes to be tested on a grid; cull/agreement.cpp and cull/grid_shafts.cpp see to it that the kernels agree.
 inline constexpr std::size_t bounds_on_grid = 2048;
 inline constexpr std::size_t shafts_on_grid = 8;
 

@@ -96,91 +96,150 @@ template <class L>
   return frame;
 }
 
+/// Makes grid[lane] of shaft[lane], for a whole vector of shafts: one a lane, so that nothing branches on what a face is, which would be mispredicted
+/// several times a shaft.
 template <class L>
-void form_grid_shaft(const CompiledShaft& shaft, const GridFrame& frame, GridShaft& grid) noexcept {
-  const float* const a = reinterpret_cast<const float*>(&shaft.a);
-  const float* const b = reinterpret_cast<const float*>(&shaft.b);
-  grid.exists = shaft.reach <= fused_regular_limit;
-  if (!grid.exists) return;
+void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridFrame& frame, GridShaft* const (&grid)[L::width]) noexcept {
+  using Vector = typename L::Vector;
+  constexpr unsigned faces = 6;
+  const Vector zero = L::all(0.0F);
+  const Vector one = L::all(1.0F);
+  const Vector half = L::all(0.5F);
 
-  float middle[6];
-  float way[6];
-  for (unsigned f = 0; f < 6; ++f) {
-    const float origin = frame.origin[f % 3];
-    const float steps = f < 3 ? -frame.steps[f % 3] : frame.steps[f % 3];
-    middle[f] = ((a[f] - origin) + (b[f] - origin)) * (0.5F * steps);
-    way[f] = (b[f] - a[f]) * steps;
+  alignas(64) float column[2 * faces + 1][L::width];
+  for (unsigned lane = 0; lane < L::width; ++lane) {
+    float box[2 * faces];
+    __builtin_memcpy(box, &shaft[lane]->a, sizeof box);
+    for (unsigned f = 0; f < 2 * faces; ++f) column[f][lane] = box[f];
+    column[2 * faces][lane] = shaft[lane]->reach;
   }
-  constexpr unsigned none = 6;
-  unsigned leading = none;
-  unsigned standing = 0;
-  unsigned falling = 0;
-  for (unsigned f = 0; f < 6; ++f) {
-    const float size = __builtin_fabsf(way[f]);
-    if (size < standing_way) {
-      standing |= 1U << f;
-    } else if (leading == none || size < __builtin_fabsf(way[leading])) {
-      leading = f;
-    }
-    falling |= (way[f] < 0 ? 1U : 0U) << f;
+  Vector middle[faces];
+  Vector way[faces];
+  Vector size[faces];
+  Vector leading_size = L::all(__builtin_inff());
+  Vector leading_way = zero;
+  Vector leading_middle = zero;
+  Vector leading = L::all(faces);  // none
+  Vector standings = zero;
+  for (unsigned f = 0; f < faces; ++f) {
+    const Vector origin = L::all(frame.origin[f % 3]);
+    const float step = f < 3 ? -frame.steps[f % 3] : frame.steps[f % 3];
+    const Vector a = L::load(column[f]);
+    const Vector b = L::load(column[f + faces]);
+    middle[f] = L::multiply(L::add(L::subtract(a, origin), L::subtract(b, origin)), L::all(0.5F * step));
+    way[f] = L::multiply(L::subtract(b, a), L::all(step));
+    size[f] = L::magnitude(way[f]);
+    const auto stands = L::less(size[f], L::all(standing_way));
+    const Vector moving_size = L::choose(stands, L::all(__builtin_inff()), size[f]);
+    const auto leads = L::less(moving_size, leading_size);
+    leading_size = L::choose(leads, moving_size, leading_size);
+    leading_way = L::choose(leads, way[f], leading_way);
+    leading_middle = L::choose(leads, middle[f], leading_middle);
+    leading = L::choose(leads, L::all(static_cast<float>(f)), leading);
+    standings = L::add(standings, L::choose(stands, one, zero));
   }
-  const unsigned moving = 0x3fU & ~standing;
-  const unsigned uppers = leading == none ? 0 : moving & ((falling >> leading & 1U) != 0 ? ~falling : falling);
-  const unsigned lowers = leading == none ? 0 : moving & ~(uppers | 1U << leading);
-  const auto rank = [](unsigned set, unsigned i) { return static_cast<unsigned>(__builtin_popcount(set & ((1U << i) - 1))); };
-  grid.uppers = static_cast<std::uint8_t>(__builtin_popcount(uppers));
-  grid.standing = static_cast<std::uint8_t>(__builtin_popcount(standing));
-  if (leading == none) {  // room for anything
-    grid.begin = static_cast<std::int16_t>(-grid_top);
-    grid.end = static_cast<std::int16_t>(grid_top);
-  } else {
-    const float half = 0.5F * __builtin_fabsf(way[leading]);
-    grid.begin = static_cast<std::int16_t>(__builtin_floorf(middle[leading] - half - float_slack));
-    grid.end = static_cast<std::int16_t>(__builtin_ceilf(middle[leading] + half + float_slack));
+  const auto any_moves = L::less(leading, L::all(faces));
+  leading_size = L::choose(any_moves, leading_size, zero);
+  const Vector way_out = L::add(L::multiply(half, leading_size), L::all(float_slack));
+  const Vector top = L::all(grid_top);  // if all faces stand: room for anything
+  const Vector begin = L::choose(any_moves, L::floor(L::subtract(leading_middle, way_out)), L::subtract(zero, top));
+  const Vector minus_end = L::choose(any_moves, L::floor(L::subtract(L::subtract(zero, leading_middle), way_out)), L::subtract(zero, top));
+
+  Vector uppers = zero;
+  for (unsigned f = 0; f < faces; ++f) {
+    const auto is_upper = L::both(L::less_equal(L::all(standing_way), size[f]), L::less(L::multiply(way[f], leading_way), zero));
+    uppers = L::add(uppers, L::choose(is_upper, one, zero));
   }
 
   // What an upper and a lower bound on t may be off by together: first the ends of t, and the coordinate in the leading face's constraint.
-  float upper_error = 1 + 2 * float_slack;
-  float lower_error = 2 * snap_slack;
-  float limit = 0;
-  for (unsigned f = 0; f < 6; ++f) {
-    const unsigned bit = 1U << f;
-    const float size = __builtin_fabsf(way[f]);
-    unsigned position = 0;
-    if ((standing & bit) != 0) {
-      position = 6U - grid.standing + rank(standing, f);
-      const float shift = middle[f] + 0.5F * size + bound_slack * grid_slack_factor;
-      grid.shift[position] = static_cast<std::int16_t>(__builtin_floorf(shift + 0.5F));
-      const float room = size + bound_slack + bound_error + 2 * snap_slack;
-      limit = room > limit ? room : limit;
-    } else if (f != leading) {
-      const bool is_upper = (uppers & bit) != 0;
-      position = is_upper ? 1 + rank(uppers, f) : 1U + grid.uppers + rank(lowers, f);
-      const float exact_scale = (is_upper ? -1.0F : 1.0F) * __builtin_fabsf(way[leading]) / size;
-      const float nearest = __builtin_floorf(exact_scale * 0x1p15F + 0.5F);
-      const float scale = nearest < 0x1p15F ? nearest : 0x1p15F - 1;
-      // Whatever the scale is rounded to, the constraint goes through the middle of the face's way.
-      const float scale_error = __builtin_fabsf(scale * 0x1p-15F - exact_scale) * 0.5F * size;
-      const float slack = (bound_slack + scale_error) * grid_slack_factor;
-      const float shift = middle[leading] - scale * 0x1p-15F * middle[f] + (is_upper ? slack : -slack);
-      if (__builtin_fabsf(scale * 0x1p-15F) * grid_top + __builtin_fabsf(shift) > 0x1p15F - 4) grid.exists = false;
-      grid.scale[position] = static_cast<std::int16_t>(scale);
-      grid.shift[position] = static_cast<std::int16_t>(__builtin_floorf(shift + 0.5F));
-      const float error = bound_slack + bound_error + 2 * scale_error + 2 * snap_slack * __builtin_fabsf(exact_scale);
-      float& worst = is_upper ? upper_error : lower_error;
-      worst = error > worst ? error : worst;
-    }
-    grid.near_stream[position] = near_stream[f];
+  Vector upper_error = L::all(1 + 2 * float_slack);
+  Vector lower_error = L::all(2 * snap_slack);
+  Vector limit = zero;
+  Vector largest = zero;  // of what constraints may compute
+  Vector next_upper = one;
+  Vector next_lower = L::add(one, uppers);
+  Vector next_standing = L::subtract(L::all(faces), standings);
+  alignas(64) float position[faces][L::width];
+  alignas(64) float scales[faces][L::width];
+  alignas(64) float shifts[faces][L::width];
+  for (unsigned f = 0; f < faces; ++f) {
+    const Vector number = L::all(static_cast<float>(f));
+    const auto stands = L::less(size[f], L::all(standing_way));
+    const auto leads = L::both(L::less_equal(leading, number), L::less_equal(number, leading));
+    const auto is_upper = L::both(L::less_equal(L::all(standing_way), size[f]), L::less(L::multiply(way[f], leading_way), zero));
+    const auto of_moving = [&](auto upper, auto lower) { return L::choose(is_upper, upper, L::choose(leads, zero, lower)); };
+
+    const Vector ratio = L::divide(leading_size, L::choose(stands, one, size[f]));
+    const Vector exact_scale = L::choose(is_upper, L::subtract(zero, ratio), ratio);
+    const Vector nearest = L::floor(L::add(L::multiply(exact_scale, L::all(0x1p15F)), half));
+    const Vector scale = L::minimum(nearest, L::all(0x1p15F - 1));
+    const Vector short_scale = L::multiply(scale, L::all(0x1p-15F));
+    // Whatever the scale is rounded to, the constraint goes through the middle of the face's way.
+    const Vector scale_error = L::multiply(L::multiply(L::magnitude(L::subtract(short_scale, exact_scale)), half), size[f]);
+    const Vector slack = L::multiply(L::add(L::all(bound_slack), scale_error), L::all(grid_slack_factor));
+    const Vector moving_shift = L::add(L::subtract(leading_middle, L::multiply(short_scale, middle[f])),
+                                       L::choose(is_upper, slack, L::subtract(zero, slack)));
+    const Vector standing_shift = L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack * grid_slack_factor));
+    const Vector error = L::add(L::add(L::all(bound_slack + bound_error), L::add(scale_error, scale_error)),
+                                L::multiply(L::all(2 * snap_slack), ratio));
+    const Vector room = L::add(size[f], L::all(bound_slack + bound_error + 2 * snap_slack));
+    const Vector most = L::add(L::multiply(L::magnitude(short_scale), top), L::magnitude(moving_shift));
+
+    limit = L::maximum(L::choose(stands, room, zero), limit);
+    upper_error = L::maximum(L::choose(is_upper, error, zero), upper_error);
+    lower_error = L::maximum(L::choose(stands, zero, of_moving(zero, error)), lower_error);
+    largest = L::maximum(L::choose(stands, zero, of_moving(most, most)), largest);
+    L::store(position[f], L::choose(stands, next_standing, of_moving(next_upper, next_lower)));
+    L::store(scales[f], scale);
+    L::store(shifts[f], L::floor(L::add(L::choose(stands, standing_shift, moving_shift), half)));
+    next_standing = L::add(next_standing, L::choose(stands, one, zero));
+    next_upper = L::add(next_upper, L::choose(is_upper, one, zero));
+    next_lower = L::add(next_lower, L::choose(stands, zero, of_moving(zero, one)));
   }
-  limit = upper_error + lower_error > limit ? upper_error + lower_error : limit;
-  grid.limit = static_cast<std::uint8_t>(limit * grid_limit_factor);
+  limit = L::multiply(L::maximum(L::add(upper_error, lower_error), limit), L::all(grid_limit_factor));
+  const std::uint64_t exist = L::bits(L::both(L::less_equal(L::load(column[2 * faces]), L::all(fused_regular_limit)),
+                                              L::less_equal(largest, L::all(0x1p15F - 4))));
+
+  enum { begins, minus_ends, counts_of_uppers, counts_of_standing, limits, numbers };
+  alignas(64) float number[numbers][L::width];
+  L::store(number[begins], begin);
+  L::store(number[minus_ends], minus_end);
+  L::store(number[counts_of_uppers], uppers);
+  L::store(number[counts_of_standing], standings);
+  L::store(number[limits], limit);
+  for (unsigned lane = 0; lane < L::width; ++lane) {
+    GridShaft& out = *grid[lane];
+    out.exists = (exist >> lane & 1U) != 0;
+    if (!out.exists) continue;
+    const auto integer = [](float x) { return static_cast<std::int32_t>(x); };
+    out.begin = static_cast<std::int16_t>(integer(number[begins][lane]));
+    out.end = static_cast<std::int16_t>(-integer(number[minus_ends][lane]));
+    out.uppers = static_cast<std::uint8_t>(integer(number[counts_of_uppers][lane]));
+    out.standing = static_cast<std::uint8_t>(integer(number[counts_of_standing][lane]));
+    out.limit = static_cast<std::uint8_t>(integer(number[limits][lane]));
+    for (unsigned f = 0; f < faces; ++f) {
+      const auto at = static_cast<unsigned>(integer(position[f][lane]));
+      out.scale[at] = static_cast<std::int16_t>(integer(scales[f][lane]));
+      out.shift[at] = static_cast<std::int16_t>(integer(shifts[f][lane]));
+      out.near_stream[at] = near_stream[f];
+    }
+  }
 }
 
 /// Makes out[i] of shafts[i].
 template <class L>
 void form_grid_shafts(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept {
   const FloatEnvironment<L> environment;
-  for (std::size_t s = 0; s < count; ++s) form_grid_shaft<L>(shafts[s], frame, out[s]);
+  for (std::size_t s = 0; s < count; s += L::width) {
+    const CompiledShaft* shaft[L::width];
+    GridShaft* grid[L::width];
+    for (unsigned lane = 0; lane < L::width; ++lane) {  // the last one as often as it takes
+      const std::size_t i = s + lane < count ? s + lane : count - 1;
+      shaft[lane] = shafts + i;
+      grid[lane] = out + i;
+    }
+    form_grid_vector<L>(shaft, frame, grid);
+  }
 }
 
 }  // namespace shaftcull::kernel

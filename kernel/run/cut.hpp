@@ -6,11 +6,14 @@
 
 namespace shaftcull::kernel {
 
-/// Bounds in a tile: 24 KiB of boxes on a grid (kernel/compile/grid.hpp), so that these and the shafts tested against them stay in a 32 KiB
-/// L1 cache; the floats that they were made from are 48 KiB.
-/// A multiple of 512, so that tiles share no word of results and, in aligned rows, no cache line either.
+/// Bounds in a tile: 24 KiB of boxes on a grid (kernel/compile/grid.hpp), so that these and the shafts tested against
+/// them stay in a 32 KiB L1 cache; the floats that they were made from are 48 KiB. A multiple of 512, so that tasks,
+/// which get whole tiles, share no word of results and, in aligned rows, no cache line either.
 inline constexpr std::size_t tile_bounds = 2048;
 inline constexpr std::size_t tile_words = tile_bounds / 64;
+
+/// Bounds in a tile that several shafts test in floats: 24 KiB of boxes.
+inline constexpr std::size_t float_tile_bounds = 1024;
 
 /// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a group.
 inline constexpr std::size_t group_shafts = 64;
@@ -39,6 +42,13 @@ struct Run {
 /// How many pieces of `length` that makes.
 [[nodiscard]] constexpr std::size_t pieces(std::size_t whole, std::size_t length) noexcept {
   return whole / length + (whole % length != 0);
+}
+
+/// Bounds in each of a block's tiles, the last one shorter: at most `most`, and as even as whole words allow, since a
+/// tile of few bounds costs nearly as much as one of many.
+[[nodiscard]] constexpr std::size_t even_tile(std::size_t bounds, std::size_t most) noexcept {
+  const std::size_t tiles = std::max<std::size_t>(pieces(bounds, most), 1);
+  return std::max<std::size_t>(64 * pieces(pieces(bounds, 64), tiles), 64);
 }
 
 /// Tasks in rows and columns, each a block of tiles × a group of shafts.

@@ -11,14 +11,15 @@
 
 namespace shaftcull::kernel {
 
-/// A group's shafts on a grid, if there are enough of them to pay for bringing tiles there.
+/// A group's shafts on a grid, if there are enough of them to pay for bringing tiles there, and enough bounds to pay
+/// for bringing shafts there.
 struct GroupOnGrid {
-  static constexpr std::size_t fewest = 8;
   GridFrame frame{};
   GridShaft shaft[group_shafts];  // not written if there is no frame
 
-  void form(const GridKernels& kernels, std::span<const CompiledShaft> shafts, bool spheres) noexcept {
-    if (shafts.size() < fewest || kernels.frame == nullptr) return;
+  /// For tests of `bounds` bounds.
+  void form(const GridKernels& kernels, std::span<const CompiledShaft> shafts, std::size_t bounds, bool spheres) noexcept {
+    if (kernels.frame == nullptr || !kernels.pays(shafts.size(), bounds)) return;
     const GridFrame around = kernels.frame(shafts.data(), shafts.size());
     if (!around.exists() || (spheres && !around.suits_spheres)) return;
     frame = around;

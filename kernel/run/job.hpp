@@ -42,7 +42,7 @@ class Job {
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       require_answers(shafts[s], true, inside, is_sphere, s);
     }
-    if (shafts.size() <= group_shafts) form_on_grid(only_group_, shafts);
+    if (shafts.size() <= group_shafts) form_on_grid(only_group_, shafts, bounds.count);
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
@@ -54,21 +54,19 @@ class Job {
   void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
     static_assert(tile_words <= block_words);
     GroupOnGrid this_group;
-    if (shafts_.size() > group_shafts && block.size >= tile_bounds) form_on_grid(this_group, shafts_.subspan(group.first, group.size));
+    if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size), block.size);
     const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
-    for (std::size_t first = block.first; first < block.end(); first += tile_bounds) {
-      const View tile = bounds_.slice(first, std::min(tile_bounds, block.end() - first));
+    const bool in_large_tiles = on_grid.exists() || group.size == 1;  // one shaft reads a tile once
+    const std::size_t tile_size = even_tile(block.size, in_large_tiles ? tile_bounds : float_tile_bounds);
+    for (std::size_t first = block.first; first < block.end(); first += tile_size) {
+      const View tile = bounds_.slice(first, std::min(tile_size, block.end() - first));
       const Rows tile_kept = kept.from((first - block.first) / 64);
       const Rows tile_inside = inside.from((first - block.first) / 64);
-      // What all shafts share is made once for all. A tile that is not full may end anywhere: each test makes its own.
-      if (form_ == Form::planes || tile.count != tile_bounds) {
-        test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, tile_kept, tile_inside);
-      } else if (on_grid.exists()) {
+      // What all shafts share is made once for all.
+      if (on_grid.exists()) {
         test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside);
-      } else if constexpr (is_sphere) {
-        test_boxed_tile(tile, first, group, tile_kept, tile_inside);
       } else {
-        test_tile(kernels_.boxes_slab, tile.stream.data(), first, tile.count, group, tile_kept, tile_inside);
+        test_tile_in_floats(tile, first, group, tile_kept, tile_inside);
       }
     }
   }
@@ -76,21 +74,31 @@ class Job {
  private:
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
 
-  void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts) const noexcept {
-    if (form_ != Form::planes && bounds_.count >= tile_bounds) group.form(kernels_.grid, shafts, is_sphere);
+  /// Shafts that pay for making boxes around spheres.
+  static constexpr std::size_t fewest_for_boxes = 5;
+
+  void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts, std::size_t bounds) const noexcept {
+    if (form_ != Form::planes) group.form(kernels_.grid, shafts, bounds, is_sphere);
+  }
+
+  void test_tile_in_floats(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+    if constexpr (is_sphere) {
+      if (form_ != Form::planes && group.size >= fewest_for_boxes) return test_boxed_tile(tile, first, group, kept, inside);
+    }
+    test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, kept, inside);
   }
 
   void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, Rows kept,
                  Rows inside) const noexcept {
     for (std::size_t s = 0; s != group.size; ++s) {
-      fetch_share_of_next(first, s, group.size);
+      fetch_share_of_next(first + count, count, s, group.size);
       kernel(shafts_[group.first + s], stream, count, kept.at(s), inside.at(s));
     }
   }
 
   // Apart from each other, so that the memory of one is not on the stack of the other.
   [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
-    alignas(64) float box[6][tile_bounds];
+    alignas(64) float box[6][float_tile_bounds];
     float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
     kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
     const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
@@ -105,7 +113,7 @@ class Job {
     if constexpr (is_sphere) {
       snap_spheres(on_grid.frame, tile, grid);
     } else {
-      kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile_words, grid);
+      kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
     }
     for (std::size_t b = 0; b != pieces(group.size, batch_shafts); ++b) {
       test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, first, group, kept, inside);
@@ -122,11 +130,12 @@ class Job {
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
     UndecidedWord undecided[batch_shafts * tile_words];
+    const std::size_t words = words_for(tile.count);
     std::uint32_t looked = 0;
     std::size_t listed = 0;
     for (std::size_t s = batch.first; s != batch.end(); ++s) {
-      fetch_share_of_next(first, s, group.size);
-      if (s + batch_shafts < group.size) fetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts));
+      fetch_share_of_next(first + tile.count, tile.count, s, group.size);
+      if (s + batch_shafts < group.size) fetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
       const CompiledShaft& its_shaft = shafts_[group.first + s];
       if (!on_grid.shaft[s].exists) {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
@@ -135,10 +144,10 @@ class Job {
       shaft[looked] = &its_shaft;
       kept_row[looked] = kept.at(s);
       inside_row[looked] = inside.at(s);
-      listed += kernels_.grid.look(on_grid.shaft[s], grid, tile_words, kept.at(s), looked, undecided + listed);
+      listed += kernels_.grid.look(on_grid.shaft[s], grid, words, kept.at(s), looked, undecided + listed);
       ++looked;
     }
-    if (!is_sphere) kernels_.grid.decide(shaft, tile.stream.data(), undecided, listed, kept_row);
+    if (!is_sphere) kernels_.grid.decide(shaft, tile.stream.data(), tile.count, undecided, listed, kept_row);
     for (std::size_t i = 0; i != looked; ++i) {
       if (!is_sphere && shaft[i]->added_count == 0 && inside_row[i] == nullptr) continue;
       kernels_.grid.settle(tile)(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
@@ -146,9 +155,9 @@ class Job {
   }
 
   /// Fetches what a later shaft will write: rows far apart, often by a power of two, are not long in any cache.
-  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside) noexcept {
+  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside, std::size_t words) noexcept {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
-    for (std::size_t w = 0; w != tile_words; w += line) {
+    for (std::size_t w = 0; w < words; w += line) {
       __builtin_prefetch(kept + w, 1);
       if (inside != nullptr) __builtin_prefetch(inside + w, 1);
     }
@@ -159,26 +168,26 @@ class Job {
     constexpr std::size_t some = tile_bounds / 8;
     alignas(64) float box[6][some];
     float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
-    for (std::size_t i = 0; i != tile_bounds; i += some) {
-      const View part = tile.slice(i, some);
+    for (std::size_t i = 0; i < tile.count; i += some) {
+      const View part = tile.slice(i, std::min(some, tile.count - i));
       std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
-      kernels_.box_spheres(part.stream.data(), some, boxes);
-      kernels_.grid.snap_boxes(frame, boxes, some / 64, out);
+      kernels_.box_spheres(part.stream.data(), part.count, boxes);
+      kernels_.grid.snap_boxes(frame, boxes, words_for(part.count) * 64, out);
     }
   }
 
-  /// Fetches the share `i` of `shares` of the tile after the one at `first` into the second-level cache, while the tile at `first` is
-  /// tested: otherwise the first shaft of each group waits for memory. Few shafts read a tile about as fast as it comes, and the processor's own
-  /// fetching does better. Inlined, as fetch_to_second_level() is.
-  [[gnu::always_inline]] void fetch_share_of_next(std::size_t first, std::size_t i, std::size_t shares) const noexcept {
+  /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into the second-level cache, while
+  /// the tile before it is tested: otherwise the first shaft of each group waits for memory. Few shafts read a tile about as fast as it comes, and the
+  /// processor's own fetching does better. Inlined, as fetch_to_second_level() is.
+  [[gnu::always_inline]] void fetch_share_of_next(std::size_t next, std::size_t count, std::size_t i, std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
-    if (shares < GroupOnGrid::fewest || bounds_.count - first < 2 * tile_bounds) return;
-    const std::size_t next = first + tile_bounds;
-    constexpr std::size_t lines = tile_bounds / line;
+    if (shares < fewest_that_fetch) return;
+    const std::size_t lines = std::min(count, bounds_.count - next) / line;
     for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
       for (const float* stream : bounds_.stream) fetch_to_second_level(stream + next + l * line, line);
     }
   }
+  static constexpr std::size_t fewest_that_fetch = 8;
 
   std::span<const CompiledShaft> shafts_;
   View bounds_;

@@ -132,6 +132,7 @@ struct Lanes {
     if constexpr (width == 4) return _mm_max_ps(a, b);
   }
   static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
+  static Vector floor(Vector a) noexcept { return xsimd::floor(a); }
   static Mask less(Vector a, Vector b) noexcept { return a < b; }
   static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
   static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }

@@ -238,7 +238,10 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
 template <class L>
 constexpr GridKernels grid_kernels() noexcept {
   if constexpr (requires { typename L::Shorts; }) {
-    return {.frame = grid_frame<L>,
+    constexpr bool wide = L::width == 16;  // floats are quick there
+    return {.fewest_shafts = wide ? 8 : 5,
+            .fewest_tests = wide ? 16384 : 6144,
+            .frame = grid_frame<L>,
             .form_shafts = form_grid_shafts<L>,
             .snap_boxes = snap_boxes<L>,
             .look = look_on_grid<L>,

@@ -10,9 +10,10 @@
 
 namespace shaftcull::kernel {
 
-/// Writes `words` words of bounds' coordinates on the grid, rounded outwards: hi coordinates are negated.
+/// Writes `count` bounds' coordinates on the grid, rounded outwards, in whole words: hi coordinates are negated. What fills the last word up is
+/// beyond everything.
 template <class L>
-void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t words, std::int16_t* const* grid) noexcept {
+void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept {
   const FloatEnvironment<L> environment;
   const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
   const auto top = L::all(grid_top);
@@ -20,14 +21,19 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t wor
   for (unsigned s = 0; s < 6; ++s) {
     const auto origin = L::all(frame.origin[s % 3]);
     const auto steps = L::all(s < 3 ? frame.steps[s % 3] : -frame.steps[s % 3]);
-    for (std::size_t i = 0; i < words * word_bits; i += word_bits) {
+    const auto snap_word = [&](const auto& word, std::size_t at) {
       typename L::Vector snapped[word_bits / L::width];
       for (unsigned v = 0; v < word_bits / L::width; ++v) {
-        const auto x = L::subtract(L::load(box[s] + i + v * L::width), origin);
+        const std::size_t lane = v * L::width;
+        const auto x = L::subtract(word.load(box[s], at, lane), origin);
         snapped[v] = L::maximum(L::minimum(top, L::multiply_add(x, steps, down)), bottom);  // NaN becomes what constrains nothing
+        snapped[v] = word.choose(lane, snapped[v], top);
       }
-      L::Shorts::store_word(grid[s] + i, snapped);
-    }
+      L::Shorts::store_word(grid[s] + at, snapped);
+    };
+    std::size_t i = 0;
+    for (; i + word_bits <= count; i += word_bits) snap_word(WholeWord<L>{}, i);
+    if (i != count) snap_word(PartOfWord<L>{static_cast<unsigned>(count - i)}, i);
   }
 }
 
@@ -96,20 +102,22 @@ std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid
   return by_standing_and_uppers[shaft.standing][shaft.uppers](shaft, grid, words, kept, shaft_number, undecided);
 }
 
-/// A word of boxes that the grid could not decide, in floats.
+/// A word of `count` boxes, maybe the last one, that the grid could not decide, in floats.
 template <class L>
-std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t word) noexcept {
+std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::size_t word) noexcept {
   std::uint64_t kept;
-  box_slab_stage<L>(shaft, stream, 1, &kept, WordsInARow<L>{.first = word * word_bits});
+  const bool whole = (word + 1) * word_bits <= count;
+  const unsigned rest = whole ? 0 : static_cast<unsigned>(count % word_bits);
+  box_slab_stage<L>(shaft, stream, whole ? 1 : 0, &kept, WordsInARow<L>{.first = word * word_bits, .rest = rest});
   return kept;
 }
 
 /// As GridKernels has it.
 template <class L>
-void decide_on_grid(const CompiledShaft* const* shaft, const float* const* stream, const UndecidedWord* undecided, std::size_t count,
-                    std::uint64_t* const* kept) noexcept {
+void decide_on_grid(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
+                    const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept {
   const FloatEnvironment<L> environment;
-  for (std::size_t u = 0; u < count; ++u) {
+  for (std::size_t u = 0; u < words; ++u) {
     const CompiledShaft& its_shaft = *shaft[undecided[u].shaft];
     const std::size_t word = undecided[u].word;
     std::uint64_t& bits = kept[undecided[u].shaft][word];
@@ -121,7 +129,7 @@ void decide_on_grid(const CompiledShaft* const* shaft, const float* const* strea
         continue;
       }
     }
-    bits &= decided_word<L>(its_shaft, stream, word) | ~lanes;
+    bits &= decided_word<L>(its_shaft, stream, count, word) | ~lanes;
   }
 }
 

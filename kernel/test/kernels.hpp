@@ -17,7 +17,8 @@ namespace shaftcull::kernel {
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
-/// Writes the boxes around `count` spheres, a multiple of 64, into six streams: what many shafts' tests would each make anew.
+/// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make anew. A last word that they
+/// do not fill is filled up by boxes that are outside of everything.
 using BoxSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
 
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
@@ -95,12 +96,21 @@ struct UndecidedWord {
 
 /// Tests of the bounds of a tile by a group of shafts on a grid (kernel/compile/grid.hpp). Null where vectors would not gain by it.
 struct GridKernels {
+  std::size_t fewest_shafts;  ///< that gain by it, and tests, by measurement (docs/measurements.md)
+  std::size_t fewest_tests;
+
+  /// Whether so many shafts gain by it with so many bounds.
+  [[nodiscard]] bool pays(std::size_t shafts, std::size_t bounds) const noexcept {
+    return shafts >= fewest_shafts && bounds >= (fewest_tests + shafts - 1) / shafts;
+  }
+
   /// The frame around shafts, if there is one.
   GridFrame (*frame)(const CompiledShaft* shafts, std::size_t count) noexcept;
   /// Makes out[i] of shafts[i].
   void (*form_shafts)(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept;
-  /// Writes `words` words of boxes' coordinates on the grid to six streams, aligned to 64 bytes.
-  void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t words, std::int16_t* const* grid) noexcept;
+  /// Writes `count` boxes' coordinates on the grid to six streams, aligned to 64 bytes, in whole words: a last one that the boxes do not fill is
+  /// filled up by boxes that are outside of everything.
+  void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept;
 
   /// What the grid says of `words` words of bounds, at most block_words. Writes their kept bits, 0 only for bounds that are certainly outside, and
   /// lists the words that hold bounds too close to call, with `shaft` as their shaft's number, at `undecided`, where there must be room for all.
@@ -108,12 +118,12 @@ struct GridKernels {
   std::size_t (*look)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                       std::uint32_t shaft, UndecidedWord* undecided) noexcept;
 
-  /// Completes in floats what look() left undecided of the boxes in `stream`: bits of row kept[u.shaft] of shaft[u.shaft].
-  void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, const UndecidedWord* undecided, std::size_t count,
-                 std::uint64_t* const* kept) noexcept;
+  /// Completes in floats what look() left undecided of the `count` boxes in `stream`, in `words` listed words: bits of row kept[u.shaft] of
+  /// shaft[u.shaft].
+  void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count, const UndecidedWord* undecided,
+                 std::size_t words, std::uint64_t* const* kept) noexcept;
 
-  /// What comes after that, for `count` bounds, at most block_bounds: added planes, spheres, and inside bits unless
-  /// `inside` is null.
+  /// What comes after that, for `count` bounds, at most block_bounds: added planes, spheres, and inside bits unless `inside` is null.
   using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;
   Settle* settle_boxes;

@@ -11,14 +11,13 @@
 #include "on_grid.hpp"
 #include "oracle.hpp"
 #include "run/cut.hpp"
-#include "run/group.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
 namespace {
 
-static_assert(bounds_on_grid == kernel::tile_bounds && shafts_on_grid >= kernel::GroupOnGrid::fewest);
+static_assert(bounds_on_grid == kernel::tile_bounds);
 
 bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 

@@ -126,7 +126,7 @@ TEST(FloatEnvironment, TilesAreMadeTheSameInEveryMode) {
         kernels.grid.form_shafts(shafts.data(), shafts.size(), frame, on_grid.data());
         alignas(64) static std::int16_t snapped[6][bounds_on_grid];
         std::int16_t* const grid[6] = {snapped[0], snapped[1], snapped[2], snapped[3], snapped[4], snapped[5]};
-        kernels.grid.snap_boxes(frame, box, words_for(bounds_on_grid), grid);
+        kernels.grid.snap_boxes(frame, box, bounds_on_grid, grid);
         for (const auto& stream : snapped) numbers.insert(numbers.end(), std::begin(stream), std::end(stream));
         for (const kernel::GridShaft& each : on_grid) {
           numbers.insert(numbers.end(), std::begin(each.scale), std::end(each.scale));

@@ -13,6 +13,7 @@
 #include "cull/agreement.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
+#include "on_grid.hpp"
 #include "test/kernels.hpp"
 
 namespace shaftcull {
@@ -108,6 +109,14 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
       }
     }
     EXPECT_GT(on_a_grid, 600U) << "of 640";
+  }
+}
+
+TEST(GridShafts, WhatOtherTestsAskIsAskedOnAGrid) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    const kernel::GridKernels& kernels = kernel::active_kernels().grid;
+    EXPECT_TRUE(kernels.frame == nullptr || kernels.pays(shafts_on_grid, bounds_on_grid)) << name(isa);
   }
 }
 
