@@ -128,20 +128,68 @@ void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, st
   }
 }
 
+/// What added planes say of vectors of boxes, bit by lane.
+struct AddedVerdict {
+  std::uint64_t beyond;     ///< some plane, for certain
+  std::uint64_t undecided;  ///< all lanes that are not behind all planes for certain
+};
+
+/// Of `vectors` vectors of boxes side by side, which share the loads of a plane's coefficients.
+template <class L, unsigned vectors>
+AddedVerdict added_verdict(const CompiledShaft& shaft, const float* const* stream, std::size_t at) noexcept {
+  typename L::Mask is_beyond[vectors];
+  typename L::Mask is_behind[vectors];
+  for (unsigned v = 0; v < vectors; ++v) {
+    is_beyond[v] = L::less(L::all(0.0F), L::all(0.0F));
+    is_behind[v] = L::less_equal(L::all(0.0F), L::all(0.0F));
+  }
+  for (unsigned i = 0; i < shaft.added_count; ++i) {
+    const auto margin = L::all(shaft.added_margin[i]);
+    const auto minus_margin = L::all(-shaft.added_margin[i]);
+    const auto minus_offset = L::all(shaft.added_minus_offset[i]);
+    const float* x[3];
+    typename L::Vector normal[3];
+    for (unsigned k = 0; k < 3; ++k) {
+      x[k] = stream[shaft.added_near[k][i]] + at;
+      normal[k] = L::all(shaft.added_normal[k][i]);
+    }
+    for (unsigned v = 0; v < vectors; ++v) {
+      auto value = minus_offset;
+      for (unsigned k = 0; k < 3; ++k) value = L::multiply_add(L::load(x[k] + v * L::width), normal[k], value);
+      is_beyond[v] = L::either(is_beyond[v], L::less(margin, value));
+      is_behind[v] = L::both(is_behind[v], L::less(value, minus_margin));
+    }
+  }
+  AddedVerdict verdict{};
+  for (unsigned v = 0; v < vectors; ++v) {
+    verdict.beyond |= L::bits(is_beyond[v]) << v * L::width;
+    verdict.undecided |= (L::bits(is_behind[v]) ^ lanes_of<L>(0)) << v * L::width;
+  }
+  return verdict;
+}
+
 /// Clears the kept bits of boxes beyond an added plane.
 template <class L>
 void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                      std::uint64_t* kept) noexcept {
+  constexpr unsigned four = 4 * L::width;
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t undecided = 0;
-    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
-      for (unsigned i = 0; i < shaft.added_count; ++i) {
-        const auto value = added_value<L>(shaft, i, shaft.added_near, stream, w * word_bits + lane);
-        const std::uint64_t positive = L::bits(L::less(L::all(shaft.added_margin[i]), value)) << lane;
-        const std::uint64_t negative = L::bits(L::less(value, L::all(-shaft.added_margin[i]))) << lane;
-        kept[w] &= ~positive;
-        undecided |= ~(positive | negative) & lanes_of<L>(lane);
+    const auto note = [&](const AddedVerdict& verdict, unsigned lane) {
+      kept[w] &= ~(verdict.beyond << lane);
+      undecided |= verdict.undecided << lane;
+    };
+    for (unsigned first = 0; first < word_bits; first += four) {
+      unsigned with_any = 0;
+      for (unsigned v = 0; v < 4; ++v) with_any += (kept[w] & lanes_of<L>(first + v * L::width)) != 0 ? 1 : 0;
+      const std::size_t at = w * word_bits + first;
+      if (with_any == 4) {
+        note(added_verdict<L, 4>(shaft, stream, at), first);
+        continue;
+      }
+      for (unsigned lane = 0; lane < four; lane += L::width) {
+        if ((kept[w] & lanes_of<L>(first + lane)) == 0) continue;
+        note(added_verdict<L, 1>(shaft, stream, at + lane), first + lane);
       }
     }
     undecided &= kept[w];
