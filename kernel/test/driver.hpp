@@ -8,12 +8,13 @@
 #include "test/box_slab.hpp"
 #include "test/boxed.hpp"
 #include "test/few_inside.hpp"
+#include "test/few_outside.hpp"
 #include "test/grid.hpp"
 #include "test/kernels.hpp"
 #include "test/pick.hpp"
 #include "test/spheres.hpp"
-#include "test/survivors.hpp"
 #include "test/split.hpp"
+#include "test/survivors.hpp"
 #include "test/unite.hpp"
 #include "test/word.hpp"
 #include "test/words.hpp"
@@ -49,6 +50,9 @@ struct BoxStages {
   static constexpr float nowhere[streams] = {__builtin_inff(),  __builtin_inff(),  __builtin_inff(),
                                              -__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
 
+  /// So few boxes are quicker one at a time than in vectors, of which the shaft would have to be made ready.
+  static constexpr std::size_t few_boxes = 2;
+
   static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return form == Form::planes; }
 
   static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
@@ -59,6 +63,13 @@ struct BoxStages {
                                 box_planes_stage<L>(shaft, all, words, bits);
                               });
     } else {
+      if constexpr (requires { typename L::Eight; }) {
+        if (count <= few_boxes && SlabInLanes<L>::suits(shaft)) {
+          const std::uint64_t all = first_bits(static_cast<unsigned>(count));
+          *kept = all & ~few_outside<L>(shaft, stream, 0, all);
+          return settle(shaft, stream, count, kept);
+        }
+      }
       box_slab_stage<L>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
     }
     settle(shaft, stream, count, kept);
