@@ -23,6 +23,7 @@ namespace {
 constexpr std::size_t shafts = 64;
 constexpr std::size_t bounds = 4096;
 constexpr std::size_t small_bounds = 64;
+constexpr std::size_t between_tiles = 2100;
 constexpr std::size_t pairs = 4096;
 constexpr std::size_t leaves = 100000;  // so many that walks fetch
 
@@ -81,7 +82,30 @@ void run() {
       cull(shaft, boxes.view().slice(0, small_bounds), std::span(kept).first(words_for(small_bounds)));
     });
   });
+  count("boxes_cull_63", shafts, [&] {
+    each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view().slice(0, 63), std::span(kept).first(1)); });
+  });
+  count("boxes_classify_1", shafts, [&] {
+    each_shaft([&](const CompiledShaft& shaft) {
+      classify(shaft, boxes.view().slice(0, 1), std::span(kept).first(1), std::span(inside).first(1));
+    });
+  });
+  const Box world{{-6, -6, -6}, {6, 6, 6}};
+  Shaft camera(world, world);
+  for (const float side : {-1.0F, 1.0F}) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      Plane plane{{0.5F, 0.5F, 0.5F}, 3};
+      plane.normal[k] = 2 * side;
+      camera.add_plane(plane);
+    }
+  }
+  const CompiledShaft compiled_camera = compile(camera);
+  count("boxes_cull_added", bounds, [&] { cull(compiled_camera, boxes.view(), kept); });
   with_threads(1, [&] {
+    count("boxes_count_between_tiles", shafts * between_tiles,
+          [&] { count_many(compiled, boxes.view().slice(0, between_tiles), counts); });
+    count("spheres_count_between_tiles", shafts * between_tiles,
+          [&] { count_many(compiled, spheres.view().slice(0, between_tiles), counts); });
     count("boxes_count", tests, [&] { count_many(compiled, boxes.view(), counts); });
     count("spheres_count", tests, [&] { count_many(compiled, spheres.view(), counts); });
     count("boxes_list", tests, [&] { list_many(compiled, boxes.view(), lists); });
