@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dice.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/shaft.hpp"
@@ -51,9 +52,17 @@ void form_one(benchmark::State& state, const Workload& workload, Isa isa, bool w
 
 struct PairStreams {
   explicit PairStreams(const Workload& workload)
-      : a(std::span<const Box>(workload.a)), b(std::span<const Box>(workload.b)) {}
+      : a(std::span<const Box>(workload.a)), b(std::span<const Box>(workload.b)) {
+    Dice dice(4010);
+    for (std::size_t i = 0; i < Workload::pairs; ++i) {
+      index.push_back({dice.below(batch_shafts), dice.below(batch_shafts)});
+      plane.push_back({{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1)}, dice.uniform(-5, 5)});
+    }
+  }
   BoxStream a;
   BoxStream b;
+  std::vector<IndexPair> index;  ///< within a batch
+  std::vector<Plane> plane;
 };
 
 }  // namespace
@@ -80,6 +89,42 @@ void declare_form(Suite& suite, const Workload& workload) {
   }
 
   const auto pairs = std::make_shared<const PairStreams>(workload);
+  for (const Isa each_isa : available_isas()) {
+    const std::string set(name(each_isa));
+    const auto batch = [&](const std::string& row, const auto& compile_some) {
+      suite.add(row + '/' + set, paper, [pairs, each_isa, compile_some](benchmark::State& state) {
+        select_isa(each_isa);
+        std::vector<CompiledShaft> out(batch_shafts);
+        for (auto _ : state) {
+          for (std::size_t first = 0; first < Workload::pairs; first += batch_shafts) {
+            compile_some(*pairs, first, std::span(out));
+            benchmark::ClobberMemory();
+          }
+        }
+        set_items(state);
+      });
+    };
+    batch("form/batch_alone", [](const PairStreams& from, std::size_t first, std::span<CompiledShaft> out) {
+      compile_batch(from.a.view().slice(first, batch_shafts), from.b.view().slice(first, batch_shafts), out);
+    });
+    batch("form/batch_of_index_pairs", [](const PairStreams& from, std::size_t first, std::span<CompiledShaft> out) {
+      const BoxView boxes = from.a.view().slice(first, batch_shafts);
+      compile_batch(boxes, boxes, std::span(from.index).subspan(first, batch_shafts), out);
+    });
+    batch("form/batch_with_plane", [](const PairStreams& from, std::size_t first, std::span<CompiledShaft> out) {
+      compile_batch(from.a.view().slice(first, batch_shafts), from.b.view().slice(first, batch_shafts), out,
+                    {.a = std::span(from.plane).subspan(first, batch_shafts)});
+    });
+    batch("form/batch_with_two_planes", [](const PairStreams& from, std::size_t first, std::span<CompiledShaft> out) {
+      const auto planes = std::span(from.plane).subspan(first, batch_shafts);
+      compile_batch(from.a.view().slice(first, batch_shafts), from.b.view().slice(first, batch_shafts), out,
+                    {.a = planes, .b = planes});
+    });
+    if (each_isa < Isa::avx2) continue;
+    for (const char* row : {"form/batch_of_index_pairs/", "form/batch_with_plane/"}) {
+      suite.reach(row + set, "form/batch_alone/" + set, 0.5);
+    }
+  }
   // Other benchmarks leave other instruction sets behind, in random order.
   const Isa isa = active_isa();
   suite.add("form/batch", paper, [pairs, isa](benchmark::State& state) {

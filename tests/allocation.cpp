@@ -102,8 +102,13 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
   }
   const BoxColumns boxes(boxes_);
   std::vector<CompiledShaft> out(100);
+  const std::vector<Plane> planes(100, Plane{{1, 2, 3}, 4});
+  const std::vector<Plane> planes_of_all(bound_count, planes[0]);
+  std::vector<IndexPair> pairs;
+  for (std::uint32_t i = 0; i != out.size(); ++i) pairs.push_back({i, i + 100});
   EXPECT_EQ(allocations_in([&] {
-              compile_batch(boxes.view().slice(0, 100), boxes.view().slice(100, 100), out);
+              compile_batch(boxes.view().slice(0, 100), boxes.view().slice(100, 100), out, {.a = planes, .b = planes});
+              compile_batch(boxes.view(), boxes.view(), pairs, out, {.a = planes_of_all});
               for (CompiledShaft& shaft : out) complete(shaft);
             }),
             0U);

@@ -65,7 +65,18 @@ struct alignas(64) CompiledShaft {
   bool answers_inside;
   bool answers_spheres;
 
-  // Planes; not written while they are pending.
+  /// A plane that was added. Two of them fill a cache line.
+  struct alignas(32) AddedPlane {
+    float normal[3];
+    float minus_offset;
+    float margin;
+    float length;          ///< of the normal, for spheres
+    float slack;           ///< growth of the margin with a sphere's radius
+    std::uint8_t near[4];  ///< stream of the near corner on each axis, and a byte that says nothing
+  };
+  AddedPlane added[max_added_planes];
+
+  // The shaft box and joining planes; not written while they are pending.
   float face[6];                  ///< the shaft box, in the order of a BoxView's streams
   float joining_margin;           ///< for all joining planes
   float joining_normal0[max_joining_planes];
@@ -75,14 +86,6 @@ struct alignas(64) CompiledShaft {
   std::uint8_t joining_near1[max_joining_planes];
   std::uint8_t joining_far0[max_joining_planes];
   std::uint8_t joining_far1[max_joining_planes];
-
-  float added_normal[3][max_added_planes];
-  float added_minus_offset[max_added_planes];
-  float added_margin[max_added_planes];
-  float added_length[max_added_planes];    ///< length of the normal, for spheres
-  float added_slack[max_added_planes];     ///< growth of the margin with a sphere's radius
-  std::uint8_t added_near[3][max_added_planes];
-  std::uint8_t added_far[3][max_added_planes];
 
   /// Value of joining_count in a shaft whose planes nobody has asked for yet, from compile_batch() or two boxes.
   static constexpr std::uint8_t planes_pending = 0xff;
@@ -100,14 +103,39 @@ static_assert(sizeof(CompiledShaft) <= 1024);
 /// No allocation; safe to call from many threads.
 [[nodiscard]] CompiledShaft compile(const Box& a, const Box& b);
 
+/// Planes that compile_batch() adds to its shafts as Shaft::add_plane() would: those of a shaft's box a, then those of
+/// its box b. The planes of a patch and of what it faces, say.
+///
+/// Each box has as many as all others of its view, k = a.size() / (number of boxes), and box i has planes k · i to
+/// k · i + k − 1. Empty: none.
+struct BatchPlanes {
+  std::span<const Plane> a{};
+  std::span<const Plane> b{};
+};
+
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
 ///
-/// The shafts answer everything and equal compile(Shaft(a[i], b[i])), but for joining planes, which are left pending:
-/// only tests in plane form and classify() need them, and compute them on the fly when they are pending.
-/// complete() them once if a shaft is to be classified against many small views.
-/// Throws InvalidArgument if the three sizes differ, BadBound for the first pair with a box that is not
-/// finite or has lo > hi (nothing is written then). O(pairs); safe to call from many threads.
-void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out);
+/// The shafts answer everything and equal compile(Shaft(a[i], b[i])) with planes added, but for joining planes, which
+/// are left pending: only tests in plane form and classify() need them, and compute them on the fly when they are
+/// pending. complete() them once if a shaft is to be classified against many small views. Throws InvalidArgument if the
+/// three sizes differ, if planes are not equally many for each box, more than max_added_planes in all, not finite or
+/// without a normal; BadBound for the first pair with a box that is not finite or has lo > hi. Nothing is written then.
+/// O(pairs and planes); no allocation; safe to call from many threads.
+void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes = {});
+
+/// Two boxes, by their positions in views.
+struct IndexPair {
+  std::uint32_t a;
+  std::uint32_t b;
+  friend bool operator==(const IndexPair&, const IndexPair&) = default;
+};
+
+/// As above for the pairs (a[pairs[i].a], b[pairs[i].b]). Both views may be the same one, and then `planes` has the
+/// same planes twice: {.a = planes, .b = planes}. Boxes that no pair names are not looked at, and may be anything;
+/// planes may not. Throws InvalidArgument if `pairs` and `out` differ in size, for the first pair with an index that is
+/// not below the number of boxes, and as above.
+void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs, std::span<CompiledShaft> out,
+                   const BatchPlanes& planes = {});
 
 /// Computes pending joining planes; does nothing to a shaft that has them.
 void complete(CompiledShaft& shaft) noexcept;

@@ -1,8 +1,6 @@
-#include <string>
-
+#include "compile/added.hpp"
 #include "compile/planes.hpp"
 #include "compile/slab.hpp"
-#include "run/arguments.hpp"
 #include "shaftcull/compiled.hpp"
 #include "simd/float_environment.hpp"
 #include "simd/scalar.hpp"
@@ -12,17 +10,6 @@ namespace shaftcull {
 namespace {
 
 struct CompileEnvironment {};
-
-/// Throws what the constructor of Shaft throws for the first pair that it rejects, with the pair's index.
-void reject_first_bad_pair(const BoxView& a, const BoxView& b) {
-  for (std::size_t i = 0; i < a.count; ++i) {
-    try {
-      static_cast<void>(Shaft(a[i], b[i]));
-    } catch (const InvalidArgument& error) {
-      throw BadBound(i, "shaft " + std::to_string(i) + ": " + error.what());
-    }
-  }
-}
 
 }  // namespace
 
@@ -39,7 +26,9 @@ CompiledShaft compile(const Shaft& shaft) noexcept {
   }
   kernel::compile_slabs<kernel::ScalarLanes>(a, b, 1, &compiled);
   kernel::compile_joining_planes(shaft.joining_planes(), compiled);
-  kernel::compile_added_planes(shaft.added_planes(), compiled);
+  const std::span<const Plane> added = shaft.added_planes();
+  const Plane* const first_added = added.data();
+  kernel::add_planes<kernel::ScalarLanes>(a, b, &first_added, added.size(), 1, &compiled);
   compiled.answers_outside = shaft.options().outside;
   compiled.answers_inside = shaft.options().inside;
   compiled.answers_spheres = shaft.options().spheres;
@@ -51,19 +40,6 @@ CompiledShaft compile(const Box& a, const Box& b) {
   const bool is_formed = kernel::active_kernels().compile_pair(a, b, compiled);
   if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
   return compiled;
-}
-
-void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out) {
-  if (a.count != b.count || a.count != out.size()) {
-    throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
-                          std::to_string(a.count) + ", " + std::to_string(b.count) + " and " + std::to_string(out.size()));
-  }
-  kernel::require_view(a);
-  kernel::require_view(b);
-  kernel::require_memory("out", out, "shafts");
-  if (!kernel::active_kernels().compile_batch(a.stream.data(), b.stream.data(), a.count, out.data())) {
-    reject_first_bad_pair(a, b);
-  }
 }
 
 void complete(CompiledShaft& shaft) noexcept {

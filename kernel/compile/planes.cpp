@@ -67,42 +67,4 @@ void compile_joining_planes(std::span<const JoiningPlane> planes, CompiledShaft&
   out.joining_margin = regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
 }
 
-void compile_added_planes(std::span<const Plane> planes, CompiledShaft& out) noexcept {
-  out.added_count = static_cast<std::uint8_t>(planes.size());
-  for (unsigned i = 0; i < planes.size(); ++i) {
-    const Plane& plane = planes[i];
-    const double offset = plane.offset;
-    double most[3];   // of each term of n · p, at the near corner of a bound that meets the shaft box
-    double least[3];  // likewise, at a corner within the shaft box
-    double length_square = 0;
-    double length_sum = 0;
-    unsigned any = 0;  // an axis with a component that is not zero
-    for (unsigned k = 0; k < 3; ++k) {
-      const double n = plane.normal[k];
-      if (n != 0) any = k;
-      most[k] = std::max(n * out.face[k], n * out.face[k + 3]);
-      least[k] = std::min(n * out.face[k], n * out.face[k + 3]);
-      length_square += n * n;
-      length_sum += std::fabs(n);
-    }
-    double sum = std::fabs(offset);
-    for (unsigned k = 0; k < 3; ++k) {
-      // Below this a term alone decides that the bound is not beyond the plane.
-      const double decisive = offset - (most[0] + most[1] + most[2] - most[k]);
-      sum += std::max({std::fabs(most[k]), std::fabs(least[k]), std::fabs(decisive)});
-      // A zero component reads a stream that is read anyway: 0 · x of an infinite extent would be NaN otherwise.
-      const unsigned axis = plane.normal[k] == 0 ? any : k;
-      const bool positive = plane.normal[axis] > 0;
-      out.added_normal[k][i] = plane.normal[k];
-      out.added_near[k][i] = static_cast<std::uint8_t>(positive ? axis : axis + 3);
-      out.added_far[k][i] = static_cast<std::uint8_t>(positive ? axis + 3 : axis);
-    }
-    out.added_minus_offset[i] = -plane.offset;
-    out.added_margin[i] = margin_of(6 * unit * slack * sum + denormals);
-    out.added_length[i] = static_cast<float>(std::sqrt(length_square));
-    out.added_slack[i] = margin_of(10 * unit * slack * length_sum + denormals);
-    if (!(length_sum < 0x1p100)) out.added_margin[i] = std::numeric_limits<float>::infinity();
-  }
-}
-
 }  // namespace shaftcull::kernel

@@ -1,4 +1,4 @@
-/// Joining and added planes of a compiled shaft, with their error margins.
+/// Joining planes of a compiled shaft, with their error margin.
 #pragma once
 
 #include <span>
@@ -10,8 +10,5 @@ namespace shaftcull::kernel {
 
 /// Writes the shaft box and the joining planes of `planes`, in their order, into `out`, whose boxes are there already.
 void compile_joining_planes(std::span<const JoiningPlane> planes, CompiledShaft& out) noexcept;
-
-/// Writes the added planes of `planes` into `out`, whose shaft box is there already.
-void compile_added_planes(std::span<const Plane> planes, CompiledShaft& out) noexcept;
 
 }  // namespace shaftcull::kernel

@@ -253,7 +253,7 @@ void compile_slabs(const float* const* a, const float* const* b, std::size_t cou
   CompiledShaft shafts[L::width];
   compile_slab_vector<L>(rest_a, rest_b, 0, shafts);
   for (std::size_t lane = 0; lane < left; ++lane) {  // what comes before the planes
-    __builtin_memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(CompiledShaft, face));
+    __builtin_memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(CompiledShaft, added));
   }
 }
 

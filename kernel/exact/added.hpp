@@ -12,9 +12,9 @@ namespace shaftcull::kernel {
 /// component or a coordinate that is not finite are left out.
 template <class Number>
 Number added_side(const CompiledShaft& shaft, unsigned i, const double (&point)[3]) noexcept {
-  Number sum(shaft.added_minus_offset[i]);
+  Number sum(shaft.added[i].minus_offset);
   for (unsigned k = 0; k < 3; ++k) {
-    const double n = shaft.added_normal[k][i];
+    const double n = shaft.added[i].normal[k];
     if (n != 0 && std::isfinite(point[k])) sum.grow(n * point[k]);  // two 24-bit factors: exact in a double
   }
   return sum;
@@ -24,7 +24,7 @@ Number added_side(const CompiledShaft& shaft, unsigned i, const double (&point)[
 template <class Number>
 Number added_squared_length(const CompiledShaft& shaft, unsigned i) noexcept {
   Number sum;
-  for (const auto& normal : shaft.added_normal) sum.grow(static_cast<double>(normal[i]) * normal[i]);
+  for (const float n : shaft.added[i].normal) sum.grow(static_cast<double>(n) * n);
   return sum;
 }
 

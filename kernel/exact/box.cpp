@@ -81,8 +81,8 @@ bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
     double near[3];
     bool bounded = true;
     for (unsigned k = 0; k < 3; ++k) {
-      near[k] = bound[shaft.added_near[k][i]];
-      bounded = bounded && (shaft.added_normal[k][i] == 0 || std::isfinite(near[k]));
+      near[k] = bound[shaft.added[i].near[k]];
+      bounded = bounded && (shaft.added[i].normal[k] == 0 || std::isfinite(near[k]));
     }
     if (bounded && added_side<Expansion<7>>(shaft, i, near).sign() > 0) return true;
   }
@@ -102,7 +102,8 @@ bool box_inside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
     }
   }
   for (unsigned i = 0; i < shaft.added_count; ++i) {
-    const double far[3] = {bound[shaft.added_far[0][i]], bound[shaft.added_far[1][i]], bound[shaft.added_far[2][i]]};
+    double far[3];
+    for (unsigned k = 0; k < 3; ++k) far[k] = bound[opposite(shaft.added[i].near[k])];
     if (added_side<Expansion<7>>(shaft, i, far).sign() > 0) return false;
   }
   return true;

@@ -455,7 +455,7 @@ bool sphere_outside(const CompiledShaft& shaft, const float (&sphere)[4]) noexce
   const double centre[3] = {sphere[0], sphere[1], sphere[2]};
   for (unsigned i = 0; i < shaft.added_count; ++i) {
     bool bounded = true;
-    for (unsigned k = 0; k < 3; ++k) bounded = bounded && (shaft.added_normal[k][i] == 0 || std::isfinite(centre[k]));
+    for (unsigned k = 0; k < 3; ++k) bounded = bounded && (shaft.added[i].normal[k] == 0 || std::isfinite(centre[k]));
     if (bounded && beyond(FromAdded{shaft, i, centre, 1}, radius, false)) return true;
   }
   return false;

@@ -9,6 +9,7 @@
 #include "formation/rule.hpp"
 #include "formation/search.hpp"
 #include "formation/table.hpp"
+#include "formation/usable_plane.hpp"
 #include "simd/float_environment.hpp"
 #include "text.hpp"
 
@@ -79,10 +80,9 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
   kernel::sort_planes(a, b, options.order, {joining_.data(), joining_count_});
 }
 
-void Shaft::add_plane(const Plane& plane) {
-  const kernel::FloatEnvironment<FormationEnvironment> environment;
-  const auto fail = [this](const std::string& why) {
-    throw InvalidArgument("added plane " + std::to_string(added_count_) + ": " + why);
+void kernel::require_usable(const Plane& plane, const PlaneName& name) {
+  const auto fail = [&](const std::string& why) {
+    throw InvalidArgument(name.before + std::to_string(name.index) + name.after + ": " + why);
   };
   for (std::size_t k = 0; k < 3; ++k) {
     if (!std::isfinite(plane.normal[k])) {
@@ -91,8 +91,14 @@ void Shaft::add_plane(const Plane& plane) {
   }
   if (plane.normal == Vec3{0, 0, 0}) fail("its normal is zero, which leaves no inside and outside to tell apart");
   if (!std::isfinite(plane.offset)) fail("offset = " + text(plane.offset) + "; it must be finite");
+}
+
+void Shaft::add_plane(const Plane& plane) {
+  const kernel::FloatEnvironment<FormationEnvironment> environment;
+  kernel::require_usable(plane, {"added plane ", added_count_, ""});
   if (added_count_ == max_added_planes) {
-    fail("a shaft has room for " + std::to_string(max_added_planes) + " added planes only");
+    throw InvalidArgument("added plane " + std::to_string(added_count_) + ": a shaft has room for " +
+                          std::to_string(max_added_planes) + " added planes only");
   }
   added_[added_count_++] = plane;
 }

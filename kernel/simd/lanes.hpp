@@ -51,6 +51,32 @@ struct Lanes {
 #endif
     if constexpr (width == 4) return _mm_setr_ps(p[index[0]], p[index[1]], p[index[2]], p[index[3]]);
   }
+  /// Four floats at each of `at`: columns[c] has float c of at[i] in lane i.
+  static void load_fours(const float* const (&at)[width], Vector (&columns)[4]) noexcept {
+    if constexpr (width == 4) {
+      __m128 row[4];
+      for (unsigned i = 0; i < 4; ++i) row[i] = _mm_loadu_ps(at[i]);
+      _MM_TRANSPOSE4_PS(row[0], row[1], row[2], row[3]);
+      for (unsigned c = 0; c < 4; ++c) columns[c] = row[c];
+      return;
+    }
+#ifdef __AVX__
+    if constexpr (width == 8) {
+      __m256 row[4];  // i, and i + 4 in the upper half
+      for (unsigned i = 0; i < 4; ++i) {
+        row[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(at[i])), _mm_loadu_ps(at[i + 4]), 1);
+      }
+      const __m256 first[2] = {_mm256_unpacklo_ps(row[0], row[1]), _mm256_unpacklo_ps(row[2], row[3])};
+      const __m256 last[2] = {_mm256_unpackhi_ps(row[0], row[1]), _mm256_unpackhi_ps(row[2], row[3])};
+      columns[0] = _mm256_shuffle_ps(first[0], first[1], 0x44);
+      columns[1] = _mm256_shuffle_ps(first[0], first[1], 0xee);
+      columns[2] = _mm256_shuffle_ps(last[0], last[1], 0x44);
+      columns[3] = _mm256_shuffle_ps(last[0], last[1], 0xee);
+      return;
+    }
+#endif
+    static_assert(width <= 8, "formation runs on vectors of at most eight");
+  }
   static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
 
   /// Puts the lanes whose bits are set side by side.
@@ -112,6 +138,7 @@ struct Lanes {
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
+  static Vector square_root(Vector a) noexcept { return xsimd::sqrt(a); }
   // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and before that the second.
   static Vector minimum(Vector a, Vector b) noexcept {
 #ifdef SHAFTCULL_UNIT_AVX512

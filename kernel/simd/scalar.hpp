@@ -13,6 +13,9 @@ struct ScalarLanes {
 
   static Vector load(const float* p) noexcept { return *p; }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
+  static void load_fours(const float* const (&at)[1], Vector (&columns)[4]) noexcept {
+    for (unsigned c = 0; c < 4; ++c) columns[c] = at[0][c];
+  }
   static void store(float* p, Vector a) noexcept { *p = a; }
 
   /// As kernel::Part.
@@ -36,6 +39,7 @@ struct ScalarLanes {
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
+  static Vector square_root(Vector a) noexcept { return __builtin_sqrtf(a); }
   static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
   static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
   static float smallest(Vector a) noexcept { return a; }

@@ -40,6 +40,7 @@ class Four {
     std::memcpy(&one, floats + sizeof two, sizeof one);
     return Four(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(two)), _mm_set_ss(one)));
   }
+  static Four of(float a, float b, float c, float d) noexcept { return Four(_mm_setr_ps(a, b, c, d)); }
   void store(float* to) const noexcept { _mm_storeu_ps(to, floats_); }
 
   friend Four operator+(Four a, Four b) noexcept { return Four(_mm_add_ps(a.floats_, b.floats_)); }
@@ -79,6 +80,14 @@ class Four {
   static Four three_at(const std::byte* floats) noexcept {
     Four four;
     std::memcpy(four.floats_, floats, 3 * sizeof(float));
+    return four;
+  }
+  static Four of(float a, float b, float c, float d) noexcept {
+    Four four;
+    four.floats_[0] = a;
+    four.floats_[1] = b;
+    four.floats_[2] = c;
+    four.floats_[3] = d;
     return four;
   }
   void store(float* to) const noexcept { std::memcpy(to, floats_, sizeof floats_); }

@@ -69,13 +69,17 @@ typename L::Vector largest_joining_value(const CompiledShaft& shaft, const std::
   return largest;
 }
 
-/// Value of added plane `i` at the corner that the selectors name.
-template <class L>
-typename L::Vector added_value(const CompiledShaft& shaft, unsigned i, const std::uint8_t (&corner)[3][max_added_planes],
-                               const float* const* stream, std::size_t at) noexcept {
-  auto value = L::all(shaft.added_minus_offset[i]);
+/// A corner of a bound, as an added plane sees it.
+enum class Corner : std::uint8_t { near, far };
+
+/// Value of an added plane at a corner.
+template <class L, Corner corner>
+typename L::Vector added_value(const CompiledShaft::AddedPlane& plane, const float* const* stream,
+                               std::size_t at) noexcept {
+  auto value = L::all(plane.minus_offset);
   for (unsigned k = 0; k < 3; ++k) {
-    value = L::multiply_add(L::load(stream[corner[k][i]] + at), L::all(shaft.added_normal[k][i]), value);
+    const unsigned s = corner == Corner::near ? plane.near[k] : (plane.near[k] + 3U) % 6U;
+    value = L::multiply_add(L::load(stream[s] + at), L::all(plane.normal[k]), value);
   }
   return value;
 }
@@ -144,14 +148,15 @@ AddedVerdict added_verdict(const CompiledShaft& shaft, const float* const* strea
     is_behind[v] = L::less_equal(L::all(0.0F), L::all(0.0F));
   }
   for (unsigned i = 0; i < shaft.added_count; ++i) {
-    const auto margin = L::all(shaft.added_margin[i]);
-    const auto minus_margin = L::all(-shaft.added_margin[i]);
-    const auto minus_offset = L::all(shaft.added_minus_offset[i]);
+    const CompiledShaft::AddedPlane& plane = shaft.added[i];
+    const auto margin = L::all(plane.margin);
+    const auto minus_margin = L::all(-plane.margin);
+    const auto minus_offset = L::all(plane.minus_offset);
     const float* x[3];
     typename L::Vector normal[3];
     for (unsigned k = 0; k < 3; ++k) {
-      x[k] = stream[shaft.added_near[k][i]] + at;
-      normal[k] = L::all(shaft.added_normal[k][i]);
+      x[k] = stream[plane.near[k]] + at;
+      normal[k] = L::all(plane.normal[k]);
     }
     for (unsigned v = 0; v < vectors; ++v) {
       auto value = minus_offset;
@@ -227,9 +232,10 @@ void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, st
       std::uint64_t certain = L::bits(L::less(value, minus_margin)) << lane;
       within &= ~(L::bits(L::less(margin, value)) << lane);
       for (unsigned i = 0; i < shaft.added_count; ++i) {
-        const auto added = added_value<L>(shaft, i, shaft.added_far, stream, at);
-        certain &= L::bits(L::less(added, L::all(-shaft.added_margin[i]))) << lane;
-        within &= ~(L::bits(L::less(L::all(shaft.added_margin[i]), added)) << lane);
+        const CompiledShaft::AddedPlane& plane = shaft.added[i];
+        const auto added = added_value<L, Corner::far>(plane, stream, at);
+        certain &= L::bits(L::less(added, L::all(-plane.margin))) << lane;
+        within &= ~(L::bits(L::less(L::all(plane.margin), added)) << lane);
       }
       candidates |= within;
       undecided |= within & ~certain;

@@ -1,6 +1,7 @@
 /// From views to words: blocks of bounds through the stages of a test.
 #pragma once
 
+#include "compile/added.hpp"
 #include "compile/pair.hpp"
 #include "shaftcull/cull.hpp"
 #include "simd/float_environment.hpp"
@@ -245,6 +246,20 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
   return true;
 }
 
+/// As Kernels has it.
+template <class L>
+void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+  const FloatEnvironment<L> environment;
+  compile_slabs<L>(a, b, count, out);
+}
+
+/// As Kernels has it.
+template <class L>
+bool all_boxes_finite(const float* const* box, std::size_t count) noexcept {
+  const FloatEnvironment<L> environment;
+  return all_finite<L>(box, count);
+}
+
 /// Tests on a grid, where there are vectors of 16-bit integers.
 template <class L>
 constexpr GridKernels grid_kernels() noexcept {
@@ -276,6 +291,10 @@ inline constexpr Kernels kernels_for = {
     .grid = grid_kernels<L>(),
     .compile_pair = compile_pair<FormationLanes>,
     .compile_batch = compile_pairs<FormationLanes>,
+    .compile_finite = compile_finite_pairs<FormationLanes>,
+    .all_finite = all_boxes_finite<FormationLanes>,
+    .all_planes_usable = all_planes_usable<FormationLanes>,
+    .add_planes = add_planes<FormationLanes>,
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .pick = pick_indices<L>,

@@ -24,6 +24,20 @@ using BoxSpheres = void(const float* const* sphere, std::size_t count, float* co
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
 using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
 
+/// The same for boxes that are known to be fine.
+using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
+
+/// Whether all of `count` boxes are finite with lo ≤ hi.
+using AllFinite = bool(const float* const* box, std::size_t count) noexcept;
+
+/// Whether all of `count` planes are finite with normals that are not zero.
+using AllPlanesUsable = bool(const Plane* planes, std::size_t count) noexcept;
+
+/// Adds planes[i][0 … planes_each) to shaft out[i] between boxes a[·][i] and b[·][i], after those that it has; all have equally
+/// many, and room for these.
+using AddPlanes = void(const float* const* a, const float* const* b, const Plane* const* planes,
+                       std::size_t planes_each, std::size_t count, CompiledShaft* out) noexcept;
+
 /// Forms the shaft of one pair of boxes. Returns false, and writes nothing, if a box is not finite with lo ≤ hi.
 using CompilePair = bool(const Box& a, const Box& b, CompiledShaft& out) noexcept;
 
@@ -143,6 +157,10 @@ struct Kernels {
   GridKernels grid;
   CompilePair* compile_pair;
   CompileBatch* compile_batch;
+  CompileFinite* compile_finite;
+  AllFinite* all_finite;
+  AllPlanesUsable* all_planes_usable;
+  AddPlanes* add_planes;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
   Pick* pick;

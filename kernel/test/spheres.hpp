@@ -215,9 +215,10 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
         if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
         const std::size_t at = w * word_bits + lane;
         const Vector radius = L::load(stream[3] + at);
-        const Vector value = L::multiply_add(radius, L::all(-shaft.added_length[i]),
-                                             added_value<L>(shaft, i, shaft.added_near, centres.stream, at));
-        const Vector margin = L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i]));
+        const CompiledShaft::AddedPlane& plane = shaft.added[i];
+        const Vector value =
+            L::multiply_add(radius, L::all(-plane.length), added_value<L, Corner::near>(plane, centres.stream, at));
+        const Vector margin = L::multiply_add(radius, L::all(plane.slack), L::all(plane.margin));
         const auto finite = L::less_equal(L::magnitude(value), L::all(__FLT_MAX__));  // a sum may have overflowed
         const std::uint64_t positive = L::bits(L::both(finite, L::less(margin, value))) << lane;
         const std::uint64_t negative = L::bits(L::both(finite, L::less(L::add(value, margin), zero))) << lane;
@@ -269,9 +270,9 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
       const Vector growth = L::all(8 * float_unit * radius_margin_factor);
       test(L::add(joining, radius), L::multiply_add(radius, growth, L::all(shaft.joining_margin)));
       for (unsigned i = 0; i < shaft.added_count; ++i) {
-        test(L::multiply_add(radius, L::all(shaft.added_length[i]),
-                             added_value<L>(shaft, i, shaft.added_near, centres.stream, at)),
-             L::multiply_add(radius, L::all(shaft.added_slack[i]), L::all(shaft.added_margin[i])));
+        const CompiledShaft::AddedPlane& plane = shaft.added[i];
+        test(L::multiply_add(radius, L::all(plane.length), added_value<L, Corner::near>(plane, centres.stream, at)),
+             L::multiply_add(radius, L::all(plane.slack), L::all(plane.margin)));
       }
       candidates |= within;
       undecided |= within & ~certain;

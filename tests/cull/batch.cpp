@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/shafts.hpp"
@@ -15,6 +17,7 @@
 #include "cull/equal_shafts.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
+#include "message_of.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -78,6 +81,164 @@ TEST(CompileBatch, PairsOfEveryMagnitude) {
   expect_batch_of(74, [](Dice& dice) {
     return Dice::sorted({dice.wild(), dice.wild(), dice.wild()}, {dice.wild(), dice.wild(), dice.wild()});
   });
+}
+
+/// The shaft that compile_batch() should make of boxes with planes.
+CompiledShaft formed_alone(const Box& a, const Box& b, std::span<const Plane> of_a, std::span<const Plane> of_b) {
+  Shaft shaft(a, b);
+  for (const auto planes : {of_a, of_b}) {
+    for (const Plane& plane : planes) shaft.add_plane(plane);
+  }
+  return compile(shaft);
+}
+
+/// Random boxes, each with some planes.
+struct Patches {
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  std::size_t planes_each;
+
+  Patches(Dice& dice, std::size_t count, std::size_t each, bool wild) : planes_each(each) {
+    for (std::size_t i = 0; i != count; ++i) {
+      boxes.push_back(wild ? wild_box(dice) : dice.box(-5, 5, 0.2F, 1.0F));
+      for (std::size_t k = 0; k != each; ++k) {
+        planes.push_back(plane_through(dice, dice.one_in(2) ? boxes.back().lo : Vec3{0, 0, 0}, dice.one_in(3)));
+        if (wild) planes.back() = with_wild_planes(dice, {boxes.back(), boxes.back()}).added.back();
+      }
+    }
+  }
+  [[nodiscard]] std::span<const Plane> of(std::size_t box) const {
+    return std::span(planes).subspan(box * planes_each, planes_each);
+  }
+};
+
+void expect_planes(const Patches& a, const Patches& b) {
+  const BoxColumns a_memory(a.boxes);
+  const BoxColumns b_memory(b.boxes);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    std::vector<CompiledShaft> batch(a.boxes.size());
+    compile_batch(a_memory.view(), b_memory.view(), batch, {.a = a.planes, .b = b.planes});
+    for (std::size_t i = 0; i != batch.size(); ++i) {
+      SCOPED_TRACE(std::string(name(isa)) + ", pair " + std::to_string(i));
+      EXPECT_FALSE(batch[i].has_planes());
+      complete(batch[i]);
+      expect_equal(batch[i], formed_alone(a.boxes[i], b.boxes[i], a.of(i), b.of(i)));
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(CompileBatch, PlanesOfBothBoxesAreAddedInTheirOrder) {
+  Dice dice(101);
+  for (const auto& [of_a, of_b] : {std::pair(1, 1), {0, 1}, {3, 0}, {2, 5}, {16, 0}, {8, 8}}) {
+    const Patches a(dice, 203, static_cast<std::size_t>(of_a), false);
+    expect_planes(a, Patches(dice, 203, static_cast<std::size_t>(of_b), false));
+  }
+}
+
+TEST(CompileBatch, PlanesOfEveryMagnitude) {
+  Dice dice(102);
+  const Patches a(dice, 1003, 1, true);
+  expect_planes(a, Patches(dice, 1003, 1, true));
+}
+
+TEST(CompileBatch, PlanesForEveryCount) {
+  Dice dice(103);
+  for (std::size_t count = 0; count != 70; ++count) {
+    const Patches a(dice, count, 1, false);
+    expect_planes(a, Patches(dice, count, 2, false));
+  }
+}
+
+TEST(CompileBatch, IndexPairsOfOneViewAndOfTwo) {
+  Dice dice(104);
+  const Patches a(dice, 50, 2, false);
+  const Patches other(dice, 70, 1, false);
+  for (const Patches* b : {&a, &other}) {
+    const BoxColumns a_memory(a.boxes);
+    const BoxColumns b_memory(b->boxes);
+    std::vector<IndexPair> pairs;
+    for (int i = 0; i != 333; ++i) {
+      pairs.push_back({dice.below(50), dice.below(static_cast<unsigned>(b->boxes.size()))});
+    }
+    pairs.push_back({49, static_cast<std::uint32_t>(b->boxes.size() - 1)});
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      for (const bool with_planes : {false, true}) {
+        const BatchPlanes planes = with_planes ? BatchPlanes{.a = a.planes, .b = b->planes} : BatchPlanes{};
+        for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{65}, pairs.size()}) {
+          std::vector<CompiledShaft> out(size + 1);
+          out[size].added_count = 99;
+          compile_batch(a_memory.view(), b_memory.view(), std::span(pairs).first(size), std::span(out).first(size), planes);
+          EXPECT_EQ(out[size].added_count, 99) << "written past the end";
+          for (std::size_t i = 0; i != size; ++i) {
+            const auto [in_a, in_b] = pairs[i];
+            complete(out[i]);
+            expect_equal(out[i], with_planes ? formed_alone(a.boxes[in_a], b->boxes[in_b], a.of(in_a), b->of(in_b))
+                                             : compile(Shaft(a.boxes[in_a], b->boxes[in_b])));
+          }
+        }
+      }
+    }
+  }
+}
+
+/// The message of what a batch of index pairs of two boxes a and three boxes b is refused with, after checking that nothing was
+/// written.
+std::string refusal_of(const std::vector<IndexPair>& pairs, const BatchPlanes& planes, std::size_t out_size) {
+  const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
+  const BoxColumns memory(boxes);
+  std::vector<CompiledShaft> out(out_size);
+  for (CompiledShaft& shaft : out) shaft.added_count = 99;
+  const std::string message =
+      message_of([&] { compile_batch(memory.view().slice(0, 2), memory.view(), pairs, out, planes); });
+  for (const CompiledShaft& shaft : out) EXPECT_EQ(shaft.added_count, 99);
+  return message;
+}
+
+TEST(CompileBatch, BadIndicesAndSizesOfPairsAreNamed) {
+  EXPECT_EQ(refusal_of({{0, 0}, {1, 2}, {2, 0}, {0, 7}}, {}, 4), "pairs[2].a = 2, and there are 2 boxes a");
+  EXPECT_EQ(refusal_of({{0, 0}, {1, 3}}, {}, 2), "pairs[1].b = 3, and there are 3 boxes b");
+  EXPECT_EQ(refusal_of({{0xffffffff, 0}}, {}, 1), "pairs[0].a = 4294967295, and there are 2 boxes a");
+  EXPECT_EQ(refusal_of({{0, 0}, {0, 0}}, {}, 3), "compile_batch needs as many pairs as shafts to write, not 2 and 3");
+}
+
+TEST(CompileBatch, BadPlanesAreNamed) {
+  const Plane good{{1, 0, 0}, 1};
+  const auto refusal = [&](const std::vector<Plane>& of_a, const std::vector<Plane>& of_b) {
+    return refusal_of({{0, 0}}, {.a = of_a, .b = of_b}, 1);
+  };
+  EXPECT_EQ(refusal({good, good, good}, {}), "planes.a has 3 planes, which are not equally many for each of 2 boxes a");
+  EXPECT_EQ(refusal({}, {good}), "planes.b has 1 planes, which are not equally many for each of 3 boxes b");
+  EXPECT_EQ(refusal(std::vector<Plane>(20, good), std::vector<Plane>(21, good)),
+            "a shaft has room for 16 added planes, not for 10 of box a and 7 of box b");
+  EXPECT_EQ(refusal({}, {good, good, {{0, NAN, 0}, 1}}), "planes.b[2]: normal.y = nan; it must be finite");
+  EXPECT_EQ(refusal({{{1, 0, 0}, INFINITY}, good}, {}), "planes.a[0]: offset = inf; it must be finite");
+  EXPECT_EQ(refusal({good, {{0, -0.0F, 0}, 1}}, {}),
+            "planes.a[1]: its normal is zero, which leaves no inside and outside to tell apart");
+}
+
+TEST(CompileBatch, BoxesThatNoPairNamesMayBeAnything) {
+  std::vector<Box> boxes(40, Box{{0, 0, 0}, {1, 1, 1}});
+  boxes[7].lo[1] = NAN;
+  boxes[9].lo[2] = 2;
+  const BoxColumns memory(boxes);
+  for (const std::size_t size : {2U, 200U}) {  // fewer and more than there are boxes
+    std::vector<IndexPair> pairs(size, IndexPair{3, 39});
+    std::vector<CompiledShaft> out(size);
+    EXPECT_NO_THROW(compile_batch(memory.view(), memory.view(), pairs, out));
+    pairs[size - 1] = {0, 9};
+    out[0].added_count = 99;
+    try {
+      compile_batch(memory.view(), memory.view(), pairs, out);
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const BadBound& error) {
+      EXPECT_EQ(error.index(), size - 1);
+      EXPECT_THAT(error.what(), testing::HasSubstr("box b: lo.z = 2"));
+    }
+    EXPECT_EQ(out[0].added_count, 99);
+  }
 }
 
 TEST(CompileBatch, EveryCountFillsAllAndNoMore) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,11 @@ inline void expect_equal(const CompiledShaft& shaft, const CompiledShaft& expect
   EXPECT_EQ(shaft.a, expected.a);
   EXPECT_EQ(shaft.b, expected.b);
   EXPECT_EQ(shaft.reach, expected.reach);
-  EXPECT_EQ(shaft.added_count, expected.added_count);
+  ASSERT_EQ(shaft.added_count, expected.added_count);
+  for (std::size_t i = 0; i != expected.added_count; ++i) {
+    using Words = std::array<std::uint32_t, sizeof(CompiledShaft::AddedPlane) / sizeof(std::uint32_t)>;
+    EXPECT_EQ(std::bit_cast<Words>(shaft.added[i]), std::bit_cast<Words>(expected.added[i])) << "added plane " << i;
+  }
   EXPECT_EQ(shaft.answers_outside, expected.answers_outside);
   EXPECT_EQ(shaft.answers_inside, expected.answers_inside);
   EXPECT_EQ(shaft.answers_spheres, expected.answers_spheres);

@@ -26,8 +26,10 @@ constexpr float weak = 0.1F;
 void weaken_slab(CompiledShaft& shaft) { shaft.slab_margin *= weak; }
 void weaken_joining(CompiledShaft& shaft) { shaft.joining_margin *= weak; }
 void weaken_added(CompiledShaft& shaft) {
-  for (float& margin : shaft.added_margin) margin *= weak;
-  for (float& slack : shaft.added_slack) slack *= weak;
+  for (unsigned i = 0; i != shaft.added_count; ++i) {
+    shaft.added[i].margin *= weak;
+    shaft.added[i].slack *= weak;
+  }
 }
 
 bool apply(std::string_view fault) {
