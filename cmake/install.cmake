@@ -49,7 +49,9 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/shaftcull.pc.in ${PROJECT_BINARY_DIR}/s
 install(FILES ${PROJECT_BINARY_DIR}/shaftcull.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull)
 
 if(TARGET shaftcull_cli)
-  file(RELATIVE_PATH shaftcull_lib_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
-  set_target_properties(shaftcull_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${shaftcull_lib_from_bin}")
+  if(shaftcull_type STREQUAL "SHARED_LIBRARY")
+    file(RELATIVE_PATH shaftcull_lib_from_bin /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(shaftcull_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${shaftcull_lib_from_bin}")
+  endif()
   install(TARGETS shaftcull_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull_program)
 endif()

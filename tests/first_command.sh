@@ -27,7 +27,7 @@ stand_in() {
 failures=0
 # system TOOL…: what the next run finds on its PATH, besides what every system has.
 system() {
-  rm -f "$work"/bin/{apt-get,dpkg-query,sudo,cmake,c++,ninja}
+  rm -f "$work"/bin/{apt-get,apt-cache,dpkg-query,sudo,cmake,ctest,c++,ninja}
   for tool in "$@"; do
     case $tool in
       apt-get) stand_in apt-get 'exit ${APT_RESULT:-0}' ;;
@@ -37,13 +37,14 @@ system() {
     esac
   done
 }
-# run RESULT [NAME=value…]: ./cmake/run demo, not as root, is to end with RESULT.
+# run RESULT [NAME=value…]: ./cmake/run $action, not as root, is to end with RESULT.
+action=demo
 run() {
   local expected=$1 result=0
   shift
   : >"$work/log/calls"
   chmod 666 "$work/log/calls"
-  "${as_user[@]}" "$work/bin/env" -i PATH="$work/bin" "$@" bash "$work/project/cmake/run" demo >"$work/log/output" 2>&1 ||
+  "${as_user[@]}" "$work/bin/env" -i PATH="$work/bin" "$@" bash "$work/project/cmake/run" "$action" >"$work/log/output" 2>&1 ||
     result=$?
   [[ $result -eq $expected ]] || fail "ended with $result instead of $expected"
 }
@@ -113,6 +114,31 @@ run 127 INSTALLED="$needed libassimp-dev zlib1g-dev"
 not_called apt-get
 not_called sudo
 called "cmake --build"
+
+# Of what tests of embedding need, this system knows two packages.
+action=test
+tests_need="qemu-user gnuplot-nox valgrind"
+knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-multilib ]]'; }
+
+scenario="test, sudo"
+system apt-get dpkg-query sudo c++ cmake ctest ninja
+knows
+run 0 INSTALLED="$needed libassimp-dev zlib1g-dev $tests_need"
+called "apt-get install -qy --no-remove --no-install-recommends g++-multilib clang-19"
+called "ctest --preset release"
+
+scenario="test, sudo, but no network"
+run 0 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev $tests_need"
+says "goes on without g++-multilib clang-19"
+called "ctest --preset release"
+
+scenario="test, neither root nor sudo"
+system apt-get dpkg-query c++ cmake ctest ninja
+knows
+run 0 INSTALLED="$needed libassimp-dev zlib1g-dev $tests_need"
+says "goes on without g++-multilib clang-19"
+not_called apt-get
+called "ctest --preset release"
 
 [[ $failures -eq 0 ]] || exit 1
 echo "All scenarios as expected."

@@ -1,0 +1,22 @@
+# What would make answers wrong and cannot be taken back is refused, by every source of the library.
+needs(g++)
+set(compile g++ -std=c++20 -I ${SHAFTCULL}/include -I ${SHAFTCULL}/kernel -E -o ${WORK}/out)
+set(is_wrong "its answers would be wrong")
+file(GLOB_RECURSE sources ${SHAFTCULL}/kernel/*.cpp)
+foreach(source IN LISTS sources)
+  # Of these some are as isa_scalar.cpp, with flags of their own; the others do not compute with floats.
+  if(NOT source MATCHES "isa_(sse4_2|avx2|avx512).cpp$|run/(arguments|set_bits).cpp$")
+    fails("${is_wrong}" ${compile} -ffast-math ${source})
+  endif()
+endforeach()
+set(header ${SHAFTCULL}/kernel/exact_floats.hpp)
+foreach(part IN ITEMS "-Ofast" "-ffinite-math-only" "-freciprocal-math"
+    "-fassociative-math -fno-signed-zeros -fno-trapping-math")
+  separate_arguments(part)
+  fails("${is_wrong}" ${compile} ${part} ${header})
+endforeach()
+
+needs(g++ -m32)
+set(compile g++ -std=c++20 -m32 -fsyntax-only -x c++)
+fails("on 32-bit x86 compile with -msse2 -mfpmath=sse" ${compile} -mfpmath=387 ${header})
+run(${compile} -msse2 -mfpmath=sse ${header})

@@ -1,0 +1,5 @@
+#include <shaftcull/shaftcull.hpp>
+
+std::size_t boxes_kept(const shaftcull::Shaft& shaft, const shaftcull::BoxTree& tree) {
+  return count(compile(shaft), tree);
+}

@@ -1,0 +1,82 @@
+# What cases do (cases/*.cmake). Given: SHAFTCULL (the sources), BUILD (a build of the same sources), WORK (an empty folder),
+# GENERATOR.
+
+set(client ${CMAKE_CURRENT_LIST_DIR}/client.cpp)
+
+# Ends the case: what it needs is not there.
+macro(skip why)
+  message(FATAL_ERROR "Skipped: ${why}")
+endmacro()
+
+# run(command…): sets `output`, and ends the case if the command fails.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# fails(text command…): the command must fail and say the text.
+function(fails text)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")  # CMake wraps what it says
+  string(FIND "${output}" "${text}" place)
+  if(result EQUAL 0 OR place EQUAL -1)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${result} and did not say \"${text}\":\n${output}")
+  endif()
+endfunction()
+
+# needs(compiler [flag…]): skips the case unless the compiler is there and makes programs with those flags.
+function(needs compiler)
+  find_program(path_of_${compiler} ${compiler})
+  if(NOT path_of_${compiler})
+    skip("there is no ${compiler} on this machine")
+  endif()
+  file(WRITE ${WORK}/probe.cpp "#include <vector>\nint main() { return static_cast<int>(std::vector<int>().size()); }\n")
+  execute_process(COMMAND ${compiler} ${ARGN} probe.cpp -o probe WORKING_DIRECTORY ${WORK}
+    RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " flags)
+    skip("${compiler} ${flags} makes no programs on this machine")
+  endif()
+endfunction()
+
+# configure(compiler [option…]): the parent project, in a folder whose name has a space. Options go to cmake.
+function(configure compiler)
+  run(${CMAKE_COMMAND} --no-warn-unused-cli -S ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/parent -B "${WORK}/a parent"
+    -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${compiler} -D SHAFTCULL=${SHAFTCULL} -D CLIENT=${client} ${ARGN})
+  if(output MATCHES "CMake Warning[^\n]*\n[^\n]*\n[^\n]*\n")
+    message(FATAL_ERROR "configuring warns:\n${CMAKE_MATCH_0}")
+  endif()
+  file(READ "${WORK}/a parent/compile_commands.json" commands)
+  set(commands "${commands}" PARENT_SCOPE)
+endfunction()
+
+# build(): builds what configure() made. The log must hold no warning.
+function(build)
+  run(${CMAKE_COMMAND} --build "${WORK}/a parent" ${ARGN})
+  if(output MATCHES "[^\n]*warning[^\n]*")
+    message(FATAL_ERROR "building warns:\n${output}")
+  endif()
+endfunction()
+
+# answers([text]): the client's answers are those on record; what it prints holds `text`.
+function(answers)
+  run("${WORK}/a parent/client")
+  if(ARGN AND NOT output STREQUAL "${ARGN}")
+    message(FATAL_ERROR "the client prints\n${output}instead of\n${ARGN}")
+  endif()
+endfunction()
+
+# Whether this machine runs AVX-512, as far as the library uses it.
+set(machine_has_avx512 FALSE)
+if(EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo cpu_flags REGEX "^flags" LIMIT_COUNT 1)
+  if(cpu_flags MATCHES "avx512f" AND cpu_flags MATCHES "avx512cd" AND cpu_flags MATCHES "avx512dq"
+     AND cpu_flags MATCHES "avx512bw" AND cpu_flags MATCHES "avx512vl")
+    set(machine_has_avx512 TRUE)
+  endif()
+endif()
