@@ -60,7 +60,7 @@ struct Lanes {
       for (unsigned c = 0; c < 4; ++c) columns[c] = row[c];
       return;
     }
-#ifdef __AVX__
+#ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 8) {
       __m256 row[4];  // i, and i + 4 in the upper half
       for (unsigned i = 0; i < 4; ++i) {
