@@ -298,6 +298,11 @@ Expansion<16> scaled_gap(const Gap& gap, const Ratio& t) noexcept {
   return gap.exact_start() * t.denominator + gap.exact_slope() * t.numerator;
 }
 
+/// Terms that a sum of degree four in floats and differences of them has at most, however many are added up: its terms
+/// are multiples of 2⁻⁵⁹⁶ below 2⁵²⁴ and do not overlap, so that no two share a bit. It is what keeps them on a small
+/// stack.
+constexpr std::size_t most_terms = 596 + 524;
+
 /// Sign of f′(t), exactly.
 int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
   Expansion<6 * 64> sum;
@@ -312,7 +317,7 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
 
 /// Whether f(t) > r², exactly.
 bool farther_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
-  Expansion<6 * 512 + 16> sum;
+  Expansion<most_terms> sum;
   for (unsigned g = 0; g < gaps.count; ++g) {
     const auto gap = scaled_gap(gaps.gap[g], t);
     if (gap.sign() <= 0) continue;
@@ -355,7 +360,7 @@ bool exactly_outside(const Gaps& gaps, double radius) noexcept {
     if (scaled_gap(gaps.gap[g], low).sign() > 0 || scaled_gap(gaps.gap[g], high).sign() > 0)
       active[count++] = &gaps.gap[g];
   }
-  Expansion<15 * 512 + 6 * 32> sum;
+  Expansion<most_terms> sum;
   for (unsigned g = 0; g < count; ++g) {
     const auto start = active[g]->exact_start();
     const auto slope = active[g]->exact_slope();
