@@ -21,4 +21,9 @@ inline std::string counted(std::size_t count, const char* noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+/// "1 index", "2 indices".
+inline std::string counted_indices(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " index" : " indices");
+}
+
 }  // namespace shaftcull::kernel

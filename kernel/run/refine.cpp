@@ -13,6 +13,7 @@
 #include "run/parallel.hpp"
 #include "shaftcull/error.hpp"
 #include "test/kernels.hpp"
+#include "text.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
@@ -43,8 +44,8 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
   kernel::require_view(view);
   kernel::require_below("candidates", candidates, view.count);
   if (kept.size() < candidates.size()) {
-    throw InvalidArgument("refine: kept has room for " + std::to_string(kept.size()) +
-                          " indices; it needs as much as the " + std::to_string(candidates.size()) + " candidates");
+    throw InvalidArgument("refine: kept has room for " + kernel::counted_indices(kept.size()) +
+                          "; it needs as much as the " + kernel::counted(candidates.size(), "candidate"));
   }
   kernel::require_memory("kept", kept, "indices");
   if (kept.data() != candidates.data()) {  // the same beginning is fine: see below

@@ -9,6 +9,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"
 #include "test/kernels.hpp"
+#include "text.hpp"
 #include "tree/parts.hpp"
 #include "tree/visitors.hpp"
 #include "tree/walk.hpp"
@@ -34,14 +35,13 @@ class Query {
       require_answers(shafts[s], true, question == Question::kept_and_inside, std::is_same_v<Bound, Sphere>, s);
     }
     if (own_per_shaft_ * shafts.size() != own_.size()) {
-      throw InvalidArgument("excluding.own has " + std::to_string(own_.size()) +
-                            " indices, which is not a multiple of the " + std::to_string(shafts.size()) +
-                            " shafts; each needs as many");
+      throw InvalidArgument("excluding.own has " + counted_indices(own_.size()) + ", which is not a multiple of the " +
+                            counted(shafts.size(), "shaft") + "; each needs as many");
     }
     require_below("excluding.own", own_, parts_.size);
     if (!mask_.empty() && mask_.size() != words_for(parts_.size)) {
-      throw InvalidArgument("excluding.mask has " + std::to_string(mask_.size()) + " words; " +
-                            std::to_string(parts_.size) + " bounds take " + std::to_string(words_for(parts_.size)));
+      throw InvalidArgument("excluding.mask has " + counted(mask_.size(), "word") + "; the bits of " +
+                            counted(parts_.size, "bound") + " take " + std::to_string(words_for(parts_.size)));
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "run/arguments.hpp"
 #include "shaftcull/error.hpp"
+#include "text.hpp"
 #include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {
@@ -15,7 +16,7 @@ constexpr std::size_t block_leaves = gap_leaves;
 
 void require_count(std::size_t count, std::size_t size) {
   if (count == size) return;
-  throw InvalidArgument("update of a tree of " + std::to_string(size) + " bounds got " + std::to_string(count) +
+  throw InvalidArgument("update of a tree of " + counted(size, "bound") + " got " + std::to_string(count) +
                         "; give one for each, or the indices of those that changed");
 }
 
@@ -52,8 +53,8 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
 template <class Bound, class Index, class Source>
 void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices, const Source& source) {
   if (indices.size() != source.count()) {
-    throw InvalidArgument("update got " + std::to_string(indices.size()) + " indices and " +
-                          std::to_string(source.count()) + " bounds; every index needs one bound");
+    throw InvalidArgument("update got " + counted_indices(indices.size()) + " and " + counted(source.count(), "bound") +
+                          "; every index needs one bound");
   }
   require_below("update: indices", indices, parts.size);
   require_other_memory(parts, source);

@@ -95,9 +95,13 @@ TEST(TreeErrors, SizesAndIndicesMustFit) {
   BoxTree tree{std::span<const Box>(boxes(100))};
   const std::vector<Box> some = boxes(3);
   EXPECT_THAT(message_of([&] { tree.update(std::span<const Box>(some)); }), HasSubstr("a tree of 100 bounds got 3"));
+  BoxTree one{std::span<const Box>(boxes(1))};
+  EXPECT_THAT(message_of([&] { one.update(std::span<const Box>(some)); }), HasSubstr("a tree of 1 bound got 3"));
   std::vector<std::uint32_t> indices = {1, 2};
   EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }),
               HasSubstr("2 indices and 3 bounds"));
+  indices = {1};
+  EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }), HasSubstr("1 index and 3 bounds"));
   indices = {1, 100, 2};
   EXPECT_THAT(message_of([&] { tree.update(indices, std::span<const Box>(some)); }),
               HasSubstr("indices[1] = 100 is not below the number of bounds, 100"));
@@ -140,7 +144,7 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = three}); }),
               HasSubstr("3 indices, which is not a multiple of the 2 shafts"));
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }),
-              HasSubstr("100 bounds take 2"));
+              HasSubstr("excluding.mask has 1 word; the bits of 100 bounds take 2"));
   counts.resize(3);
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("room for 3 counts; 2 shafts"));
 }
@@ -163,7 +167,7 @@ TEST(TreeErrors, CandidatesMustExistAndFit) {
               HasSubstr("candidates[2] = 100"));
   candidates.pop_back();
   kept.resize(1);
-  EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("room for 1 indices"));
+  EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("room for 1 index; "));
 }
 
 }  // namespace
