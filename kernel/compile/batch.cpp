@@ -9,6 +9,7 @@
 #include "shaftcull/compiled.hpp"
 #include "streams/four.hpp"
 #include "test/kernels.hpp"
+#include "text.hpp"
 
 namespace shaftcull {
 namespace {
@@ -100,9 +101,8 @@ class PlanesOfBoxes {
       : planes_(planes.data()) {
     if (planes.empty()) return;
     if (boxes == 0 || planes.size() % boxes != 0) {
-      throw InvalidArgument("planes." + std::string(name) + " has " + std::to_string(planes.size()) +
-                            " planes, which are not equally many for each of " + std::to_string(boxes) + " boxes " +
-                            name);
+      throw InvalidArgument("planes." + std::string(name) + " has " + kernel::counted(planes.size(), "plane") +
+                            ", not equally many for each of " + std::to_string(boxes) + " boxes " + name);
     }
     each_ = planes.size() / boxes;
     if (kernels.all_planes_usable(planes.data(), planes.size())) return;

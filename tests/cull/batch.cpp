@@ -209,8 +209,8 @@ TEST(CompileBatch, BadPlanesAreNamed) {
   const auto refusal = [&](const std::vector<Plane>& of_a, const std::vector<Plane>& of_b) {
     return refusal_of({{0, 0}}, {.a = of_a, .b = of_b}, 1);
   };
-  EXPECT_EQ(refusal({good, good, good}, {}), "planes.a has 3 planes, which are not equally many for each of 2 boxes a");
-  EXPECT_EQ(refusal({}, {good}), "planes.b has 1 planes, which are not equally many for each of 3 boxes b");
+  EXPECT_EQ(refusal({good, good, good}, {}), "planes.a has 3 planes, not equally many for each of 2 boxes a");
+  EXPECT_EQ(refusal({}, {good}), "planes.b has 1 plane, not equally many for each of 3 boxes b");
   EXPECT_EQ(refusal(std::vector<Plane>(20, good), std::vector<Plane>(21, good)),
             "a shaft has room for 16 added planes, not for 10 of box a and 7 of box b");
   EXPECT_EQ(refusal({}, {good, good, {{0, NAN, 0}, 1}}), "planes.b[2]: normal.y = nan; it must be finite");
