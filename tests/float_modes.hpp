@@ -15,6 +15,7 @@ inline constexpr Mode modes[] = {
 
 /// The bits that say the mode; the others say what has happened.
 inline constexpr unsigned control_bits = 0xffc0;
+inline constexpr unsigned flag_bits = 0x3f;
 
 /// Runs in a mode until the end of the scope.
 class InMode {

@@ -9,7 +9,6 @@
 
 #include "compile/slab.hpp"
 #include "shaftcull/compiled.hpp"
-#include "simd/float_environment.hpp"
 
 namespace shaftcull::kernel {
 
@@ -114,7 +113,6 @@ const float* floats_of(const Plane* plane) noexcept {
 /// Whether every plane is finite and has a normal that is not zero.
 template <class L>
 bool all_planes_usable(const Plane* planes, std::size_t count) noexcept {
-  const FloatEnvironment<L> environment;
   const auto most = L::all(__FLT_MAX__);
   bool usable = true;
   for (std::size_t i = 0; i < count; i += L::width) {
@@ -142,7 +140,6 @@ bool all_planes_usable(const Plane* planes, std::size_t count) noexcept {
 template <class L>
 void add_planes(const float* const* a, const float* const* b, const Plane* const* planes, std::size_t planes_each,
                 std::size_t count, CompiledShaft* out) noexcept {
-  const FloatEnvironment<L> environment;
   typename L::Vector face[6];
   const float* plane[L::width];
   std::size_t i = 0;

@@ -7,6 +7,7 @@
 #include "formation/usable_plane.hpp"
 #include "run/arguments.hpp"
 #include "shaftcull/compiled.hpp"
+#include "simd/float_environment.hpp"
 #include "streams/four.hpp"
 #include "test/kernels.hpp"
 #include "text.hpp"
@@ -157,6 +158,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
                           std::to_string(out.size()));
   }
   require_memory(a, b, out, planes);
+  const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
   const PlanesOfPairs added(kernels, planes, a.count, b.count);
   const auto reject = [&] {
@@ -187,6 +189,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair
   require_memory(a, b, out, planes);
   kernel::require_memory("pairs", pairs, "pairs");
   require_indices(pairs, a.count, b.count);
+  const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
   const PlanesOfPairs added(kernels, planes, a.count, b.count);
   require_pairs(kernels, a, b, pairs);

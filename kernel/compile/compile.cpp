@@ -9,12 +9,7 @@
 namespace shaftcull {
 namespace {
 
-struct CompileEnvironment {};
-
-}  // namespace
-
-CompiledShaft compile(const Shaft& shaft) noexcept {
-  const kernel::FloatEnvironment<CompileEnvironment> environment;
+CompiledShaft compile_formed(const Shaft& shaft) noexcept {
   CompiledShaft compiled;  // arrays stay unwritten past their counts
   const float* a[6];
   const float* b[6];
@@ -35,17 +30,26 @@ CompiledShaft compile(const Shaft& shaft) noexcept {
   return compiled;
 }
 
+}  // namespace
+
+CompiledShaft compile(const Shaft& shaft) noexcept {
+  return kernel::in_float_environment([&] { return compile_formed(shaft); });
+}
+
 CompiledShaft compile(const Box& a, const Box& b) {
   CompiledShaft compiled;
-  const bool is_formed = kernel::active_kernels().compile_pair(a, b, compiled);
+  const bool is_formed = [&] {
+    const kernel::FloatEnvironment environment;
+    return kernel::active_kernels().compile_pair(a, b, compiled);
+  }();
   if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
   return compiled;
 }
 
 void complete(CompiledShaft& shaft) noexcept {
   if (shaft.has_planes()) return;
-  const kernel::FloatEnvironment<CompileEnvironment> environment;
-  kernel::compile_joining_planes(Shaft(shaft.a, shaft.b).joining_planes(), shaft);
+  kernel::in_float_environment(
+      [&] { kernel::compile_joining_planes(Shaft(shaft.a, shaft.b).joining_planes(), shaft); });
 }
 
 }  // namespace shaftcull

@@ -12,7 +12,6 @@
 
 #include "compile/slab.hpp"
 #include "shaftcull/compiled.hpp"
-#include "simd/float_environment.hpp"
 #include "mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -57,7 +56,6 @@ static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * sn
 /// The frame around shafts.
 template <class L>
 [[nodiscard]] GridFrame grid_frame(const CompiledShaft* shafts, std::size_t count) noexcept {
-  const FloatEnvironment<L> environment;
   float least[6];  // of all faces' coordinates, and from 3 on of their negatives
   for (float& each : least) each = __builtin_inff();
   float reach = 0;
@@ -229,7 +227,6 @@ void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridF
 /// Makes out[i] of shafts[i].
 template <class L>
 void form_grid_shafts(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept {
-  const FloatEnvironment<L> environment;
   for (std::size_t s = 0; s < count; s += L::width) {
     const CompiledShaft* shaft[L::width];
     GridShaft* grid[L::width];

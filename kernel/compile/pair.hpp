@@ -6,7 +6,6 @@
 
 #include "compile/slab.hpp"
 #include "simd/eight.hpp"
-#include "simd/float_environment.hpp"
 #include "simd/portable_eight.hpp"
 
 namespace shaftcull::kernel {
@@ -27,7 +26,6 @@ template <class L>
 bool compile_pair(const Box& a, const Box& b, CompiledShaft& out) noexcept {
   using Eight = typename EightOf<L>::Type;
   using Vector = typename Eight::Vector;
-  const FloatEnvironment<L> environment;
 
   // The last two lanes repeat faces, which changes no minimum or maximum.
   const Vector p = Eight::load_faces(&a);

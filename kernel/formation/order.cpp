@@ -7,6 +7,7 @@
 
 #include "formation/rule.hpp"
 #include "formation/trimmed_box.hpp"
+#include "simd/float_environment.hpp"
 
 namespace shaftcull {
 namespace kernel {
@@ -94,12 +95,9 @@ void sort_planes(const Box& a, const Box& b, PlaneOrder order, std::span<Joining
 
 }  // namespace kernel
 
-double culled_volume(const Box& box, const JoiningPlane& plane) {
-  if (plane.red >= kernel::face_count || plane.blue >= kernel::face_count ||
-      kernel::axis_of(plane.red) == kernel::axis_of(plane.blue)) {
-    throw InvalidArgument("culled_volume: faces red = " + std::to_string(plane.red) + " and blue = " +
-                          std::to_string(plane.blue) + " do not meet in an edge; faces are 0 to 5, and f and f + 3 opposite");
-  }
+namespace {
+
+double volume_beyond(const Box& box, const JoiningPlane& plane) noexcept {
   const kernel::Faces6 faces = kernel::positions(box);
   const unsigned i = kernel::axis_of(plane.red);
   const unsigned j = kernel::axis_of(plane.blue);
@@ -121,6 +119,17 @@ double culled_volume(const Box& box, const JoiningPlane& plane) {
   const double within =
       1 - kernel::beyond_squared(width, red_leg) - kernel::beyond_squared(height, blue_leg) + both * both;
   return red_leg * blue_leg / 2 * within * extent(k);
+}
+
+}  // namespace
+
+double culled_volume(const Box& box, const JoiningPlane& plane) {
+  if (plane.red >= kernel::face_count || plane.blue >= kernel::face_count ||
+      kernel::axis_of(plane.red) == kernel::axis_of(plane.blue)) {
+    throw InvalidArgument("culled_volume: faces red = " + std::to_string(plane.red) + " and blue = " +
+                          std::to_string(plane.blue) + " do not meet in an edge; faces are 0 to 5, and f and f + 3 opposite");
+  }
+  return kernel::in_float_environment([&] { return volume_beyond(box, plane); });
 }
 
 }  // namespace shaftcull

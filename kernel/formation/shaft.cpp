@@ -18,8 +18,6 @@ namespace {
 
 using kernel::text;
 
-struct FormationEnvironment {};
-
 /// Throws unless `box`, called `name` in messages, is finite with lo ≤ hi.
 void require_finite(const Box& box, const char* name) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -42,42 +40,43 @@ void require_finite(const Box& box, const char* name) {
 }  // namespace
 
 Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b_(b), options_(options) {
-  const kernel::FloatEnvironment<FormationEnvironment> environment;
-  require_finite(a, "a");
-  require_finite(b, "b");
-  if (!options.outside && !options.inside) {
-    throw InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both");
-  }
-  if (options.order > PlaneOrder::by_added_volume) {
-    throw InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume");
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    box_.lo[k] = std::min(a.lo[k], b.lo[k]);
-    box_.hi[k] = std::max(a.hi[k], b.hi[k]);
-  }
-
-  const kernel::Faces6 a_faces = kernel::positions(a);
-  const kernel::Faces6 b_faces = kernel::positions(b);
-  const auto join_all = [&](const kernel::JoinedEdges& edges) {
-    for (std::size_t i = 0; i < edges.count; ++i) {
-      joining_[i] = kernel::join(a_faces, b_faces, edges.edge[i], options.spheres);
+  kernel::in_float_environment([&] {
+    require_finite(a, "a");
+    require_finite(b, "b");
+    if (!options.outside && !options.inside) {
+      throw InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both");
     }
-    joining_count_ = edges.count;
-  };
-  switch (options.formation) {
-    case Formation::search:
-      join_all(kernel::search_edges(a_faces, b_faces));
-      break;
-    case Formation::table64:
-      join_all(kernel::table64_edges(a_faces, b_faces));
-      break;
-    case Formation::table729:
-      join_all(kernel::table729_edges(a_faces, b_faces));
-      break;
-    default:
-      throw InvalidArgument("ShaftOptions::formation is none of search, table64 and table729");
-  }
-  kernel::sort_planes(a, b, options.order, {joining_.data(), joining_count_});
+    if (options.order > PlaneOrder::by_added_volume) {
+      throw InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume");
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      box_.lo[k] = std::min(a.lo[k], b.lo[k]);
+      box_.hi[k] = std::max(a.hi[k], b.hi[k]);
+    }
+
+    const kernel::Faces6 a_faces = kernel::positions(a);
+    const kernel::Faces6 b_faces = kernel::positions(b);
+    const auto join_all = [&](const kernel::JoinedEdges& edges) {
+      for (std::size_t i = 0; i < edges.count; ++i) {
+        joining_[i] = kernel::join(a_faces, b_faces, edges.edge[i], options.spheres);
+      }
+      joining_count_ = edges.count;
+    };
+    switch (options.formation) {
+      case Formation::search:
+        join_all(kernel::search_edges(a_faces, b_faces));
+        break;
+      case Formation::table64:
+        join_all(kernel::table64_edges(a_faces, b_faces));
+        break;
+      case Formation::table729:
+        join_all(kernel::table729_edges(a_faces, b_faces));
+        break;
+      default:
+        throw InvalidArgument("ShaftOptions::formation is none of search, table64 and table729");
+    }
+    kernel::sort_planes(a, b, options.order, {joining_.data(), joining_count_});
+  });
 }
 
 void kernel::require_usable(const Plane& plane, const PlaneName& name) {
@@ -94,8 +93,7 @@ void kernel::require_usable(const Plane& plane, const PlaneName& name) {
 }
 
 void Shaft::add_plane(const Plane& plane) {
-  const kernel::FloatEnvironment<FormationEnvironment> environment;
-  kernel::require_usable(plane, {"added plane ", added_count_, ""});
+  kernel::in_float_environment([&] { kernel::require_usable(plane, {"added plane ", added_count_, ""}); });
   if (added_count_ == max_added_planes) {
     throw InvalidArgument("added plane " + std::to_string(added_count_) + ": a shaft has room for " +
                           std::to_string(max_added_planes) + " added planes only");

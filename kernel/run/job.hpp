@@ -13,6 +13,7 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
+#include "simd/float_environment.hpp"
 #include "test/kernels.hpp"
 #include "test/word.hpp"
 
@@ -78,7 +79,9 @@ class Job {
   static constexpr std::size_t fewest_for_boxes = 5;
 
   void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts, std::size_t bounds) const noexcept {
-    if (form_ != Form::planes) group.form(kernels_.grid, shafts, bounds, is_sphere);
+    if (form_ == Form::planes) return;
+    const FloatEnvironment environment;
+    group.form(kernels_.grid, shafts, bounds, is_sphere);
   }
 
   void test_tile_in_floats(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {

@@ -1,19 +1,25 @@
 /// Parallel loops and pipelines: the only place that knows oneTBB, which SHAFTCULL_WITH_TBB turns on.
 ///
-/// Everything runs inside the caller's task_arena, and exceptions reach the caller. A loop or pipeline that a public call
-/// starts is apart from the caller's own tasks in both directions:
+/// Everything runs inside the caller's task_arena, and exceptions reach the caller. A loop or pipeline that a public
+/// call starts is apart from the caller's own tasks in both directions:
 ///
 /// * Its task_group_context is its own. A caller's cancelled group would otherwise cancel the loop, which then returns
 ///   without having done its work.
-/// * It is isolated. A thread that waits for the loop would otherwise take another of the caller's tasks meanwhile, in the
+/// * It is isolated. A thread that waits for the loop would otherwise take another of the caller's tasks meanwhile, in
+/// the
 ///   middle of the one that made the call.
 ///
-/// Loops within its tasks (parallel_for_nested()) share both, so that all of a call's threads help with them. Without oneTBB
-/// the same calls are made one after the other.
+/// Bodies of loops and the work of pipelines run in the standard floating-point modes (simd/float_environment.hpp);
+/// what a pipeline delivers is delivered in the caller's.
+///
+/// Loops within a loop's tasks (parallel_for_nested()) share context and isolation, so that all of a call's threads
+/// help with them. Without oneTBB the same calls are made one after the other.
 #pragma once
 
 #include <cstddef>
 #include <new>
+
+#include "simd/float_environment.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/blocked_range2d.h>
@@ -33,17 +39,18 @@ template <class T>
 class LineAllocator {
  public:
   [[nodiscard]] T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t{64}));
+    return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64}));
   }
-  void deallocate(T* items, std::size_t /*count*/) noexcept { ::operator delete(items, std::align_val_t{64}); }
+  void deallocate(T* items, std::size_t /*count*/) noexcept { ::operator delete (items, std::align_val_t{64}); }
 };
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 
-/// Allocates memory that tasks fill and others read: oneTBB's allocator gives it again to the next call, where that of the
-/// C library hands it back to the system, and page faults cost more than the copying.
+/// Allocates memory that tasks fill and others read: oneTBB's allocator gives it again to the next call, where that of
+/// the C library hands it back to the system, and page faults cost more than the copying.
 ///
-/// ThreadSanitizer does not see oneTBB's hand memory from a thread that is done with it to the next one, and knows that of the C library.
+/// ThreadSanitizer does not see oneTBB's hand memory from a thread that is done with it to the next one, and knows that
+/// of the C library.
 #ifdef SHAFTCULL_THREAD_SANITIZER
 template <class T>
 using TaskAllocator = LineAllocator<T>;
@@ -63,7 +70,8 @@ void apart_from_caller(const Start& start) {
   tbb::this_task_arena::isolate([&] { start(context); });
 }
 
-/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order. `how` is what oneTBB gets besides.
+/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order. `how` is what oneTBB gets
+/// besides.
 template <class Body, class... How>
 void run_loop(std::size_t rows, std::size_t columns, const Body& body, How&... how) {
   Handover started;
@@ -73,18 +81,20 @@ void run_loop(std::size_t rows, std::size_t columns, const Body& body, How&... h
   const auto work_on = [&](const auto& range) {
     started.take();
     const GiveAtEnd one_finished(finished);
-    for (std::size_t row = range.rows().begin(); row != range.rows().end(); ++row) {
-      for (std::size_t column = range.cols().begin(); column != range.cols().end(); ++column) body(row, column);
-    }
+    in_float_environment([&] {
+      for (std::size_t row = range.rows().begin(); row != range.rows().end(); ++row) {
+        for (std::size_t column = range.cols().begin(); column != range.cols().end(); ++column) body(row, column);
+      }
+    });
   };
   tbb::parallel_for(tbb::blocked_range2d<std::size_t>(0, rows, 1, 0, columns, 1), work_on, how...);
 }
 
-/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order, apart from the caller's tasks. A
-/// single one is called as it is: its body must not start nested loops.
+/// Calls body(row, column) for all of rows × columns, in parallel and in no particular order, apart from the caller's
+/// tasks. A single one is called as it is: its body must not start nested loops.
 template <class Body>
 void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
-  if (rows == 1 && columns == 1) return body(std::size_t{0}, std::size_t{0});
+  if (rows == 1 && columns == 1) return in_float_environment([&] { body(std::size_t{0}, std::size_t{0}); });
   if (rows == 0 || columns == 0) return;
   apart_from_caller([&](tbb::task_group_context& context) { run_loop(rows, columns, body, context); });
 }
@@ -124,7 +134,7 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
     started.take();
     emptied[i % slots].take();
     const GiveAtEnd one_finished(finished);
-    work(i, i % slots);
+    in_float_environment([&] { work(i, i % slots); });
     worked[i % slots].give();
     return i;
   };
@@ -152,9 +162,11 @@ using TaskAllocator = LineAllocator<T>;
 
 template <class Body>
 void parallel_for(std::size_t rows, std::size_t columns, const Body& body) {
-  for (std::size_t row = 0; row != rows; ++row) {
-    for (std::size_t column = 0; column != columns; ++column) body(row, column);
-  }
+  in_float_environment([&] {
+    for (std::size_t row = 0; row != rows; ++row) {
+      for (std::size_t column = 0; column != columns; ++column) body(row, column);
+    }
+  });
 }
 
 template <class Body>
@@ -165,7 +177,7 @@ void parallel_for_nested(std::size_t rows, std::size_t columns, const Body& body
 template <class Work, class Deliver>
 void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, const Deliver& deliver) {
   for (std::size_t i = 0; i != count; ++i) {
-    work(i, i % slots);
+    in_float_environment([&] { work(i, i % slots); });
     deliver(i, i % slots);
   }
 }

@@ -12,6 +12,7 @@
 #include "run/list_memory.hpp"
 #include "run/parallel.hpp"
 #include "shaftcull/error.hpp"
+#include "simd/float_environment.hpp"
 #include "test/kernels.hpp"
 #include "text.hpp"
 
@@ -55,6 +56,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
   kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);  // for all blocks
   CompiledShaft ready = shaft;  // planes once, not block by block
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
+  const kernel::FloatEnvironment environment;
   constexpr std::size_t block = 1024;
   float memory[rows_of<View>][block];
   std::array<float*, rows_of<View>> row;

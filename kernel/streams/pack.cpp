@@ -96,8 +96,6 @@ std::string SphereReader::fault(std::size_t i) const {
 
 namespace {
 
-struct PackEnvironment {};
-
 /// Throws BadBound for the first illegal record.
 template <class Reader>
 void require_legal(const Reader& reader) {
@@ -108,7 +106,6 @@ void require_legal(const Reader& reader) {
 
 template <class Reader>
 void pack_all(const Reader& reader, std::size_t first, std::size_t size, const StreamMemory& memory) {
-  const FloatEnvironment<PackEnvironment> environment;
   const std::size_t count = reader.count();
   if (first > size || count > size - first) {
     throw InvalidArgument("update of " + std::to_string(count) + " " + (count == 1 ? Reader::noun : Reader::nouns) +
@@ -118,10 +115,12 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
   if (reader.overlaps(bytes_of(memory.row(0), Reader::rows * memory.row_length()))) {
     refuse_shared_memory("update", "the records", "the stream");
   }
-  require_legal(reader);
-  float* row[Reader::rows];
-  for (std::size_t k = 0; k < Reader::rows; ++k) row[k] = memory.row(k) + first;
-  read_rows(reader, InOrder{0}, count, row);
+  in_float_environment([&] {
+    require_legal(reader);
+    float* row[Reader::rows];
+    for (std::size_t k = 0; k < Reader::rows; ++k) row[k] = memory.row(k) + first;
+    read_rows(reader, InOrder{0}, count, row);
+  });
 }
 
 }  // namespace

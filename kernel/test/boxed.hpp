@@ -1,7 +1,6 @@
 /// The boxes around spheres: what the slab form tests first.
 #pragma once
 
-#include "simd/float_environment.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
@@ -10,7 +9,6 @@ namespace shaftcull::kernel {
 /// of everything.
 template <class L>
 void box_spheres(const float* const* sphere, std::size_t count, float* const* box) noexcept {
-  const FloatEnvironment<L> environment;
   const auto zero = L::all(0.0F);
   const auto minus_infinity = L::all(-__builtin_inff());
   const auto box_word = [&](const auto& word, std::size_t at) {

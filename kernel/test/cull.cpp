@@ -1,6 +1,7 @@
 #include "shaftcull/cull.hpp"
 
 #include "run/arguments.hpp"
+#include "simd/float_environment.hpp"
 #include "test/kernels.hpp"
 
 namespace shaftcull {
@@ -16,6 +17,7 @@ void cull_view(const CompiledShaft& shaft, const View& view, std::span<std::uint
   kernel::require_view(view);
   kernel::require_words("kept", kept, view.count);
   if (view.count == 0) return;
+  const kernel::FloatEnvironment environment;
   kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), nullptr);
 }
 
@@ -29,6 +31,7 @@ void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::
   kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
   kernel::require_apart("classify", "kept", kernel::bytes_of(kept), "inside", kernel::bytes_of(inside));
+  const kernel::FloatEnvironment environment;
   kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), inside.data());
 }
 
@@ -38,6 +41,7 @@ void contain_view(const CompiledShaft& shaft, const View& view, std::span<std::u
   kernel::require_view(view);
   kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
+  const kernel::FloatEnvironment environment;
   kernel::active_kernels().test(view, Form::planes)(shaft, view.stream.data(), view.count, nullptr, inside.data());
 }
 

@@ -4,7 +4,6 @@
 #include "compile/added.hpp"
 #include "compile/pair.hpp"
 #include "shaftcull/cull.hpp"
-#include "simd/float_environment.hpp"
 #include "test/box_planes.hpp"
 #include "test/box_slab.hpp"
 #include "test/boxed.hpp"
@@ -211,7 +210,6 @@ class Ready {
 template <class L, class Stages>
 void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                  std::uint64_t* inside) noexcept {
-  const FloatEnvironment<L> environment;
   const Ready<L> ready(shaft, inside != nullptr || Stages::cull_needs_planes(shaft));
 
   const float* at[Stages::streams];
@@ -231,7 +229,6 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
 template <class L, class Stages>
 void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                     std::uint64_t* inside) noexcept {
-  const FloatEnvironment<L> environment;
   const Ready<L> ready(shaft, inside != nullptr);
   Stages::settle(ready.shaft(), stream, count, kept);
   if (inside != nullptr) Stages::contain(ready.shaft(), stream, count, kept, inside);
@@ -240,7 +237,6 @@ void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std:
 /// Forms shafts in batches, as Kernels has it.
 template <class L>
 bool compile_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
-  const FloatEnvironment<L> environment;
   if (!all_finite<L>(a, count) || !all_finite<L>(b, count)) return false;
   compile_slabs<L>(a, b, count, out);
   return true;
@@ -249,14 +245,12 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
 /// As Kernels has it.
 template <class L>
 void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
-  const FloatEnvironment<L> environment;
   compile_slabs<L>(a, b, count, out);
 }
 
 /// As Kernels has it.
 template <class L>
 bool all_boxes_finite(const float* const* box, std::size_t count) noexcept {
-  const FloatEnvironment<L> environment;
   return all_finite<L>(box, count);
 }
 

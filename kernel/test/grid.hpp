@@ -2,7 +2,6 @@
 #pragma once
 
 #include "compile/grid.hpp"
-#include "simd/float_environment.hpp"
 #include "test/box_slab.hpp"
 #include "test/few_outside.hpp"
 #include "test/kernels.hpp"
@@ -14,7 +13,6 @@ namespace shaftcull::kernel {
 /// beyond everything.
 template <class L>
 void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept {
-  const FloatEnvironment<L> environment;
   const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
   const auto top = L::all(grid_top);
   const auto bottom = L::all(-grid_top);
@@ -116,7 +114,6 @@ std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* strea
 template <class L>
 void decide_on_grid(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
                     const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept {
-  const FloatEnvironment<L> environment;
   for (std::size_t u = 0; u < words; ++u) {
     const CompiledShaft& its_shaft = *shaft[undecided[u].shaft];
     const std::size_t word = undecided[u].word;

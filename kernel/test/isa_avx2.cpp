@@ -9,5 +9,5 @@
 #include "simd/shorts.hpp"
 #include "test/driver.hpp"
 
-const shaftcull::kernel::Kernels shaftcull::kernel::avx2_kernels = kernels_for<Lanes<xsimd::fma3<xsimd::avx2>>>;
+constinit const shaftcull::kernel::Kernels shaftcull::kernel::avx2_kernels = kernels_for<Lanes<xsimd::fma3<xsimd::avx2>>>;
 #endif

@@ -9,5 +9,5 @@
 #include "test/driver.hpp"
 
 // Formation transposes eight lanes at a time and is a quarter faster on vectors of eight.
-const shaftcull::kernel::Kernels shaftcull::kernel::avx512_kernels =
+constinit const shaftcull::kernel::Kernels shaftcull::kernel::avx512_kernels =
     kernels_for<Lanes<xsimd::avx512bw>, Lanes<xsimd::fma3<xsimd::avx2>>>;

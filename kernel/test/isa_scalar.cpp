@@ -2,4 +2,4 @@
 #include "simd/scalar.hpp"
 #include "test/driver.hpp"
 
-const shaftcull::kernel::Kernels shaftcull::kernel::scalar_kernels = kernels_for<ScalarLanes>;
+constinit const shaftcull::kernel::Kernels shaftcull::kernel::scalar_kernels = kernels_for<ScalarLanes>;

@@ -6,5 +6,5 @@
 #include "simd/shorts.hpp"
 #include "test/driver.hpp"
 
-const shaftcull::kernel::Kernels shaftcull::kernel::sse4_2_kernels = kernels_for<Lanes<xsimd::sse4_2>>;
+constinit const shaftcull::kernel::Kernels shaftcull::kernel::sse4_2_kernels = kernels_for<Lanes<xsimd::sse4_2>>;
 #endif

@@ -1,7 +1,6 @@
 /// Halving entries of a bounds tree: one pass without a branch that depends on a key.
 #pragma once
 
-#include "simd/float_environment.hpp"
 #include "test/pivot.hpp"
 
 namespace shaftcull::kernel {
@@ -52,7 +51,6 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
 /// As SplitKernels::whole.
 template <class L, unsigned streams>
 void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
-  const FloatEnvironment<L> environment;
   constexpr std::size_t few = 1024;  // the same for all, since the axis depends on it
   const Halving halving = count <= few ? halving_of_few<L>(from, count, first_half)
                                        : halving_of_many<L>(from, count, first_half, to);
@@ -115,7 +113,6 @@ class Group {
 template <class L, unsigned streams>
 void deal(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally,
           float* const* less, float* const* equal, float* const* larger) noexcept {
-  const FloatEnvironment<L> environment;
   const bool are_apart = equal != nullptr;
   const float next = are_apart ? next_key<L>(pivot) : pivot;
   Group<L, streams> lesses(less, tally.less);
@@ -145,22 +142,18 @@ inline constexpr SplitKernels split_kernels = {
     .whole = split_entries<L, streams>,
     .bracket =
         [](const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
-          const FloatEnvironment<L> environment;
           return bracket_of<L>(entry, count, rank, room);
         },
     .collect =
         [](const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept {
-          const FloatEnvironment<L> environment;
           return collect<L>(key, count, bracket, some);
         },
     .pivot =
         [](const float* key, std::size_t count, std::size_t rank) noexcept {
-          const FloatEnvironment<L> environment;
           return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key;
         },
     .tally =
         [](const float* key, std::size_t count, float pivot) noexcept {
-          const FloatEnvironment<L> environment;
           const std::size_t less = count_less<L>(key, count, pivot);
           return Tally{less, count_less<L>(key, count, next_key<L>(pivot)) - less};
         },

@@ -1,7 +1,6 @@
 /// Boxes around whole words of bounds: the nodes of a bounds tree.
 #pragma once
 
-#include "simd/float_environment.hpp"
 #include "test/word.hpp"
 
 namespace shaftcull::kernel {
@@ -9,7 +8,6 @@ namespace shaftcull::kernel {
 /// As Unite in kernels.hpp, for boxes: smallest lo, largest hi.
 template <class L>
 std::uint64_t unite_boxes(const float* const* stream, std::size_t words, float* const* node) noexcept {
-  const FloatEnvironment<L> environment;
   std::uint64_t gaps = 0;
   for (std::size_t w = 0; w < words; ++w) {
     const std::size_t at = w * word_bits;
@@ -49,7 +47,6 @@ float rounding_of(float x) noexcept {
 /// negative radius) is left out.
 template <class L>
 std::uint64_t unite_spheres(const float* const* stream, std::size_t words, float* const* node) noexcept {
-  const FloatEnvironment<L> environment;
   const auto zero = L::all(0.0F);
   const auto minus_infinity = L::all(-__builtin_inff());
   std::uint64_t gaps = 0;

@@ -1,7 +1,6 @@
 /// Whole words of bounds, wherever they lie: what a walk through a bounds tree asks at each level.
 #pragma once
 
-#include "simd/float_environment.hpp"
 #include "test/box_slab.hpp"
 #include "test/kernels.hpp"
 #include "test/spheres.hpp"
@@ -69,7 +68,6 @@ void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, c
 template <class L, class Stages>
 void test_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
                        std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
-  const FloatEnvironment<L> environment;
   cull_listed_words<L, Stages>(shaft, stream, word, words, kept);
   if (inside == nullptr) return;
   for (std::size_t i = 0; i < words; ++i) inside[i] = 0;

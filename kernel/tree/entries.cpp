@@ -6,16 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "simd/float_environment.hpp"
 #include "tree/size_class.hpp"
 #include "tree/source.hpp"
 #include "tree/word_writer.hpp"
 
 namespace shaftcull::kernel {
 namespace {
-
-/// What is decided about bounds and their order is the same in every floating-point mode of the caller.
-struct EntryEnvironment {};
 
 /// Some of the legal bounds' centres, evenly spaced in the user's order.
 template <class Bound, class Source>
@@ -110,7 +106,6 @@ class Chunk {
 template <class Bound, class Index, class Source>
 bool write_in_order(const Source& source, const Run& run, float node_size, const Workshop<Bound, Index>& workshop,
                     std::array<std::size_t, size_classes>& counts) noexcept {
-  const FloatEnvironment<EntryEnvironment> environment;
   const EntryStreams<Index> entries = workshop.entries();
   const WordWriter writer(workshop.bytes());
   bool is_legal = true;
@@ -128,7 +123,6 @@ bool write_in_order(const Source& source, const Run& run, float node_size, const
 template <class Bound, class Index>
 void write_by_class(const Workshop<Bound, Index>& workshop, const Run& run, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
-  const FloatEnvironment<EntryEnvironment> environment;
   const EntryStreams<Index> entries = workshop.entries();
   for (std::size_t i = run.first; i != run.end(); ++i) {
     float bound[rows_of<Bound>];
@@ -144,7 +138,6 @@ void write_by_class(const Workshop<Bound, Index>& workshop, const Run& run, floa
 
 template <class Bound, class Index, class Source>
 ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& workshop) {
-  const FloatEnvironment<EntryEnvironment> environment;
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
   const std::size_t blocks = pieces(count, source_block);

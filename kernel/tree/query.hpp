@@ -8,6 +8,7 @@
 #include "run/arguments.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"
+#include "simd/float_environment.hpp"
 #include "test/kernels.hpp"
 #include "text.hpp"
 #include "tree/parts.hpp"
@@ -57,12 +58,14 @@ class Query {
   /// Gives the visitor what shaft s keeps.
   template <class Visitor>
   void walk(std::size_t s, Visitor& visitor) const {
-    if (own_.empty() && mask_.empty()) {
-      Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
-    } else {
-      Filter<Index, Visitor> filter(indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
-      Walk<Bound, Filter<Index, Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
-    }
+    in_float_environment([&] {
+      if (own_.empty() && mask_.empty()) {
+        Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
+      } else {
+        Filter<Index, Visitor> filter(indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
+        Walk<Bound, Filter<Index, Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
+      }
+    });
   }
 
  private:

@@ -14,7 +14,6 @@
 #include "run/cut.hpp"
 #include "run/parallel.hpp"
 #include "shaftcull/streams.hpp"
-#include "simd/float_environment.hpp"
 #include "streams/records.hpp"
 #include "tree/parts.hpp"
 
@@ -111,8 +110,6 @@ class RecordSource {
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;
 
-struct LegalEnvironment {};
-
 /// Throws BadBound for the first illegal bound; looks in parallel, whatever floating-point mode the caller runs in.
 template <class Bound, class Source>
 void require_legal(const Source& source) {
@@ -120,7 +117,6 @@ void require_legal(const Source& source) {
   std::atomic<std::size_t> first_bad = none;
   const std::size_t blocks = pieces(source.count(), source_block);
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    const FloatEnvironment<LegalEnvironment> environment;
     const Run block = piece(source.count(), source_block, b);
     const std::size_t bad = first_illegal(source, block.first, block.end());
     if (bad == block.end()) return;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "shaftcull/error.hpp"
+#include "simd/float_environment.hpp"
 #include "tree/build.hpp"
 #include "tree/parts.hpp"
 #include "tree/source.hpp"
@@ -27,7 +28,8 @@ const Bounds& few_enough(const Bounds& bounds) {
 
 template <class Bound, class Index, class Source>
 std::unique_ptr<kernel::TreeParts<Bound, Index>> built_from(const Source& source) {
-  return std::make_unique<kernel::TreeParts<Bound, Index>>(kernel::build<Bound, Index>(source));
+  return kernel::in_float_environment(
+      [&] { return std::make_unique<kernel::TreeParts<Bound, Index>>(kernel::build<Bound, Index>(source)); });
 }
 
 StreamMemory copy_of(const StreamMemory& memory, std::size_t rows) {
@@ -118,11 +120,11 @@ std::span<const Index> BoundsTree<Bound, Index>::order() const noexcept {
 
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(const View& all) {
-  kernel::update_all(of(parts_), kernel::ViewSource<Bound>(all));
+  kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::ViewSource<Bound>(all)); });
 }
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(const Records& all) {
-  kernel::update_all(of(parts_), kernel::RecordSource<Bound>(all));
+  kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::RecordSource<Bound>(all)); });
 }
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
@@ -131,11 +133,11 @@ void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
 
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const View& bounds) {
-  kernel::update_some(of(parts_), indices, kernel::ViewSource<Bound>(bounds));
+  kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::ViewSource<Bound>(bounds)); });
 }
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const Records& bounds) {
-  kernel::update_some(of(parts_), indices, kernel::RecordSource<Bound>(bounds));
+  kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::RecordSource<Bound>(bounds)); });
 }
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<const Bound> bounds) {
@@ -146,11 +148,13 @@ template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::refit() {
   if (!needs_refit()) return;
   const kernel::Kernels& kernels = kernel::active_kernels();
-  if (parts_->are_many_dirty()) {
-    kernel::fit_all(*parts_, kernels);
-  } else {
-    kernel::fit_dirty(*parts_, kernels);
-  }
+  kernel::in_float_environment([&] {
+    if (parts_->are_many_dirty()) {
+      kernel::fit_all(*parts_, kernels);
+    } else {
+      kernel::fit_dirty(*parts_, kernels);
+    }
+  });
 }
 
 template <class Bound, BoundIndex Index>
@@ -162,14 +166,16 @@ template <class Bound, BoundIndex Index>
 double BoundsTree<Bound, Index>::growth() const {
   if (!parts_) return 1;
   if (needs_refit()) throw InvalidArgument("growth() of a tree whose bounds were updated; call refit() first");
-  const double now = kernel::surface(*parts_);
-  return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;
+  return kernel::in_float_environment([&] {
+    const double now = kernel::surface(*parts_);
+    return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;
+  });
 }
 
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::rebuild() {
   if (!parts_) return;
-  *parts_ = kernel::rebuild(*parts_);
+  *parts_ = kernel::in_float_environment([&] { return kernel::rebuild(*parts_); });
 }
 
 template <class Bound, BoundIndex Index>

@@ -27,6 +27,7 @@ struct PublicCall {
 };
 
 /// The calls, and all that they are given. Calls may be made again and again; each leaves what it was given as it was.
+/// They do no floating-point arithmetic of their own.
 class EveryCall {
  public:
   /// `shafts` are what queries ask; a group of them and more if there are over 64. Must be at least 1. Bounds and
@@ -125,6 +126,9 @@ class EveryCall {
     add("compile", false, [this](AnswerWords& words) {
       note_shaft(words, compile(Shaft(boxes_[1], boxes_[2])), box_stream_.view().slice(0, 64));
     });
+    add("compile of boxes", false, [this](AnswerWords& words) {
+      note_shaft(words, compile(boxes_[1], boxes_[2]), box_stream_.view().slice(0, 64));
+    });
     add("compile_batch, complete", false, [this](AnswerWords& words) {
       constexpr std::size_t pairs = 21;
       std::vector<CompiledShaft> out(pairs);
@@ -143,12 +147,11 @@ class EveryCall {
       for (std::size_t i = 0; i != stream.size(); i += 5) note(words, stream[i]);
       note(words, BoxStream(stream)[2]);
     });
-    add("BoxStream of centres", false, [](AnswerWords& words) {
-      std::vector<float> records;
-      for (int i = 0; i != 70; ++i) {
-        for (const float x : {0.1F, 0.3F, 1e-40F, 0.7F, 1e-30F, 3.3F}) records.push_back(x * static_cast<float>(i));
-      }
-      const BoxStream stream(CentreExtentRecords{records.data(), records.data() + 3, 6 * sizeof(float), 70});
+    for (int i = 0; i != 70; ++i) {
+      for (const float x : {0.1F, 0.3F, 1e-40F, 0.7F, 1e-30F, 3.3F}) centres_.push_back(x * static_cast<float>(i));
+    }
+    add("BoxStream of centres", false, [this](AnswerWords& words) {
+      const BoxStream stream(CentreExtentRecords{centres_.data(), centres_.data() + 3, 6 * sizeof(float), 70});
       for (std::size_t i = 0; i != stream.size(); ++i) note(words, stream[i]);
     });
     add("SphereStream", false, [this](AnswerWords& words) {
@@ -318,6 +321,7 @@ class EveryCall {
   std::vector<Box> boxes_;
   std::vector<Sphere> spheres_;
   std::vector<std::uint32_t> candidates_;
+  std::vector<float> centres_;  ///< with half extents
   BoxStream box_stream_;
   SphereStream sphere_stream_;
   BoxTree box_tree_;

@@ -1,0 +1,83 @@
+/// The caller's floating-point modes and flags: no answer depends on them, and every call leaves them as they were.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <vector>
+
+#include "calls/every_call.hpp"
+#include "float_modes.hpp"
+#include "many/workload.hpp"
+
+namespace shaftcull {
+namespace {
+
+#ifdef __SSE__
+
+TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
+  const EveryCall every(EveryCall::shafts(9), 2500);
+  with_threads(2, [&] {
+    for (const PublicCall& call : every.calls()) {
+      AnswerWords right;
+      call.call(right);
+      for (const unsigned flags : {0U, flag_bits}) {
+        for (const Mode& mode : modes) {
+          AnswerWords words;
+          const unsigned before = (mode.bits & control_bits) | flags;  // what happened before stays, nothing is added
+          unsigned after = 0;
+          {
+            const InMode in(mode);
+            _mm_setcsr(before);
+            call.call(words);
+            after = _mm_getcsr();
+          }
+          ASSERT_EQ(after, before) << call.name << " in mode " << mode.name;
+          ASSERT_TRUE(words == right) << call.name << " in mode " << mode.name;
+        }
+      }
+    }
+  });
+}
+
+TEST(FloatState, IsTheCallersOwnInItsCallbacks) {
+  const std::vector<CompiledShaft> shafts = EveryCall::shafts(9);
+  const BoxStream boxes(random_boxes(5, 9000));
+  const BoxTree tree(boxes.view());
+  for (const Mode& mode : modes) {
+    std::vector<unsigned> seen;
+    {
+      const InMode in(mode);
+      const auto see = [&](const auto& /*answers*/) { seen.push_back(_mm_getcsr() & control_bits); };
+      with_threads(3, [&] {
+        cull_tiles(shafts, boxes.view(), see);
+        classify_each(shafts, tree, see);
+      });
+    }
+    ASSERT_GT(seen.size(), shafts.size());
+    EXPECT_EQ(seen, std::vector<unsigned>(seen.size(), mode.bits & control_bits)) << mode.name;
+  }
+}
+
+#endif
+
+TEST(FloatState, RoundingModeAndFlagsOfTheStandardLibraryStay) {
+  const EveryCall every(EveryCall::shafts(9), 700);
+  for (const PublicCall& call : every.calls()) {
+    AnswerWords right;
+    call.call(right);
+    for (const int rounding : {FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+      AnswerWords words;
+      std::feclearexcept(FE_ALL_EXCEPT);
+      std::fesetround(rounding);
+      call.call(words);
+      const int raised = std::fetestexcept(FE_ALL_EXCEPT);
+      const int left = std::fegetround();
+      std::fesetround(FE_TONEAREST);
+      ASSERT_EQ(raised, 0) << call.name;
+      ASSERT_EQ(left, rounding) << call.name;
+      ASSERT_TRUE(words == right) << call.name << ", rounding mode " << rounding;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull
