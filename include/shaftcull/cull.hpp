@@ -5,6 +5,10 @@
 /// added plane by the real sign of n·p − d; a sphere is outside iff its centre is farther than its radius from the shaft, and inside
 /// iff every face is at least that far away. A bound with a NaN is never inside. Both forms agree, whatever floating-point mode the caller runs in.
 /// docs/exactness.md has the proof. many.hpp, query.hpp and refine.hpp promise the same.
+///
+/// Floating-point modes and flags of the calling thread are as they were when a call returns: it rounds to nearest and keeps
+/// denormals whatever the caller does, and raises no flag. Every call of the library takes at most 64 KiB of the stack in an
+/// optimised build, so that small threads and fibers may make it.
 #pragma once
 
 #include <cstdint>

@@ -10,6 +10,11 @@
 /// call takes none of the caller's other tasks, so a mutex may be held and thread_local state used across it.
 /// Callbacks run on any thread of the arena, in the caller's floating-point modes.
 ///
+/// A call takes at most 64 KiB of the stack, as does each of its tasks; what callbacks take comes on top.
+///
+/// A child of fork() has none of oneTBB's threads: it may make calls of one shaft, and parallel ones after it has begun
+/// another program.
+///
 /// Errors are those of cull() and classify(), found before anything is written.
 ///
 /// If memory runs out (std::bad_alloc) or a callback throws, the call ends by that exception when its tasks have ended.

@@ -4,7 +4,7 @@
 
 #include "run/job.hpp"
 #include "run/parallel.hpp"
-#include "run/set_bits.hpp"
+#include "run/task_memory.hpp"
 #include "shaftcull/many.hpp"
 
 namespace shaftcull {
@@ -16,16 +16,18 @@ void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::
   kernel::require_counts(counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
+  const kernel::SetBits& set_bits = job.set_bits();
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
     const kernel::Run block = cut.block(b);
     const kernel::Run group = cut.group(g);
     const std::size_t words = words_for(block.size);
-    std::uint64_t kept[kernel::task_words];
+    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
+    std::uint64_t* const kept = bits.get();
     job.test(block, group, {kept, words});
     for (std::size_t s = 0; s != group.size; ++s) {
       // Sums of integers do not depend on the order in which tasks get here.
       const std::atomic_ref<std::uint64_t> sum(counts[group.first + s]);
-      sum.fetch_add(kernel::count_set_bits(kept + s * words, words), std::memory_order_relaxed);
+      sum.fetch_add(set_bits.count(kept + s * words, words), std::memory_order_relaxed);
     }
   });
 }

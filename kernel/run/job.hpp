@@ -10,6 +10,8 @@
 #include "run/arguments.hpp"
 #include "run/cut.hpp"
 #include "run/group.hpp"
+#include "run/set_bits.hpp"
+#include "run/task_memory.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
@@ -47,25 +49,26 @@ class Job {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
+  [[nodiscard]] const SetBits& set_bits() const noexcept { return set_bits_of(kernels_); }
   [[nodiscard]] std::size_t bounds() const noexcept { return bounds_.count; }
   [[nodiscard]] std::size_t row_words() const noexcept { return words_for(bounds_.count); }
 
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
-  void test(Run block, Run group, Rows kept, Rows inside = {}) const noexcept {
-    static_assert(tile_words <= block_words);
+  void test(Run block, Run group, Rows kept, Rows inside = {}) const {
     GroupOnGrid this_group;
     if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size), block.size);
     const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
     const bool in_large_tiles = on_grid.exists() || group.size == 1;  // one shaft reads a tile once
     const std::size_t tile_size = even_tile(block.size, in_large_tiles ? tile_bounds : float_tile_bounds);
+    TaskRoom<CacheLine, 64> room(on_grid.exists() ? words_for(tile_size) * lines_a_word : 0);
     for (std::size_t first = block.first; first < block.end(); first += tile_size) {
       const View tile = bounds_.slice(first, std::min(tile_size, block.end() - first));
       const Rows tile_kept = kept.from((first - block.first) / 64);
       const Rows tile_inside = inside.from((first - block.first) / 64);
       // What all shafts share is made once for all.
       if (on_grid.exists()) {
-        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside);
+        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside, room.get());
       } else {
         test_tile_in_floats(tile, first, group, tile_kept, tile_inside);
       }
@@ -110,16 +113,19 @@ class Job {
   }
 
   [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first, Run group, Rows kept,
-                                           Rows inside) const noexcept {
-    alignas(64) std::int16_t snapped[6][tile_bounds];
-    std::int16_t* const grid[6] = {snapped[0], snapped[1], snapped[2], snapped[3], snapped[4], snapped[5]};
+                                           Rows inside, CacheLine* room) const noexcept {
+    const std::size_t row = words_for(tile.count) * 64;
+    auto* const snapped = reinterpret_cast<std::int16_t*>(room);
+    auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
+    std::int16_t* const grid[6] = {snapped,           snapped + row,     snapped + 2 * row,
+                                   snapped + 3 * row, snapped + 4 * row, snapped + 5 * row};
     if constexpr (is_sphere) {
       snap_spheres(on_grid.frame, tile, grid);
     } else {
       kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
     }
     for (std::size_t b = 0; b != pieces(group.size, batch_shafts); ++b) {
-      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, first, group, kept, inside);
+      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept, inside);
     }
   }
 
@@ -127,12 +133,16 @@ class Job {
   /// drive each other out of the L1 cache with every shaft.
   static constexpr std::size_t batch_shafts = 16;
 
+  /// What a task needs to test a tile on a grid, too much of it for the stack: for each word of bounds their numbers on the grid, and all
+  /// words that a batch of shafts may leave undecided.
+  static constexpr std::size_t lines_a_word =
+      (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
+
   [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, Run batch, const View& tile, const std::int16_t* const* grid,
-                                                 std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+                                                 UndecidedWord* undecided, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
     const CompiledShaft* shaft[batch_shafts];
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
-    UndecidedWord undecided[batch_shafts * tile_words];
     const std::size_t words = words_for(tile.count);
     std::uint32_t looked = 0;
     std::size_t listed = 0;

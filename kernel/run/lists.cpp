@@ -45,20 +45,22 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexL
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
   std::vector<Piece> pieces(cut.blocks() * cut.groups());
   std::vector<std::uint64_t> places(cut.blocks() * job.shafts());  // counts at first
+  const kernel::SetBits& set_bits = job.set_bits();
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
     const kernel::Run block = cut.block(b);
     const kernel::Run group = cut.group(g);
     const std::size_t words = words_for(block.size);
-    std::uint64_t kept[kernel::task_words];
+    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
+    std::uint64_t* const kept = bits.get();
     job.test(block, group, {kept, words});
     std::uint64_t* const counts = places.data() + b * job.shafts() + group.first;
     std::size_t total = 0;
-    for (std::size_t s = 0; s != group.size; ++s) total += counts[s] = kernel::count_set_bits(kept + s * words, words);
+    for (std::size_t s = 0; s != group.size; ++s) total += counts[s] = set_bits.count(kept + s * words, words);
     if (total == 0) return;
     Piece piece(total + kernel::set_bits_slack);
     std::uint32_t* out = piece.get();
     for (std::size_t s = 0; s != group.size; ++s) {
-      kernel::write_set_bits(kept + s * words, words, counts[s], out);
+      set_bits.write(kept + s * words, words, counts[s], out);
       out += counts[s];
     }
     pieces[b * cut.groups() + g] = std::move(piece);

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 
 #include "simd/float_environment.hpp"
 
@@ -34,14 +35,42 @@
 
 namespace shaftcull::kernel {
 
-/// Allocates whole cache lines, for T of any alignment up to that.
+/// Allocates whole cache lines, for T of any alignment up to that. A thread keeps a little of what it had last for the
+/// next time.
 template <class T>
-class LineAllocator {
+class KeepingAllocator {
  public:
   [[nodiscard]] T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64}));
+    Kept& kept = of_this_thread();
+    if (kept.items != nullptr && count <= kept.count) return std::exchange(kept.items, nullptr);
+    return static_cast<T*>(::operator new(count * sizeof(T), line));
   }
-  void deallocate(T* items, std::size_t /*count*/) noexcept { ::operator delete (items, std::align_val_t{64}); }
+  void deallocate(T* items, std::size_t count) noexcept {
+    Kept& kept = of_this_thread();
+    if (kept.items == nullptr && count * sizeof(T) <= most_kept) {
+      kept.items = items;
+      kept.count = count;
+    } else {
+      ::operator delete(items, line);
+    }
+  }
+
+ private:
+  static constexpr std::align_val_t line{64};
+  static constexpr std::size_t most_kept = std::size_t{1} << 17U;
+
+  struct Kept {
+    T* items = nullptr;
+    std::size_t count = 0;
+    Kept() noexcept = default;
+    Kept(const Kept&) = delete;
+    Kept& operator=(const Kept&) = delete;
+    ~Kept() { ::operator delete(items, line); }
+  };
+  static Kept& of_this_thread() noexcept {
+    thread_local Kept kept;
+    return kept;
+  }
 };
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
@@ -53,7 +82,7 @@ class LineAllocator {
 /// of the C library.
 #ifdef SHAFTCULL_THREAD_SANITIZER
 template <class T>
-using TaskAllocator = LineAllocator<T>;
+using TaskAllocator = KeepingAllocator<T>;
 #else
 template <class T>
 using TaskAllocator = tbb::cache_aligned_allocator<T>;
@@ -156,7 +185,7 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
 #else
 
 template <class T>
-using TaskAllocator = LineAllocator<T>;
+using TaskAllocator = KeepingAllocator<T>;
 
 [[nodiscard]] inline int threads_here() noexcept { return 1; }
 

@@ -13,7 +13,7 @@ template <class T>
 class TaskMemory {
  public:
   TaskMemory() noexcept = default;
-  explicit TaskMemory(std::size_t size) : items_(TaskAllocator<T>().allocate(size)), size_(size) {}
+  explicit TaskMemory(std::size_t size) : items_(size == 0 ? nullptr : TaskAllocator<T>().allocate(size)), size_(size) {}
   TaskMemory(TaskMemory&& other) noexcept
       : items_(std::exchange(other.items_, nullptr)), size_(std::exchange(other.size_, 0)) {}
   TaskMemory& operator=(TaskMemory&& other) noexcept {
@@ -31,6 +31,24 @@ class TaskMemory {
  private:
   T* items_ = nullptr;
   std::size_t size_ = 0;
+};
+
+struct alignas(64) CacheLine {
+  std::byte bytes[64];
+};
+
+/// Room for `size` items that a task uses itself: on the stack, of which a call may take 64 KiB, where they are few.
+template <class T, std::size_t few>
+class TaskRoom {
+ public:
+  explicit TaskRoom(std::size_t size) : many_(size <= few ? 0 : size) {}
+  TaskRoom(const TaskRoom&) = delete;
+  TaskRoom& operator=(const TaskRoom&) = delete;
+  [[nodiscard]] T* get() noexcept { return many_.get() != nullptr ? many_.get() : few_; }
+
+ private:
+  T few_[few];
+  TaskMemory<T> many_;
 };
 
 }  // namespace shaftcull::kernel

@@ -5,9 +5,7 @@
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
-#elif defined(__aarch64__)
-#include <cstdint>
-#else
+#elif !defined(__aarch64__)
 #include <cfenv>
 #endif
 
@@ -40,7 +38,7 @@ class FloatState {
   }
   [[nodiscard]] FloatState standard() const noexcept {
     // Of FPCR: AHP, DN, FZ, RMode, FZ16, traps, NEP, AH and FIZ.
-    constexpr std::uint64_t modes = 0x07c8'9f07;
+    constexpr unsigned long long modes = 0x07c8'9f07;
     FloatState state = *this;
     state.control_ &= ~modes;
     return state;
@@ -49,8 +47,8 @@ class FloatState {
 
  private:
   FloatState() noexcept = default;
-  std::uint64_t control_ = 0;
-  std::uint64_t flags_ = 0;
+  unsigned long long control_ = 0;
+  unsigned long long flags_ = 0;
 #else
   // What the standard library knows: it has no word for the flushing of denormals.
   static FloatState now() noexcept {

@@ -276,6 +276,7 @@ constexpr GridKernels grid_kernels() noexcept {
 /// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
 template <class L, class FormationLanes = L>
 inline constexpr Kernels kernels_for = {
+    .width = L::width,
     .boxes_slab = test_bounds<L, BoxStages<L, Form::slab>>,
     .boxes_planes = test_bounds<L, BoxStages<L, Form::planes>>,
     .spheres_slab = test_bounds<L, UnboxedSphereStages<L>>,

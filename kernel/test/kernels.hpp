@@ -148,6 +148,7 @@ struct GridKernels {
 };
 
 struct Kernels {
+  unsigned width;           ///< floats in a vector: 1, 4, 8 or 16
   Test* boxes_slab;
   Test* boxes_planes;
   Test* spheres_slab;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -137,6 +138,14 @@ class EveryCall {
         complete(shaft);
         note_shaft(words, shaft, box_stream_.view().slice(0, 64));
       }
+    });
+    add("compile_batch of pairs, with planes", false, [this](AnswerWords& words) {
+      const IndexPair pairs[] = {{0, 1}, {1, 2}, {2, 2}, {5, 0}, {6, 3}};
+      const std::vector<Plane> planes(8, Plane{{1, 2, 3}, 4});
+      std::vector<CompiledShaft> out(std::size(pairs));
+      const BoxView few = box_stream_.view().slice(0, 8);
+      compile_batch(few, few, pairs, out, {.a = planes});
+      for (const CompiledShaft& shaft : out) note_shaft(words, shaft, box_stream_.view().slice(0, 64));
     });
   }
 

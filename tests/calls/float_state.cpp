@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cstddef>
 #include <vector>
 
 #include "calls/every_call.hpp"
 #include "float_modes.hpp"
 #include "many/workload.hpp"
+#include "run/parallel.hpp"
 
 namespace shaftcull {
 namespace {
@@ -36,6 +38,31 @@ TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
       }
     }
   });
+}
+
+// What tasks make for others (boxes around spheres, numbers on a grid) is so well padded that answers would seldom show
+// in which mode it was made.
+TEST(FloatState, IsTheStandardOneInAllTasks) {
+  constexpr unsigned standard = 0x1f80;
+  constexpr std::size_t tasks = 40;
+  for (const Mode& mode : modes) {
+    std::vector<unsigned> seen(5 * tasks, standard);
+    {
+      const InMode in(mode);
+      const auto see = [&](std::size_t i) { seen[i] = _mm_getcsr() & control_bits; };
+      with_threads(3, [&] {
+        kernel::parallel_for(1, 1, [&](std::size_t, std::size_t) { see(0); });
+        kernel::parallel_for(tasks, 2, [&](std::size_t row, std::size_t column) {
+          see(2 * row + column);
+          if (row % 10 != 0) return;
+          kernel::parallel_for_nested(4, 1, [&](std::size_t i, std::size_t) { see((2 + column) * tasks + row + i); });
+        });
+        kernel::ordered_pipeline(
+            tasks, 4, [&](std::size_t i, std::size_t) { see(4 * tasks + i); }, [](std::size_t, std::size_t) {});
+      });
+    }
+    EXPECT_EQ(seen, std::vector<unsigned>(seen.size(), standard)) << mode.name;
+  }
 }
 
 TEST(FloatState, IsTheCallersOwnInItsCallbacks) {

@@ -97,7 +97,7 @@ TEST(InsideTasks, AThreadThatWaitsInsideACallTakesNoOtherTaskOfTheCaller) {
     other.join();
     group.wait();
   });
-  EXPECT_TRUE(waits_in_callback) << "no other thread came to help, so this shows nothing";
+  if (!waits_in_callback) GTEST_SKIP() << "no other thread came to help, so this shows nothing";
   EXPECT_FALSE(was_disturbed);
 }
 

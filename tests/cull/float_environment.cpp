@@ -3,12 +3,10 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cases/families.hpp"
 #include "columns.hpp"
-#include "compile/grid.hpp"
 #include "dice.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"
@@ -16,7 +14,6 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
-#include "test/kernels.hpp"
 
 #ifdef __SSE__
 
@@ -94,55 +91,6 @@ TEST(FloatEnvironment, AnswersAreTheSameInEveryMode) {
       }
       expect_same_in_all_modes(subject, boxes, i);
       expect_same_in_all_modes(subject, spheres, i);
-    }
-  }
-}
-
-// What many shafts share is so well padded that answers would seldom show it.
-TEST(FloatEnvironment, TilesAreMadeTheSameInEveryMode) {
-  constexpr std::uint64_t seed = 172;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
-  std::vector<Sphere> spheres;
-  std::vector<CompiledShaft> shafts;
-  for (unsigned i = 0; i != bounds_on_grid; ++i) spheres.push_back({dice.vec3(-5, 5), dice.uniform(0.0F, 1.0F)});
-  for (unsigned i = 0; i != 64; ++i) {
-    const Subject subject = random_subject(dice);
-    shafts.push_back(compile(Shaft(subject.a, subject.b)));
-  }
-  const auto memory = columns(spheres);
-  for (const Isa isa : isas_under_test()) {
-    const UseIsa use(isa);
-    const kernel::Kernels& kernels = kernel::active_kernels();
-    const auto made = [&] {
-      std::vector<float> boxes(6 * bounds_on_grid);
-      float* box[6];
-      for (std::size_t s = 0; s != 6; ++s) box[s] = boxes.data() + s * bounds_on_grid;
-      kernels.box_spheres(memory.view().stream.data(), bounds_on_grid, box);
-      std::vector<std::int16_t> numbers;
-      if (kernels.grid.frame != nullptr) {
-        const kernel::GridFrame frame = kernels.grid.frame(shafts.data(), shafts.size());
-        std::vector<kernel::GridShaft> on_grid(shafts.size());
-        kernels.grid.form_shafts(shafts.data(), shafts.size(), frame, on_grid.data());
-        alignas(64) static std::int16_t snapped[6][bounds_on_grid];
-        std::int16_t* const grid[6] = {snapped[0], snapped[1], snapped[2], snapped[3], snapped[4], snapped[5]};
-        kernels.grid.snap_boxes(frame, box, bounds_on_grid, grid);
-        for (const auto& stream : snapped) numbers.insert(numbers.end(), std::begin(stream), std::end(stream));
-        for (const kernel::GridShaft& each : on_grid) {
-          numbers.insert(numbers.end(), std::begin(each.scale), std::end(each.scale));
-          numbers.insert(numbers.end(), std::begin(each.shift), std::end(each.shift));
-        }
-      }
-      return std::pair(boxes, numbers);
-    };
-    const auto right = made();
-    for (const Mode& mode : modes) {
-      const auto in_mode = [&] {
-        const InMode in(mode);
-        return made();
-      }();
-      EXPECT_EQ(in_mode.first, right.first) << mode.name << " on " << name(isa);
-      EXPECT_EQ(in_mode.second, right.second) << mode.name << " on " << name(isa);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dice.hpp"
+#include "instruction_sets.hpp"
 #include "run/set_bits.hpp"
 
 namespace shaftcull {
@@ -14,22 +15,26 @@ namespace {
 
 TEST(SetBits, AreCountedAndListedInOrder) {
   constexpr std::uint32_t untouched = 0xffffffff;
-  Dice dice(111);
-  for (const unsigned percent : {0U, 1U, 2U, 4U, 9U, 30U, 70U, 99U, 100U}) {
-    for (std::size_t count = 0; count != 70; ++count) {
-      std::vector<std::uint64_t> words(count);
-      std::vector<std::uint32_t> right;
-      for (std::uint32_t i = 0; i != 64 * count; ++i) {
-        if (dice.below(100) >= percent) continue;
-        words[i / 64] |= std::uint64_t{1} << i % 64;
-        right.push_back(i);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    const kernel::SetBits& set_bits = kernel::set_bits_of(kernel::active_kernels());
+    Dice dice(111);
+    for (const unsigned percent : {0U, 1U, 2U, 4U, 9U, 30U, 70U, 99U, 100U}) {
+      for (std::size_t count = 0; count != 70; ++count) {
+        std::vector<std::uint64_t> words(count);
+        std::vector<std::uint32_t> right;
+        for (std::uint32_t i = 0; i != 64 * count; ++i) {
+          if (dice.below(100) >= percent) continue;
+          words[i / 64] |= std::uint64_t{1} << i % 64;
+          right.push_back(i);
+        }
+        ASSERT_EQ(set_bits.count(words.data(), count), right.size());
+        std::vector<std::uint32_t> listed(right.size() + kernel::set_bits_slack + 1, untouched);
+        set_bits.write(words.data(), count, right.size(), listed.data());
+        ASSERT_EQ(listed.back(), untouched);
+        listed.resize(right.size());
+        ASSERT_EQ(listed, right) << percent << " % of " << count << " words on " << name(isa);
       }
-      ASSERT_EQ(kernel::count_set_bits(words.data(), count), right.size());
-      std::vector<std::uint32_t> listed(right.size() + kernel::set_bits_slack + 1, untouched);
-      kernel::write_set_bits(words.data(), count, right.size(), listed.data());
-      ASSERT_EQ(listed.back(), untouched);
-      listed.resize(right.size());
-      ASSERT_EQ(listed, right) << percent << " % of " << count << " words";
     }
   }
 }

@@ -1,0 +1,148 @@
+/// Programs that are not like the tests: another locale, fork(), instruction sets chosen anew while others ask, more
+/// threads than processors.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <clocale>
+#include <cstddef>
+#include <cstdint>
+#include <locale>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "calls/every_call.hpp"
+#include "effort.hpp"
+#include "instruction_sets.hpp"
+#include "many/workload.hpp"
+#include "message_of.hpp"
+
+namespace shaftcull {
+namespace {
+
+TEST(OddSurroundings, InstructionSetsMayBeChosenWhileOthersAsk) {
+  const EveryCall every(EveryCall::shafts(9), 2500);
+  std::vector<AnswerWords> right(every.calls().size());
+  for (std::size_t i = 0; i != right.size(); ++i) every.calls()[i].call(right[i]);
+  const Isa before = active_isa();
+  std::atomic<bool> is_over = false;
+  std::thread chooser([&] {
+    while (!is_over) {
+      for (const Isa isa : available_isas()) {
+        select_isa(isa);
+        std::this_thread::yield();
+      }
+    }
+  });
+  std::vector<std::string> wrong(2);
+  std::vector<std::thread> askers;
+  for (std::string& name : wrong) {
+    askers.emplace_back([&] {
+      for (std::size_t i = 0; i != right.size(); ++i) {
+        AnswerWords words;
+        every.calls()[i].call(words);
+        if (words != right[i]) name = every.calls()[i].name;
+      }
+    });
+  }
+  for (std::thread& asker : askers) asker.join();
+  is_over = true;
+  chooser.join();
+  select_isa(before);
+  EXPECT_EQ(wrong, std::vector<std::string>(2)) << "asked another set's kernels in the middle of a call";
+}
+
+TEST(OddSurroundings, MoreThreadsThanProcessorsAnswerTheSame) {
+  const EveryCall every(EveryCall::shafts(70), 5000);
+  for (const PublicCall& call : every.calls()) {
+    AnswerWords right;
+    AnswerWords words;
+    with_threads(1, [&] { call.call(right); });
+    with_threads(4 * static_cast<int>(std::thread::hardware_concurrency()) + 3, [&] { call.call(words); });
+    EXPECT_TRUE(words == right) << call.name;
+  }
+}
+
+/// Numbers as in 1.234,5.
+struct DecimalComma : std::numpunct<char> {
+  [[nodiscard]] char do_decimal_point() const override { return ','; }
+  [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(OddSurroundings, ADecimalCommaChangesNoMessage) {
+  const std::vector<CompiledShaft> shafts = EveryCall::shafts(1);
+  const BoxStream boxes(random_boxes(5, 500000));
+  const auto ask = [&] {
+    return message_of([] {
+             Shaft({{0.5F, 0, 0}, {0.25F, 1, 1}}, {{0, 0, 0}, {1, 1, 1}});
+           }) +
+           message_of([&] { cull(shafts[0], boxes.view(), {}); });
+  };
+  const std::string right = ask();
+  EXPECT_NE(right.find("0.5"), std::string::npos) << right;
+  EXPECT_NE(right.find("500000"), std::string::npos) << right;
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {  // of the C library, if it is installed
+    if (std::setlocale(LC_ALL, name) != nullptr) break;
+  }
+  const std::locale global = std::locale::global(std::locale(std::locale(), new DecimalComma));
+  const std::string there = ask();
+  std::locale::global(global);
+  std::setlocale(LC_ALL, before.c_str());
+  EXPECT_EQ(there, right);
+}
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+constexpr bool has_threads = true;
+#else
+constexpr bool has_threads = false;
+#endif
+
+/// The exit code of a child that fork() makes and that runs `call`; 9 if it does not end.
+template <class Call>
+int exit_code_of_child(const Call& call) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);
+    _exit(call() ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 9;
+}
+
+// oneTBB's threads do not exist in a child, and oneTBB does not know. What needs none works.
+TEST(OddSurroundings, AChildOfForkMayMakeCallsThatNeedNoOtherThread) {
+  if (has_shadow_memory) GTEST_SKIP() << "sanitizers do not survive fork() with threads";
+  const std::vector<CompiledShaft> shafts = EveryCall::shafts(9);
+  const BoxStream boxes(random_boxes(5, 5000));
+  const BoxTree tree(boxes.view());
+  const auto answers = [&] {
+    AnswerWords words(words_for(boxes.size()));
+    for (const CompiledShaft& shaft : shafts) cull(shaft, boxes.view(), words);
+    for (const CompiledShaft& shaft : shafts) words.push_back(count(shaft, tree));
+    BoxStream moved(boxes);
+    moved.update(7, std::vector<Box>(9, boxes[0]));
+    cull(compile(boxes[0], boxes[1]), moved.view(), std::span(words).first(words_for(boxes.size())));
+    return words;
+  };
+  std::vector<std::uint64_t> counts(shafts.size());
+  count_many(shafts, boxes.view(), counts);  // starts threads, where there are any
+  const AnswerWords right = answers();
+  EXPECT_EQ(exit_code_of_child([&] { return answers() == right; }), 0);
+  EXPECT_EQ(answers(), right);
+  if (has_threads) return;
+  EXPECT_EQ(exit_code_of_child([&] {
+              std::vector<std::uint64_t> again(shafts.size());
+              count_many(shafts, boxes.view(), again);
+              return again == counts;
+            }),
+            0);
+}
+
+}  // namespace
+}  // namespace shaftcull
