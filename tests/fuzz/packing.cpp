@@ -123,7 +123,7 @@ void check_packing(const Case& it) {
   SphereStream from_centres(it.spheres.size());
   const bool centres_packed = packs(from_centres, centres, it.spheres, legal_sphere);
   for (std::size_t i = 0; i != it.spheres.size(); ++i) {
-    require_equal(from_centres[i], centres_packed ? it.spheres[i] : Sphere{{0, 0, 0}, 0});
+    require_equal(from_centres[i], centres_packed ? it.spheres[i] : Sphere{{0, 0, 0}, -1});
   }
 }
 
