@@ -57,7 +57,7 @@ endfunction()
 
 # build(): builds what configure() made. The log must hold no warning.
 function(build)
-  run(${CMAKE_COMMAND} --build "${WORK}/a parent" ${ARGN})
+  run(${CMAKE_COMMAND} --build "${WORK}/a parent" --parallel 2)
   if(output MATCHES "[^\n]*warning[^\n]*")
     message(FATAL_ERROR "building warns:\n${output}")
   endif()
