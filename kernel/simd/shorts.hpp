@@ -46,12 +46,17 @@ struct Shorts {
     if constexpr (width == 8) return _mm_mulhrs_epi16(a, b);
   }
 
-  /// Stores the nearest integers of a word of floats within the range of shorts.
-  static void store_word(std::int16_t* out, const typename Floats::Vector (&of)[64 / Floats::width]) noexcept {
+  /// Stores the nearest integers of a word of floats, none of which is above the range of shorts: `least` for those
+  /// that are below it, or NaN.
+  static void store_word(std::int16_t* out, const typename Floats::Vector (&of)[64 / Floats::width],
+                         Vector least) noexcept {
+    // What 32 bits do not hold becomes the least that they do, and packing saturates.
 #ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 32) {
       for (unsigned v = 0; v < 4; ++v) {
-        _mm256_store_si256(reinterpret_cast<__m256i*>(out) + v, _mm512_cvtsepi32_epi16(_mm512_cvtps_epi32(of[v])));
+        const __m256i sixteen = _mm512_cvtsepi32_epi16(_mm512_cvtps_epi32(of[v]));
+        _mm256_store_si256(reinterpret_cast<__m256i*>(out) + v,
+                           _mm256_max_epi16(sixteen, _mm512_castsi512_si256(least)));
       }
     }
 #endif
@@ -60,14 +65,15 @@ struct Shorts {
       for (unsigned v = 0; v < 4; ++v) {
         const unsigned first = v / 2 * 4 + v % 2;
         const __m256i eights = _mm256_packs_epi32(_mm256_cvtps_epi32(of[first]), _mm256_cvtps_epi32(of[first + 2]));
-        _mm256_store_si256(reinterpret_cast<__m256i*>(out) + v, _mm256_permute4x64_epi64(eights, 0xd8));
+        _mm256_store_si256(reinterpret_cast<__m256i*>(out) + v,
+                           _mm256_max_epi16(_mm256_permute4x64_epi64(eights, 0xd8), least));
       }
     }
 #endif
     if constexpr (width == 8) {
       for (unsigned v = 0; v < 8; ++v) {
-        _mm_store_si128(reinterpret_cast<__m128i*>(out) + v,
-                        _mm_packs_epi32(_mm_cvtps_epi32(of[2 * v]), _mm_cvtps_epi32(of[2 * v + 1])));
+        const __m128i eight = _mm_packs_epi32(_mm_cvtps_epi32(of[2 * v]), _mm_cvtps_epi32(of[2 * v + 1]));
+        _mm_store_si128(reinterpret_cast<__m128i*>(out) + v, _mm_max_epi16(eight, least));
       }
     }
   }

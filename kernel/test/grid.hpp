@@ -15,7 +15,7 @@ template <class L>
 void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept {
   const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
   const auto top = L::all(grid_top);
-  const auto bottom = L::all(-grid_top);
+  const auto bottom = L::Shorts::all(static_cast<std::int16_t>(-grid_top));
   for (unsigned s = 0; s < 6; ++s) {
     const auto origin = L::all(frame.origin[s % 3]);
     const auto steps = L::all(s < 3 ? frame.steps[s % 3] : -frame.steps[s % 3]);
@@ -24,10 +24,10 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
       for (unsigned v = 0; v < word_bits / L::width; ++v) {
         const std::size_t lane = v * L::width;
         const auto x = L::subtract(word.load(box[s], at, lane), origin);
-        snapped[v] = L::maximum(L::minimum(top, L::multiply_add(x, steps, down)), bottom);  // NaN becomes what constrains nothing
+        snapped[v] = L::minimum(top, L::multiply_add(x, steps, down));
         snapped[v] = word.choose(lane, snapped[v], top);
       }
-      L::Shorts::store_word(grid[s] + at, snapped);
+      L::Shorts::store_word(grid[s] + at, snapped, bottom);  // NaN becomes what constrains nothing
     };
     std::size_t i = 0;
     for (; i + word_bits <= count; i += word_bits) snap_word(WholeWord<L>{}, i);
