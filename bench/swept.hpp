@@ -41,6 +41,23 @@ struct SweptBoxes {
   BoxStream from;
   BoxStream to;
 
+  /// Small boxes in ±5, each swept so far in a direction of its own.
+  SweptBoxes(std::size_t count, float length) {
+    Dice dice(4002);
+    std::vector<Box> start(count);
+    std::vector<Box> end(count);
+    for (std::size_t i = 0; i != count; ++i) {
+      start[i] = dice.box(0.05F, 0.05F);
+      for (std::size_t k = 0; k != 3; ++k) {
+        const float way = dice.uniform(-1.0F, 1.0F) * length;
+        end[i].lo[k] = start[i].lo[k] + way;
+        end[i].hi[k] = start[i].hi[k] + way;
+      }
+    }
+    from = BoxStream(std::span<const Box>(start));
+    to = BoxStream(std::span<const Box>(end));
+  }
+
   SweptBoxes(std::size_t count, const SweptSetting& setting, float scale = 1.0F) {
     Dice dice(4001);
     std::vector<Box> start(count);

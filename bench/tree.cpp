@@ -26,8 +26,9 @@ constexpr std::size_t full_bounds = 1000000;
 constexpr std::size_t quick_bounds = std::size_t{1} << 17;
 
 /// Compiles the swept boxes and lists the boxes that each meets, one after the other.
-void query_tree(benchmark::State& state, const BoxTree& tree, const SweptBoxes& swept) {
-  select_isa(available_isas().back());
+void query_tree(benchmark::State& state, const BoxTree& tree, const SweptBoxes& swept,
+                Isa isa = available_isas().back()) {
+  select_isa(isa);
   std::vector<CompiledShaft> shafts(swept.from.size());
   std::vector<std::uint32_t> hits(tree.size());
   for (auto _ : state) {
@@ -120,6 +121,22 @@ void declare_queries(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
               {.brief = true});
     suite.reach(name + "tree", name + "bullet", 25.0);
 #endif
+  }
+}
+
+/// Sweeps that end just behind the scene, and very far away: the same boxes are met.
+void declare_reach(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
+  const auto behind_scene = std::make_shared<const SweptBoxes>(queries, 100.0F);
+  const auto far_away = std::make_shared<const SweptBoxes>(queries, 1e30F);
+  for (const Isa isa : available_isas()) {
+    const auto add = [&](const std::string& row, const std::shared_ptr<const SweptBoxes>& swept) {
+      suite.add(fmt::format("{}/{}", row, name(isa)), "",
+                [=](benchmark::State& state) { query_tree(state, scene->tree(), *swept, isa); }, {.brief = true});
+    };
+    add("tree/reach_100", behind_scene);
+    add("tree/reach_1e30", far_away);
+    if (isa < Isa::avx2) continue;
+    suite.reach(fmt::format("tree/reach_1e30/{}", name(isa)), fmt::format("tree/reach_100/{}", name(isa)), 1 / 1.3);
   }
 }
 
@@ -223,6 +240,7 @@ void declare_threads(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
 void declare_tree(Suite& suite, const Workload& /*workload*/) {
   const auto scene = std::make_shared<TreeScene>(suite.quick() ? quick_bounds : full_bounds);
   declare_queries(suite, scene);
+  declare_reach(suite, scene);
   declare_sizes(suite);
   declare_build(suite, scene);
   declare_refit(suite, suite.quick() ? quick_bounds : std::size_t{1} << 22);

@@ -23,7 +23,9 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
 /// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single coordinate of
 /// the bound. In the fused form t is the position of the leading face, the lo x face of box(t), from a.lo[0] to b.lo[0], so that its own
-/// constraint is t ≤ x; in the difference form it runs from 0 to 1.
+/// constraint is t ≤ x; in the difference form it runs from 0 to 1. In the relative form it runs from 0, at whichever of the
+/// two boxes is nearer to the origin, to the largest slope of a face. What is computed is off relatively to the distance
+/// from that box, however far away the other one is.
 ///
 /// *Plane form.* v = n0·x + n1·y + minus_offset at the corner that the selectors name; v > 0 is beyond the plane.
 /// The near corner has the smallest v (outside iff v > 0 there), the far corner the largest (inside iff v ≤ 0).
@@ -44,6 +46,7 @@ struct alignas(64) CompiledShaft {
   enum class SlabForm : std::uint8_t {
     fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the leading face
     difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where shifts are too large
+    relative,    ///< likewise, but slab_margin is relative to the bounds on t. For boxes much farther apart than one is from the origin
     exact,       ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
   };
 

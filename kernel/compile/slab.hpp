@@ -88,6 +88,13 @@ inline constexpr float margin_slack = 1.0F + 0x1p-10F;  // terms of second order
 inline constexpr float fused_margin_per_position = 20 * float_unit * margin_slack;  // of the leading face, and of shifts
 inline constexpr float fused_margin_per_way = 12 * float_unit * margin_slack;
 inline constexpr float difference_margin = 16 * float_unit * margin_slack;
+inline constexpr float relative_margin = 12 * float_unit;  // 1 ± this is a float
+inline constexpr float relative_denormals = 0x1p-124F;     // far above what underflow may take away
+
+/// The relative form is used where the farther box has a coordinate above the first, and the nearer one no coordinate above that times
+/// the second: a sweep through a scene and far beyond it. Margins of other forms grow with how far it goes.
+inline constexpr float largest_plain_reach = 0x1p20F;
+inline constexpr float far_apart = 0x1p-14F;
 
 /// Whether every box is finite with lo ≤ hi and hi − lo does not overflow. Boxes of which that is not true deserve a second look.
 template <class L>
@@ -129,7 +136,7 @@ bool all_finite(const float* const* box, std::size_t count) noexcept {
 
 /// Overwrites the slab coefficients of a shaft by those of the difference form, for pairs that the fused form does not suit.
 template <class L>
-[[gnu::noinline, gnu::cold]] void write_difference_slab(CompiledShaft& shaft) noexcept {
+void write_difference_slab(CompiledShaft& shaft) noexcept {
   const float* const p = reinterpret_cast<const float*>(&shaft.a);
   const float* const other = reinterpret_cast<const float*>(&shaft.b);
   unsigned negative = 0;
@@ -153,6 +160,66 @@ template <class L>
   shaft.slab_uppers = order.uppers;
   shaft.slab_form = regular ? CompiledShaft::SlabForm::difference : CompiledShaft::SlabForm::exact;
   shaft.slab_margin = regular ? difference_margin : __builtin_inff();
+}
+
+/// The way from the nearer to the farther box of a shaft, in floats of its faces.
+template <class L>
+struct FarWay {
+  const float* from;
+  const float* to;
+  float from_reach;  ///< largest magnitude of a coordinate
+  float length;      ///< largest magnitude of a slope: the end of t in the relative form
+
+  explicit FarWay(const CompiledShaft& shaft) noexcept
+      : from(reinterpret_cast<const float*>(&shaft.a)), to(reinterpret_cast<const float*>(&shaft.b)), from_reach(0), length(0) {
+    float to_reach = 0;
+    const auto enlarge = [](float& largest, float x) { largest = __builtin_fabsf(x) > largest ? __builtin_fabsf(x) : largest; };
+    for (unsigned f = 0; f < 6; ++f) {
+      enlarge(from_reach, from[f]);
+      enlarge(to_reach, to[f]);
+      enlarge(length, to[f] - from[f]);
+    }
+    if (from_reach <= to_reach) return;
+    const float* const farther = from;
+    from = to;
+    to = farther;
+    from_reach = to_reach;
+  }
+};
+
+/// Overwrites the slab coefficients of a shaft by those of the relative form, if it suits.
+template <class L>
+bool write_relative_slab(CompiledShaft& shaft) noexcept {
+  const FarWay<L> way(shaft);
+  if (!(way.from_reach <= far_apart * shaft.reach && way.length <= 0x1p127F)) return false;
+  unsigned negative = 0;
+  float scale[6];
+  for (unsigned f = 0; f < 6; ++f) {
+    const float slope = way.to[f] - way.from[f];
+    // A purple face as in the difference form. Other scales are 1 or more in magnitude, so that no product loses its sign.
+    scale[f] = slope == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : way.length / slope;
+    if (slope != 0 && !(__builtin_fabsf(scale[f]) <= __FLT_MAX__)) return false;
+    if (scale[f] < 0) negative |= 1U << f;
+  }
+  const SlabOrder& order = slab_orders.by_negative[negative];
+  for (unsigned i = 0; i < 6; ++i) {
+    const unsigned f = order.face[i];
+    shaft.slab_scale[i] = scale[f];
+    shaft.slab_shift[i] = way.from[f];
+    shaft.slab_near[i] = near_stream[f];
+  }
+  shaft.slab_uppers = order.uppers;
+  shaft.slab_form = CompiledShaft::SlabForm::relative;
+  shaft.slab_margin = relative_margin;
+  return true;
+}
+
+/// Overwrites the slab coefficients of a shaft whose coordinates are large, or that the fused form does not suit, by those of the form that
+/// does, if that is another.
+template <class L>
+[[gnu::noinline, gnu::cold]] void rewrite_slab(CompiledShaft& shaft, bool fused_suits) noexcept {
+  if (shaft.reach > largest_plain_reach && write_relative_slab<L>(shaft)) return;
+  if (!fused_suits) write_difference_slab<L>(shaft);
 }
 
 /// Compiles out[i] from boxes a[·][first + i] and b[·][first + i], for one whole vector of pairs; joining planes are
@@ -224,9 +291,10 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
   }
 
-  if (fused != (std::uint64_t{1} << width) - 1) {
+  const std::uint64_t plain = fused & L::bits(L::less_equal(reach, L::all(largest_plain_reach)));
+  if (plain != (std::uint64_t{1} << width) - 1) {
     for (unsigned lane = 0; lane < width; ++lane) {
-      if ((fused >> lane & 1) == 0) write_difference_slab<L>(out[lane]);
+      if ((plain >> lane & 1) == 0) rewrite_slab<L>(out[lane], (fused >> lane & 1) != 0);
     }
   }
 }

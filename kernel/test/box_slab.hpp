@@ -14,6 +14,7 @@ inline constexpr float outside_for_certain = -1.0F;
 template <class L, unsigned uppers, CompiledShaft::SlabForm form>
 struct Slab {
   static constexpr bool fused = form == CompiledShaft::SlabForm::fused;
+  static constexpr bool relative = form == CompiledShaft::SlabForm::relative;
   using Vector = typename L::Vector;
   Vector scale[6];
   Vector shift[6];
@@ -21,6 +22,8 @@ struct Slab {
   Vector end;
   Vector margin;
   Vector two_margins;
+  Vector narrower;  ///< 1 ∓ the margin, in the relative form
+  Vector wider;
 
   Slab(const CompiledShaft& shaft, float error_margin) noexcept
       : margin(L::all(error_margin)), two_margins(L::all(2 * error_margin)) {
@@ -31,6 +34,12 @@ struct Slab {
     for (unsigned i = 0; i < 6; ++i) {
       scale[i] = L::all(shaft.slab_scale[i]);
       shift[i] = L::all(shaft.slab_shift[i]);
+    }
+    if constexpr (relative) {
+      end = L::all(FarWay<L>(shaft).length);
+      narrower = L::all(1 - error_margin);
+      wider = L::all(1 + error_margin);
+      two_margins = L::all(__FLT_MAX__);
     }
     if constexpr (fused) {  // lower bounds carry the margin
       begin = L::subtract(begin, margin);
@@ -64,6 +73,11 @@ struct Slab {
     }
     if constexpr (fused) {
       return L::subtract(upper, lower);
+    } else if constexpr (relative) {
+      // Certainly not outside is +∞. Otherwise negative if certainly outside, and neither else.
+      const Vector least = L::multiply_add(upper, narrower, L::all(-relative_denormals));
+      const Vector most = L::multiply_add(upper, wider, L::all(relative_denormals));
+      return L::choose(L::less_equal(lower, least), L::all(__builtin_inff()), L::subtract(most, lower));
     } else {
       return L::subtract(margin, L::subtract(lower, upper));
     }
@@ -216,6 +230,16 @@ void slab_words_of(const CompiledShaft& shaft, float margin, const float* const*
                    std::size_t words, std::uint64_t* kept) noexcept {
   using enum CompiledShaft::SlabForm;
   using TestWords = void(const CompiledShaft&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
+  if constexpr (Corners<L>::exactly) {
+    static constexpr TestWords* relative_by_uppers[7] = {
+        slab_words<L, Corners, Words, 0, relative>, slab_words<L, Corners, Words, 1, relative>,
+        slab_words<L, Corners, Words, 2, relative>, slab_words<L, Corners, Words, 3, relative>,
+        slab_words<L, Corners, Words, 4, relative>, slab_words<L, Corners, Words, 5, relative>,
+        slab_words<L, Corners, Words, 6, relative>};
+    if (shaft.slab_form == relative) {
+      return relative_by_uppers[shaft.slab_uppers](shaft, margin, stream, position, words, kept);
+    }
+  }
   static constexpr TestWords* by_uppers[2][7] = {
       {nullptr, slab_words<L, Corners, Words, 1, fused>, slab_words<L, Corners, Words, 2, fused>,
        slab_words<L, Corners, Words, 3, fused>, slab_words<L, Corners, Words, 4, fused>,

@@ -69,8 +69,13 @@ class SquareDistance {
     const float* a = reinterpret_cast<const float*>(&shaft.a);
     const float* b = reinterpret_cast<const float*>(&shaft.b);
     const bool fused = shaft.slab_form == CompiledShaft::SlabForm::fused;
-    const float t_at_a = fused ? a[0] : 0.0F;
-    const float t_at_b = fused ? b[0] : 1.0F;
+    float t_at_a = fused ? a[0] : 0.0F;
+    float t_at_b = fused ? b[0] : 1.0F;
+    if (shaft.slab_form == CompiledShaft::SlabForm::relative) {
+      const FarWay<L> way(shaft);
+      (way.from == a ? t_at_b : t_at_a) = way.length;
+      (way.from == a ? t_at_a : t_at_b) = 0;
+    }
     t_at_a_ = L::all(t_at_a);
     first_ = L::all(__builtin_fminf(t_at_a, t_at_b));
     last_ = L::all(__builtin_fmaxf(t_at_a, t_at_b));

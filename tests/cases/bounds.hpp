@@ -69,6 +69,35 @@ inline Box touching_box(Dice& dice, const Subject& subject) {
   return box;
 }
 
+/// The box of a far_sweep_subject() as it is 2⁻¹⁰ to 2⁷ from where it starts, relatively to its longest way: any touching_box() of that.
+inline Box touching_far_sweep(Dice& dice, const Subject& subject) {
+  const auto reach = [](const Box& box) {
+    double largest = 0;
+    for (std::size_t k = 0; k != 3; ++k) {
+      largest = std::max({largest, static_cast<double>(std::abs(box.lo[k])), static_cast<double>(std::abs(box.hi[k]))});
+    }
+    return largest;
+  };
+  const bool starts_at_a = reach(subject.a) <= reach(subject.b);
+  const Box& near = starts_at_a ? subject.a : subject.b;
+  const Box& far = starts_at_a ? subject.b : subject.a;
+  const double t = dice.one_in(8) ? 0.0 : std::exp2(static_cast<double>(dice.uniform(-10, 7))) / reach(far);
+  Box box{};
+  const bool inwards = dice.one_in(3);
+  for (std::size_t k = 0; k != 3; ++k) {
+    const bool hi = dice.one_in(2);
+    const double from = static_cast<double>(hi ? near.hi[k] : near.lo[k]);
+    const double to = static_cast<double>(hi ? far.hi[k] : far.lo[k]);
+    const float point = dice.nudge(static_cast<float>(from + t * (to - from)));
+    const float extent = dice.one_in(4) ? 0.0F : dice.uniform(0.0F, 0.5F);
+    const bool across = dice.one_in(5);
+    const bool upwards = hi != inwards;
+    box.lo[k] = across || !upwards ? point - extent : point;
+    box.hi[k] = across || upwards ? point + extent : point;
+  }
+  return box;
+}
+
 /// A sphere around `centre` whose radius is, to an ulp or two, its distance from the shaft, or its depth in it.
 inline Sphere touching_sphere(Dice& dice, const oracle::QuickHull& hull, const Vec3& centre) {
   return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::min(hull.reach(centre), 3e38))))};

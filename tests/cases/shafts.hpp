@@ -157,6 +157,20 @@ inline Subject huge_subject(Dice& dice) {
   return subject;
 }
 
+/// A box near the origin that is swept 2²¹ to 2¹²⁶ far, at any angle or along an axis or two; now and then it comes from there.
+inline Subject far_sweep_subject(Dice& dice) {
+  Subject subject{dice.box(-5, 5, 0.05F, 1.0F), {}};
+  const float length = std::ldexp(dice.uniform(1.0F, 2.0F), static_cast<int>(dice.integer(21, 125)));
+  const bool alike = dice.one_in(3);
+  for (std::size_t k = 0; k != 3; ++k) {
+    float way = dice.one_in(4) ? 0.0F : length * (alike ? 1.0F : std::exp2(-dice.uniform(0.0F, 12.0F)));
+    if (dice.one_in(2)) way = -way;
+    subject.b.lo[k] = subject.a.lo[k] + way;
+    subject.b.hi[k] = subject.a.hi[k] + way + (dice.one_in(4) ? std::abs(way) * dice.uniform(0.0F, 1.0F) : 0.0F);
+  }
+  return dice.one_in(4) ? Subject{subject.b, subject.a} : subject;
+}
+
 /// Number of ways to colour six faces red, blue or purple.
 inline constexpr unsigned colourings = 729;
 

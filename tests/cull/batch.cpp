@@ -62,6 +62,18 @@ TEST(CompileBatch, GridAlignedPairsWithFacesInCommon) {
   expect_batch_of(72, [](Dice& dice) { return dice.grid_box(-2, 2); });
 }
 
+TEST(CompileBatch, SweepsThatEndFarBeyondTheScene) {
+  Dice dice(77);
+  std::vector<Box> a;
+  std::vector<Box> b;
+  for (int i = 0; i != 1003; ++i) {
+    const Subject subject = dice.one_in(3) ? random_subject(dice) : far_sweep_subject(dice);
+    a.push_back(subject.a);
+    b.push_back(subject.b);
+  }
+  expect_batch(a, b);
+}
+
 TEST(CompileBatch, EveryColouringOfTheFaces) {
   std::vector<Box> a;
   std::vector<Box> b;

@@ -80,6 +80,15 @@ TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaft) {
   check(13, 100, random_subject, many(64, [](Dice& dice, const Subject&) { return boundless_box(dice); }));
 }
 
+/// Most of them in the relative form.
+TEST(ExactBoxes, SweepsThatEndFarBeyondTheScene) {
+  check(14, 250, far_sweep_subject, many(64, touching_far_sweep));
+  check(15, 100, far_sweep_subject, many(64, [](Dice& dice, const Subject&) { return random_box(dice); }));
+  check(16, 60, far_sweep_subject, many(32, [](Dice& dice, const Subject& of) {
+          return dice.one_in(2) ? touching_box(dice, of) : boundless_box(dice);
+        }));
+}
+
 TEST(ExactBoxes, EveryColouringOfTheFaces) {
   constexpr std::uint64_t seed = 10;
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -71,9 +71,11 @@ TEST(CompilePair, HugeCoordinates) {
   expect_pairs(89, [](Dice& dice) { return wild_subject(dice, 120, 127); });
 }
 
+TEST(CompilePair, SweepsThatEndFarBeyondTheScene) { expect_pairs(93, far_sweep_subject); }
+
 /// Around the limits between the fused, the difference and the exact form.
 TEST(CompilePair, MagnitudesAroundTheLimitsOfForms) {
-  for (const int exponent : {-126, -61, -60, 59, 60, 124, 125}) {
+  for (const int exponent : {-126, -61, -60, 19, 20, 59, 60, 124, 125, 126}) {
     expect_pairs(
         90, [&](Dice& dice) { return wild_subject(dice, exponent - 1, exponent + 1); }, 300);
   }

@@ -48,6 +48,7 @@ set(added_boxes "AddedPlanes.*Boxes*")
 set(added_spheres "AddedPlanes.*Spheres*")
 must_notice(slab_margin ExactBoxes.* slab)
 must_notice(slab_margin ExactSpheres.* slab)
+must_notice(relative_margin ExactBoxes.* slab)
 must_notice(joining_margin ExactBoxes.* planes)
 must_notice(joining_margin ExactSpheres.* planes)
 if(ISA MATCHES "^avx")  # where a few boxes are tested for being inside with the margin in the sum

@@ -24,6 +24,9 @@ namespace {
 constexpr float weak = 0.1F;
 
 void weaken_slab(CompiledShaft& shaft) { shaft.slab_margin *= weak; }
+void weaken_relative(CompiledShaft& shaft) {
+  if (shaft.slab_form == CompiledShaft::SlabForm::relative) weaken_slab(shaft);
+}
 void weaken_joining(CompiledShaft& shaft) { shaft.joining_margin *= weak; }
 void weaken_added(CompiledShaft& shaft) {
   for (unsigned i = 0; i != shaft.added_count; ++i) {
@@ -35,6 +38,8 @@ void weaken_added(CompiledShaft& shaft) {
 bool apply(std::string_view fault) {
   if (fault == "slab_margin") {
     mutate = weaken_slab;
+  } else if (fault == "relative_margin") {
+    mutate = weaken_relative;
   } else if (fault == "joining_margin") {
     mutate = weaken_joining;
   } else if (fault == "added_margin") {
