@@ -316,7 +316,7 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
 }
 
 /// Whether f(t) > r², exactly.
-bool farther_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
+[[gnu::noinline]] bool farther_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
   Expansion<most_terms> sum;
   for (unsigned g = 0; g < gaps.count; ++g) {
     const auto gap = scaled_gap(gaps.gap[g], t);
@@ -326,6 +326,34 @@ bool farther_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
   }
   const auto limit = t.denominator * t.denominator * (radius * radius);
   for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
+  return sum.sign() > 0;
+}
+
+/// Whether the minimum of f is larger than r², where it lies between `low` and `high` and no gap changes its sign
+/// there; exactly. Not inlined, so that its sum and that of farther_at() are not on the stack at the same time.
+///
+/// The same gaps are positive there. With starts α and slopes β of those, Lagrange's identity gives
+///   min f = Σ_{g<h} (α_g β_h − α_h β_g)² / Σ β_g²,
+/// a sum of squares, so nothing cancels.
+[[gnu::noinline]] bool farther_between(const Gaps& gaps, const Ratio& low, const Ratio& high, double radius) noexcept {
+  const Gap* active[6];
+  unsigned count = 0;
+  for (unsigned g = 0; g < gaps.count; ++g) {
+    if (scaled_gap(gaps.gap[g], low).sign() > 0 || scaled_gap(gaps.gap[g], high).sign() > 0)
+      active[count++] = &gaps.gap[g];
+  }
+  Expansion<most_terms> sum;
+  for (unsigned g = 0; g < count; ++g) {
+    const auto start = active[g]->exact_start();
+    const auto slope = active[g]->exact_slope();
+    for (unsigned h = g + 1; h < count; ++h) {
+      const auto cross = start * active[h]->exact_slope() - active[h]->exact_start() * slope;
+      const auto square = cross * cross;
+      for (std::size_t i = 0; i < square.size(); ++i) sum.grow(square[i]);
+    }
+    const auto limit = slope * slope * (radius * radius);
+    for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
+  }
   return sum.sign() > 0;
 }
 
@@ -351,28 +379,7 @@ bool exactly_outside(const Gaps& gaps, double radius) noexcept {
     (sign > 0 ? high : low) = t;
   }
 
-  // Between them the same gaps are positive. With starts α and slopes β of those, Lagrange's identity gives
-  //   min f = Σ_{g<h} (α_g β_h − α_h β_g)² / Σ β_g²,
-  // a sum of squares, so nothing cancels.
-  const Gap* active[6];
-  unsigned count = 0;
-  for (unsigned g = 0; g < gaps.count; ++g) {
-    if (scaled_gap(gaps.gap[g], low).sign() > 0 || scaled_gap(gaps.gap[g], high).sign() > 0)
-      active[count++] = &gaps.gap[g];
-  }
-  Expansion<most_terms> sum;
-  for (unsigned g = 0; g < count; ++g) {
-    const auto start = active[g]->exact_start();
-    const auto slope = active[g]->exact_slope();
-    for (unsigned h = g + 1; h < count; ++h) {
-      const auto cross = start * active[h]->exact_slope() - active[h]->exact_start() * slope;
-      const auto square = cross * cross;
-      for (std::size_t i = 0; i < square.size(); ++i) sum.grow(square[i]);
-    }
-    const auto limit = slope * slope * (radius * radius);
-    for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
-  }
-  return sum.sign() > 0;
+  return farther_between(gaps, low, high, radius);
 }
 
 /// A joining plane as seen from a point on its inner side: value() is the distance times the length of the normal.
