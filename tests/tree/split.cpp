@@ -13,6 +13,7 @@
 
 #include "dice.hpp"
 #include "float_modes.hpp"
+#include "simd/float_environment.hpp"
 #include "instruction_sets.hpp"
 #include "shaftcull/tree.hpp"
 #include "test/kernels.hpp"
@@ -173,6 +174,7 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
 #ifdef __SSE__
     if (entries.size() >= kernel::fewest_together) continue;  // takes long, and says no more
     const InMode in(modes[0]);
+    const kernel::FloatEnvironment environment;  // as every call that gets here
     expect_halves(", denormals are zero");
 #endif
   }
