@@ -9,16 +9,13 @@
 
 #include "many/workload.hpp"
 #include "message_of.hpp"
+#include "run/parallel.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 #include "tree/kinds.hpp"
 #include "tree/parts.hpp"
 #include "tree/scenes.hpp"
-
-#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
-#include <oneapi/tbb/parallel_for.h>
-#endif
 
 namespace shaftcull {
 namespace {
@@ -67,8 +64,6 @@ TYPED_TEST(TreeExceptions, OneFromACallbackEndsTheCallAndLeavesTheTree) {
   }
 }
 
-#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
-
 TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
   using Bound = BoundOf<TypeParam>;
   Dice dice(83);
@@ -77,7 +72,7 @@ TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
   const std::vector<CompiledShaft> shafts = shafts_for(dice, 50);
   with_threads(4, [&] {
     const auto ask_from_tasks = [&] {
-      tbb::parallel_for(0, 16, [&](int task) {
+      kernel::parallel_for(16, 1, [&](std::size_t task, std::size_t) {
         cull_each(shafts, tree, [&](const ShaftAnswersOf<IndexOf<TypeParam>>& answers) {
           if (task == 7 && answers.shaft == 30) throw std::domain_error("from a task");
         });
@@ -87,8 +82,6 @@ TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
     this->expect_flat_answers(tree, shafts, bounds);
   });
 }
-
-#endif
 
 /// A tree as update() of all bounds leaves it if it is ended by an exception: some leaves have their new value, and
 /// nodes were not fitted.
