@@ -78,8 +78,8 @@ class Job {
  private:
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
 
-  /// Shafts that pay for making boxes around spheres.
-  static constexpr std::size_t fewest_for_boxes = 5;
+  /// Shafts that pay for making boxes around spheres: in vectors more than without, where there is no grid either.
+  [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }
 
   void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts, std::size_t bounds) const noexcept {
     if (form_ == Form::planes) return;
@@ -89,7 +89,7 @@ class Job {
 
   void test_tile_in_floats(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
     if constexpr (is_sphere) {
-      if (form_ != Form::planes && group.size >= fewest_for_boxes) return test_boxed_tile(tile, first, group, kept, inside);
+      if (form_ != Form::planes && group.size >= fewest_for_boxes()) return test_boxed_tile(tile, first, group, kept, inside);
     }
     test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, kept, inside);
   }
