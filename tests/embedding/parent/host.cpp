@@ -18,7 +18,7 @@ void* function_of(const char* plugin, const char* name) {
 }
 
 const void* code_in(const char* plugin) {
-  return reinterpret_cast<const void* (*)()>(function_of(plugin, "code_of_compile"))();
+  return reinterpret_cast<const void* (*)()>(function_of(plugin, "code_of_complete"))();
 }
 
 }  // namespace
