@@ -1,6 +1,9 @@
 #include "compile/added.hpp"
 #include "compile/planes.hpp"
 #include "compile/slab.hpp"
+#include "formation/join.hpp"
+#include "formation/rule.hpp"
+#include "formation/table.hpp"
 #include "shaftcull/compiled.hpp"
 #include "simd/float_environment.hpp"
 #include "simd/scalar.hpp"
@@ -9,8 +12,34 @@
 namespace shaftcull {
 namespace {
 
+/// Joining planes in columns, with their edges.
+struct Joined {
+  kernel::JoinedEdges edges;
+  kernel::JoinedPlanes planes;
+};
+
+Joined columns(std::span<const JoiningPlane> planes) noexcept {
+  Joined joined{};
+  for (std::size_t i = 0; i != planes.size(); ++i) {
+    const auto& [plane, red, blue] = planes[i];
+    joined.edges.add({red, blue});
+    joined.planes.red_normal[i] = plane.normal[kernel::axis_of(red)];
+    joined.planes.blue_normal[i] = plane.normal[kernel::axis_of(blue)];
+    joined.planes.offset[i] = plane.offset;
+  }
+  return joined;
+}
+
+/// The joining planes of a shaft that has none yet.
+void complete_formed(CompiledShaft& shaft) noexcept {
+  const kernel::Faces6 a = kernel::positions(shaft.a);
+  const kernel::Faces6 b = kernel::positions(shaft.b);
+  const kernel::JoinedEdges& edges = kernel::table729_edges(a, b);
+  kernel::compile_joining_planes(edges, kernel::join(a, b, edges, ShaftOptions{}.spheres), shaft);
+}
+
 CompiledShaft compile_formed(const Shaft& shaft) noexcept {
-  CompiledShaft compiled;  // arrays stay unwritten past their counts
+  CompiledShaft compiled;  // added planes stay unwritten past their count
   const float* a[6];
   const float* b[6];
   for (unsigned k = 0; k < 3; ++k) {
@@ -20,7 +49,8 @@ CompiledShaft compile_formed(const Shaft& shaft) noexcept {
     b[k + 3] = &shaft.b().hi[k];
   }
   kernel::compile_slabs<kernel::ScalarLanes>(a, b, 1, &compiled);
-  kernel::compile_joining_planes(shaft.joining_planes(), compiled);
+  const auto [edges, planes] = columns(shaft.joining_planes());
+  kernel::compile_joining_planes(edges, planes, compiled);
   const std::span<const Plane> added = shaft.added_planes();
   const Plane* const first_added = added.data();
   kernel::add_planes<kernel::ScalarLanes>(a, b, &first_added, added.size(), 1, &compiled);
@@ -48,8 +78,7 @@ CompiledShaft compile(const Box& a, const Box& b) {
 
 void complete(CompiledShaft& shaft) noexcept {
   if (shaft.has_planes()) return;
-  kernel::in_float_environment(
-      [&] { kernel::compile_joining_planes(Shaft(shaft.a, shaft.b).joining_planes(), shaft); });
+  kernel::in_float_environment([&] { complete_formed(shaft); });
 }
 
 }  // namespace shaftcull

@@ -21,49 +21,42 @@ float margin_of(double margin) noexcept {
   return rounded < margin ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
 }
 
-float position(const Box& box, Face f) noexcept { return f < 3 ? box.lo[f] : box.hi[f - 3]; }
-
-float largest_magnitude(const CompiledShaft& shaft) noexcept {
-  float largest = 0;
-  for (const float f : shaft.face) largest = std::max(largest, std::fabs(f));
-  return largest;
-}
-
 }  // namespace
 
-void compile_joining_planes(std::span<const JoiningPlane> planes, CompiledShaft& out) noexcept {
-  for (Face f = 0; f < 6; ++f) {
-    const float on_a = position(out.a, f);
-    const float on_b = position(out.b, f);
-    out.face[f] = f < 3 ? std::min(on_a, on_b) : std::max(on_a, on_b);
+void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes, CompiledShaft& out) noexcept {
+  const Faces6 a = positions(out.a);
+  const Faces6 b = positions(out.b);
+  float largest = 0;
+  for (Face f = 0; f < face_count; ++f) {
+    out.face[f] = is_hi(f) ? std::max(a[f], b[f]) : std::min(a[f], b[f]);
+    largest = std::max(largest, std::fabs(out.face[f]));
   }
-  double reach[3];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than it is wide
-  for (unsigned k = 0; k < 3; ++k) {
-    const double lo = out.face[k];
-    const double hi = out.face[k + 3];
-    reach[k] = std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
+  double reach[face_count];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than it is wide
+  for (Face f = 0; f < 3; ++f) {
+    const double lo = out.face[f];
+    const double hi = out.face[f + 3];
+    reach[f] = reach[f + 3] = std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
   }
-  bool regular = largest_magnitude(out) <= regular_limit;
+  for (std::size_t i = 0; i < max_joining_planes; ++i) {
+    const auto [red, blue] = edges.edge[i];
+    out.joining_normal0[i] = planes.red_normal[i];
+    out.joining_normal1[i] = planes.blue_normal[i];
+    out.joining_minus_offset[i] = -planes.offset[i];
+    out.joining_near0[i] = near_stream[red];
+    out.joining_near1[i] = near_stream[blue];
+    out.joining_far0[i] = red;
+    out.joining_far1[i] = blue;
+  }
+  bool regular = largest <= regular_limit;
   double margin = 0;
-  std::uint8_t count = 0;
-  for (const JoiningPlane& joining : planes) {
-    const Face red = joining.red;
-    const Face blue = joining.blue;
-    const float red_normal = joining.plane.normal[red % 3];
-    const float blue_normal = joining.plane.normal[blue % 3];
-    out.joining_normal0[count] = red_normal;
-    out.joining_normal1[count] = blue_normal;
-    out.joining_minus_offset[count] = -joining.plane.offset;
-    out.joining_near0[count] = near_stream[red];
-    out.joining_near1[count] = near_stream[blue];
-    out.joining_far0[count] = red;
-    out.joining_far1[count] = blue;
-    ++count;
-    margin = std::max(margin, std::fabs(red_normal) * reach[red % 3] + std::fabs(blue_normal) * reach[blue % 3] +
-                                  std::fabs(joining.plane.offset));
-    regular = regular && std::min(std::fabs(red_normal), std::fabs(blue_normal)) >= smallest_normal;
+  for (std::size_t i = 0; i < edges.count; ++i) {
+    const auto [red, blue] = edges.edge[i];
+    const float red_normal = std::fabs(planes.red_normal[i]);
+    const float blue_normal = std::fabs(planes.blue_normal[i]);
+    margin = std::max(margin, red_normal * reach[red] + blue_normal * reach[blue] + std::fabs(planes.offset[i]));
+    regular = regular & (std::min(red_normal, blue_normal) >= smallest_normal);
   }
-  out.joining_count = count;
+  out.joining_count = edges.count;
   out.joining_margin = regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
 }
 

@@ -1,14 +1,13 @@
 /// Joining planes of a compiled shaft, with their error margin.
 #pragma once
 
-#include <span>
-
+#include "formation/join.hpp"
+#include "formation/rule.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/shaft.hpp"
 
 namespace shaftcull::kernel {
 
-/// Writes the shaft box and the joining planes of `planes`, in their order, into `out`, whose boxes are there already.
-void compile_joining_planes(std::span<const JoiningPlane> planes, CompiledShaft& out) noexcept;
+/// Writes the shaft box and the joining planes of `edges`, which are `planes`, into `out`, whose boxes are there already.
+void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes, CompiledShaft& out) noexcept;
 
 }  // namespace shaftcull::kernel

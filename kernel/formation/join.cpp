@@ -1,7 +1,9 @@
 #include "formation/join.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace shaftcull::kernel {
@@ -13,33 +15,45 @@ constexpr double largest_float = std::numeric_limits<float>::max();
 constexpr double smallest_plain_normal = 0x1p-20;
 constexpr double largest_plain_normal = 0x1p20;
 
+constexpr std::array<double, face_count> outwards = {-1, -1, -1, 1, 1, 1};
+
 }  // namespace
 
-JoiningPlane join(const Faces6& a, const Faces6& b, JoinedEdge edge, bool unit) noexcept {
+JoinedPlanes join(const Faces6& a, const Faces6& b, const JoinedEdges& edges, bool unit) noexcept {
   // In the plane of the two axes the boxes' edges are points. Going from a's to b's leads away from the red face, which
   // only a touches, and towards the blue one; the normal is that step turned by a right angle, outwards.
   // No product of two differences of floats over- or underflows a double.
-  const double red_a = a[edge.red];
-  const double blue_a = a[edge.blue];
-  const double red_step = std::fabs(b[edge.red] - red_a);
-  const double blue_step = std::fabs(b[edge.blue] - blue_a);
-  double red_normal = is_hi(edge.red) ? blue_step : -blue_step;
-  double blue_normal = is_hi(edge.blue) ? red_step : -red_step;
-  double offset = red_normal * red_a + blue_normal * blue_a;
+  //
+  // All columns are worked out, without branches: how many there are, and which way they look, is random.
+  std::array<double, face_count> step;
+  for (Face f = 0; f < face_count; ++f) step[f] = std::fabs(double{b[f]} - double{a[f]});
 
-  const double size = std::max(red_step, blue_step);
-  if (unit || size < smallest_plain_normal || size > largest_plain_normal) {
-    double length = std::sqrt(red_step * red_step + blue_step * blue_step);
-    if (std::fabs(offset) > largest_float * length) length *= 2;
-    red_normal /= length;
-    blue_normal /= length;
-    offset /= length;
+  double red_step[max_joining_planes];
+  double blue_step[max_joining_planes];
+  double red_normal[max_joining_planes];
+  double blue_normal[max_joining_planes];
+  double offset[max_joining_planes];
+  for (std::size_t i = 0; i < max_joining_planes; ++i) {
+    const auto [red, blue] = edges.edge[i];
+    red_step[i] = step[red];
+    blue_step[i] = step[blue];
+    red_normal[i] = outwards[red] * step[blue];
+    blue_normal[i] = outwards[blue] * step[red];
+    offset[i] = red_normal[i] * double{a[red]} + blue_normal[i] * double{a[blue]};
   }
 
-  JoiningPlane joining{{{0.0F, 0.0F, 0.0F}, static_cast<float>(offset)}, edge.red, edge.blue};
-  joining.plane.normal[axis_of(edge.red)] = static_cast<float>(red_normal);
-  joining.plane.normal[axis_of(edge.blue)] = static_cast<float>(blue_normal);
-  return joining;
+  JoinedPlanes planes;
+  for (std::size_t i = 0; i < max_joining_planes; ++i) {
+    const double size = std::max(red_step[i], blue_step[i]);
+    const bool is_plain = !unit & (size >= smallest_plain_normal) & (size <= largest_plain_normal);
+    const double length = std::sqrt(red_step[i] * red_step[i] + blue_step[i] * blue_step[i]);
+    const double finite_length = std::fabs(offset[i]) > largest_float * length ? 2 * length : length;
+    const double divisor = is_plain ? 1 : finite_length;
+    planes.red_normal[i] = static_cast<float>(red_normal[i] / divisor);
+    planes.blue_normal[i] = static_cast<float>(blue_normal[i] / divisor);
+    planes.offset[i] = static_cast<float>(offset[i] / divisor);
+  }
+  return planes;
 }
 
 }  // namespace shaftcull::kernel

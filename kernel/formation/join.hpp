@@ -1,15 +1,23 @@
-/// The plane that joins an edge of one box with the corresponding edge of the other.
+/// The planes that join edges of one box with the corresponding edges of the other.
 #pragma once
 
 #include "formation/rule.hpp"
 
 namespace shaftcull::kernel {
 
-/// The joining plane of `edge` between boxes with faces at `a` and `b`: through both boxes' edges, parallel to them,
-/// with both boxes inside. Computed in double, rounded once.
+/// The joining planes of JoinedEdges, in their order, a column for each number. A plane's normal has two components other
+/// than zero, on the axes of its red and its blue face. Columns past the count of edges hold nothing of use.
+struct JoinedPlanes {
+  float red_normal[max_joining_planes];
+  float blue_normal[max_joining_planes];
+  float offset[max_joining_planes];
+};
+
+/// The joining planes of `edges` between boxes with faces at `a` and `b`: each through both boxes' edges, parallel to
+/// them, with both boxes inside. Computed in double, rounded once.
 ///
-/// The normal has unit length if `unit`; else its length is whatever saves a root and divisions. Only a unit plane
+/// Normals have unit length if `unit`; else their length is whatever saves a root and divisions. Only a unit plane
 /// farther than the largest float from the origin is scaled down, so that its offset stays finite.
-[[nodiscard]] JoiningPlane join(const Faces6& a, const Faces6& b, JoinedEdge edge, bool unit) noexcept;
+[[nodiscard]] JoinedPlanes join(const Faces6& a, const Faces6& b, const JoinedEdges& edges, bool unit) noexcept;
 
 }  // namespace shaftcull::kernel

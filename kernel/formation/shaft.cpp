@@ -57,8 +57,12 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
     const kernel::Faces6 a_faces = kernel::positions(a);
     const kernel::Faces6 b_faces = kernel::positions(b);
     const auto join_all = [&](const kernel::JoinedEdges& edges) {
+      const kernel::JoinedPlanes planes = kernel::join(a_faces, b_faces, edges, options.spheres);
       for (std::size_t i = 0; i < edges.count; ++i) {
-        joining_[i] = kernel::join(a_faces, b_faces, edges.edge[i], options.spheres);
+        const auto [red, blue] = edges.edge[i];
+        joining_[i] = {{{0.0F, 0.0F, 0.0F}, planes.offset[i]}, red, blue};
+        joining_[i].plane.normal[kernel::axis_of(red)] = planes.red_normal[i];
+        joining_[i].plane.normal[kernel::axis_of(blue)] = planes.blue_normal[i];
       }
       joining_count_ = edges.count;
     };
