@@ -2,8 +2,13 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <new>
+
+#if __has_include(<dlfcn.h>)
+#include <dlfcn.h>
+#endif
 
 namespace shaftcull {
 namespace {
@@ -15,19 +20,31 @@ std::atomic<std::size_t> first_failing = never;  // calls are counted from 1
 std::atomic<std::size_t> last_failing = never;
 std::atomic<bool> any_failed = false;
 
-/// Null if it fails.
-void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
-  const std::size_t call = ++calls;
-  if (call >= first_failing && call <= last_failing) {
-    any_failed = true;
-    return nullptr;
+/// Whether `caller`, an address in code, is in oneTBB. It promises nothing of threads that find no memory for themselves.
+bool is_in_onetbb([[maybe_unused]] const void* caller) noexcept {
+#if __has_include(<dlfcn.h>)
+  Dl_info place;
+  return dladdr(caller, &place) != 0 && place.dli_fname != nullptr && std::strstr(place.dli_fname, "libtbb") != nullptr;
+#else
+  return false;
+#endif
+}
+
+/// Null if it fails. `caller` is the address of the code that asks.
+void* allocate(std::size_t bytes, std::size_t alignment, const void* caller) noexcept {
+  if (first_failing == never || !is_in_onetbb(caller)) {
+    const std::size_t call = ++calls;
+    if (call >= first_failing && call <= last_failing) {
+      any_failed = true;
+      return nullptr;
+    }
   }
   // aligned_alloc() wants a multiple of the alignment.
   return std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
 }
 
-void* allocate_or_throw(std::size_t bytes, std::size_t alignment) {
-  void* const memory = allocate(bytes, alignment);
+void* allocate_or_throw(std::size_t bytes, std::size_t alignment, const void* caller) {
+  void* const memory = allocate(bytes, alignment, caller);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
@@ -56,21 +73,21 @@ using shaftcull::allocate_or_throw;
 using shaftcull::release;
 using shaftcull::usual;
 
-void* operator new(std::size_t bytes) { return allocate_or_throw(bytes, usual); }
-void* operator new[](std::size_t bytes) { return allocate_or_throw(bytes, usual); }
+void* operator new(std::size_t bytes) { return allocate_or_throw(bytes, usual, __builtin_return_address(0)); }
+void* operator new[](std::size_t bytes) { return allocate_or_throw(bytes, usual, __builtin_return_address(0)); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
+  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }
 void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment));
+  return allocate_or_throw(bytes, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual); }
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual, __builtin_return_address(0)); }
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual, __builtin_return_address(0)); }
 void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-  return allocate(bytes, static_cast<std::size_t>(alignment));
+  return allocate(bytes, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }
 void* operator new[](std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-  return allocate(bytes, static_cast<std::size_t>(alignment));
+  return allocate(bytes, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete[](void* memory) noexcept { release(memory); }

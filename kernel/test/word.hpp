@@ -23,11 +23,11 @@ inline constexpr unsigned word_bits = 64;
 inline constexpr std::size_t block_words = 32;
 inline constexpr std::size_t block_bounds = block_words * word_bits;
 
-/// Bits 0 … count − 1, fewer than 64.
-constexpr std::uint64_t first_bits(unsigned count) noexcept { return (std::uint64_t{1} << count) - 1; }
+/// Bits 0 … count − 1, fewer than 64. Always inlined, as words_of(): one copy for all instruction sets would be that of any.
+[[gnu::always_inline]] constexpr std::uint64_t first_bits(unsigned count) noexcept { return (std::uint64_t{1} << count) - 1; }
 
 /// How many words the bits of `count` bounds take.
-constexpr std::size_t words_of(std::size_t count) noexcept { return (count + word_bits - 1) / word_bits; }
+[[gnu::always_inline]] constexpr std::size_t words_of(std::size_t count) noexcept { return (count + word_bits - 1) / word_bits; }
 
 /// The lanes of one vector within a word.
 template <class L>
