@@ -1,7 +1,7 @@
 /// operator new of the whole program, which counts its calls and fails where it is told to.
 ///
-/// Memory that oneTBB gets for itself does not fail, nor what tasks list in (kernel/run/task_memory.hpp) in builds with it, which
-/// comes from oneTBB's allocator and does not pass here; in builds without oneTBB (preset serial) the tasks' memory does.
+/// What oneTBB allocates for itself does not fail. Nor does what tasks list in (kernel/run/task_memory.hpp), which comes
+/// from oneTBB's allocator and does not pass here; in builds without oneTBB (preset serial) it fails like all else.
 #pragma once
 
 #include <cstddef>

@@ -6,8 +6,7 @@
 /// * Its task_group_context is its own. A caller's cancelled group would otherwise cancel the loop, which then returns
 ///   without having done its work.
 /// * It is isolated. A thread that waits for the loop would otherwise take another of the caller's tasks meanwhile, in
-/// the
-///   middle of the one that made the call.
+///   the middle of the one that made the call.
 ///
 /// Bodies of loops and the work of pipelines run in the standard floating-point modes (simd/float_environment.hpp);
 /// what a pipeline delivers is delivered in the caller's.
