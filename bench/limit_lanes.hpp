@@ -1,5 +1,5 @@
 /// The kernels of limit_kernels.hpp over vectors of `L`, a type that only one translation unit has
-/// (kernel/test/README.md).
+/// (kernel/kernels/README.md).
 #pragma once
 
 #include "limit_kernels.hpp"

@@ -2,7 +2,7 @@
 #define SHAFTCULL_UNIT_AVX2
 #define xsimd xsimd_unfiltered_avx2
 #include "simd/lanes.hpp"
-#include "test/box_slab.hpp"
+#include "kernels/boxes/slab.hpp"
 #include "unfiltered.hpp"
 
 namespace shaftcull::bench {

@@ -9,7 +9,7 @@
 #include "dice.hpp"
 #include "failing_memory.hpp"
 #include "instruction_sets.hpp"
-#include "run/handover.hpp"
+#include "parallel/thread_sanitizer.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {

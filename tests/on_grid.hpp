@@ -1,5 +1,5 @@
 /// A few bounds asked of a shaft as many are of many: in a whole tile, by a group of shafts around it, so that it is tested on a grid
-/// (kernel/compile/grid.hpp).
+/// (kernel/kernels/grid/forming.hpp).
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "simd/scalar.hpp"
-#include "test/driver.hpp"
+#include "kernels/table_of.hpp"
 
 namespace shaftcull::cli {
 namespace {

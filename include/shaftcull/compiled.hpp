@@ -18,7 +18,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// InvalidArgument, by its position among many. So an array or a vector of them can be made first and filled later.
 ///
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
-/// Arrays are plain so that kernels touch no inline function of the standard library (kernel/test/README.md).
+/// Arrays are plain so that kernels touch no inline function of the standard library (kernel/kernels/README.md).
 ///
 /// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
 /// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single coordinate of

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstddef>
 
-#include "exact_floats.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "exact/expansion.hpp"
-#include "mutant.hpp"
+#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 

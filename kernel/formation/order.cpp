@@ -7,7 +7,7 @@
 
 #include "formation/rule.hpp"
 #include "formation/trimmed_box.hpp"
-#include "simd/float_environment.hpp"
+#include "support/float_environment.hpp"
 
 namespace shaftcull {
 namespace kernel {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "exact_floats.hpp"
+#include "support/exact_floats.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/shaft.hpp"
 

@@ -10,8 +10,8 @@
 #include "formation/search.hpp"
 #include "formation/table.hpp"
 #include "formation/usable_plane.hpp"
-#include "simd/float_environment.hpp"
-#include "text.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
 
 namespace shaftcull {
 namespace {

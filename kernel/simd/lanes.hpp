@@ -2,7 +2,7 @@
 ///
 /// Only what kernels need, and with semantics pinned down: minimum(a, b) and maximum(a, b) give b if either is
 /// NaN, so that a NaN coordinate in `a` is ignored. Functions are templates on an architecture that only one
-/// translation unit uses; see kernel/test/README.md for why.
+/// translation unit uses; see kernel/kernels/README.md for why.
 ///
 /// SHAFTCULL_UNIT_AVX2 and, besides, SHAFTCULL_UNIT_AVX512 say whose unit this is. What the compiler may use (__AVX2__) says
 /// something else: with -march=native it may use AVX-512 in the units of all instruction sets.

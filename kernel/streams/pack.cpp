@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "run/arguments.hpp"
-#include "simd/float_environment.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
 #include "streams/records.hpp"
-#include "text.hpp"
+#include "support/text.hpp"
 
 namespace shaftcull {
 namespace kernel {

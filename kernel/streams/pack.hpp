@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "exact_floats.hpp"
+#include "support/exact_floats.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull::kernel {

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "overlap.hpp"
+#include "support/overlap.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/four.hpp"
 

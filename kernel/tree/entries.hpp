@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "run/task_memory.hpp"
+#include "parallel/task_memory.hpp"
 #include "shaftcull/streams.hpp"
 #include "tree/parts.hpp"
 

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cmath>
 
-#include "run/cut.hpp"
-#include "run/parallel.hpp"
+#include "flat/tiling.hpp"
+#include "parallel/parallel.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "fetch.hpp"
-#include "test/kernels.hpp"
+#include "support/prefetch.hpp"
+#include "kernels/table.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {

@@ -3,9 +3,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "run/cut.hpp"
-#include "run/list_memory.hpp"
-#include "run/parallel.hpp"
+#include "flat/tiling.hpp"
+#include "parallel/list_memory.hpp"
+#include "parallel/parallel.hpp"
 #include "tree/query.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {

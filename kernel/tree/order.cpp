@@ -2,7 +2,7 @@
 /// most, moved to a multiple of a whole node, so that nodes of all levels are cells of it.
 #include "tree/order.hpp"
 
-#include "run/parallel.hpp"
+#include "parallel/parallel.hpp"
 #include "tree/parts.hpp"
 #include "tree/split.hpp"
 

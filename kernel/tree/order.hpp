@@ -1,7 +1,7 @@
 /// Tree order: which bounds share a node.
 #pragma once
 
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "run/parallel.hpp"
+#include "parallel/parallel.hpp"
 
 namespace shaftcull::kernel {
 

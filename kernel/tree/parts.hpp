@@ -9,7 +9,7 @@
 
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 
 namespace shaftcull::kernel {
 

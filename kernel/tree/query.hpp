@@ -5,12 +5,12 @@
 #include <string>
 #include <type_traits>
 
-#include "run/arguments.hpp"
+#include "support/arguments.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"
-#include "simd/float_environment.hpp"
-#include "test/kernels.hpp"
-#include "text.hpp"
+#include "support/float_environment.hpp"
+#include "kernels/table.hpp"
+#include "support/text.hpp"
 #include "tree/parts.hpp"
 #include "tree/visitors.hpp"
 #include "tree/walk.hpp"

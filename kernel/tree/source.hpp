@@ -8,11 +8,11 @@
 #include <span>
 #include <string>
 
-#include "fetch.hpp"
-#include "overlap.hpp"
-#include "run/arguments.hpp"
-#include "run/cut.hpp"
-#include "run/parallel.hpp"
+#include "support/prefetch.hpp"
+#include "support/overlap.hpp"
+#include "support/arguments.hpp"
+#include "flat/tiling.hpp"
+#include "parallel/parallel.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
 #include "tree/parts.hpp"

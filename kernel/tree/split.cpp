@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "run/cut.hpp"
-#include "run/parallel.hpp"
+#include "flat/tiling.hpp"
+#include "parallel/parallel.hpp"
 
 namespace shaftcull::kernel {
 namespace {

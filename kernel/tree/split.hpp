@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {

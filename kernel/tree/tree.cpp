@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "shaftcull/error.hpp"
-#include "simd/float_environment.hpp"
+#include "support/float_environment.hpp"
 #include "tree/build.hpp"
 #include "tree/parts.hpp"
 #include "tree/source.hpp"

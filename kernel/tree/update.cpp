@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "run/arguments.hpp"
+#include "support/arguments.hpp"
 #include "shaftcull/error.hpp"
-#include "text.hpp"
+#include "support/text.hpp"
 #include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {

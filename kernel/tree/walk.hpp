@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "fetch.hpp"
+#include "support/prefetch.hpp"
 #include "shaftcull/compiled.hpp"
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {

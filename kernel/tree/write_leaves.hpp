@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "run/cut.hpp"
+#include "flat/tiling.hpp"
 #include "tree/parts.hpp"
 #include "tree/source.hpp"
 #include "tree/word_writer.hpp"

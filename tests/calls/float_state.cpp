@@ -8,7 +8,7 @@
 #include "calls/every_call.hpp"
 #include "float_modes.hpp"
 #include "many/workload.hpp"
-#include "run/parallel.hpp"
+#include "parallel/parallel.hpp"
 
 namespace shaftcull {
 namespace {

@@ -1,6 +1,6 @@
 /// Modes and flags on 64-bit ARM: a program without any library, so that every x86 machine with clang, lld and
 /// qemu-user can try it (CMakeLists.txt). Its exit code has a bit for each thing that is wrong.
-#include "simd/float_environment.hpp"
+#include "support/float_environment.hpp"
 
 namespace {
 

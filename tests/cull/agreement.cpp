@@ -10,7 +10,7 @@
 #include "instruction_sets.hpp"
 #include "on_grid.hpp"
 #include "oracle.hpp"
-#include "run/cut.hpp"
+#include "flat/tiling.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 

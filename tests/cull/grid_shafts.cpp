@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "cases/shafts.hpp"
-#include "compile/grid.hpp"
+#include "kernels/grid/forming.hpp"
 #include "cull/agreement.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "on_grid.hpp"
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 
 namespace shaftcull {
 namespace {

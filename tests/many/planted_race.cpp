@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "many/workload.hpp"
-#include "run/parallel.hpp"
+#include "parallel/parallel.hpp"
 
 namespace {
 

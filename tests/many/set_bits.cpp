@@ -8,7 +8,7 @@
 
 #include "dice.hpp"
 #include "instruction_sets.hpp"
-#include "run/set_bits.hpp"
+#include "kernels/set_bits.hpp"
 
 namespace shaftcull {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "cull/agreement.hpp"
-#include "mutant.hpp"
+#include "support/mutant.hpp"
 
 namespace shaftcull {
 namespace kernel {

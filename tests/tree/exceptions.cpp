@@ -9,7 +9,7 @@
 
 #include "many/workload.hpp"
 #include "message_of.hpp"
-#include "run/parallel.hpp"
+#include "parallel/parallel.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"

@@ -8,7 +8,7 @@
 
 #include "dice.hpp"
 #include "instruction_sets.hpp"
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 #include "tree/found.hpp"
 #include "tree/leaf_indices.hpp"
 

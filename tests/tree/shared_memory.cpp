@@ -9,7 +9,7 @@
 
 #include "columns.hpp"
 #include "message_of.hpp"
-#include "overlap.hpp"
+#include "support/overlap.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/refine.hpp"

@@ -13,10 +13,10 @@
 
 #include "dice.hpp"
 #include "float_modes.hpp"
-#include "simd/float_environment.hpp"
+#include "support/float_environment.hpp"
 #include "instruction_sets.hpp"
 #include "shaftcull/tree.hpp"
-#include "test/kernels.hpp"
+#include "kernels/table.hpp"
 #include "tree/entries.hpp"
 #include "tree/split.hpp"
 #include "tree/scenes.hpp"

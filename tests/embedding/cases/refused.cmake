@@ -5,11 +5,11 @@ set(is_wrong "its answers would be wrong")
 file(GLOB_RECURSE sources ${SHAFTCULL}/kernel/*.cpp)
 foreach(source IN LISTS sources)
   # Of these some are as isa_scalar.cpp, with flags of their own; the others do not compute with floats.
-  if(NOT source MATCHES "isa_(sse4_2|avx2|avx512).cpp$|run/(arguments|set_bits).cpp$")
+  if(NOT source MATCHES "sets/(sse4_2|avx2|avx512).cpp$|(support/arguments|kernels/set_bits).cpp$")
     fails("${is_wrong}" ${compile} -ffast-math ${source})
   endif()
 endforeach()
-set(header ${SHAFTCULL}/kernel/exact_floats.hpp)
+set(header ${SHAFTCULL}/kernel/support/exact_floats.hpp)
 foreach(part IN ITEMS "-Ofast" "-ffinite-math-only" "-freciprocal-math"
     "-fassociative-math -fno-signed-zeros -fno-trapping-math")
   separate_arguments(part)

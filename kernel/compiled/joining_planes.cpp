@@ -1,0 +1,63 @@
+#include "compiled/joining_planes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiled/slab.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+constexpr double unit = 0x1p-24;        // of a float
+constexpr double slack = 1 + 0x1p-10;   // terms of second order
+constexpr double denormals = 0x1p-140;  // what underflow may take away, and more
+constexpr float smallest_normal = 0x1p-100F;
+
+/// The smallest float not below `margin`; +∞ if that is so large that arithmetic with it could overflow.
+float margin_of(double margin) noexcept {
+  if (!(margin < 0x1p100)) return std::numeric_limits<float>::infinity();
+  const auto rounded = static_cast<float>(margin);
+  return rounded < margin ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+}  // namespace
+
+void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes, CompiledShaft& out) noexcept {
+  const Faces6 a = positions(out.a);
+  const Faces6 b = positions(out.b);
+  float largest = 0;
+  for (Face f = 0; f < face_count; ++f) {
+    out.face[f] = is_hi(f) ? std::max(a[f], b[f]) : std::min(a[f], b[f]);
+    largest = std::max(largest, std::fabs(out.face[f]));
+  }
+  double reach[face_count];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than it is wide
+  for (Face f = 0; f < 3; ++f) {
+    const double lo = out.face[f];
+    const double hi = out.face[f + 3];
+    reach[f] = reach[f + 3] = std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
+  }
+  for (std::size_t i = 0; i < max_joining_planes; ++i) {
+    const auto [red, blue] = edges.edge[i];
+    out.joining_normal0[i] = planes.red_normal[i];
+    out.joining_normal1[i] = planes.blue_normal[i];
+    out.joining_minus_offset[i] = -planes.offset[i];
+    out.joining_near0[i] = near_stream[red];
+    out.joining_near1[i] = near_stream[blue];
+    out.joining_far0[i] = red;
+    out.joining_far1[i] = blue;
+  }
+  bool regular = largest <= regular_limit;
+  double margin = 0;
+  for (std::size_t i = 0; i < edges.count; ++i) {
+    const auto [red, blue] = edges.edge[i];
+    const float red_normal = std::fabs(planes.red_normal[i]);
+    const float blue_normal = std::fabs(planes.blue_normal[i]);
+    margin = std::max(margin, red_normal * reach[red] + blue_normal * reach[blue] + std::fabs(planes.offset[i]));
+    regular = regular & (std::min(red_normal, blue_normal) >= smallest_normal);
+  }
+  out.joining_count = edges.count;
+  out.joining_margin = regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,96 @@
+/// The slab form of a compiled shaft: the order of its constraints, and the error margins of its three forms.
+///
+/// docs/exactness.md derives the margins.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "shaftcull/compiled.hpp"
+#include "support/exact_floats.hpp"
+
+namespace shaftcull::kernel {
+
+/// What a compiled shaft says of the order of its constraints: those that bound t from above come first.
+struct SlabOrder {
+  std::uint32_t face[8];        ///< the last two stay where they are: what follows the faces in a row
+  std::uint8_t near_stream[6];  ///< as CompiledShaft::slab_near and what follows it there
+  std::uint8_t uppers;
+  std::uint8_t form;
+};
+
+/// The stream that holds the corner of a bound nearest to face f of a shaft: the opposite face of the bound.
+inline constexpr std::uint8_t near_stream[6] = {3, 4, 5, 0, 1, 2};
+
+/// By the set of faces whose scale is negative (bit f for face f). A lo face bounds t from above if it moves as the leading face does, a hi face
+/// if it moves against it; so the leading face itself is always the first.
+inline constexpr auto slab_orders = [] {
+  struct {
+    SlabOrder by_negative[64];
+  } orders{};
+  for (unsigned negative = 0; negative < 64; ++negative) {
+    SlabOrder& order = orders.by_negative[negative];
+    unsigned next = 0;
+    for (const bool upper : {true, false}) {
+      for (unsigned f = 0; f < 6; ++f) {
+        const bool moves_along = (negative >> f & 1) == 0;
+        if ((moves_along == (f < 3)) != upper) continue;
+        order.face[next] = f;
+        order.near_stream[next++] = near_stream[f];
+      }
+      if (upper) order.uppers = static_cast<std::uint8_t>(next);
+    }
+    order.face[6] = 6;
+    order.face[7] = 7;
+    order.form = static_cast<std::uint8_t>(CompiledShaft::SlabForm::fused);
+  }
+  return orders;
+}();
+
+/// What compile_batch() says of every shaft, as the two floats that follow box b in a row of its columns.
+struct BatchMark {
+  std::uint8_t joining_count = CompiledShaft::planes_pending;
+  std::uint8_t added_count = 0;
+  bool answers[3] = {true, true, true};
+  std::uint8_t padding[3] = {};
+};
+struct TwoFloats {
+  float of[2];
+};
+inline constexpr TwoFloats batch_mark = __builtin_bit_cast(TwoFloats, BatchMark{});
+
+// Rows of eight floats are written onto six and what follows them.
+static_assert(offsetof(CompiledShaft, slab_margin) == offsetof(CompiledShaft, slab_scale) + 6 * sizeof(float));
+static_assert(offsetof(CompiledShaft, reach) == offsetof(CompiledShaft, slab_scale) + 7 * sizeof(float));
+static_assert(offsetof(CompiledShaft, slab_near) == offsetof(CompiledShaft, slab_shift) + 6 * sizeof(float));
+static_assert(offsetof(CompiledShaft, b) == offsetof(CompiledShaft, a) + 6 * sizeof(float));
+static_assert(offsetof(CompiledShaft, joining_count) == offsetof(CompiledShaft, b) + 6 * sizeof(float));
+static_assert(offsetof(CompiledShaft, answers_outside) == offsetof(CompiledShaft, joining_count) + offsetof(BatchMark, answers));
+
+/// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
+inline constexpr float float_unit = 0x1p-24F;
+
+/// Coordinates above this could overflow in a difference, slopes below its inverse in a quotient: such
+/// shafts get a margin that leaves every lane to the exact predicates.
+inline constexpr float regular_limit = 0x1p125F;
+
+/// Likewise for the fused form, where two slopes are divided by each other.
+inline constexpr float fused_regular_limit = 0x1p60F;
+
+/// The fused form is used while no position of the leading face and no shift is larger than this many times the way that the
+/// leading face goes: above it the margin leaves too many lanes undecided, and the difference form, a third slower, is the better bargain.
+inline constexpr float fused_limit = 4096.0F;
+
+inline constexpr float margin_slack = 1.0F + 0x1p-10F;  // terms of second order, and the margin's own rounding
+inline constexpr float fused_margin_per_position = 20 * float_unit * margin_slack;  // of the leading face, and of shifts
+inline constexpr float fused_margin_per_way = 12 * float_unit * margin_slack;
+inline constexpr float difference_margin = 16 * float_unit * margin_slack;
+inline constexpr float relative_margin = 12 * float_unit;  // 1 ± this is a float
+inline constexpr float relative_denormals = 0x1p-124F;     // far above what underflow may take away
+
+/// The relative form is used where the farther box has a coordinate above the first, and the nearer one no coordinate above that times
+/// the second: a sweep through a scene and far beyond it. Margins of other forms grow with how far it goes.
+inline constexpr float largest_plain_reach = 0x1p20F;
+inline constexpr float far_apart = 0x1p-14F;
+
+}  // namespace shaftcull::kernel

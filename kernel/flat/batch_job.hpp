@@ -1,0 +1,212 @@
+/// A checked request: shafts, bounds and the kernel that tests them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "support/prefetch.hpp"
+#include "support/arguments.hpp"
+#include "flat/tiling.hpp"
+#include "flat/grid_group.hpp"
+#include "kernels/set_bits.hpp"
+#include "parallel/task_memory.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/streams.hpp"
+#include "support/float_environment.hpp"
+#include "kernels/table.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Rows of words in which tasks leave their bits: the row of shaft s, from the word of bound 0 on, is at words + s * stride.
+struct Rows {
+  std::uint64_t* words = nullptr;
+  std::size_t stride = 0;
+
+  [[nodiscard]] std::uint64_t* at(std::size_t shaft) const noexcept {
+    return words == nullptr ? nullptr : words + shaft * stride;
+  }
+  /// The rows from another word on.
+  [[nodiscard]] Rows from(std::size_t word) const noexcept { return {words == nullptr ? nullptr : words + word, stride}; }
+};
+
+template <class View>
+class Job {
+ public:
+  /// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
+  Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
+      : shafts_(shafts), bounds_(bounds), kernels_(active_kernels()), form_(form) {
+    require_memory("shafts", shafts, "shafts");
+    require_form(form);
+    require_view(bounds);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      require_answers(shafts[s], true, inside, is_sphere, s);
+    }
+    if (shafts.size() <= group_shafts) form_on_grid(only_group_, shafts, bounds.count);
+  }
+
+  [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
+  [[nodiscard]] const SetBits& set_bits() const noexcept { return set_bits_of(kernels_); }
+  [[nodiscard]] std::size_t bounds() const noexcept { return bounds_.count; }
+  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(bounds_.count); }
+
+  /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
+  /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
+  void test(Run block, Run group, Rows kept, Rows inside = {}) const {
+    GroupOnGrid this_group;
+    if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size), block.size);
+    const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
+    const bool in_large_tiles = on_grid.exists() || group.size == 1;  // one shaft reads a tile once
+    const std::size_t tile_size = even_tile(block.size, in_large_tiles ? tile_bounds : float_tile_bounds);
+    TaskRoom<CacheLine, 64> room(on_grid.exists() ? words_for(tile_size) * lines_a_word : 0);
+    for (std::size_t first = block.first; first < block.end(); first += tile_size) {
+      const View tile = bounds_.slice(first, std::min(tile_size, block.end() - first));
+      const Rows tile_kept = kept.from((first - block.first) / 64);
+      const Rows tile_inside = inside.from((first - block.first) / 64);
+      // What all shafts share is made once for all.
+      if (on_grid.exists()) {
+        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside, room.get());
+      } else {
+        test_tile_in_floats(tile, first, group, tile_kept, tile_inside);
+      }
+    }
+  }
+
+ private:
+  static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
+
+  /// Shafts that pay for making boxes around spheres: in vectors more than without, where there is no grid either.
+  [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }
+
+  void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts, std::size_t bounds) const noexcept {
+    if (form_ == Form::planes) return;
+    const FloatEnvironment environment;
+    group.form(kernels_.grid, shafts, bounds, is_sphere);
+  }
+
+  void test_tile_in_floats(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+    if constexpr (is_sphere) {
+      if (form_ != Form::planes && group.size >= fewest_for_boxes()) return test_boxed_tile(tile, first, group, kept, inside);
+    }
+    test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, kept, inside);
+  }
+
+  void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, Rows kept,
+                 Rows inside) const noexcept {
+    for (std::size_t s = 0; s != group.size; ++s) {
+      fetch_share_of_next(first + count, count, s, group.size);
+      kernel(shafts_[group.first + s], stream, count, kept.at(s), inside.at(s));
+    }
+  }
+
+  // Apart from each other, so that the memory of one is not on the stack of the other.
+  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+    alignas(64) float box[6][float_tile_bounds];
+    float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+    kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
+    const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
+                                     box[1],         box[2],         box[3],         box[4],         box[5]};
+    test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
+  }
+
+  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first, Run group, Rows kept,
+                                           Rows inside, CacheLine* room) const noexcept {
+    const std::size_t row = words_for(tile.count) * 64;
+    auto* const snapped = reinterpret_cast<std::int16_t*>(room);
+    auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
+    std::int16_t* const grid[6] = {snapped,           snapped + row,     snapped + 2 * row,
+                                   snapped + 3 * row, snapped + 4 * row, snapped + 5 * row};
+    if constexpr (is_sphere) {
+      snap_spheres(on_grid.frame, tile, grid);
+    } else {
+      kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
+    }
+    for (std::size_t b = 0; b != pieces(group.size, batch_shafts); ++b) {
+      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept, inside);
+    }
+  }
+
+  /// So many shafts look at the tile on the grid, one after the other, before what that leaves is done in floats: so the two do not
+  /// drive each other out of the L1 cache with every shaft.
+  static constexpr std::size_t batch_shafts = 16;
+
+  /// What a task needs to test a tile on a grid, too much of it for the stack: for each word of bounds their numbers on the grid, and all
+  /// words that a batch of shafts may leave undecided.
+  static constexpr std::size_t lines_a_word =
+      (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
+
+  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, Run batch, const View& tile, const std::int16_t* const* grid,
+                                                 UndecidedWord* undecided, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+    const CompiledShaft* shaft[batch_shafts];
+    std::uint64_t* kept_row[batch_shafts];
+    std::uint64_t* inside_row[batch_shafts];
+    const std::size_t words = words_for(tile.count);
+    std::uint32_t looked = 0;
+    std::size_t listed = 0;
+    for (std::size_t s = batch.first; s != batch.end(); ++s) {
+      fetch_share_of_next(first + tile.count, tile.count, s, group.size);
+      if (s + batch_shafts < group.size) fetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
+      const CompiledShaft& its_shaft = shafts_[group.first + s];
+      if (!on_grid.shaft[s].exists) {
+        kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
+        continue;
+      }
+      shaft[looked] = &its_shaft;
+      kept_row[looked] = kept.at(s);
+      inside_row[looked] = inside.at(s);
+      listed += kernels_.grid.look(on_grid.shaft[s], grid, words, kept.at(s), looked, undecided + listed);
+      ++looked;
+    }
+    if (!is_sphere) kernels_.grid.decide(shaft, tile.stream.data(), tile.count, undecided, listed, kept_row);
+    for (std::size_t i = 0; i != looked; ++i) {
+      if (!is_sphere && shaft[i]->added_count == 0 && inside_row[i] == nullptr) continue;
+      kernels_.grid.settle(tile)(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
+    }
+  }
+
+  /// Fetches what a later shaft will write: rows far apart, often by a power of two, are not long in any cache.
+  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside, std::size_t words) noexcept {
+    constexpr std::size_t line = 64 / sizeof(std::uint64_t);
+    for (std::size_t w = 0; w < words; w += line) {
+      __builtin_prefetch(kept + w, 1);
+      if (inside != nullptr) __builtin_prefetch(inside + w, 1);
+    }
+  }
+
+  /// Snaps the boxes around a tile's spheres, a few at a time.
+  [[gnu::noinline]] void snap_spheres(const GridFrame& frame, const View& tile, std::int16_t* const* grid) const noexcept {
+    constexpr std::size_t some = tile_bounds / 8;
+    alignas(64) float box[6][some];
+    float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+    for (std::size_t i = 0; i < tile.count; i += some) {
+      const View part = tile.slice(i, std::min(some, tile.count - i));
+      std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
+      kernels_.box_spheres(part.stream.data(), part.count, boxes);
+      kernels_.grid.snap_boxes(frame, boxes, words_for(part.count) * 64, out);
+    }
+  }
+
+  /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into the second-level cache, while
+  /// the tile before it is tested: otherwise the first shaft of each group waits for memory. Few shafts read a tile about as fast as it comes, and the
+  /// processor's own fetching does better. Inlined, as fetch_to_second_level() is.
+  [[gnu::always_inline]] void fetch_share_of_next(std::size_t next, std::size_t count, std::size_t i, std::size_t shares) const noexcept {
+    constexpr std::size_t line = 64 / sizeof(float);
+    if (shares < fewest_that_fetch) return;
+    const std::size_t lines = std::min(count, bounds_.count - next) / line;
+    for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
+      for (const float* stream : bounds_.stream) fetch_to_second_level(stream + next + l * line, line);
+    }
+  }
+  static constexpr std::size_t fewest_that_fetch = 8;
+
+  std::span<const CompiledShaft> shafts_;
+  View bounds_;
+  const Kernels& kernels_;
+  Form form_;
+  GroupOnGrid only_group_;  // if there is only one, it is formed once for all tasks
+};
+
+}  // namespace shaftcull::kernel

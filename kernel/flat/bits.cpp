@@ -1,0 +1,60 @@
+/// cull_many() and classify_many(): every task writes its words straight into the user's rows.
+#include "flat/batch_job.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/many.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class View>
+void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t* inside) {
+  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
+  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::Run block = cut.block(b);
+    const kernel::Run group = cut.group(g);
+    const kernel::Rows all_kept{kept, job.row_words()};
+    const kernel::Rows all_inside{inside, job.row_words()};
+    job.test(block, group, all_kept.from(group.first * job.row_words() + block.first / 64),
+             all_inside.from(group.first * job.row_words() + block.first / 64));
+  });
+}
+
+template <class View>
+void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept, Form form) {
+  const kernel::Job<View> job(shafts, bounds, false, form);
+  kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
+  write_bits(job, kept.data(), nullptr);
+}
+
+template <class View>
+void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept,
+                   std::span<std::uint64_t> inside, Form form) {
+  const kernel::Job<View> job(shafts, bounds, true, form);
+  kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
+  kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
+  kernel::require_apart("classify_many", "kept_rows", kernel::bytes_of(kept), "inside_rows", kernel::bytes_of(inside));
+  write_bits(job, kept.data(), inside.data());
+}
+
+}  // namespace
+
+void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows, Form form) {
+  cull_rows(shafts, boxes, kept_rows, form);
+}
+
+void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
+               Form form) {
+  cull_rows(shafts, spheres, kept_rows, form);
+}
+
+void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
+                   std::span<std::uint64_t> inside_rows, Form form) {
+  classify_rows(shafts, boxes, kept_rows, inside_rows, form);
+}
+
+void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
+                   std::span<std::uint64_t> inside_rows, Form form) {
+  classify_rows(shafts, spheres, kept_rows, inside_rows, form);
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,75 @@
+/// cull_tiles() and classify_tiles(): tasks work in parallel, their answers leave in order.
+#include <algorithm>
+#include <memory>
+
+#include "flat/batch_job.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/many.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Tasks under way for every thread: enough that a thread seldom waits for the callback's turn.
+constexpr std::size_t tasks_per_thread = 4;
+
+template <class View>
+void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, const TileCallback& callback, bool inside,
+                   Form form) {
+  const kernel::Job<View> job(shafts, bounds, inside, form);
+  if (!callback) throw InvalidArgument("the tile callback is empty; pass something that can be called");
+  const kernel::Cut cut = kernel::Cut::ordered(job.bounds(), job.shafts());
+  const std::size_t tasks = cut.blocks() * cut.groups();
+  if (tasks == 0) return;
+
+  const std::size_t slots = std::min(tasks, tasks_per_thread * static_cast<std::size_t>(kernel::threads_here()));
+  const std::size_t slot_words = kernel::task_words * (inside ? 2 : 1);
+  const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(slots * slot_words);
+
+  const auto work = [&](std::size_t task, std::size_t slot) {
+    const kernel::Run block = cut.block(task / cut.groups());
+    const kernel::Run group = cut.group(task % cut.groups());
+    const std::size_t words = words_for(block.size);
+    std::uint64_t* const kept = memory.get() + slot * slot_words;
+    job.test(block, group, {kept, words}, {inside ? kept + kernel::task_words : nullptr, words});
+  };
+  const auto deliver = [&](std::size_t task, std::size_t slot) {
+    const kernel::Run block = cut.block(task / cut.groups());
+    const kernel::Run group = cut.group(task % cut.groups());
+    const std::size_t words = words_for(block.size);
+    const std::uint64_t* const kept = memory.get() + slot * slot_words;
+    for (std::size_t tile = 0; tile < block.size; tile += kernel::tile_bounds) {
+      const std::size_t count = std::min(kernel::tile_bounds, block.size - tile);
+      for (std::size_t s = 0; s != group.size; ++s) {
+        const std::span<const std::uint64_t> tile_kept(kept + s * words + tile / 64, words_for(count));
+        const std::span<const std::uint64_t> tile_inside =
+            inside ? std::span<const std::uint64_t>(tile_kept.data() + kernel::task_words, words_for(count))
+                   : std::span<const std::uint64_t>();
+        callback({group.first + s, block.first + tile, count, tile_kept, tile_inside});
+      }
+    }
+  };
+  kernel::ordered_pipeline(tasks, slots, work, deliver);
+}
+
+}  // namespace
+
+void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback, Form form) {
+  deliver_tiles(shafts, boxes, callback, false, form);
+}
+
+void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback, Form form) {
+  deliver_tiles(shafts, spheres, callback, false, form);
+}
+
+void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback, Form form) {
+  deliver_tiles(shafts, boxes, callback, true, form);
+}
+
+void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+                    Form form) {
+  deliver_tiles(shafts, spheres, callback, true, form);
+}
+
+int concurrency() noexcept { return kernel::threads_here(); }
+
+}  // namespace shaftcull

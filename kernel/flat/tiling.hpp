@@ -1,0 +1,85 @@
+/// How many shafts × many bounds are cut into tasks: by the sizes alone, never by the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+namespace shaftcull::kernel {
+
+/// Bounds in a tile: 24 KiB of boxes on a grid (kernel/kernels/grid/forming.hpp), so that these and the shafts tested against
+/// them stay in a 32 KiB L1 cache; the floats that they were made from are 48 KiB. A multiple of 512, so that tasks,
+/// which get whole tiles, share no word of results and, in aligned rows, no cache line either.
+inline constexpr std::size_t tile_bounds = 2048;
+inline constexpr std::size_t tile_words = tile_bounds / 64;
+
+/// Bounds in a tile that several shafts test in floats: 24 KiB of boxes.
+inline constexpr std::size_t float_tile_bounds = 1024;
+
+/// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a group.
+inline constexpr std::size_t group_shafts = 64;
+
+/// Tiles × shafts in a task: 2¹⁹ tests, some 80 µs, which makes the cost of starting a task vanish.
+inline constexpr std::size_t task_tiles_times_shafts = 256;
+
+/// Most tiles in a task: so many take as long to come from memory.
+inline constexpr std::size_t most_task_tiles = 64;
+
+/// Most words of one kind of bits that a task produces.
+inline constexpr std::size_t task_words = task_tiles_times_shafts * tile_words;
+
+/// A run of positions [first, first + size).
+struct Run {
+  std::size_t first;
+  std::size_t size;
+  [[nodiscard]] std::size_t end() const noexcept { return first + size; }
+};
+
+/// The piece `i` of `whole` positions cut into pieces of `length`, the last one shorter.
+[[nodiscard]] constexpr Run piece(std::size_t whole, std::size_t length, std::size_t i) noexcept {
+  return {i * length, std::min(length, whole - i * length)};
+}
+
+/// How many pieces of `length` that makes.
+[[nodiscard]] constexpr std::size_t pieces(std::size_t whole, std::size_t length) noexcept {
+  return whole / length + (whole % length != 0);
+}
+
+/// Bounds in each of a block's tiles, the last one shorter: at most `most`, and as even as whole words allow, since a
+/// tile of few bounds costs nearly as much as one of many.
+[[nodiscard]] constexpr std::size_t even_tile(std::size_t bounds, std::size_t most) noexcept {
+  const std::size_t tiles = std::max<std::size_t>(pieces(bounds, most), 1);
+  return std::max<std::size_t>(64 * pieces(pieces(bounds, 64), tiles), 64);
+}
+
+/// Tasks in rows and columns, each a block of tiles × a group of shafts.
+class Cut {
+ public:
+  /// For results that may be made in any order.
+  [[nodiscard]] static constexpr Cut free(std::size_t bounds, std::size_t shafts) noexcept {
+    constexpr std::size_t fewest = task_tiles_times_shafts / most_task_tiles;
+    return {bounds, shafts, task_tiles_times_shafts / std::clamp(shafts, fewest, group_shafts)};
+  }
+  /// For results ordered by tile and then by shaft: a block is one tile if there is more than one group.
+  [[nodiscard]] static constexpr Cut ordered(std::size_t bounds, std::size_t shafts) noexcept {
+    return shafts > group_shafts ? Cut{bounds, shafts, 1} : free(bounds, shafts);
+  }
+
+  [[nodiscard]] constexpr std::size_t blocks() const noexcept { return pieces(bounds_, block_bounds()); }
+  [[nodiscard]] constexpr std::size_t groups() const noexcept { return pieces(shafts_, group_shafts); }
+  [[nodiscard]] constexpr std::size_t block_bounds() const noexcept { return block_tiles_ * tile_bounds; }
+
+  /// The bounds of block `i`.
+  [[nodiscard]] constexpr Run block(std::size_t i) const noexcept { return piece(bounds_, block_bounds(), i); }
+  /// The shafts of group `i`.
+  [[nodiscard]] constexpr Run group(std::size_t i) const noexcept { return piece(shafts_, group_shafts, i); }
+
+ private:
+  constexpr Cut(std::size_t bounds, std::size_t shafts, std::size_t block_tiles) noexcept
+      : bounds_(bounds), shafts_(shafts), block_tiles_(block_tiles) {}
+
+  std::size_t bounds_;
+  std::size_t shafts_;
+  std::size_t block_tiles_;
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,113 @@
+/// Boxes inside the shaft, for a few boxes here and there: in the lanes of a vector are the planes of the shaft, not boxes.
+#pragma once
+
+#include "exact/predicates.hpp"
+#include "kernels/shared/survivors.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// The faces and joining planes of a shaft in eight lanes.
+template <class L>
+class PlanesInLanes {
+ public:
+  using Eight = typename L::Eight;
+  using Vector = typename Eight::Vector;
+
+  /// Whether they say all there is to say of this shaft.
+  [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept {
+    return shaft.added_count == 0 && shaft.joining_margin < __builtin_inff();
+  }
+
+  PlanesInLanes(const CompiledShaft& shaft, const float* const* stream) noexcept
+      : corner0_(Eight::order(shaft.joining_far0)),
+        corner1_(Eight::order(shaft.joining_far1)),
+        faces_(Eight::negate_hi(Eight::load_six(shaft.face, -__builtin_inff()))),
+        two_margins_(2 * shaft.joining_margin) {
+    for (unsigned s = 0; s < 6; ++s) stream_[s] = stream[s];
+    // A plane that there is not is never beyond anything: −∞, or NaN for boxes with an infinite coordinate, which are not within the faces.
+    const auto exists = Eight::first(shaft.joining_count);
+    const Vector shift = Eight::add(Eight::load(shaft.joining_minus_offset), Eight::all(shaft.joining_margin));
+    normal0_ = Eight::choose(exists, Eight::load(shaft.joining_normal0), Eight::all(0.0F));
+    normal1_ = Eight::choose(exists, Eight::load(shaft.joining_normal1), Eight::all(0.0F));
+    shift_ = Eight::choose(exists, shift, Eight::all(-__builtin_inff()));
+  }
+
+  /// What the lanes say of a box.
+  struct Verdict {
+    typename Eight::Mask within;  ///< its faces are within the shaft box's; and, in the last lanes, it is not empty
+    Vector value;                 ///< of planes at the far corner + margin: negative if certainly behind, above two margins if certainly beyond
+  };
+  [[nodiscard]] Verdict of(std::size_t i) const noexcept {
+    const Vector box = Eight::gather(stream_, i);
+    const Vector lower = Eight::with_seventh(faces_, Eight::all(stream_[0][i]));
+    return {Eight::less_equal(lower, Eight::negate_hi(box)),
+            Eight::multiply_add(Eight::permuted(box, corner0_), normal0_,
+                                Eight::multiply_add(Eight::permuted(box, corner1_), normal1_, shift_))};
+  }
+  /// Of values, the lanes that are neither for certain.
+  [[nodiscard]] unsigned undecided(Vector value) const noexcept {
+    return Eight::signs(Eight::less_equal(value, Eight::all(two_margins_))) & ~Eight::signs(value);
+  }
+
+ private:
+  typename Eight::Order corner0_;
+  typename Eight::Order corner1_;
+  Vector normal0_;
+  Vector normal1_;
+  Vector shift_;
+  Vector faces_;
+  const float* stream_[6];
+  float two_margins_;
+};
+
+inline constexpr unsigned all_eight = 0xff;
+
+/// Writes which of the boxes at `positions` are inside, some of which are too close to call.
+template <class L>
+[[gnu::noinline, gnu::cold]] void settle_few_inside(const CompiledShaft& shaft, const PlanesInLanes<L>& planes,
+                                                    const float* const* stream, std::size_t words, const Positions<L>& positions,
+                                                    std::uint64_t* inside) noexcept {
+  using Eight = typename L::Eight;
+  std::uint64_t undecided[block_words];
+  for (std::size_t w = 0; w < words; ++w) inside[w] = undecided[w] = 0;
+  for (unsigned k = 0; k < positions.count(); ++k) {
+    const unsigned i = positions[k];
+    const auto verdict = planes.of(i);
+    if (Eight::signs(verdict.within) != all_eight) continue;
+    const unsigned behind = Eight::signs(verdict.value);
+    const std::uint64_t bit = std::uint64_t{1} << (i % word_bits);
+    if (behind == all_eight) {
+      inside[i / word_bits] |= bit;
+    } else if ((behind | planes.undecided(verdict.value)) == all_eight) {
+      undecided[i / word_bits] |= bit;
+    }
+  }
+  for (std::size_t w = 0; w < words; ++w) {
+    if (undecided[w] == 0) continue;
+    inside[w] |= decide_lanes<L>(undecided[w], [&](unsigned lane) {
+      return box_inside(shaft, BoundAt<L, 6>(stream, w * word_bits + lane).value);
+    });
+  }
+}
+
+/// Writes which of the kept boxes, few of them, are inside of a shaft that planes in lanes suit.
+template <class L>
+void few_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept {
+  using Eight = typename L::Eight;
+  const PlanesInLanes<L> planes(shaft, stream);
+  const Positions<L> positions(kept, words);
+  for (std::size_t w = 0; w < words; ++w) inside[w] = 0;
+  auto least = Eight::all(-1.0F);
+  for (unsigned k = 0; k < positions.count(); ++k) {
+    const unsigned i = positions[k];
+    const auto verdict = planes.of(i);
+    least = Eight::minimum_of_bits(least, verdict.value);
+    const unsigned signs = Eight::signs(Eight::both(verdict.within, verdict.value));
+    inside[i / word_bits] |= std::uint64_t{(signs + 1) / (all_eight + 1)} << (i % word_bits);
+  }
+  if (planes.undecided(least) != 0) [[unlikely]] settle_few_inside<L>(shaft, planes, stream, words, positions, inside);
+}
+
+}  // namespace shaftcull::kernel

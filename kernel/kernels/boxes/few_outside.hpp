@@ -1,0 +1,67 @@
+/// Boxes outside the shaft, in slab form, for a few boxes here and there: in the lanes of a vector are the constraints of the shaft, not
+/// boxes. So boxes need not be collected, and of the shaft nothing is broadcast.
+#pragma once
+
+#include "exact/predicates.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// The slab constraints of a shaft in eight lanes: the last two are the ends of t.
+template <class L>
+class SlabInLanes {
+ public:
+  using Eight = typename L::Eight;
+  using Vector = typename Eight::Vector;
+
+  [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept { return shaft.slab_form == CompiledShaft::SlabForm::fused; }
+
+  explicit SlabInLanes(const CompiledShaft& shaft) noexcept
+      : corner_(Eight::order(shaft.slab_near)),
+        is_upper_(Eight::first_and_seventh(shaft.slab_uppers)),
+        scale_(Eight::load(shaft.slab_scale)),
+        two_margins_(2 * shaft.slab_margin) {
+    // As in Slab, lower bounds carry the margin.
+    const Vector margin = Eight::choose(is_upper_, Eight::all(0.0F), Eight::all(shaft.slab_margin));
+    ends_ = Eight::subtract(Eight::sorted_last_two(shaft.a.lo[0], shaft.b.lo[0]), margin);
+    // What follows the six shifts is no number, and arithmetic with denormals takes a hundred cycles.
+    shift_ = Eight::with_last_two(Eight::subtract(Eight::load(shaft.slab_shift), margin), ends_);
+  }
+
+  /// As Slab::room().
+  [[nodiscard]] float room(const float* const* stream, std::size_t i) const noexcept {
+    const Vector box = Eight::gather(stream, i);
+    const Vector bound = Eight::with_last_two(Eight::multiply_add(Eight::permuted(box, corner_), scale_, shift_), ends_);
+    const Vector signed_bound = Eight::infinite_if_nan(Eight::negate_unless(is_upper_, bound));
+    const Vector none = Eight::all(__builtin_inff());
+    return Eight::sum_of_smallest(Eight::choose(is_upper_, signed_bound, none), Eight::choose(is_upper_, none, signed_bound));
+  }
+  [[nodiscard]] float two_margins() const noexcept { return two_margins_; }
+
+ private:
+  typename Eight::Order corner_;
+  typename Eight::Mask is_upper_;
+  Vector scale_;
+  Vector shift_;
+  Vector ends_;
+  float two_margins_;
+};
+
+/// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that this suits.
+template <class L>
+std::uint64_t few_outside(const CompiledShaft& shaft, const float* const* stream, std::size_t first, std::uint64_t lanes) noexcept {
+  const SlabInLanes<L> slab(shaft);
+  std::uint64_t outside = 0;
+  std::uint64_t undecided = 0;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const unsigned lane = lowest_bit<L>(lanes);
+    const float room = slab.room(stream, first + lane);
+    outside |= static_cast<std::uint64_t>(room < 0) << lane;
+    undecided |= static_cast<std::uint64_t>((room >= 0) & (room <= slab.two_margins())) << lane;
+  }
+  if (undecided == 0) [[likely]] return outside;
+  const SlabPredicate exact(shaft);
+  return outside | decide_lanes<L>(undecided, [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, first + lane).value); });
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,273 @@
+/// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
+#pragma once
+
+#include "kernels/forming/slab.hpp"
+#include "exact/predicates.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// The room of what is outside, in lanes without a bound.
+inline constexpr float outside_for_certain = -1.0F;
+
+/// A compiled shaft's slab constraints in registers, `uppers` of them bounding t from above.
+template <class L, unsigned uppers, CompiledShaft::SlabForm form>
+struct Slab {
+  static constexpr bool fused = form == CompiledShaft::SlabForm::fused;
+  static constexpr bool relative = form == CompiledShaft::SlabForm::relative;
+  using Vector = typename L::Vector;
+  Vector scale[6];
+  Vector shift[6];
+  Vector begin;
+  Vector end;
+  Vector margin;
+  Vector two_margins;
+  Vector narrower;  ///< 1 ∓ the margin, in the relative form
+  Vector wider;
+
+  Slab(const CompiledShaft& shaft, float error_margin) noexcept
+      : margin(L::all(error_margin)), two_margins(L::all(2 * error_margin)) {
+    const float t_at_a = fused ? *reinterpret_cast<const float*>(&shaft.a) : 0.0F;
+    const float t_at_b = fused ? *reinterpret_cast<const float*>(&shaft.b) : 1.0F;
+    begin = L::all(t_at_a < t_at_b ? t_at_a : t_at_b);
+    end = L::all(t_at_a < t_at_b ? t_at_b : t_at_a);
+    for (unsigned i = 0; i < 6; ++i) {
+      scale[i] = L::all(shaft.slab_scale[i]);
+      shift[i] = L::all(shaft.slab_shift[i]);
+    }
+    if constexpr (relative) {
+      end = L::all(FarWay<L>(shaft).length);
+      narrower = L::all(1 - error_margin);
+      wider = L::all(1 + error_margin);
+      two_margins = L::all(__FLT_MAX__);
+    }
+    if constexpr (fused) {  // lower bounds carry the margin
+      begin = L::subtract(begin, margin);
+      for (unsigned i = uppers; i < 6; ++i) shift[i] = L::subtract(shift[i], margin);
+    }
+  }
+
+  /// The bound on t that coordinate x puts through constraint i.
+  [[nodiscard]] Vector bound(unsigned i, Vector x) const noexcept {
+    if constexpr (fused) {
+      return i == 0 ? x : L::multiply_add(x, scale[i], shift[i]);
+    } else {
+      return L::multiply(L::subtract(x, shift[i]), scale[i]);
+    }
+  }
+
+  /// Smallest upper bound − largest lower bound + margin, where coordinate(i) is what constraint i reads: negative if certainly
+  /// outside, above two margins if certainly not. Never NaN, because minimum and maximum pass over a NaN in their first argument.
+  template <class Coordinate>
+  [[nodiscard]] Vector room(Coordinate coordinate) const noexcept {
+    Vector upper = end;
+    Vector lower = begin;
+#pragma GCC unroll 6
+    for (unsigned i = 0; i < 6; ++i) {
+      const Vector t = bound(i, coordinate(i));
+      if (i < uppers) {
+        upper = L::minimum(t, upper);
+      } else {
+        lower = L::maximum(t, lower);
+      }
+    }
+    if constexpr (fused) {
+      return L::subtract(upper, lower);
+    } else if constexpr (relative) {
+      // Certainly not outside is +∞. Otherwise negative if certainly outside, and neither else.
+      const Vector least = L::multiply_add(upper, narrower, L::all(-relative_denormals));
+      const Vector most = L::multiply_add(upper, wider, L::all(relative_denormals));
+      return L::choose(L::less_equal(lower, least), L::all(__builtin_inff()), L::subtract(most, lower));
+    } else {
+      return L::subtract(margin, L::subtract(lower, upper));
+    }
+  }
+};
+
+/// Bits of the boxes of the word at `at` that are outside, where some lane is too close to call.
+template <class L, class SlabType, class Word>
+[[gnu::noinline, gnu::cold]] std::uint64_t settle_slab_word(const CompiledShaft& shaft, const SlabType& slab,
+                                                            const float* const (&x)[6], const float* const* stream,
+                                                            std::size_t at, const Word& word) noexcept {
+  std::uint64_t outside = 0;
+  std::uint64_t near = 0;
+  for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
+    const auto room = word.choose(lane, slab.room([&](unsigned i) { return word.load(x[i], at, lane); }),
+                                  L::all(outside_for_certain));
+    outside |= L::bits(L::less(room, L::all(0.0F))) << lane;
+    near |= L::bits(L::less_equal(room, slab.two_margins)) << lane;
+  }
+  const SlabPredicate exact(shaft);
+  return outside | decide_lanes<L>(near & ~outside, [&](unsigned lane) {
+           return exact.outside(BoundAt<L, 6>(stream, at + lane).value);
+         });
+}
+
+/// What the constraints of a shaft read: a corner of each box.
+template <class L>
+struct BoxCorners {
+  static constexpr bool exactly = true;
+  static constexpr bool has_radius = false;
+  using Vector = typename L::Vector;
+  const float* x[6];
+
+  BoxCorners(const CompiledShaft& shaft, const float* const* box) noexcept {
+    for (unsigned i = 0; i < 6; ++i) x[i] = box[shaft.slab_near[i]];
+  }
+  template <class Word>
+  [[nodiscard]] Vector coordinate(unsigned i, const Word& word, std::size_t at, std::size_t lane) const noexcept {
+    return word.load(x[i], at, lane);
+  }
+};
+
+/// Likewise of boxes around spheres, whose answers are not the last word.
+template <class L>
+struct BoxedSphereCorners : BoxCorners<L> {
+  static constexpr bool exactly = false;
+  using BoxCorners<L>::BoxCorners;
+};
+
+/// Likewise of spheres that nobody has made boxes for.
+template <class L>
+struct SphereCorners {
+  static constexpr bool exactly = false;
+  static constexpr bool has_radius = true;  // if negative, the sphere is outside
+  using Vector = typename L::Vector;
+  const float* centre[6];
+  const float* radius;
+  Vector sign[6];  // of the radius: −0 where a constraint reads the lo corner
+
+  SphereCorners(const CompiledShaft& shaft, const float* const* sphere) noexcept : radius(sphere[3]) {
+    for (unsigned i = 0; i < 6; ++i) {
+      centre[i] = sphere[shaft.slab_near[i] % 3];
+      sign[i] = L::all(shaft.slab_near[i] < 3 ? -0.0F : 0.0F);
+    }
+  }
+  template <class Word>
+  [[nodiscard]] Vector coordinate(unsigned i, const Word& word, std::size_t at, std::size_t lane) const noexcept {
+    return L::add(word.load(centre[i], at, lane), L::flip_sign(word.load(radius, at, lane), sign[i]));
+  }
+};
+
+/// Where words are: one behind the other. operator()(w) is the position of the first bound of word w.
+template <class L>
+struct WordsInARow {
+  std::size_t first = 0;
+  unsigned rest = 0;  ///< bounds of one more word, which they do not fill
+
+  std::size_t operator()(std::size_t w) const noexcept { return first + w * word_bits; }
+};
+
+/// Kept bits of the word at `at`: exactly, or without the bits of those that are outside for certain.
+template <class L, class SlabType, class Corners, class Word>
+[[gnu::always_inline]] inline std::uint64_t slab_word(const CompiledShaft& shaft, const SlabType& slab,
+                                                      const Corners& corners, const float* const* stream,
+                                                      std::size_t at, const Word& word) noexcept {
+  std::uint64_t outside = 0;
+  typename L::Verdicts verdicts(slab.two_margins);
+  for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
+    typename L::Vector room[4];
+#pragma GCC unroll 4
+    for (unsigned v = 0; v < 4; ++v) {
+      // Not by way of an object for the vector: with one, g++ 12 does not put four scalar lanes into a register.
+      room[v] = slab.room([&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); });
+      if constexpr (Corners::has_radius) {
+        room[v] = L::either_negative(room[v], word.load(corners.radius, at, four + v * L::width));
+      }
+      room[v] = word.choose(four + v * L::width, room[v], L::all(outside_for_certain));
+    }
+    if constexpr (Corners::exactly) {
+      outside |= verdicts.read(room) << four;
+    } else {
+      outside |= L::signs(room) << four;
+    }
+  }
+  if constexpr (Corners::exactly) {
+    if (verdicts.any_undecided()) [[unlikely]] {
+      outside = settle_slab_word<L>(shaft, slab, corners.x, stream, at, word);
+    }
+  }
+  return ~outside;
+}
+
+/// Writes the kept bits of `words` whole words, and of the rest behind them if there is one: exactly, or clears the
+/// bits of those that are outside for certain.
+template <class L, template <class> class Corners, class Words, unsigned uppers, CompiledShaft::SlabForm form>
+void slab_words(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
+                std::size_t words, std::uint64_t* kept) noexcept {
+  const Slab<L, uppers, form> slab(shaft, margin);
+  const Corners<L> corners(shaft, stream);
+  for (std::size_t w = 0; w < words; ++w) {
+    kept[w] = slab_word<L>(shaft, slab, corners, stream, position(w), WholeWord<L>{});
+  }
+  if constexpr (requires { position.rest; }) {
+    if (position.rest == 0) return;
+    kept[words] = slab_word<L>(shaft, slab, corners, stream, position(words), PartOfWord<L>{position.rest}) &
+                  first_bits(position.rest);
+  }
+}
+
+/// For shafts that no margin holds for.
+template <class L, class Words>
+void box_exact_words(const CompiledShaft& shaft, const float* const* stream, const Words& position, std::size_t words,
+                     std::uint64_t* kept) noexcept {
+  const SlabPredicate exact(shaft);
+  const auto kept_of = [&](std::size_t w, std::uint64_t lanes) {
+    return lanes & ~decide_lanes<L>(lanes, [&](unsigned lane) {
+             return exact.outside(BoundAt<L, 6>(stream, position(w) + lane).value);
+           });
+  };
+  for (std::size_t w = 0; w < words; ++w) kept[w] = kept_of(w, ~std::uint64_t{0});
+  if constexpr (requires { position.rest; }) {
+    if (position.rest != 0) kept[words] = kept_of(words, first_bits(position.rest));
+  }
+}
+
+/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's always in the
+/// fused form.
+template <class L, template <class> class Corners, class Words>
+void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
+                   std::size_t words, std::uint64_t* kept) noexcept {
+  using enum CompiledShaft::SlabForm;
+  using TestWords = void(const CompiledShaft&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
+  if constexpr (Corners<L>::exactly) {
+    static constexpr TestWords* relative_by_uppers[7] = {
+        slab_words<L, Corners, Words, 0, relative>, slab_words<L, Corners, Words, 1, relative>,
+        slab_words<L, Corners, Words, 2, relative>, slab_words<L, Corners, Words, 3, relative>,
+        slab_words<L, Corners, Words, 4, relative>, slab_words<L, Corners, Words, 5, relative>,
+        slab_words<L, Corners, Words, 6, relative>};
+    if (shaft.slab_form == relative) {
+      return relative_by_uppers[shaft.slab_uppers](shaft, margin, stream, position, words, kept);
+    }
+  }
+  static constexpr TestWords* by_uppers[2][7] = {
+      {nullptr, slab_words<L, Corners, Words, 1, fused>, slab_words<L, Corners, Words, 2, fused>,
+       slab_words<L, Corners, Words, 3, fused>, slab_words<L, Corners, Words, 4, fused>,
+       slab_words<L, Corners, Words, 5, fused>, slab_words<L, Corners, Words, 6, fused>},
+      {slab_words<L, Corners, Words, 0, difference>, slab_words<L, Corners, Words, 1, difference>, slab_words<L, Corners, Words, 2, difference>,
+       slab_words<L, Corners, Words, 3, difference>, slab_words<L, Corners, Words, 4, difference>,
+       slab_words<L, Corners, Words, 5, difference>, slab_words<L, Corners, Words, 6, difference>}};
+  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, position, words, kept);
+}
+
+/// First stage of the slab form: writes the kept bits of `words` whole words, and of the rest behind them if there is
+/// one.
+template <class L, class Words = WordsInARow<L>>
+void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                    const Words& position = {}) noexcept {
+  if (shaft.slab_form == CompiledShaft::SlabForm::exact) [[unlikely]] {
+    return box_exact_words<L>(shaft, stream, position, words, kept);
+  }
+  slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, position, words, kept);
+}
+
+/// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside for certain. Their
+/// corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12 (docs/exactness.md).
+template <class L, template <class> class Corners, class Words = WordsInARow<L>>
+void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                       const Words& position = {}) noexcept {
+  constexpr float wider = 1.17F;
+  slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, position, words, kept);
+}
+
+}  // namespace shaftcull::kernel

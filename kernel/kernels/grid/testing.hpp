@@ -1,0 +1,133 @@
+/// Tests on a grid: the first stage of many shafts against the same bounds (kernel/kernels/grid/forming.hpp).
+#pragma once
+
+#include "kernels/grid/forming.hpp"
+#include "kernels/boxes/slab.hpp"
+#include "kernels/boxes/few_outside.hpp"
+#include "kernels/table.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Writes `count` bounds' coordinates on the grid, rounded outwards, in whole words: hi coordinates are negated. What fills the last word up is
+/// beyond everything.
+template <class L>
+void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept {
+  const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
+  const auto top = L::all(grid_top);
+  const auto bottom = L::Shorts::all(static_cast<std::int16_t>(-grid_top));
+  for (unsigned s = 0; s < 6; ++s) {
+    const auto origin = L::all(frame.origin[s % 3]);
+    const auto steps = L::all(s < 3 ? frame.steps[s % 3] : -frame.steps[s % 3]);
+    const auto snap_word = [&](const auto& word, std::size_t at) {
+      typename L::Vector snapped[word_bits / L::width];
+      for (unsigned v = 0; v < word_bits / L::width; ++v) {
+        const std::size_t lane = v * L::width;
+        const auto x = L::subtract(word.load(box[s], at, lane), origin);
+        snapped[v] = L::minimum(top, L::multiply_add(x, steps, down));
+        snapped[v] = word.choose(lane, snapped[v], top);
+      }
+      L::Shorts::store_word(grid[s] + at, snapped, bottom);  // NaN becomes what constrains nothing
+    };
+    std::size_t i = 0;
+    for (; i + word_bits <= count; i += word_bits) snap_word(WholeWord<L>{}, i);
+    if (i != count) snap_word(PartOfWord<L>{static_cast<unsigned>(count - i)}, i);
+  }
+}
+
+/// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold bounds which may be either.
+/// Returns how many those are.
+template <class L, unsigned uppers, unsigned standing>
+std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
+                       std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
+  using S = typename L::Shorts;
+  using Vector = typename S::Vector;
+  constexpr unsigned moving = 6 - standing;
+  Vector scale[6];
+  Vector shift[6];
+  const std::int16_t* x[6];
+  for (unsigned i = 0; i < 6; ++i) {
+    if (i >= 1 && i < moving) scale[i] = S::all(shaft.scale[i]);
+    if (i >= 1 || moving == 0) shift[i] = S::all(shaft.shift[i]);
+    x[i] = grid[shaft.near_stream[i]];
+  }
+  const Vector begin = S::all(shaft.begin);
+  const Vector end = S::all(shaft.end);
+  const Vector limit = S::all(static_cast<std::int16_t>(shaft.limit * 0x0101));
+
+  std::size_t listed = 0;
+  for (std::size_t w = 0; w < words; ++w) {
+    Vector room[S::vectors];
+#pragma GCC unroll 8
+    for (unsigned v = 0; v < S::vectors; ++v) {
+      const auto coordinate = [&](unsigned i) { return S::load(x[i] + w * word_bits + v * S::width); };
+      Vector upper = end;
+      Vector lower = moving == 0 ? begin : S::maximum(begin, coordinate(0));
+#pragma GCC unroll 6
+      for (unsigned i = 1; i < moving; ++i) {
+        const Vector t = S::add(S::multiply(coordinate(i), scale[i]), shift[i]);
+        if (i <= uppers) {
+          upper = S::minimum(upper, t);
+        } else {
+          lower = S::maximum(lower, t);
+        }
+      }
+      room[v] = S::subtract_saturated(upper, lower);
+#pragma GCC unroll 6
+      for (unsigned i = moving; i < 6; ++i) room[v] = S::minimum(room[v], S::subtract(shift[i], coordinate(i)));
+    }
+    const auto outcomes = S::outcomes(room, limit);
+    kept[w] = ~outcomes.yes;
+    undecided[listed] = {outcomes.undecided, static_cast<std::uint32_t>(w), shaft_number};
+    listed += outcomes.undecided != 0 ? 1 : 0;
+  }
+  return listed;
+}
+
+/// As GridKernels has it.
+template <class L>
+std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
+                         std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
+  using Words = std::size_t(const GridShaft&, const std::int16_t* const*, std::size_t, std::uint64_t*, std::uint32_t, UndecidedWord*) noexcept;
+  static constexpr Words* by_standing_and_uppers[7][6] = {
+      {grid_words<L, 0, 0>, grid_words<L, 1, 0>, grid_words<L, 2, 0>, grid_words<L, 3, 0>, grid_words<L, 4, 0>, grid_words<L, 5, 0>},
+      {grid_words<L, 0, 1>, grid_words<L, 1, 1>, grid_words<L, 2, 1>, grid_words<L, 3, 1>, grid_words<L, 4, 1>},
+      {grid_words<L, 0, 2>, grid_words<L, 1, 2>, grid_words<L, 2, 2>, grid_words<L, 3, 2>},
+      {grid_words<L, 0, 3>, grid_words<L, 1, 3>, grid_words<L, 2, 3>},
+      {grid_words<L, 0, 4>, grid_words<L, 1, 4>},
+      {grid_words<L, 0, 5>},
+      {grid_words<L, 0, 6>}};
+  return by_standing_and_uppers[shaft.standing][shaft.uppers](shaft, grid, words, kept, shaft_number, undecided);
+}
+
+/// A word of `count` boxes, maybe the last one, that the grid could not decide, in floats.
+template <class L>
+std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::size_t word) noexcept {
+  std::uint64_t kept;
+  const bool whole = (word + 1) * word_bits <= count;
+  const unsigned rest = whole ? 0 : static_cast<unsigned>(count % word_bits);
+  box_slab_stage<L>(shaft, stream, whole ? 1 : 0, &kept, WordsInARow<L>{.first = word * word_bits, .rest = rest});
+  return kept;
+}
+
+/// As GridKernels has it.
+template <class L>
+void decide_on_grid(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
+                    const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept {
+  for (std::size_t u = 0; u < words; ++u) {
+    const CompiledShaft& its_shaft = *shaft[undecided[u].shaft];
+    const std::size_t word = undecided[u].word;
+    std::uint64_t& bits = kept[undecided[u].shaft][word];
+    const std::uint64_t lanes = undecided[u].lanes & bits;
+    if constexpr (requires { typename L::Eight; }) {
+      constexpr int few = 4;  // with more, testing the whole word in vectors is no slower
+      if (__builtin_popcountll(lanes) <= few && SlabInLanes<L>::suits(its_shaft)) {
+        bits &= ~few_outside<L>(its_shaft, stream, word * word_bits, lanes);
+        continue;
+      }
+    }
+    bits &= decided_word<L>(its_shaft, stream, count, word) | ~lanes;
+  }
+}
+
+}  // namespace shaftcull::kernel

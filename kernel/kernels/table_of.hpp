@@ -1,0 +1,302 @@
+/// From views to words: blocks of bounds through the stages of a test.
+#pragma once
+
+#include "kernels/forming/added_planes.hpp"
+#include "kernels/forming/pair.hpp"
+#include "shaftcull/cull.hpp"
+#include "kernels/boxes/planes.hpp"
+#include "kernels/boxes/slab.hpp"
+#include "kernels/spheres/boxes_around.hpp"
+#include "kernels/boxes/few_inside.hpp"
+#include "kernels/boxes/few_outside.hpp"
+#include "kernels/grid/testing.hpp"
+#include "kernels/table.hpp"
+#include "kernels/tree/compress_indices.hpp"
+#include "kernels/spheres/planes.hpp"
+#include "kernels/tree/partition.hpp"
+#include "kernels/shared/survivors.hpp"
+#include "kernels/tree/node_bounds.hpp"
+#include "kernels/shared/word.hpp"
+#include "kernels/tree/listed_words.hpp"
+
+namespace shaftcull::kernel {
+
+/// Begins a stage that clears bits: with those of an earlier one, or with those of all `count` bounds.
+template <class L>
+void copy_or_set(const std::uint64_t* from, std::size_t count, std::uint64_t* bits) noexcept {
+  for (std::size_t w = 0; w < words_of(count); ++w) bits[w] = from != nullptr ? from[w] : ~std::uint64_t{0};
+  if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
+}
+
+/// Runs a first stage, stage(stream, words, bits), which reads whole words and writes bits, on `count` bounds.
+template <class L, unsigned streams, class Stage>
+void begin_in_whole_words(const float* const* stream, std::size_t count, std::uint64_t* bits,
+                          const float (&nowhere)[streams], Stage stage) noexcept {
+  in_whole_words<L>(stream, count, bits, nowhere, stage);
+  if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
+}
+
+/// The last bounds of `count`, if they do not fill a word.
+template <class L>
+WordsInARow<L> words_in_a_row(std::size_t count) noexcept {
+  return {.rest = static_cast<unsigned>(count % word_bits)};
+}
+
+/// The stages of box tests.
+template <class L, Form form>
+struct BoxStages {
+  static constexpr unsigned streams = 6;
+  /// A value for each stream that makes a bound outside of every shaft without a second look.
+  static constexpr float nowhere[streams] = {__builtin_inff(),  __builtin_inff(),  __builtin_inff(),
+                                             -__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
+
+  /// So few boxes are quicker one at a time than in vectors, of which the shaft would have to be made ready.
+  static constexpr std::size_t few_boxes = 2;
+
+  static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return form == Form::planes; }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                   std::uint64_t* kept) noexcept {
+    if constexpr (form == Form::planes) {
+      begin_in_whole_words<L>(stream, count, kept, nowhere,
+                              [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
+                                box_planes_stage<L>(shaft, all, words, bits);
+                              });
+    } else {
+      if constexpr (requires { typename L::Eight; }) {
+        if (count <= few_boxes && SlabInLanes<L>::suits(shaft)) {
+          const std::uint64_t all = first_bits(static_cast<unsigned>(count));
+          *kept = all & ~few_outside<L>(shaft, stream, 0, all);
+          return settle(shaft, stream, count, kept);
+        }
+      }
+      box_slab_stage<L>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
+    }
+    settle(shaft, stream, count, kept);
+  }
+
+  /// Clears the bits of boxes that are beyond an added plane.
+  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                     std::uint64_t* kept) noexcept {
+    if (shaft.added_count == 0) return;
+    narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_added_stage<L>(shaft, some, n, bits);
+    });
+  }
+
+  /// Writes which boxes are inside: of those kept, if anybody knows.
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    if constexpr (requires { typename L::Eight; }) {
+      if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words_of(count))) {
+        return few_inside_stage<L>(shaft, stream, words_of(count), kept, inside);
+      }
+    }
+    copy_or_set<L>(kept, count, inside);
+    narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_inside_stage<L>(shaft, some, n, bits);
+    });
+  }
+};
+
+/// The stages of sphere tests in plane form, and what all sphere tests have in common.
+template <class L>
+struct SphereStages {
+  static constexpr unsigned streams = 4;
+  static constexpr float nowhere[streams] = {0, 0, 0, -1};
+
+  static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return true; }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                   std::uint64_t* kept) noexcept {
+    begin_in_whole_words<L>(stream, count, kept, nowhere,
+                            [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
+                              sphere_planes_stage<L>(shaft, all, words, bits);
+                            });
+    settle(shaft, stream, count, kept);
+  }
+
+  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                     std::uint64_t* kept) noexcept {
+    narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_settle_stage<L>(shaft, some, n, bits);
+    });
+  }
+
+  /// Writes which spheres are inside: of those kept, if anybody knows.
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    copy_or_set<L>(kept, count, inside);
+    narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_inside_stage<L>(shaft, some, n, bits);
+    });
+  }
+};
+
+/// The same in slab form, with the six streams of the boxes around the spheres after their own four.
+template <class L>
+struct BoxedSphereStages {
+  static constexpr unsigned streams = 10;
+
+  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
+    return shaft.slab_form != CompiledShaft::SlabForm::fused;
+  }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                   std::uint64_t* kept) noexcept {
+    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
+    sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, count / word_bits, kept,
+                                             words_in_a_row<L>(count));
+    SphereStages<L>::settle(shaft, stream, count, kept);
+  }
+
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    SphereStages<L>::contain(shaft, stream, count, kept, inside);
+  }
+};
+
+/// The same for spheres that nobody has made boxes for.
+template <class L>
+struct UnboxedSphereStages {
+  static constexpr unsigned streams = 4;
+
+  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
+    return BoxedSphereStages<L>::cull_needs_planes(shaft);
+  }
+
+  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                   std::uint64_t* kept) noexcept {
+    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
+    SphereStages<L>::settle(shaft, stream, count, kept);
+  }
+
+  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    SphereStages<L>::contain(shaft, stream, count, kept, inside);
+  }
+};
+
+/// Runs the `count` bounds of one block through the stages that the caller wants answers of.
+template <class Stages>
+void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+                std::uint64_t* inside) noexcept {
+  if (kept != nullptr) Stages::cull(shaft, stream, count, kept);
+  if (inside != nullptr) Stages::contain(shaft, stream, count, kept, inside);
+}
+
+/// A shaft, or a copy of it with its planes if they are needed and pending.
+template <class L>
+class Ready {
+ public:
+  Ready(const CompiledShaft& shaft, bool needs_planes) noexcept : shaft_(&shaft) {
+    if (!needs_planes || shaft.joining_count != CompiledShaft::planes_pending) return;
+    completed_ = shaft;
+    complete(completed_);
+    shaft_ = &completed_;
+  }
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  [[nodiscard]] const CompiledShaft& shaft() const noexcept { return *shaft_; }
+
+ private:
+  const CompiledShaft* shaft_;
+  CompiledShaft completed_;
+};
+
+/// The test of an instruction set, as Kernels has it.
+template <class L, class Stages>
+void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+                 std::uint64_t* inside) noexcept {
+  const Ready<L> ready(shaft, inside != nullptr || Stages::cull_needs_planes(shaft));
+
+  const float* at[Stages::streams];
+  for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s];
+  while (true) {
+    const std::size_t block = count < block_bounds ? count : block_bounds;
+    test_block<Stages>(ready.shaft(), at, block, kept, inside);
+    count -= block;
+    if (count == 0) return;
+    for (const float*& s : at) s += block;
+    if (kept != nullptr) kept += block_words;
+    if (inside != nullptr) inside += block_words;
+  }
+}
+
+/// As GridKernels has it.
+template <class L, class Stages>
+void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+                    std::uint64_t* inside) noexcept {
+  const Ready<L> ready(shaft, inside != nullptr);
+  Stages::settle(ready.shaft(), stream, count, kept);
+  if (inside != nullptr) Stages::contain(ready.shaft(), stream, count, kept, inside);
+}
+
+/// Forms shafts in batches, as Kernels has it.
+template <class L>
+bool compile_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+  if (!all_finite<L>(a, count) || !all_finite<L>(b, count)) return false;
+  compile_slabs<L>(a, b, count, out);
+  return true;
+}
+
+/// As Kernels has it.
+template <class L>
+void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+  compile_slabs<L>(a, b, count, out);
+}
+
+/// As Kernels has it.
+template <class L>
+bool all_boxes_finite(const float* const* box, std::size_t count) noexcept {
+  return all_finite<L>(box, count);
+}
+
+/// Tests on a grid, where there are vectors of 16-bit integers.
+template <class L>
+constexpr GridKernels grid_kernels() noexcept {
+  if constexpr (requires { typename L::Shorts; }) {
+    constexpr bool wide = L::width == 16;  // floats are quick there
+    return {.fewest_shafts = wide ? 8 : 5,
+            .fewest_tests = wide ? 16384 : 6144,
+            .frame = grid_frame<L>,
+            .form_shafts = form_grid_shafts<L>,
+            .snap_boxes = snap_boxes<L>,
+            .look = look_on_grid<L>,
+            .decide = decide_on_grid<L>,
+            .settle_boxes = settle_on_grid<L, BoxStages<L, Form::slab>>,
+            .settle_spheres = settle_on_grid<L, SphereStages<L>>};
+  } else {
+    return {};
+  }
+}
+
+/// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
+template <class L, class FormationLanes = L>
+inline constexpr Kernels kernels_for = {
+    .width = L::width,
+    .boxes_slab = test_bounds<L, BoxStages<L, Form::slab>>,
+    .boxes_planes = test_bounds<L, BoxStages<L, Form::planes>>,
+    .spheres_slab = test_bounds<L, UnboxedSphereStages<L>>,
+    .spheres_planes = test_bounds<L, SphereStages<L>>,
+    .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
+    .box_spheres = box_spheres<L>,
+    .grid = grid_kernels<L>(),
+    .compile_pair = compile_pair<FormationLanes>,
+    .compile_batch = compile_pairs<FormationLanes>,
+    .compile_finite = compile_finite_pairs<FormationLanes>,
+    .all_finite = all_boxes_finite<FormationLanes>,
+    .all_planes_usable = all_planes_usable<FormationLanes>,
+    .add_planes = add_planes<FormationLanes>,
+    .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
+    .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
+    .pick = pick_indices<L>,
+    .unite_boxes = unite_boxes<L>,
+    .unite_spheres = unite_spheres<L>,
+    .split = split_kernels<L, 4>,
+    .split_wide = split_kernels<L, 5>,
+};
+
+}  // namespace shaftcull::kernel

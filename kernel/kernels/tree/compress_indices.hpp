@@ -1,0 +1,25 @@
+/// Picking indices by the bits of a word: what a shaft keeps of a word of leaves, as the user knows it.
+#pragma once
+
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// As Pick in kernels.hpp. Without a branch that depends on the bits, which nobody could foresee.
+template <class L>
+std::size_t pick_indices(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept {
+  const std::uint32_t* const start = out;
+  if constexpr (L::width == 1) {
+    for (; bits != 0; bits &= bits - 1) *out++ = from[lowest_bit<L>(bits)];
+  } else {
+    // Vectors of floats may be read and written wherever there is memory, and moving one changes no bit.
+    for (unsigned i = 0; i < word_bits; i += L::width) {
+      const std::uint64_t lanes = bits >> i & lanes_of<L>(0);
+      typename L::Packing(lanes).store(reinterpret_cast<float*>(out), L::load(reinterpret_cast<const float*>(from + i)));
+      out += __builtin_popcountll(lanes);
+    }
+  }
+  return static_cast<std::size_t>(out - start);
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,79 @@
+/// Whole words of bounds, wherever they lie: what a walk through a bounds tree asks at each level.
+#pragma once
+
+#include "kernels/boxes/slab.hpp"
+#include "kernels/table.hpp"
+#include "kernels/spheres/planes.hpp"
+#include "kernels/shared/survivors.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Where the words of a list begin.
+template <class L>
+struct ListedWords {
+  const std::uint32_t* word;
+
+  std::size_t operator()(std::size_t w) const noexcept { return std::size_t{word[w]} * word_bits; }
+};
+
+/// Calls use(stream, i) for every word i of a list that still has bits, with the streams from its first bound on.
+template <class L, unsigned streams, class Use>
+void for_each_word(const float* const* stream, const std::uint32_t* word, std::size_t words, const std::uint64_t* bits,
+                   unsigned least, Use use) noexcept {
+  for (std::size_t i = 0; i < words; ++i) {
+    if (static_cast<unsigned>(__builtin_popcountll(bits[i])) < least) continue;
+    const float* at[streams];
+    for (unsigned s = 0; s < streams; ++s) at[s] = stream[s] + std::size_t{word[i]} * word_bits;
+    use(at, i);
+  }
+}
+
+/// Runs stage(stream, words, bits), which clears bits, on the bounds of listed words whose bits are set.
+template <class L, unsigned streams, class Stage>
+void narrow_listed(const float* const* stream, const std::uint32_t* word, std::size_t words, std::uint64_t* bits,
+                   Stage stage) noexcept {
+  for_each_word<L, streams>(stream, word, words, bits, 1, [&](const float* const* at, std::size_t i) {
+    narrow<L, streams>(at, word_bits, bits + i, stage);
+  });
+}
+
+/// As Stages::cull, for words of a list.
+template <class L, class Stages>
+void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
+                       std::size_t words, std::uint64_t* kept) noexcept {
+  const ListedWords<L> position{word};
+  if constexpr (Stages::streams == 6) {
+    box_slab_stage<L>(shaft, stream, words, kept, position);
+    if (shaft.added_count == 0) return;
+    narrow_listed<L, 6>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      box_added_stage<L>(shaft, some, n, bits);
+    });
+  } else if (Stages::cull_needs_planes(shaft)) {
+    for (std::size_t i = 0; i < words; ++i) {
+      const float* at[Stages::streams];
+      const std::size_t first = position(i);
+      for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + first;
+      Stages::cull(shaft, at, word_bits, kept + i);
+    }
+  } else {
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept, position);
+    narrow_listed<L, 4>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+      sphere_settle_stage<L>(shaft, some, n, bits);
+    });
+  }
+}
+
+/// The test of listed words, as Kernels has it.
+template <class L, class Stages>
+void test_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
+                       std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
+  cull_listed_words<L, Stages>(shaft, stream, word, words, kept);
+  if (inside == nullptr) return;
+  for (std::size_t i = 0; i < words; ++i) inside[i] = 0;
+  for_each_word<L, Stages::streams>(stream, word, words, kept, least_kept, [&](const float* const* at, std::size_t i) {
+    Stages::contain(shaft, at, word_bits, kept + i, inside + i);
+  });
+}
+
+}  // namespace shaftcull::kernel

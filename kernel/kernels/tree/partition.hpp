@@ -1,0 +1,163 @@
+/// Halving entries of a bounds tree: one pass without a branch that depends on a key.
+#pragma once
+
+#include "kernels/tree/pivot.hpp"
+
+namespace shaftcull::kernel {
+
+/// Floats ahead of those read or written that are fetched. Processors foresee reads, but not these writes: without it
+/// parts that the L2 cache holds take half as long again.
+inline constexpr std::size_t fetched_floats = 48;
+
+/// Keeps the `low` entries whose key is below the limit in `from`, and moves the others to `to`, from place `low` on.
+template <class L, unsigned streams>
+void part_by(float* const* from, float* const* to, std::size_t count, unsigned axis, float limit,
+             std::size_t low) noexcept {
+  const auto limits = L::all(limit);
+  std::size_t kept = 0;
+  std::size_t moved = low;
+  std::size_t i = 0;
+  for (; i + L::width <= count; i += L::width) {
+    const std::uint64_t is_low = L::bits(L::less(L::load(from[axis] + i), limits));
+    const typename L::Packing low_ones(is_low);
+    const typename L::Packing high_ones(~is_low & lanes_of<L>(0));
+    const auto lows = static_cast<std::size_t>(__builtin_popcountll(is_low));
+    const bool has_room = moved + L::width <= count;
+    for (unsigned s = 0; s < streams; ++s) {
+      __builtin_prefetch(to[s] + moved + fetched_floats, 1);
+      __builtin_prefetch(from[s] + kept + fetched_floats, 1);
+      __builtin_prefetch(from[s] + i + fetched_floats);
+      const auto x = L::load(from[s] + i);
+      low_ones.store(from[s] + kept, x);  // what was there has been read
+      if (has_room) {
+        high_ones.store(to[s] + moved, x);
+      } else {
+        high_ones.store(to[s] + moved, x, L::width - lows);
+      }
+    }
+    kept += lows;
+    moved += L::width - lows;
+  }
+  for (; i < count; ++i) {
+    const bool is_low = from[axis][i] < limit;
+    for (unsigned s = 0; s < streams; ++s) {
+      const float x = from[s][i];
+      *(is_low ? from[s] + kept : to[s] + moved) = x;
+    }
+    ++(is_low ? kept : moved);
+  }
+}
+
+/// As SplitKernels::whole.
+template <class L, unsigned streams>
+void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
+  constexpr std::size_t few = 1024;  // the same for all, since the axis depends on it
+  const Halving halving = count <= few ? halving_of_few<L>(from, count, first_half)
+                                       : halving_of_many<L>(from, count, first_half, to);
+  const auto [key, less] = halving.pivot;
+  part_by<L, streams>(from, to, count, halving.axis, key, less);
+  if (less == first_half) return;
+
+  // Some of those that equal the pivot are needed in front. They are set apart from larger ones, and all come back
+  // before they are cut.
+  const float next = next_key<L>(key);
+  const std::size_t equal = count_less<L>(to[halving.axis] + less, count - less, next);
+  float* equals[streams];
+  float* larger[streams];
+  for (unsigned s = 0; s < streams; ++s) {
+    equals[s] = to[s] + less;
+    larger[s] = from[s] + less;
+  }
+  part_by<L, streams>(equals, larger, count - less, halving.axis, next, equal);
+  for (unsigned s = 0; s < streams; ++s) {
+    __builtin_memcpy(from[s] + less, to[s] + less, (first_half - less) * sizeof(float));
+    __builtin_memcpy(to[s] + less + equal, from[s] + less + equal, (count - less - equal) * sizeof(float));
+  }
+}
+
+/// Where a group of entries goes next.
+template <class L, unsigned streams>
+class Group {
+ public:
+  Group(float* const* to, std::size_t size) noexcept : left_(size) {
+    for (unsigned s = 0; s < streams; ++s) to_[s] = to[s];
+  }
+
+  /// Writes those of some vectors' lanes, one vector of each stream, whose bits are set.
+  void take(std::uint64_t lanes, const typename L::Vector (&x)[streams]) noexcept {
+    const typename L::Packing ones(lanes);
+    const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
+    const bool has_room = left_ >= L::width;
+    for (unsigned s = 0; s < streams; ++s) {
+      __builtin_prefetch(to_[s] + fetched_floats, 1);
+      if (has_room) {
+        ones.store(to_[s], x[s]);
+      } else {
+        ones.store(to_[s], x[s], count);
+      }
+      to_[s] += count;
+    }
+    left_ -= count;
+  }
+  void take(const float* const* from, std::size_t i) noexcept {
+    for (unsigned s = 0; s < streams; ++s) *to_[s]++ = from[s][i];
+    --left_;
+  }
+
+ private:
+  float* to_[streams];
+  std::size_t left_;
+};
+
+/// As SplitKernels::deal.
+template <class L, unsigned streams>
+void deal(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally,
+          float* const* less, float* const* equal, float* const* larger) noexcept {
+  const bool are_apart = equal != nullptr;
+  const float next = are_apart ? next_key<L>(pivot) : pivot;
+  Group<L, streams> lesses(less, tally.less);
+  Group<L, streams> equals(are_apart ? equal : larger, are_apart ? tally.equal : 0);
+  Group<L, streams> others(larger, count - tally.less - (are_apart ? tally.equal : 0));
+  const auto pivots = L::all(pivot);
+  const auto nexts = L::all(next);
+  std::size_t i = 0;
+  for (; i + L::width <= count; i += L::width) {
+    typename L::Vector x[streams];
+    for (unsigned s = 0; s < streams; ++s) x[s] = L::load(from[s] + i);
+    const auto key = L::load(from[axis] + i);
+    const std::uint64_t is_less = L::bits(L::less(key, pivots));
+    const std::uint64_t is_before = L::bits(L::less(key, nexts));
+    lesses.take(is_less, x);
+    if (are_apart) equals.take(is_before & ~is_less, x);
+    others.take(~is_before & lanes_of<L>(0), x);
+  }
+  for (; i < count; ++i) {
+    const float key = from[axis][i];
+    (key < pivot ? lesses : key < next ? equals : others).take(from, i);
+  }
+}
+
+template <class L, unsigned streams>
+inline constexpr SplitKernels split_kernels = {
+    .whole = split_entries<L, streams>,
+    .bracket =
+        [](const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
+          return bracket_of<L>(entry, count, rank, room);
+        },
+    .collect =
+        [](const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept {
+          return collect<L>(key, count, bracket, some);
+        },
+    .pivot =
+        [](const float* key, std::size_t count, std::size_t rank) noexcept {
+          return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key;
+        },
+    .tally =
+        [](const float* key, std::size_t count, float pivot) noexcept {
+          const std::size_t less = count_less<L>(key, count, pivot);
+          return Tally{less, count_less<L>(key, count, next_key<L>(pivot)) - less};
+        },
+    .deal = deal<L, streams>,
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,70 @@
+#include "kernels/forming/added_planes.hpp"
+#include "compiled/joining_planes.hpp"
+#include "kernels/forming/slab.hpp"
+#include "formation/join.hpp"
+#include "formation/rule.hpp"
+#include "shaftcull/compiled.hpp"
+#include "support/float_environment.hpp"
+#include "simd/scalar.hpp"
+#include "kernels/table.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Joining planes in columns, with their edges.
+struct Joined {
+  kernel::JoinedEdges edges;
+  kernel::JoinedPlanes planes;
+};
+
+Joined columns(std::span<const JoiningPlane> planes) noexcept {
+  Joined joined{};
+  for (std::size_t i = 0; i != planes.size(); ++i) {
+    const auto& [plane, red, blue] = planes[i];
+    joined.edges.add({red, blue});
+    joined.planes.red_normal[i] = plane.normal[kernel::axis_of(red)];
+    joined.planes.blue_normal[i] = plane.normal[kernel::axis_of(blue)];
+    joined.planes.offset[i] = plane.offset;
+  }
+  return joined;
+}
+
+CompiledShaft compile_formed(const Shaft& shaft) noexcept {
+  CompiledShaft compiled;  // added planes stay unwritten past their count
+  const float* a[6];
+  const float* b[6];
+  for (unsigned k = 0; k < 3; ++k) {
+    a[k] = &shaft.a().lo[k];
+    a[k + 3] = &shaft.a().hi[k];
+    b[k] = &shaft.b().lo[k];
+    b[k + 3] = &shaft.b().hi[k];
+  }
+  kernel::compile_slabs<kernel::ScalarLanes>(a, b, 1, &compiled);
+  const auto [edges, planes] = columns(shaft.joining_planes());
+  kernel::compile_joining_planes(edges, planes, compiled);
+  const std::span<const Plane> added = shaft.added_planes();
+  const Plane* const first_added = added.data();
+  kernel::add_planes<kernel::ScalarLanes>(a, b, &first_added, added.size(), 1, &compiled);
+  compiled.answers_outside = shaft.options().outside;
+  compiled.answers_inside = shaft.options().inside;
+  compiled.answers_spheres = shaft.options().spheres;
+  return compiled;
+}
+
+}  // namespace
+
+CompiledShaft compile(const Shaft& shaft) noexcept {
+  return kernel::in_float_environment([&] { return compile_formed(shaft); });
+}
+
+CompiledShaft compile(const Box& a, const Box& b) {
+  CompiledShaft compiled;
+  const bool is_formed = [&] {
+    const kernel::FloatEnvironment environment;
+    return kernel::active_kernels().compile_pair(a, b, compiled);
+  }();
+  if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
+  return compiled;
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,212 @@
+/// compile_batch(): checks of what is given, and the way from views and index pairs to vectors of pairs.
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "formation/usable_plane.hpp"
+#include "support/arguments.hpp"
+#include "shaftcull/compiled.hpp"
+#include "support/float_environment.hpp"
+#include "streams/four.hpp"
+#include "kernels/table.hpp"
+#include "support/text.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Pairs whose boxes are gathered at once: 3 KiB of floats.
+constexpr std::size_t chunk = 64;
+
+/// The boxes of a chunk's pairs, side by side.
+struct GatheredBoxes {
+  float row[6][chunk];
+  const float* stream[6] = {row[0], row[1], row[2], row[3], row[4], row[5]};
+};
+
+/// Gathers the boxes of at most a chunk of pairs, four at a time.
+template <std::uint32_t IndexPair::*side>
+void gather(const BoxView& boxes, std::span<const IndexPair> pairs, GatheredBoxes& out) noexcept {
+  const auto gather_four = [&](const IndexPair* four, std::size_t i) {
+    const std::size_t box[4] = {four[0].*side, four[1].*side, four[2].*side, four[3].*side};
+    for (std::size_t f = 0; f != 6; ++f) {
+      const float* const stream = boxes.stream[f];
+      kernel::Four::of(stream[box[0]], stream[box[1]], stream[box[2]], stream[box[3]]).store(&out.row[f][i]);
+    }
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= pairs.size(); i += 4) gather_four(&pairs[i], i);
+  if (i == pairs.size()) return;
+  IndexPair rest[4];  // the last one again where there are fewer than four
+  for (std::size_t k = 0; k != 4; ++k) rest[k] = pairs[std::min(i + k, pairs.size() - 1)];
+  gather_four(rest, i);
+}
+
+/// Throws what the constructor of Shaft throws for the pair, with its index, if it rejects the pair.
+void require_pair(const Box& a, const Box& b, std::size_t index) {
+  try {
+    static_cast<void>(Shaft(a, b));
+  } catch (const InvalidArgument& error) {
+    throw BadBound(index, "shaft " + std::to_string(index) + ": " + error.what());
+  }
+}
+
+void require_memory(const BoxView& a, const BoxView& b, std::span<const CompiledShaft> out, const BatchPlanes& planes) {
+  kernel::require_view(a);
+  kernel::require_view(b);
+  kernel::require_memory("out", out, "shafts");
+  kernel::require_memory("planes.a", planes.a, "planes");
+  kernel::require_memory("planes.b", planes.b, "planes");
+}
+
+void require_indices(std::span<const IndexPair> pairs, std::size_t a_count, std::size_t b_count) {
+  bool all_exist = true;
+  for (const IndexPair& pair : pairs) all_exist &= (pair.a < a_count) & (pair.b < b_count);
+  if (all_exist) return;
+  for (std::size_t i = 0; i != pairs.size(); ++i) {
+    const auto require = [&](const char* name, std::size_t index, std::size_t count) {
+      if (index < count) return;
+      throw InvalidArgument("pairs[" + std::to_string(i) + "]." + name + " = " + std::to_string(index) +
+                            ", and there are " + std::to_string(count) + " boxes " + name);
+    };
+    require("a", pairs[i].a, a_count);
+    require("b", pairs[i].b, b_count);
+  }
+}
+
+/// Throws BadBound for the first pair with a box that is not finite or has lo > hi.
+void require_pairs(const kernel::Kernels& kernels, const BoxView& a, const BoxView& b,
+                   std::span<const IndexPair> pairs) {
+  // Few boxes are checked once, though no pair may name those that are bad; of many those that pairs name.
+  const auto all_finite = [&](const BoxView& boxes) {
+    return boxes.count <= pairs.size() && kernels.all_finite(boxes.stream.data(), boxes.count);
+  };
+  if (all_finite(a) && all_finite(b)) return;
+  GatheredBoxes gathered;
+  for (std::size_t first = 0; first < pairs.size(); first += chunk) {
+    const auto some = pairs.subspan(first, std::min(chunk, pairs.size() - first));
+    gather<&IndexPair::a>(a, some, gathered);
+    bool finite = kernels.all_finite(gathered.stream, some.size());
+    gather<&IndexPair::b>(b, some, gathered);
+    finite = finite && kernels.all_finite(gathered.stream, some.size());
+    if (finite) continue;
+    for (std::size_t i = 0; i != some.size(); ++i) require_pair(a[some[i].a], b[some[i].b], first + i);
+  }
+}
+
+/// Planes of the boxes of one view, equally many for each.
+class PlanesOfBoxes {
+ public:
+  /// Throws InvalidArgument if they cannot be. `name` is "a" or "b".
+  PlanesOfBoxes(const kernel::Kernels& kernels, std::span<const Plane> planes, std::size_t boxes, const char* name)
+      : planes_(planes.data()) {
+    if (planes.empty()) return;
+    if (boxes == 0 || planes.size() % boxes != 0) {
+      throw InvalidArgument("planes." + std::string(name) + " has " + kernel::counted(planes.size(), "plane") +
+                            ", not equally many for each of " + std::to_string(boxes) + " boxes " + name);
+    }
+    each_ = planes.size() / boxes;
+    if (kernels.all_planes_usable(planes.data(), planes.size())) return;
+    const std::string before = "planes." + std::string(name) + "[";
+    for (std::size_t i = 0; i != planes.size(); ++i) kernel::require_usable(planes[i], {before.c_str(), i, "]"});
+  }
+
+  [[nodiscard]] std::size_t each() const noexcept { return each_; }
+  /// The first one of a box.
+  [[nodiscard]] const Plane* of(std::size_t box) const noexcept { return planes_ + box * each_; }
+
+ private:
+  const Plane* planes_;
+  std::size_t each_ = 0;
+};
+
+/// The planes of both boxes.
+struct PlanesOfPairs {
+  PlanesOfBoxes a;
+  PlanesOfBoxes b;
+
+  PlanesOfPairs(const kernel::Kernels& kernels, const BatchPlanes& planes, std::size_t a_count, std::size_t b_count)
+      : a(kernels, planes.a, a_count, "a"), b(kernels, planes.b, b_count, "b") {
+    if (a.each() <= max_added_planes && a.each() + b.each() <= max_added_planes) return;
+    throw InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) + " added planes, not for " +
+                          std::to_string(a.each()) + " of box a and " + std::to_string(b.each()) + " of box b");
+  }
+  [[nodiscard]] bool empty() const noexcept { return a.each() == 0 && b.each() == 0; }
+};
+
+/// Adds the planes of shafts between boxes in `a` and `b`; box_a(i) and box_b(i) are their positions in the user's
+/// views.
+template <class Position>
+void add_planes(const kernel::Kernels& kernels, const PlanesOfPairs& planes, const float* const* a,
+                const float* const* b, std::span<CompiledShaft> out, const Position& box_a, const Position& box_b) {
+  const Plane* first[chunk];
+  const auto add = [&](const PlanesOfBoxes& of, const Position& box) {
+    if (of.each() == 0) return;
+    for (std::size_t i = 0; i != out.size(); ++i) first[i] = of.of(box(i));
+    kernels.add_planes(a, b, first, of.each(), out.size(), out.data());
+  };
+  add(planes.a, box_a);
+  add(planes.b, box_b);
+}
+
+}  // namespace
+
+void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes) {
+  if (a.count != b.count || a.count != out.size()) {
+    throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
+                          std::to_string(a.count) + ", " + std::to_string(b.count) + " and " +
+                          std::to_string(out.size()));
+  }
+  require_memory(a, b, out, planes);
+  const kernel::FloatEnvironment environment;
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  const PlanesOfPairs added(kernels, planes, a.count, b.count);
+  const auto reject = [&] {
+    for (std::size_t i = 0; i != a.count; ++i) require_pair(a[i], b[i], i);
+  };
+  if (added.empty()) {
+    if (!kernels.compile_batch(a.stream.data(), b.stream.data(), a.count, out.data())) reject();
+    return;
+  }
+  if (!kernels.all_finite(a.stream.data(), a.count) || !kernels.all_finite(b.stream.data(), b.count)) reject();
+  for (std::size_t first = 0; first < out.size(); first += chunk) {
+    const std::size_t size = std::min(chunk, out.size() - first);
+    const BoxView some_a = a.slice(first, size);
+    const BoxView some_b = b.slice(first, size);
+    const auto shafts = out.subspan(first, size);
+    kernels.compile_finite(some_a.stream.data(), some_b.stream.data(), size, shafts.data());
+    const auto position = [=](std::size_t i) { return first + i; };
+    add_planes(kernels, added, some_a.stream.data(), some_b.stream.data(), shafts, position, position);
+  }
+}
+
+void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs, std::span<CompiledShaft> out,
+                   const BatchPlanes& planes) {
+  if (pairs.size() != out.size()) {
+    throw InvalidArgument("compile_batch needs as many pairs as shafts to write, not " + std::to_string(pairs.size()) +
+                          " and " + std::to_string(out.size()));
+  }
+  require_memory(a, b, out, planes);
+  kernel::require_memory("pairs", pairs, "pairs");
+  require_indices(pairs, a.count, b.count);
+  const kernel::FloatEnvironment environment;
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  const PlanesOfPairs added(kernels, planes, a.count, b.count);
+  require_pairs(kernels, a, b, pairs);
+  GatheredBoxes from;
+  GatheredBoxes to;
+  for (std::size_t first = 0; first < pairs.size(); first += chunk) {
+    const auto some = pairs.subspan(first, std::min(chunk, pairs.size() - first));
+    const auto shafts = out.subspan(first, some.size());
+    gather<&IndexPair::a>(a, some, from);
+    gather<&IndexPair::b>(b, some, to);
+    kernels.compile_finite(from.stream, to.stream, some.size(), shafts.data());
+    if (added.empty()) continue;
+    const auto position = [=](std::uint32_t IndexPair::*side) {
+      return [=](std::size_t i) { return std::size_t{some[i].*side}; };
+    };
+    add_planes(kernels, added, from.stream, to.stream, shafts, position(&IndexPair::a), position(&IndexPair::b));
+  }
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,70 @@
+#include "support/arguments.hpp"
+
+#include <string>
+
+#include "shaftcull/error.hpp"
+#include "support/text.hpp"
+
+namespace shaftcull::kernel {
+
+void refuse_null(const char* what, std::size_t size, const char* noun) {
+  throw InvalidArgument(std::string(what) + " is null; it must point to the first of " + std::to_string(size) + " " +
+                        noun);
+}
+
+void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count) {
+  if (count > most_floats) {
+    throw InvalidArgument(std::string(noun) + ".count = " + std::to_string(count) + " is more than memory can hold, " +
+                          std::to_string(most_floats));
+  }
+  std::size_t null = 0;
+  while (streams[null] != nullptr) ++null;
+  throw InvalidArgument(std::string(noun) + ".stream[" + std::to_string(null) +
+                        "] is null; it must point to the first of " + std::to_string(count) + " floats");
+}
+
+void refuse_form(Form form) {
+  throw InvalidArgument("form = " + std::to_string(static_cast<unsigned>(form)) +
+                        " is none of Form::fastest, Form::slab and Form::planes");
+}
+
+void refuse_shaft(const CompiledShaft& shaft, bool outside, bool inside, std::size_t position) {
+  const std::string which = "shaft " + std::to_string(position);
+  if (!shaft.answers_outside && !shaft.answers_inside) {
+    throw InvalidArgument(which + " was never formed: a default CompiledShaft answers nothing; assign it what " +
+                          "compile() returns, or pass it to compile_batch()");
+  }
+  const char* missing = "spheres";
+  if (inside && !shaft.answers_inside) missing = "inside";
+  if (outside && !shaft.answers_outside) missing = "outside";
+  throw InvalidArgument(which + " was formed without " + missing + " (see ShaftOptions) and is asked for it");
+}
+
+void refuse_words(const char* what, std::size_t size, std::size_t bounds) {
+  throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
+                        counted(bounds, "bound") + " take " + std::to_string(words_for(bounds)));
+}
+
+void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words) {
+  const bool overflows = row_words != 0 && shafts > std::numeric_limits<std::size_t>::max() / row_words;
+  throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; " + counted(shafts, "shaft") +
+                        " times words_for(bounds.count) = " + counted(row_words, "word") + " need " +
+                        (overflows ? "more than memory can hold" : std::to_string(shafts * row_words)));
+}
+
+void refuse_counts(std::size_t size, std::size_t shafts) {
+  throw InvalidArgument("kept_counts has room for " + counted(size, "count") + "; " + counted(shafts, "shaft") +
+                        " need one each");
+}
+
+void refuse_shared_memory(const char* call, const char* one, const char* other) {
+  throw InvalidArgument(std::string(call) + ": " + one + " and " + other +
+                        " share memory; what is written needs memory of its own");
+}
+
+void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds) {
+  throw InvalidArgument(std::string(what) + "[" + std::to_string(position) + "] = " + std::to_string(index) +
+                        " is not below the number of bounds, " + std::to_string(bounds));
+}
+
+}  // namespace shaftcull::kernel

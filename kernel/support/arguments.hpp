@@ -1,0 +1,109 @@
+/// What public calls check before they write anything: null and shared memory, sizes, indices, enumerators, and what a
+/// shaft was formed for.
+///
+/// Every check throws InvalidArgument with a message that names the argument, its value and what would be right. The
+/// messages are made in arguments.cpp, so that a call pays for comparisons only.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "support/overlap.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull::kernel {
+
+[[noreturn]] void refuse_null(const char* what, std::size_t size, const char* noun);
+[[noreturn]] void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count);
+[[noreturn]] void refuse_form(Form form);
+[[noreturn]] void refuse_shaft(const CompiledShaft& shaft, bool outside, bool inside, std::size_t position);
+[[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
+[[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
+[[noreturn]] void refuse_counts(std::size_t size, std::size_t shafts);
+[[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
+[[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
+
+/// More floats than one array can have.
+inline constexpr std::size_t most_floats = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(float);
+
+/// The span called `what`, of things called `noun` in the plural, is not null unless it is empty.
+template <class T>
+void require_memory(const char* what, std::span<T> span, const char* noun) {
+  if (span.data() == nullptr && !span.empty()) [[unlikely]]
+    refuse_null(what, span.size(), noun);
+}
+
+/// All streams of the view are there, and its count is one that memory can hold.
+template <class View>
+void require_view(const View& view) {
+  bool null = false;
+  for (const float* stream : view.stream) null |= stream == nullptr;
+  if ((null && view.count != 0) || view.count > most_floats) [[unlikely]] {
+    refuse_view(std::is_same_v<View, SphereView> ? "spheres" : "boxes", view.stream, view.count);
+  }
+}
+
+inline void require_form(Form form) {
+  if (form > Form::planes) [[unlikely]]
+    refuse_form(form);
+}
+
+/// The shaft was formed to answer `outside` and `inside`, where asked, for spheres or boxes. `position` is the shaft's
+/// index among many.
+inline void require_answers(const CompiledShaft& shaft, bool outside, bool inside, bool spheres, std::size_t position) {
+  if ((outside && !shaft.answers_outside) || (inside && !shaft.answers_inside) || (spheres && !shaft.answers_spheres))
+      [[unlikely]] {
+    refuse_shaft(shaft, outside, inside, position);
+  }
+}
+
+/// The span called `what` holds exactly the answers of so many bounds.
+inline void require_words(const char* what, std::span<const std::uint64_t> words, std::size_t bounds) {
+  if (words.size() != words_for(bounds)) [[unlikely]]
+    refuse_words(what, words.size(), bounds);
+  require_memory(what, words, "words");
+}
+
+/// The span called `what` holds exactly `shafts` rows of `row_words` words.
+inline void require_rows(const char* what, std::span<const std::uint64_t> words, std::size_t shafts,
+                         std::size_t row_words) {
+  const bool overflows = row_words != 0 && shafts > std::numeric_limits<std::size_t>::max() / row_words;
+  if (overflows || words.size() != shafts * row_words) [[unlikely]] {
+    refuse_rows(what, words.size(), shafts, row_words);
+  }
+  require_memory(what, words, "words");
+}
+
+/// The span called kept_counts has one count for each shaft.
+inline void require_counts(std::span<const std::uint64_t> kept_counts, std::size_t shafts) {
+  if (kept_counts.size() != shafts) [[unlikely]]
+    refuse_counts(kept_counts.size(), shafts);
+  require_memory("kept_counts", kept_counts, "counts");
+}
+
+/// What `call` writes, and what else it writes or reads, share no memory. `one` and `other` are their names.
+inline void require_apart(const char* call, const char* one, std::span<const std::byte> one_bytes, const char* other,
+                          std::span<const std::byte> other_bytes) {
+  if (overlap(one_bytes, other_bytes)) [[unlikely]]
+    refuse_shared_memory(call, one, other);
+}
+
+/// The span called `what` is there, and holds indices of so many bounds.
+template <class Index>
+void require_below(const char* what, std::span<const Index> indices, std::size_t bounds) {
+  require_memory(what, indices, "indices");
+  Index most = 0;
+  for (const Index index : indices) most = std::max(most, index);  // no early end: this loop becomes vectors
+  if (indices.empty() || most < bounds) return;
+  std::size_t bad = 0;
+  while (indices[bad] < bounds) ++bad;
+  refuse_index(what, bad, indices[bad], bounds);
+}
+
+}  // namespace shaftcull::kernel
