@@ -1,5 +1,5 @@
-/// choice/…: flat scans and trees over scenes of several sizes, with shafts that find next to nothing to all; and what it
-/// takes when bounds move. The README's answer to "flat or tree?" is of these.
+/// choice/…: flat scans and trees over scenes of several sizes, with shafts that find next to nothing to all; and what
+/// it takes when bounds move. The README's answer to "flat or tree?" is of these.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,8 +56,7 @@ void declare_finds(Suite& suite, std::size_t count) {
     const auto swept = std::make_shared<const SweptBoxes>(shafts_at_once, setting);
     suite.add(name + "flat", "", [=](benchmark::State& state) { list(state, View{scene->stream().view()}, *swept); },
               {.brief = true});
-    suite.add(name + "tree", "", [=](benchmark::State& state) { list(state, scene->tree(), *swept); },
-              {.brief = true});
+    suite.add(name + "tree", "", [=](benchmark::State& state) { list(state, scene->tree(), *swept); }, {.brief = true});
   }
 }
 
@@ -76,9 +75,8 @@ void declare_updates(Suite& suite, std::size_t count) {
               {.brief = true});
   };
   add("stream", count, [=] {
-    return [=, stream = BoxStream(scene->stream())]() mutable {
-      stream.update(0, std::span<const Box>(scene->boxes()));
-    };
+    return
+        [=, stream = BoxStream(scene->stream())]() mutable { stream.update(0, std::span<const Box>(scene->boxes())); };
   });
   add("tree_shuffled", count, [=] { return [=] { scene->tree().update(std::span<const Box>(scene->boxes())); }; });
   add("tree_in_order", count, [=] {

@@ -1,7 +1,7 @@
 /// exact/…: what exact answers cost, on AVX2, against the same kernel without its filter.
 ///
-/// Each setting is measured twice on the same bounds and shafts, in tiles that stay in the L1 cache: exact/SETTING/exact as
-/// the library ships it, exact/SETTING/unfiltered with rounded arithmetic taken at its word.
+/// Each setting is measured twice on the same bounds and shafts, in tiles that stay in the L1 cache:
+/// exact/SETTING/exact as the library ships it, exact/SETTING/unfiltered with rounded arithmetic taken at its word.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -89,7 +89,8 @@ void declare_setting(Suite& suite, const std::string& name, const std::shared_pt
       for (std::size_t first = 0; first < bounds; first += tile) {
         const BoxView part = setting->boxes.view().slice(first, tile);
         for (std::size_t s = 0; s < shafts; ++s) {
-          cull_unfiltered_avx2(setting->compiled[s], part, tile / 64, &setting->kept[s * words_for(bounds) + first / 64]);
+          cull_unfiltered_avx2(setting->compiled[s], part, tile / 64,
+                               &setting->kept[s * words_for(bounds) + first / 64]);
         }
       }
       benchmark::ClobberMemory();

@@ -70,7 +70,8 @@ struct PairStreams {
 void declare_form(Suite& suite, const Workload& workload) {
   const std::string paper = "paper/form_table";
   const auto each = [&](const char* name, const std::string& against, Formation formation) {
-    suite.add(name, against, [&workload, formation](benchmark::State& state) { form_each(state, workload, formation); });
+    suite.add(name, against,
+              [&workload, formation](benchmark::State& state) { form_each(state, workload, formation); });
   };
   each("form/runtime", "paper/form_runtime", Formation::search);
   each("form/table64", paper, Formation::table64);

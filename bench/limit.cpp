@@ -1,8 +1,8 @@
 /// limit/…: what this machine can do at most, and which of it limits each main path.
 ///
-/// limit/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. So does limit/grid_arithmetic, with five
-/// multiplications of 16-bit integers and six minima or maxima. limit/read_… counts bytes, read
-/// as six streams that together fill half of a cache, or twice the largest one. limit/divide counts divisions,
+/// limit/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. So does limit/grid_arithmetic,
+/// with five multiplications of 16-bit integers and six minima or maxima. limit/read_… counts bytes, read as six
+/// streams that together fill half of a cache, or twice the largest one. limit/divide counts divisions,
 /// limit/write_shafts shafts.
 #include <algorithm>
 #include <array>
@@ -48,8 +48,8 @@ const LimitKernels* limit_kernels(Isa isa) noexcept {
 
 namespace {
 
-/// Multiply-adds, minima and maxima that a box in slab form cannot do without, and that limit/slab_arithmetic does for each: one face's
-/// position is t itself.
+/// Multiply-adds, minima and maxima that a box in slab form cannot do without, and that limit/slab_arithmetic does for
+/// each: one face's position is t itself.
 constexpr double slab_operations = 11;
 
 /// Likewise of limit/grid_arithmetic, on vectors of twice as many lanes.
@@ -161,9 +161,9 @@ struct Shares {
   }
 };
 
-/// Limits of the main paths: multiplications, multiply-adds, minima, maxima and comparisons that their methods cannot do without, at the
-/// rate of limit/slab_arithmetic or limit/grid_arithmetic, and bytes. Additions are left out: some processors have ports of their own for
-/// them.
+/// Limits of the main paths: multiplications, multiply-adds, minima, maxima and comparisons that their methods cannot
+/// do without, at the rate of limit/slab_arithmetic or limit/grid_arithmetic, and bytes. Additions are left out: some
+/// processors have ports of their own for them.
 void declare_paths(Suite& suite, const Shares& shares, const std::string& set) {
   constexpr double shafts = Workload::test_shafts;
   const auto path = [&](const std::string& name, const std::string& arithmetic, double units, const std::string& what,
@@ -176,7 +176,8 @@ void declare_paths(Suite& suite, const Shares& shares, const std::string& set) {
   // A float operation takes as long as one on twice as many 16-bit integers.
   const auto grid_path = [&](const std::string& name, double floats, const std::string& what, double from_memory) {
     path(name, "limit/grid_arithmetic/", (grid_operations + 2 * floats) / grid_operations,
-         fmt::format("{:.1f} operations, half of those on 16-bit integers counted: {}", grid_operations / 2 + floats, what),
+         fmt::format("{:.1f} operations, half of those on 16-bit integers counted: {}", grid_operations / 2 + floats,
+                     what),
          box_bytes / 2, from_memory);
   };
   const double planes = 6 + 3 * shares.planes_there;
@@ -187,9 +188,11 @@ void declare_paths(Suite& suite, const Shares& shares, const std::string& set) {
   const std::string culling = "5 multiplications, 6 minima or maxima in 16 bits";
   grid_path("test/boxes/cull/slab/", 0, culling, box_bytes);
   grid_path("test/boxes/classify/slab/", 6 * shares.kept + 3 * shares.kept_planes,
-            fmt::format("{}; 6 comparisons and 3 a plane for the {:.1f} % kept", culling, 100 * shares.kept), box_bytes);
+            fmt::format("{}; 6 comparisons and 3 a plane for the {:.1f} % kept", culling, 100 * shares.kept),
+            box_bytes);
   grid_path("test/spheres/cull/slab/", 15 * shares.kept_spheres,
-            fmt::format("{} for the sphere's box; 15 of the distance for the {:.1f} % kept", culling, 100 * shares.kept_spheres),
+            fmt::format("{} for the sphere's box; 15 of the distance for the {:.1f} % kept", culling,
+                        100 * shares.kept_spheres),
             sphere_bytes);
 }
 

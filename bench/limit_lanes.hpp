@@ -27,7 +27,8 @@ float slab_arithmetic(std::size_t vectors) noexcept {
     for (unsigned i = 0; i < 12; ++i) {
       // Hidden from the optimiser, which knows that the same operands give the same result.
       asm volatile("" : "+v"(scale.data), "+v"(shift.data));
-      const auto bound = i % 6 == 0 ? scale : L::multiply_add(scale, shift, scale);  // one of six bounds is a coordinate itself
+      const auto bound =
+          i % 6 == 0 ? scale : L::multiply_add(scale, shift, scale);  // one of six bounds is a coordinate itself
       const unsigned e = i % chains;
       extreme[e] = e % 2 == 0 ? L::minimum(bound, extreme[e]) : L::maximum(bound, extreme[e]);
     }
@@ -50,7 +51,8 @@ float grid_arithmetic(std::size_t vectors) noexcept {
     for (unsigned i = 0; i < 12; ++i) {
       asm volatile("" : "+v"(scale.data), "+v"(coordinate.data));
       const unsigned e = i % chains;
-      const auto bound = e == 0 ? coordinate : S::multiply(scale, coordinate);  // that of the leading face is its coordinate
+      const auto bound =
+          e == 0 ? coordinate : S::multiply(scale, coordinate);  // that of the leading face is its coordinate
       extreme[e] = e % 2 == 0 ? S::minimum(bound, extreme[e]) : S::maximum(bound, extreme[e]);
     }
   }
@@ -107,6 +109,7 @@ void write_shafts(CompiledShaft* shafts, std::size_t count) noexcept {
 }
 
 template <class L>
-constexpr LimitKernels limit_kernels_for = {L::width, slab_arithmetic<L>, grid_arithmetic<L>, divide<L>, read<L>, write_shafts<L>};
+constexpr LimitKernels limit_kernels_for = {L::width, slab_arithmetic<L>, grid_arithmetic<L>, divide<L>,
+                                            read<L>,  write_shafts<L>};
 
 }  // namespace shaftcull::bench

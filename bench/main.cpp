@@ -26,8 +26,8 @@ namespace {
 using namespace shaftcull::bench;
 
 constexpr std::array families{
-    declare_paper, declare_form,  declare_many, declare_sinks, declare_memory, declare_small,
-    declare_sweep, declare_limit, declare_tree, declare_frame, declare_choice, declare_touching, declare_equal_short,
+    declare_paper, declare_form, declare_many,  declare_sinks,  declare_memory,   declare_small,       declare_sweep,
+    declare_limit, declare_tree, declare_frame, declare_choice, declare_touching, declare_equal_short,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif

@@ -86,9 +86,10 @@ void declare_sweep(Suite& suite, const Workload& workload);   ///< sweep/…: by
 void declare_limit(Suite& suite, const Workload& workload);   ///< limit/…: what this machine can do at most
 void declare_exact(Suite& suite, const Workload& workload);   ///< exact/…: what exact answers cost
 void declare_touching(Suite& suite, const Workload& workload);  ///< exact/touching/…: tests that floats cannot decide
-void declare_tree(Suite& suite, const Workload& workload);    ///< tree/…: bounds trees
+void declare_tree(Suite& suite, const Workload& workload);      ///< tree/…: bounds trees
 void declare_equal_short(Suite& suite, const Workload& workload);  ///< tree/equal_short/…: short sweeps, against a grid
-void declare_frame(Suite& suite, const Workload& workload);   ///< frame/…: moving bounds, updated and asked
-void declare_choice(Suite& suite, const Workload& workload);  ///< choice/…: flat scans and trees, by size and by what is found
+void declare_frame(Suite& suite, const Workload& workload);        ///< frame/…: moving bounds, updated and asked
+void declare_choice(Suite& suite,
+                    const Workload& workload);  ///< choice/…: flat scans and trees, by size and by what is found
 
 }  // namespace shaftcull::bench

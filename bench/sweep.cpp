@@ -172,7 +172,8 @@ void declare_sweep(Suite& suite, const Workload& workload) {
   if (all_threads() == 1)
     suite.note("sweep/threads has one point, and its target is not measured: there is one thread here");
   suite.note(
-      "sweep/threads… and memory/…_threads are timed by the clock on the wall, which other programs disturb; everything "
+      "sweep/threads… and memory/…_threads are timed by the clock on the wall, which other programs disturb; "
+      "everything "
       "else by processor time");
   suite.note(
       fmt::format("sweep/bounds/{} against sweep/bounds/1000 is a ratio of speeds: 0.80 is 1.25 × the time a test",

@@ -1,5 +1,5 @@
-/// The slab test without its filter: as fast, and as wrong near a boundary, as rounded arithmetic is. What exactness costs is
-/// measured against it.
+/// The slab test without its filter: as fast, and as wrong near a boundary, as rounded arithmetic is. What exactness
+/// costs is measured against it.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,9 @@
 
 namespace shaftcull::bench {
 
-/// Writes one bit for each box of `words` whole words, on AVX2. The shaft's slab form is taken as fused, whatever it is.
-void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words, std::uint64_t* kept) noexcept;
+/// Writes one bit for each box of `words` whole words, on AVX2. The shaft's slab form is taken as fused, whatever it
+/// is.
+void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words,
+                          std::uint64_t* kept) noexcept;
 
 }  // namespace shaftcull::bench

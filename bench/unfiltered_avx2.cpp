@@ -1,8 +1,8 @@
 // Which instruction set this unit is for, to simd/lanes.hpp.
 #define SHAFTCULL_UNIT_AVX2
 #define xsimd xsimd_unfiltered_avx2
-#include "simd/lanes.hpp"
 #include "kernels/boxes/slab.hpp"
+#include "simd/lanes.hpp"
 #include "unfiltered.hpp"
 
 namespace shaftcull::bench {
@@ -11,7 +11,8 @@ namespace {
 struct UnfilteredLanes : kernel::Lanes<xsimd::fma3<xsimd::avx2>> {};
 
 template <unsigned uppers>
-void cull_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept) noexcept {
+void cull_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                std::uint64_t* kept) noexcept {
   using L = UnfilteredLanes;
   const kernel::Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft, 0.0F);
   const float* x[6];
@@ -34,9 +35,10 @@ void cull_words(const CompiledShaft& shaft, const float* const* stream, std::siz
 
 }  // namespace
 
-void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words, std::uint64_t* kept) noexcept {
+void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words,
+                          std::uint64_t* kept) noexcept {
   using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
-  static constexpr Words* by_uppers[7] = {nullptr, cull_words<1>, cull_words<2>, cull_words<3>,
+  static constexpr Words* by_uppers[7] = {nullptr,       cull_words<1>, cull_words<2>, cull_words<3>,
                                           cull_words<4>, cull_words<5>, cull_words<6>};
   by_uppers[shaft.slab_uppers](shaft, boxes.stream.data(), words, kept);
 }

@@ -20,7 +20,8 @@ std::atomic<std::size_t> first_failing = never;  // calls are counted from 1
 std::atomic<std::size_t> last_failing = never;
 std::atomic<bool> any_failed = false;
 
-/// Whether `caller`, an address in code, is in oneTBB. It promises nothing of threads that find no memory for themselves.
+/// Whether `caller`, an address in code, is in oneTBB. It promises nothing of threads that find no memory for
+/// themselves.
 bool is_in_onetbb([[maybe_unused]] const void* caller) noexcept {
 #if __has_include(<dlfcn.h>)
   Dl_info place;
@@ -81,8 +82,12 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
 void* operator new[](std::size_t bytes, std::align_val_t alignment) {
   return allocate_or_throw(bytes, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual, __builtin_return_address(0)); }
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, usual, __builtin_return_address(0)); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return allocate(bytes, usual, __builtin_return_address(0));
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return allocate(bytes, usual, __builtin_return_address(0));
+}
 void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
   return allocate(bytes, static_cast<std::size_t>(alignment), __builtin_return_address(0));
 }

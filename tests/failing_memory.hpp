@@ -1,7 +1,8 @@
 /// operator new of the whole program, which counts its calls and fails where it is told to.
 ///
-/// What oneTBB allocates for itself does not fail. Nor does what tasks list in (kernel/parallel/task_memory.hpp), which comes
-/// from oneTBB's allocator and does not pass here; in builds without oneTBB (preset serial) it fails like all else.
+/// What oneTBB allocates for itself does not fail. Nor does what tasks list in (kernel/parallel/task_memory.hpp), which
+/// comes from oneTBB's allocator and does not pass here; in builds without oneTBB (preset serial) it fails like all
+/// else.
 #pragma once
 
 #include <cstddef>

@@ -15,8 +15,8 @@ struct Interval {
   constexpr explicit Interval(double x) : lo(x), hi(x) {}
   constexpr Interval(double low, double high) : lo(low), hi(high) {}
 
-  /// The interval of what was computed as low and high, each rounded once. |x| 2⁻⁵² is an ulp of x or more and a rounding
-  /// error half of one; the constant pays for those of denormals.
+  /// The interval of what was computed as low and high, each rounded once. |x| 2⁻⁵² is an ulp of x or more and a
+  /// rounding error half of one; the constant pays for those of denormals.
   static Interval around(double low, double high) {
     return {low - (std::fabs(low) * 0x1p-52 + 0x1p-1070), high + (std::fabs(high) * 0x1p-52 + 0x1p-1070)};
   }

@@ -1,5 +1,5 @@
-/// A few bounds asked of a shaft as many are of many: in a whole tile, by a group of shafts around it, so that it is tested on a grid
-/// (kernel/kernels/grid/forming.hpp).
+/// A few bounds asked of a shaft as many are of many: in a whole tile, by a group of shafts around it, so that it is
+/// tested on a grid (kernel/kernels/grid/forming.hpp).
 #pragma once
 
 #include <algorithm>
@@ -47,16 +47,18 @@ inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
 }
 
 /// Bits 0, apart, 2 · apart, …, `count` of them, side by side.
-inline std::vector<std::uint64_t> every_bit(const std::vector<std::uint64_t>& row, std::size_t apart, std::size_t count) {
+inline std::vector<std::uint64_t> every_bit(const std::vector<std::uint64_t>& row, std::size_t apart,
+                                            std::size_t count) {
   std::vector<std::uint64_t> bits(words_for(count));
   for (std::size_t i = 0; i != count; ++i) bits[i / 64] |= (row[i * apart / 64] >> i * apart % 64 & 1U) << i % 64;
   return bits;
 }
 
-/// The grid's steps double with `doublings`. At most `bounds_on_grid` bounds, that many places `apart`, which decides how many share a word; the
-/// shaft must answer outside and, where asked, inside.
+/// The grid's steps double with `doublings`. At most `bounds_on_grid` bounds, that many places `apart`, which decides
+/// how many share a word; the shaft must answer outside and, where asked, inside.
 template <class View>
-GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, std::size_t apart = 1, bool ask_inside = true) {
+GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, std::size_t apart = 1,
+                         bool ask_inside = true) {
   constexpr std::size_t streams = std::tuple_size_v<decltype(View::stream)>;
   constexpr bool boxes = streams == 6;
   std::vector<float> memory(streams * bounds_on_grid);

@@ -87,8 +87,8 @@ Hull::Hull(const Box& a, const Box& b, const std::vector<Plane>& added) : a_(coo
     }
   }
   for (const Plane& plane : added) {
-    added_.push_back({{Rational(plane.normal[0]), Rational(plane.normal[1]), Rational(plane.normal[2])},
-                      Rational(plane.offset)});
+    added_.push_back(
+        {{Rational(plane.normal[0]), Rational(plane.normal[1]), Rational(plane.normal[2])}, Rational(plane.offset)});
   }
 }
 
@@ -97,8 +97,8 @@ bool Hull::meets(const Box& box) const {
   Rational upper = 1;
   for (std::size_t k = 0; k != 3; ++k) {
     if (box.lo[k] > box.hi[k]) return false;
-    if (!narrow(a_[k], b_[k], box.hi[k], lower, upper)) return false;                // lo(t) ≤ box.hi
-    if (!narrow(-a_[k + 3], -b_[k + 3], -box.lo[k], lower, upper)) return false;     // −hi(t) ≤ −box.lo
+    if (!narrow(a_[k], b_[k], box.hi[k], lower, upper)) return false;             // lo(t) ≤ box.hi
+    if (!narrow(-a_[k + 3], -b_[k + 3], -box.lo[k], lower, upper)) return false;  // −hi(t) ≤ −box.lo
   }
   return true;
 }
@@ -167,7 +167,8 @@ Rational Hull::squared_distance(const Vec3& point) const {
 
 Answer Hull::answer(const Sphere& sphere) const {
   if (std::isinf(sphere.radius)) return Answer::overlap;
-  const std::array<Rational, 3> centre{Rational(sphere.centre[0]), Rational(sphere.centre[1]), Rational(sphere.centre[2])};
+  const std::array<Rational, 3> centre{Rational(sphere.centre[0]), Rational(sphere.centre[1]),
+                                       Rational(sphere.centre[2])};
   const Rational radius(sphere.radius);
   const Rational squared_radius = radius * radius;
   if (squared_distance(sphere.centre) > squared_radius) return Answer::outside;
@@ -190,13 +191,15 @@ bool Hull::touches(const Box& box) const {
   const auto touches_plane = [&](const RationalPlane& plane) {
     return extreme_sign(plane, box, -1) == 0 || (is == Answer::inside && extreme_sign(plane, box, 1) == 0);
   };
-  return std::any_of(faces_.begin(), faces_.end(), touches_plane) || std::any_of(added_.begin(), added_.end(), touches_plane);
+  return std::any_of(faces_.begin(), faces_.end(), touches_plane) ||
+         std::any_of(added_.begin(), added_.end(), touches_plane);
 }
 
 bool Hull::touches(const Sphere& sphere) const {
   const Answer is = answer(sphere);
   if (is == Answer::outside || std::isinf(sphere.radius)) return false;
-  const std::array<Rational, 3> centre{Rational(sphere.centre[0]), Rational(sphere.centre[1]), Rational(sphere.centre[2])};
+  const std::array<Rational, 3> centre{Rational(sphere.centre[0]), Rational(sphere.centre[1]),
+                                       Rational(sphere.centre[2])};
   const Rational radius(sphere.radius);
   const Rational squared_radius = radius * radius;
   const auto touches_plane = [&](const RationalPlane& plane, bool from_outside) {

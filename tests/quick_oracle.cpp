@@ -38,7 +38,8 @@ QuickHull::QuickHull(const Subject& subject)
     for (std::size_t blue = 0; blue != 6; ++blue) {
       const bool edge = red % 3 != blue % 3 && a_[red] != b_[red] && a_[blue] != b_[blue];
       if (!edge || !outer_on_a(red) || outer_on_a(blue)) continue;
-      JoiningPlane plane{red % 3, blue % 3, difference(b_[blue], a_[blue]), difference(a_[red], b_[red]), a_[red], a_[blue]};
+      JoiningPlane plane{red % 3, blue % 3, difference(b_[blue], a_[blue]), difference(a_[red], b_[red]),
+                         a_[red], a_[blue]};
       // The corner (a[red], b[blue]) of the shaft box is cut off: normal_blue · (b[blue] − a[blue]) is positive there.
       if ((a_[red] > b_[red]) != (b_[blue] > a_[blue])) {
         plane.red_normal = -plane.red_normal;
@@ -127,8 +128,8 @@ QuickHull::Truth QuickHull::meets(const Sphere& sphere) const {
   const std::array<double, 3> centre{sphere.centre[0], sphere.centre[1], sphere.centre[2]};
   const Interval squared_radius = square(Interval(sphere.radius));
   const double t = nearest_t(centre);
-  Interval squared_distance(0.0);          // from box(t), which lies within the shaft
-  std::array<double, 3> normal{0, 0, 0};   // about centre − nearest point: any value is good for a proof
+  Interval squared_distance(0.0);         // from box(t), which lies within the shaft
+  std::array<double, 3> normal{0, 0, 0};  // about centre − nearest point: any value is good for a proof
   for (std::size_t k = 0; k != 3; ++k) {
     const Interval under = difference(a_[k], centre[k]) + Interval(t) * difference(b_[k], a_[k]);
     const Interval over = difference(centre[k], a_[k + 3]) - Interval(t) * difference(b_[k + 3], a_[k + 3]);

@@ -1,5 +1,5 @@
-/// The oracle for long runs: proves most answers in interval arithmetic, a hundred times as fast as rationals, and says so
-/// where it cannot. Shares no code with the library.
+/// The oracle for long runs: proves most answers in interval arithmetic, a hundred times as fast as rationals, and says
+/// so where it cannot. Shares no code with the library.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ class QuickHull {
   /// The answer if it has been proved; nothing for what touches or nearly touches. Bounds are finite with lo ≤ hi.
   ///
   /// Boxes: the definition with six constraints on t, as the rational oracle has it. Spheres: a point of the shaft
-  /// within the radius proves that they meet, a plane between them farther than the radius from the centre that they do not.
+  /// within the radius proves that they meet, a plane between them farther than the radius from the centre that they do
+  /// not.
   [[nodiscard]] std::optional<Answer> answer(const Box& box) const;
   [[nodiscard]] std::optional<Answer> answer(const Sphere& sphere) const;
 

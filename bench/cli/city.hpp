@@ -39,7 +39,7 @@ class City : public MovingScene {
   std::size_t buildings_;
   std::size_t blocks_;  ///< along each side of the city
   std::vector<Car> cars_;
-  BoxStream stream_;  ///< buildings, then cars; or nothing, and
+  BoxStream stream_;                   ///< buildings, then cars; or nothing, and
   TreeBuffers<BoxTree> trees_;         ///< the same
   std::vector<std::uint32_t> moving_;  ///< with trees: the cars' indices in them, and where they are now
   std::vector<Box> moved_;

@@ -96,7 +96,8 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
       right = exact->answer(bound);
       ++tally_.by_rationals;
       if (!proved && right != Answer::outside && exact->touches(bound)) ++tally_.touching;
-      if (proved && *proved != right) fail(i, fmt::format("oracles disagree: rationals {}, intervals {}", text(right), text(*proved)));
+      if (proved && *proved != right)
+        fail(i, fmt::format("oracles disagree: rationals {}, intervals {}", text(right), text(*proved)));
     }
     if (right != Answer::outside) kept_[i / 64] |= bit(i);
     if (right == Answer::inside) inside_[i / 64] |= bit(i);
@@ -157,7 +158,8 @@ void Trial::compare(const std::vector<std::uint64_t>& got, const std::vector<std
     for (std::uint64_t differ = (got[w] ^ right[w]) & ~wrong_[w]; differ != 0; differ &= differ - 1) {
       const std::size_t i = w * 64 + static_cast<std::size_t>(std::countr_zero(differ));
       if (i < count_) {
-        fail(i, fmt::format("{}: bit {} instead of {}", what(), (got[w] & bit(i)) != 0 ? 1 : 0, (right[w] & bit(i)) != 0 ? 1 : 0));
+        fail(i, fmt::format("{}: bit {} instead of {}", what(), (got[w] & bit(i)) != 0 ? 1 : 0,
+                            (right[w] & bit(i)) != 0 ? 1 : 0));
       } else {
         fail(count_ - 1, fmt::format("{}: bit {} past the last bound is set", what(), i));
       }
@@ -171,7 +173,9 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
   std::vector<std::uint64_t> inside(kept_.size());
   for (const Form form : {Form::slab, Form::planes}) {
     const auto question = [&](const char* call) {
-      return [=] { return fmt::format("{}, {}, {}, {}", call, how, name(active_isa()), form == Form::slab ? "slab" : "planes"); };
+      return [=] {
+        return fmt::format("{}, {}, {}, {}", call, how, name(active_isa()), form == Form::slab ? "slab" : "planes");
+      };
     };
     cull(shaft, view, kept, form);
     compare(kept, kept_, question("cull"));
@@ -184,7 +188,9 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
   const bool in_a_row = (mixed(number_) >> 48U & 1U) == 0;
   const GridAnswers on_grid = grid_answers(shaft, view, doublings, in_a_row ? 1 : bounds_on_grid / view.count);
   const auto question = [&](const char* bits) {
-    return [=] { return fmt::format("classify_many, {}, {}, {}, grid of 2^{}", bits, how, name(active_isa()), doublings); };
+    return [=] {
+      return fmt::format("classify_many, {}, {}, {}, grid of 2^{}", bits, how, name(active_isa()), doublings);
+    };
   };
   compare(on_grid.kept, kept_, question("kept"));
   compare(on_grid.inside, inside_, question("inside"));
@@ -220,8 +226,8 @@ void Trial::ask(std::span<Trial> trials) {
 void Trial::fail(std::size_t bound, const std::string& what) {
   if ((wrong_[bound / 64] & bit(bound)) == 0) ++tally_.wrong;
   wrong_[bound / 64] |= bit(bound);
-  failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, families[family_].name, bound,
-                                  count_, what, source_text(subject_), bound_text(bound)));
+  failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, families[family_].name,
+                                  bound, count_, what, source_text(subject_), bound_text(bound)));
 }
 
 std::string Trial::bound_text(std::size_t i) const {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "simd/scalar.hpp"
 #include "kernels/table_of.hpp"
+#include "simd/scalar.hpp"
 
 namespace shaftcull::cli {
 namespace {

@@ -82,14 +82,18 @@ class Verification {
   [[nodiscard]] int interrupted() const noexcept { return compared_ < options_.cases ? interrupt_.signal() : 0; }
 
   void print_summary() const {
-    Table table({"family", "cases", "outside", "inside", "undecided, slab", "undecided, planes", "on the boundary", "wrong"});
+    Table table(
+        {"family", "cases", "outside", "inside", "undecided, slab", "undecided, planes", "on the boundary", "wrong"});
     Tally sum;
     const auto add_row = [&](const std::string& what, const Tally& tally) {
       const auto share = [&](std::uint64_t part) {
-        return tally.bounds == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * static_cast<double>(part) / static_cast<double>(tally.bounds));
+        return tally.bounds == 0
+                   ? "-"
+                   : fmt::format("{:.3f} %", 100.0 * static_cast<double>(part) / static_cast<double>(tally.bounds));
       };
-      table.add_row({what, grouped(tally.bounds), share(tally.outside), share(tally.inside), share(tally.undecided_slab),
-                     share(tally.undecided_planes), share(tally.touching), grouped(tally.wrong)});
+      table.add_row({what, grouped(tally.bounds), share(tally.outside), share(tally.inside),
+                     share(tally.undecided_slab), share(tally.undecided_planes), share(tally.touching),
+                     grouped(tally.wrong)});
     };
     for (std::size_t family = 0; family != std::size(families); ++family) {
       for (const bool spheres : {false, true}) {
@@ -104,8 +108,10 @@ class Verification {
                isa_names());
     fmt::print("Undecided by the float filter: {} in slab form, {} in plane form\n", grouped(sum.undecided_slab),
                grouped(sum.undecided_planes));
-    fmt::print("Right answers from rational arithmetic: {}, {} of them exactly on the boundary; the others proved in intervals\n",
-               grouped(sum.by_rationals), grouped(sum.touching));
+    fmt::print(
+        "Right answers from rational arithmetic: {}, {} of them exactly on the boundary; the others proved in "
+        "intervals\n",
+        grouped(sum.by_rationals), grouped(sum.touching));
     fmt::print("Wrong answers: {}   ({:.0f} s, {} cases/s)\n", grouped(wrong_), seconds(),
                prefixed(static_cast<double>(sum.bounds) / seconds()));
   }
@@ -217,7 +223,8 @@ void add_verify(CLI::App& program) {
              "How many bounds to test (default: 1000000)")
       ->type_name("N");
   add_number(verify, "--seed", options->seed, 0, largest_seed, "Seed of the random cases (default: 1)")->type_name("S");
-  verify.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")->type_name("NAME");
+  verify.add_option("--isa", options->isas, "Instruction sets to test (default: that of SHAFTCULL_ISA, or all)")
+      ->type_name("NAME");
   add_number(verify, "--threads", options->threads, 0, most_threads,
              "Threads, 0 for all there are; results do not depend on it (default: 0)")
       ->type_name("N");

@@ -14,18 +14,19 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
 ///
-/// A default one was *never formed*: it is valid to copy, to assign to and to complete(), and every query refuses it with
-/// InvalidArgument, by its position among many. So an array or a vector of them can be made first and filled later.
+/// A default one was *never formed*: it is valid to copy, to assign to and to complete(), and every query refuses it
+/// with InvalidArgument, by its position among many. So an array or a vector of them can be made first and filled
+/// later.
 ///
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
 /// Arrays are plain so that kernels touch no inline function of the standard library (kernel/kernels/README.md).
 ///
 /// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
-/// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single coordinate of
-/// the bound. In the fused form t is the position of the leading face, the lo x face of box(t), from a.lo[0] to b.lo[0], so that its own
-/// constraint is t ≤ x; in the difference form it runs from 0 to 1. In the relative form it runs from 0, at whichever of the
-/// two boxes is nearer to the origin, to the largest slope of a face. What is computed is off relatively to the distance
-/// from that box, however far away the other one is.
+/// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single
+/// coordinate of the bound. In the fused form t is the position of the leading face, the lo x face of box(t), from
+/// a.lo[0] to b.lo[0], so that its own constraint is t ≤ x; in the difference form it runs from 0 to 1. In the relative
+/// form it runs from 0, at whichever of the two boxes is nearer to the origin, to the largest slope of a face. What is
+/// computed is off relatively to the distance from that box, however far away the other one is.
 ///
 /// *Plane form.* v = n0·x + n1·y + minus_offset at the corner that the selectors name; v > 0 is beyond the plane.
 /// The near corner has the smallest v (outside iff v > 0 there), the far corner the largest (inside iff v ≤ 0).
@@ -46,23 +47,24 @@ struct alignas(64) CompiledShaft {
   enum class SlabForm : std::uint8_t {
     fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the leading face
     difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where shifts are too large
-    relative,    ///< likewise, but slab_margin is relative to the bounds on t. For boxes much farther apart than one is from the origin
-    exact,       ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
+    relative,    ///< likewise, but slab_margin is relative to the bounds on t. For boxes much farther apart than one is
+                 ///< from the origin
+    exact,  ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
   };
 
   // First cache line: the slab constraints, bounds on t from above first.
-  float slab_scale[6];           ///< slope of t over the slope of the face; ±∞ for a purple face
-  float slab_margin;             ///< bound on the error of (largest lower − smallest upper); +∞ if none holds
-  float reach;                   ///< largest magnitude of a coordinate of a or b
-  float slab_shift[6];           ///< see SlabForm
-  std::uint8_t slab_near[6];     ///< stream that the constraint reads
-  std::uint8_t slab_uppers;      ///< how many of the six bound t from above
+  float slab_scale[6];        ///< slope of t over the slope of the face; ±∞ for a purple face
+  float slab_margin;          ///< bound on the error of (largest lower − smallest upper); +∞ if none holds
+  float reach;                ///< largest magnitude of a coordinate of a or b
+  float slab_shift[6];        ///< see SlabForm
+  std::uint8_t slab_near[6];  ///< stream that the constraint reads
+  std::uint8_t slab_uppers;   ///< how many of the six bound t from above
   SlabForm slab_form;
 
   // Second cache line: what the shaft is.
   Box a;
   Box b;
-  std::uint8_t joining_count;    ///< planes_pending until completed
+  std::uint8_t joining_count;  ///< planes_pending until completed
   std::uint8_t added_count;
   bool answers_outside;
   bool answers_inside;
@@ -80,8 +82,8 @@ struct alignas(64) CompiledShaft {
   AddedPlane added[max_added_planes];
 
   // The shaft box and joining planes; not written while they are pending.
-  float face[6];                  ///< the shaft box, in the order of a BoxView's streams
-  float joining_margin;           ///< for all joining planes
+  float face[6];         ///< the shaft box, in the order of a BoxView's streams
+  float joining_margin;  ///< for all joining planes
   float joining_normal0[max_joining_planes];
   float joining_normal1[max_joining_planes];
   float joining_minus_offset[max_joining_planes];

@@ -3,7 +3,8 @@
 /// The best one that the processor *and* the operating system support is taken at the first call that
 /// needs one. The environment variable SHAFTCULL_ISA (scalar, sse4_2, avx2 or avx512) or select_isa()
 /// forces another. A variable that cannot be followed is not an error, since a user may have set it for another program
-/// or another machine: the best one is taken, and isa_choice() says why. Answers do not depend on the choice; only speed does.
+/// or another machine: the best one is taken, and isa_choice() says why. Answers do not depend on the choice; only
+/// speed does.
 ///
 /// The choice is about the tests and formation, and the loops that count and list their bits. Packing streams and
 /// checking records use SSE2 on x86-64 whatever is chosen, since every such processor has it.
@@ -21,8 +22,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 enum class Isa : std::uint8_t { scalar, sse4_2, avx2, avx512 };
 
-/// "scalar", "sse4_2", "avx2" (which includes FMA, BMI and BMI2) or "avx512" (those and F, CD, DQ, BW and VL); "unknown" for
-/// a value that is no enumerator.
+/// "scalar", "sse4_2", "avx2" (which includes FMA, BMI and BMI2) or "avx512" (those and F, CD, DQ, BW and VL);
+/// "unknown" for a value that is no enumerator.
 [[nodiscard]] std::string_view name(Isa isa) noexcept;
 
 /// The instruction set of that name, in upper or lower case, or nothing.
@@ -36,9 +37,10 @@ enum class Isa : std::uint8_t { scalar, sse4_2, avx2, avx512 };
 
 /// What was asked for, and what runs.
 struct IsaChoice {
-  std::string asked;   ///< SHAFTCULL_ISA as it is now; empty if it is not set
-  std::string refusal; ///< why SHAFTCULL_ISA cannot be followed, with a list of what there is; empty if it can, or is not set
-  Isa running;         ///< active_isa()
+  std::string asked;  ///< SHAFTCULL_ISA as it is now; empty if it is not set
+  std::string
+      refusal;  ///< why SHAFTCULL_ISA cannot be followed, with a list of what there is; empty if it can, or is not set
+  Isa running;  ///< active_isa()
 };
 [[nodiscard]] IsaChoice isa_choice();
 

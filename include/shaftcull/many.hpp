@@ -1,14 +1,14 @@
 /// Many shafts against many bounds, in parallel.
 ///
-/// Work is cut into tiles: a run of bounds small enough for the cache, against a group of shafts. The cut depends only on
-/// the sizes, never on the number of threads, and so do all results and their order. Calls run on oneTBB
-/// inside the caller's task_arena (in a build without oneTBB, serially), and are safe to make from many threads.
+/// Work is cut into tiles: a run of bounds small enough for the cache, against a group of shafts. The cut depends only
+/// on the sizes, never on the number of threads, and so do all results and their order. Calls run on oneTBB inside the
+/// caller's task_arena (in a build without oneTBB, serially), and are safe to make from many threads.
 ///
-/// All parallel calls of the library, those of tree.hpp, query.hpp and refine.hpp too, may be made from within tasks of the
-/// caller's own. Each has a task_group_context of its own: it is completed even where the caller's group is cancelled, and
-/// tbb::task_group::cancel() does not end it. Each is isolated (tbb::this_task_arena::isolate): a thread that waits inside a
-/// call takes none of the caller's other tasks, so a mutex may be held and thread_local state used across it.
-/// Callbacks run on any thread of the arena, in the caller's floating-point modes.
+/// All parallel calls of the library, those of tree.hpp, query.hpp and refine.hpp too, may be made from within tasks of
+/// the caller's own. Each has a task_group_context of its own: it is completed even where the caller's group is
+/// cancelled, and tbb::task_group::cancel() does not end it. Each is isolated (tbb::this_task_arena::isolate): a thread
+/// that waits inside a call takes none of the caller's other tasks, so a mutex may be held and thread_local state used
+/// across it. Callbacks run on any thread of the arena, in the caller's floating-point modes.
 ///
 /// A call takes at most 64 KiB of the stack, as does each of its tasks; what callbacks take comes on top.
 ///

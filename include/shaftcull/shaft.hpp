@@ -76,7 +76,9 @@ class Shaft {
   /// The shaft box: the smallest box around a and b.
   [[nodiscard]] const Box& box() const noexcept { return box_; }
   /// In the order in which they are tested.
-  [[nodiscard]] std::span<const JoiningPlane> joining_planes() const noexcept { return {joining_.data(), joining_count_}; }
+  [[nodiscard]] std::span<const JoiningPlane> joining_planes() const noexcept {
+    return {joining_.data(), joining_count_};
+  }
   [[nodiscard]] std::span<const Plane> added_planes() const noexcept { return {added_.data(), added_count_}; }
   [[nodiscard]] const ShaftOptions& options() const noexcept { return options_; }
 
@@ -91,8 +93,8 @@ class Shaft {
   std::uint8_t added_count_ = 0;
 };
 
-/// Volume of the part of box `box` that `plane` (one zero normal component) cuts off. Throws InvalidArgument if its faces
-/// are not two neighbouring ones of 0 to 5.
+/// Volume of the part of box `box` that `plane` (one zero normal component) cuts off. Throws InvalidArgument if its
+/// faces are not two neighbouring ones of 0 to 5.
 [[nodiscard]] double culled_volume(const Box& box, const JoiningPlane& plane);
 
 }  // namespace shaftcull

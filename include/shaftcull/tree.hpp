@@ -41,10 +41,10 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// refit() allocate nothing themselves, and if oneTBB cannot start their tasks, needs_refit() is true afterwards. After
 /// such an update() each bound has its old value or its new one. Update again, or refit().
 ///
-/// Building, updating and refitting run in parallel on oneTBB inside the caller's task_arena, apart from the caller's own
-/// tasks (many.hpp), and take at most 64 KiB of the stack. Const members and
-/// queries are safe to call from many threads. To ask the last frame while the next is made, keep two trees: update the
-/// one, ask the other, and swap them. Copies are deep; moves are O(1) and leave an empty tree.
+/// Building, updating and refitting run in parallel on oneTBB inside the caller's task_arena, apart from the caller's
+/// own tasks (many.hpp), and take at most 64 KiB of the stack. Const members and queries are safe to call from many
+/// threads. To ask the last frame while the next is made, keep two trees: update the one, ask the other, and swap them.
+/// Copies are deep; moves are O(1) and leave an empty tree.
 template <class Bound, BoundIndex Index = std::uint32_t>
 class BoundsTree {
   static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>, "bounds are boxes or spheres");

@@ -31,7 +31,8 @@ void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes
     out.face[f] = is_hi(f) ? std::max(a[f], b[f]) : std::min(a[f], b[f]);
     largest = std::max(largest, std::fabs(out.face[f]));
   }
-  double reach[face_count];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than it is wide
+  double reach[face_count];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than
+                             // it is wide
   for (Face f = 0; f < 3; ++f) {
     const double lo = out.face[f];
     const double hi = out.face[f + 3];
@@ -57,7 +58,8 @@ void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes
     regular = regular & (std::min(red_normal, blue_normal) >= smallest_normal);
   }
   out.joining_count = edges.count;
-  out.joining_margin = regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
+  out.joining_margin =
+      regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace shaftcull::kernel

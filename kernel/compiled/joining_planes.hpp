@@ -7,7 +7,8 @@
 
 namespace shaftcull::kernel {
 
-/// Writes the shaft box and the joining planes of `edges`, which are `planes`, into `out`, whose boxes are there already.
+/// Writes the shaft box and the joining planes of `edges`, which are `planes`, into `out`, whose boxes are there
+/// already.
 void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes, CompiledShaft& out) noexcept;
 
 }  // namespace shaftcull::kernel

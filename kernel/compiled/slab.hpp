@@ -22,8 +22,8 @@ struct SlabOrder {
 /// The stream that holds the corner of a bound nearest to face f of a shaft: the opposite face of the bound.
 inline constexpr std::uint8_t near_stream[6] = {3, 4, 5, 0, 1, 2};
 
-/// By the set of faces whose scale is negative (bit f for face f). A lo face bounds t from above if it moves as the leading face does, a hi face
-/// if it moves against it; so the leading face itself is always the first.
+/// By the set of faces whose scale is negative (bit f for face f). A lo face bounds t from above if it moves as the
+/// leading face does, a hi face if it moves against it; so the leading face itself is always the first.
 inline constexpr auto slab_orders = [] {
   struct {
     SlabOrder by_negative[64];
@@ -65,7 +65,8 @@ static_assert(offsetof(CompiledShaft, reach) == offsetof(CompiledShaft, slab_sca
 static_assert(offsetof(CompiledShaft, slab_near) == offsetof(CompiledShaft, slab_shift) + 6 * sizeof(float));
 static_assert(offsetof(CompiledShaft, b) == offsetof(CompiledShaft, a) + 6 * sizeof(float));
 static_assert(offsetof(CompiledShaft, joining_count) == offsetof(CompiledShaft, b) + 6 * sizeof(float));
-static_assert(offsetof(CompiledShaft, answers_outside) == offsetof(CompiledShaft, joining_count) + offsetof(BatchMark, answers));
+static_assert(offsetof(CompiledShaft, answers_outside) ==
+              offsetof(CompiledShaft, joining_count) + offsetof(BatchMark, answers));
 
 /// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
 inline constexpr float float_unit = 0x1p-24F;
@@ -77,19 +78,22 @@ inline constexpr float regular_limit = 0x1p125F;
 /// Likewise for the fused form, where two slopes are divided by each other.
 inline constexpr float fused_regular_limit = 0x1p60F;
 
-/// The fused form is used while no position of the leading face and no shift is larger than this many times the way that the
-/// leading face goes: above it the margin leaves too many lanes undecided, and the difference form, a third slower, is the better bargain.
+/// The fused form is used while no position of the leading face and no shift is larger than this many times the way
+/// that the leading face goes: above it the margin leaves too many lanes undecided, and the difference form, a third
+/// slower, is the better bargain.
 inline constexpr float fused_limit = 4096.0F;
 
 inline constexpr float margin_slack = 1.0F + 0x1p-10F;  // terms of second order, and the margin's own rounding
-inline constexpr float fused_margin_per_position = 20 * float_unit * margin_slack;  // of the leading face, and of shifts
+inline constexpr float fused_margin_per_position =
+    20 * float_unit * margin_slack;  // of the leading face, and of shifts
 inline constexpr float fused_margin_per_way = 12 * float_unit * margin_slack;
 inline constexpr float difference_margin = 16 * float_unit * margin_slack;
 inline constexpr float relative_margin = 12 * float_unit;  // 1 ± this is a float
 inline constexpr float relative_denormals = 0x1p-124F;     // far above what underflow may take away
 
-/// The relative form is used where the farther box has a coordinate above the first, and the nearer one no coordinate above that times
-/// the second: a sweep through a scene and far beyond it. Margins of other forms grow with how far it goes.
+/// The relative form is used where the farther box has a coordinate above the first, and the nearer one no coordinate
+/// above that times the second: a sweep through a scene and far beyond it. Margins of other forms grow with how far it
+/// goes.
 inline constexpr float largest_plain_reach = 0x1p20F;
 inline constexpr float far_apart = 0x1p-14F;
 

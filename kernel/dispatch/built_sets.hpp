@@ -14,17 +14,22 @@ extern const Kernels avx512_kernels;
 /// The kernels built for `isa`, or null.
 inline const Kernels* kernels_of(Isa isa) noexcept {
   switch (isa) {
-    case Isa::scalar: return &scalar_kernels;
+    case Isa::scalar:
+      return &scalar_kernels;
 #if defined(SHAFTCULL_HAVE_SSE4_2) && !defined(SHAFTCULL_COMPILED_FOR_AVX2)
-    case Isa::sse4_2: return &sse4_2_kernels;
+    case Isa::sse4_2:
+      return &sse4_2_kernels;
 #endif
 #if defined(SHAFTCULL_HAVE_AVX2) && !defined(SHAFTCULL_COMPILED_FOR_AVX512)
-    case Isa::avx2: return &avx2_kernels;
+    case Isa::avx2:
+      return &avx2_kernels;
 #endif
 #ifdef SHAFTCULL_HAVE_AVX512
-    case Isa::avx512: return &avx512_kernels;
+    case Isa::avx512:
+      return &avx512_kernels;
 #endif
-    default: return nullptr;
+    default:
+      return nullptr;
   }
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "dispatch/built_sets.hpp"
-#include "shaftcull/error.hpp"
 #include "kernels/table.hpp"
+#include "shaftcull/error.hpp"
 
 namespace shaftcull {
 namespace {

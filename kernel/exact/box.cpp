@@ -28,8 +28,8 @@ bool SlabPredicate::outside(const float (&bound)[6]) const noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (bound[k + 3] < face_[k] || bound[k] > face_[k + 3]) return true;
   }
-  // Within the shaft box every lower bound on t is at most 1 and every upper one at least 0, so a pair can only separate
-  // where both are in [0, 1]. Four roundings leave those within 2⁻⁵¹, and a difference of them within 2⁻⁵⁰.
+  // Within the shaft box every lower bound on t is at most 1 and every upper one at least 0, so a pair can only
+  // separate where both are in [0, 1]. Four roundings leave those within 2⁻⁵¹, and a difference of them within 2⁻⁵⁰.
   constexpr double margin = 0x1p-48;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double upper[6];

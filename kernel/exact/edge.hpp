@@ -71,8 +71,10 @@ class Edge {
     const double det = left - right;
     // Two rounded differences and a rounded product on each side, one rounded difference of both: < 4 units of each.
     // Products of differences of floats neither over- nor underflow.
-    if (std::fabs(det) > 8 * unit * (std::fabs(left) + std::fabs(right))) return det > 0 ? orientation() : -orientation();
-    if (left == right && exact_product(y, blue_a_, red_b_, red_a_) && exact_product(x, red_a_, blue_b_, blue_a_)) return 0;
+    if (std::fabs(det) > 8 * unit * (std::fabs(left) + std::fabs(right)))
+      return det > 0 ? orientation() : -orientation();
+    if (left == right && exact_product(y, blue_a_, red_b_, red_a_) && exact_product(x, red_a_, blue_b_, blue_a_))
+      return 0;
     return side_in<Expansion<2>>(x, y).sign();
   }
 

@@ -57,9 +57,7 @@ class Expansion {
   ~Expansion() = default;
 
   /// The exact value a − b.
-  static Expansion difference(double a, double b) noexcept
-    requires(N == 2)
-  {
+  static Expansion difference(double a, double b) noexcept requires(N == 2) {
     const TwoTerms d = two_sum(a, -b);
     Expansion result;
     result.append(d.error);

@@ -6,22 +6,23 @@
 #include <span>
 #include <type_traits>
 
-#include "support/prefetch.hpp"
-#include "support/arguments.hpp"
-#include "flat/tiling.hpp"
 #include "flat/grid_group.hpp"
+#include "flat/tiling.hpp"
 #include "kernels/set_bits.hpp"
+#include "kernels/shared/word.hpp"
+#include "kernels/table.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
+#include "support/arguments.hpp"
 #include "support/float_environment.hpp"
-#include "kernels/table.hpp"
-#include "kernels/shared/word.hpp"
+#include "support/prefetch.hpp"
 
 namespace shaftcull::kernel {
 
-/// Rows of words in which tasks leave their bits: the row of shaft s, from the word of bound 0 on, is at words + s * stride.
+/// Rows of words in which tasks leave their bits: the row of shaft s, from the word of bound 0 on, is at words + s *
+/// stride.
 struct Rows {
   std::uint64_t* words = nullptr;
   std::size_t stride = 0;
@@ -30,7 +31,9 @@ struct Rows {
     return words == nullptr ? nullptr : words + shaft * stride;
   }
   /// The rows from another word on.
-  [[nodiscard]] Rows from(std::size_t word) const noexcept { return {words == nullptr ? nullptr : words + word, stride}; }
+  [[nodiscard]] Rows from(std::size_t word) const noexcept {
+    return {words == nullptr ? nullptr : words + word, stride};
+  }
 };
 
 template <class View>
@@ -89,7 +92,8 @@ class Job {
 
   void test_tile_in_floats(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
     if constexpr (is_sphere) {
-      if (form_ != Form::planes && group.size >= fewest_for_boxes()) return test_boxed_tile(tile, first, group, kept, inside);
+      if (form_ != Form::planes && group.size >= fewest_for_boxes())
+        return test_boxed_tile(tile, first, group, kept, inside);
     }
     test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, kept, inside);
   }
@@ -103,7 +107,8 @@ class Job {
   }
 
   // Apart from each other, so that the memory of one is not on the stack of the other.
-  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, Run group, Rows kept,
+                                         Rows inside) const noexcept {
     alignas(64) float box[6][float_tile_bounds];
     float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
     kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
@@ -112,8 +117,8 @@ class Job {
     test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
   }
 
-  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first, Run group, Rows kept,
-                                           Rows inside, CacheLine* room) const noexcept {
+  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first, Run group,
+                                           Rows kept, Rows inside, CacheLine* room) const noexcept {
     const std::size_t row = words_for(tile.count) * 64;
     auto* const snapped = reinterpret_cast<std::int16_t*>(room);
     auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
@@ -125,21 +130,23 @@ class Job {
       kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
     }
     for (std::size_t b = 0; b != pieces(group.size, batch_shafts); ++b) {
-      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept, inside);
+      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept,
+                         inside);
     }
   }
 
-  /// So many shafts look at the tile on the grid, one after the other, before what that leaves is done in floats: so the two do not
-  /// drive each other out of the L1 cache with every shaft.
+  /// So many shafts look at the tile on the grid, one after the other, before what that leaves is done in floats: so
+  /// the two do not drive each other out of the L1 cache with every shaft.
   static constexpr std::size_t batch_shafts = 16;
 
-  /// What a task needs to test a tile on a grid, too much of it for the stack: for each word of bounds their numbers on the grid, and all
-  /// words that a batch of shafts may leave undecided.
+  /// What a task needs to test a tile on a grid, too much of it for the stack: for each word of bounds their numbers on
+  /// the grid, and all words that a batch of shafts may leave undecided.
   static constexpr std::size_t lines_a_word =
       (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
 
-  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, Run batch, const View& tile, const std::int16_t* const* grid,
-                                                 UndecidedWord* undecided, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, Run batch, const View& tile,
+                                                 const std::int16_t* const* grid, UndecidedWord* undecided,
+                                                 std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
     const CompiledShaft* shaft[batch_shafts];
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
@@ -168,7 +175,8 @@ class Job {
   }
 
   /// Fetches what a later shaft will write: rows far apart, often by a power of two, are not long in any cache.
-  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside, std::size_t words) noexcept {
+  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside,
+                                                std::size_t words) noexcept {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
     for (std::size_t w = 0; w < words; w += line) {
       __builtin_prefetch(kept + w, 1);
@@ -177,7 +185,8 @@ class Job {
   }
 
   /// Snaps the boxes around a tile's spheres, a few at a time.
-  [[gnu::noinline]] void snap_spheres(const GridFrame& frame, const View& tile, std::int16_t* const* grid) const noexcept {
+  [[gnu::noinline]] void snap_spheres(const GridFrame& frame, const View& tile,
+                                      std::int16_t* const* grid) const noexcept {
     constexpr std::size_t some = tile_bounds / 8;
     alignas(64) float box[6][some];
     float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
@@ -189,10 +198,12 @@ class Job {
     }
   }
 
-  /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into the second-level cache, while
-  /// the tile before it is tested: otherwise the first shaft of each group waits for memory. Few shafts read a tile about as fast as it comes, and the
-  /// processor's own fetching does better. Inlined, as fetch_to_second_level() is.
-  [[gnu::always_inline]] void fetch_share_of_next(std::size_t next, std::size_t count, std::size_t i, std::size_t shares) const noexcept {
+  /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into
+  /// the second-level cache, while the tile before it is tested: otherwise the first shaft of each group waits for
+  /// memory. Few shafts read a tile about as fast as it comes, and the processor's own fetching does better. Inlined,
+  /// as fetch_to_second_level() is.
+  [[gnu::always_inline]] void fetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
+                                                  std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
     if (shares < fewest_that_fetch) return;
     const std::size_t lines = std::min(count, bounds_.count - next) / line;

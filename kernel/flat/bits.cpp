@@ -38,7 +38,8 @@ void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, st
 
 }  // namespace
 
-void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows, Form form) {
+void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
+               Form form) {
   cull_rows(shafts, boxes, kept_rows, form);
 }
 

@@ -1,8 +1,8 @@
 #include "shaftcull/cull.hpp"
 
+#include "kernels/table.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
-#include "kernels/table.hpp"
 
 namespace shaftcull {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "flat/batch_job.hpp"
+#include "kernels/set_bits.hpp"
 #include "parallel/list_memory.hpp"
 #include "parallel/parallel.hpp"
-#include "kernels/set_bits.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/many.hpp"
 
@@ -19,7 +19,8 @@ namespace {
 using Piece = kernel::TaskMemory<std::uint32_t>;
 
 /// Turns counts, one row of shafts for every block, into the places in `indices` where they go; fills `offsets`.
-void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts, std::vector<std::uint64_t>& offsets) {
+void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts,
+           std::vector<std::uint64_t>& offsets) {
   offsets.assign(shafts + 1, 0);
   for (std::size_t b = 0; b != blocks; ++b) {
     for (std::size_t s = 0; s != shafts; ++s) offsets[s + 1] += counts[b * shafts + s];

@@ -6,14 +6,14 @@
 #include <string>
 #include <tuple>
 
-#include "support/prefetch.hpp"
-#include "support/arguments.hpp"
 #include "flat/tiling.hpp"
+#include "kernels/table.hpp"
 #include "parallel/list_memory.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/error.hpp"
+#include "support/arguments.hpp"
 #include "support/float_environment.hpp"
-#include "kernels/table.hpp"
+#include "support/prefetch.hpp"
 #include "support/text.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -54,7 +54,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
                           kernel::bytes_of(candidates));
   }
   kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);  // for all blocks
-  CompiledShaft ready = shaft;  // planes once, not block by block
+  CompiledShaft ready = shaft;                                                    // planes once, not block by block
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
   const kernel::FloatEnvironment environment;
   constexpr std::size_t block = 1024;

@@ -57,11 +57,13 @@ void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, con
   deliver_tiles(shafts, boxes, callback, false, form);
 }
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback, Form form) {
+void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+                Form form) {
   deliver_tiles(shafts, spheres, callback, false, form);
 }
 
-void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback, Form form) {
+void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback,
+                    Form form) {
   deliver_tiles(shafts, boxes, callback, true, form);
 }
 

@@ -6,16 +6,17 @@
 
 namespace shaftcull::kernel {
 
-/// Bounds in a tile: 24 KiB of boxes on a grid (kernel/kernels/grid/forming.hpp), so that these and the shafts tested against
-/// them stay in a 32 KiB L1 cache; the floats that they were made from are 48 KiB. A multiple of 512, so that tasks,
-/// which get whole tiles, share no word of results and, in aligned rows, no cache line either.
+/// Bounds in a tile: 24 KiB of boxes on a grid (kernel/kernels/grid/forming.hpp), so that these and the shafts tested
+/// against them stay in a 32 KiB L1 cache; the floats that they were made from are 48 KiB. A multiple of 512, so that
+/// tasks, which get whole tiles, share no word of results and, in aligned rows, no cache line either.
 inline constexpr std::size_t tile_bounds = 2048;
 inline constexpr std::size_t tile_words = tile_bounds / 64;
 
 /// Bounds in a tile that several shafts test in floats: 24 KiB of boxes.
 inline constexpr std::size_t float_tile_bounds = 1024;
 
-/// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a group.
+/// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a
+/// group.
 inline constexpr std::size_t group_shafts = 64;
 
 /// Tiles × shafts in a task: 2¹⁹ tests, some 80 µs, which makes the cost of starting a task vanish.

@@ -5,8 +5,8 @@
 
 namespace shaftcull::kernel {
 
-/// The joining planes of JoinedEdges, in their order, a column for each number. A plane's normal has two components other
-/// than zero, on the axes of its red and its blue face. Columns past the count of edges hold nothing of use.
+/// The joining planes of JoinedEdges, in their order, a column for each number. A plane's normal has two components
+/// other than zero, on the axes of its red and its blue face. Columns past the count of edges hold nothing of use.
 struct JoinedPlanes {
   float red_normal[max_joining_planes];
   float blue_normal[max_joining_planes];

@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "support/exact_floats.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/shaft.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "support/exact_floats.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 
@@ -17,15 +17,17 @@ namespace shaftcull::kernel {
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
-/// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make anew. A last word that they
-/// do not fill is filled up by boxes that are outside of everything.
+/// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make
+/// anew. A last word that they do not fill is filled up by boxes that are outside of everything.
 using BoxSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
 
-/// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤ hi.
+/// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤
+/// hi.
 using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
 
 /// The same for boxes that are known to be fine.
-using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
+using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count,
+                           CompiledShaft* out) noexcept;
 
 /// Whether all of `count` boxes are finite with lo ≤ hi.
 using AllFinite = bool(const float* const* box, std::size_t count) noexcept;
@@ -33,8 +35,8 @@ using AllFinite = bool(const float* const* box, std::size_t count) noexcept;
 /// Whether all of `count` planes are finite with normals that are not zero.
 using AllPlanesUsable = bool(const Plane* planes, std::size_t count) noexcept;
 
-/// Adds planes[i][0 … planes_each) to shaft out[i] between boxes a[·][i] and b[·][i], after those that it has; all have equally
-/// many, and room for these.
+/// Adds planes[i][0 … planes_each) to shaft out[i] between boxes a[·][i] and b[·][i], after those that it has; all have
+/// equally many, and room for these.
 using AddPlanes = void(const float* const* a, const float* const* b, const Plane* const* planes,
                        std::size_t planes_each, std::size_t count, CompiledShaft* out) noexcept;
 
@@ -45,10 +47,11 @@ using CompilePair = bool(const Box& a, const Box& b, CompiledShaft& out) noexcep
 /// unless `inside` is null the inside bits of those words that keep `least_kept` bounds or more, zero for the
 /// others. The shaft must have its planes if `inside` is not null or the form or kind of bounds needs them.
 using TestListedWords = void(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
-                             std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept;
+                             std::size_t words, std::uint64_t* kept, std::uint64_t* inside,
+                             unsigned least_kept) noexcept;
 
-/// Writes from[i] for every set bit i, ascending, to `out`, and returns how many. Reads all 64 of `from`, and may scribble
-/// on all 64 of `out`.
+/// Writes from[i] for every set bit i, ascending, to `out`, and returns how many. Reads all 64 of `from`, and may
+/// scribble on all 64 of `out`.
 using Pick = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
 
 /// Writes the box around each of `words` words of bounds, at most 64, to node[0 … 5]. Returns which of them hold a
@@ -74,12 +77,13 @@ struct Tally {
   std::size_t equal;
 };
 
-/// Halving entries of a tree: separate streams of a bound's centre, x, y and z, which are finite, and of what belongs to it. Entries are
-/// halved on the axis on which centres (of many, a sample) are spread out most. Those with smaller keys come first, but for ties at the cut,
-/// which come in order and before larger ones; otherwise entries keep their order. The halves are the same on every instruction set.
+/// Halving entries of a tree: separate streams of a bound's centre, x, y and z, which are finite, and of what belongs
+/// to it. Entries are halved on the axis on which centres (of many, a sample) are spread out most. Those with smaller
+/// keys come first, but for ties at the cut, which come in order and before larger ones; otherwise entries keep their
+/// order. The halves are the same on every instruction set.
 struct SplitKernels {
-  /// Halves `count` entries. `first_half`, more than none and fewer than all, stay in `from`; the others move to `to`, from place
-  /// `first_half` on. What the free halves of `from` and `to` hold after that is anything. O(count).
+  /// Halves `count` entries. `first_half`, more than none and fewer than all, stay in `from`; the others move to `to`,
+  /// from place `first_half` on. What the free halves of `from` and `to` hold after that is anything. O(count).
   void (*whole)(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept;
 
   // The same in steps, for parts that many threads halve together (tree/split.cpp).
@@ -92,10 +96,10 @@ struct SplitKernels {
   float (*pivot)(const float* key, std::size_t count, std::size_t rank) noexcept;
   /// Counts keys.
   Tally (*tally)(const float* key, std::size_t count, float pivot) noexcept;
-  /// Writes the entries whose keys are less than the pivot to `less`, those whose keys are larger to `larger`, and those whose keys equal it to
-  /// `equal`; if that is null, to `larger` too. Writes nothing else.
-  void (*deal)(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally, float* const* less,
-               float* const* equal, float* const* larger) noexcept;
+  /// Writes the entries whose keys are less than the pivot to `less`, those whose keys are larger to `larger`, and
+  /// those whose keys equal it to `equal`; if that is null, to `larger` too. Writes nothing else.
+  void (*deal)(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally,
+               float* const* less, float* const* equal, float* const* larger) noexcept;
 };
 
 struct GridFrame;
@@ -108,7 +112,8 @@ struct UndecidedWord {
   std::uint32_t shaft;  ///< a number that the caller of look() gave
 };
 
-/// Tests of the bounds of a tile by a group of shafts on a grid (kernel/kernels/grid/forming.hpp). Null where vectors would not gain by it.
+/// Tests of the bounds of a tile by a group of shafts on a grid (kernel/kernels/grid/forming.hpp). Null where vectors
+/// would not gain by it.
 struct GridKernels {
   std::size_t fewest_shafts;  ///< that gain by it, and tests, by measurement (docs/measurements.md)
   std::size_t fewest_tests;
@@ -122,22 +127,24 @@ struct GridKernels {
   GridFrame (*frame)(const CompiledShaft* shafts, std::size_t count) noexcept;
   /// Makes out[i] of shafts[i].
   void (*form_shafts)(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept;
-  /// Writes `count` boxes' coordinates on the grid to six streams, aligned to 64 bytes, in whole words: a last one that the boxes do not fill is
-  /// filled up by boxes that are outside of everything.
-  void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept;
+  /// Writes `count` boxes' coordinates on the grid to six streams, aligned to 64 bytes, in whole words: a last one that
+  /// the boxes do not fill is filled up by boxes that are outside of everything.
+  void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,
+                     std::int16_t* const* grid) noexcept;
 
-  /// What the grid says of `words` words of bounds, at most block_words. Writes their kept bits, 0 only for bounds that are certainly outside, and
-  /// lists the words that hold bounds too close to call, with `shaft` as their shaft's number, at `undecided`, where there must be room for all.
-  /// Returns how many it lists.
+  /// What the grid says of `words` words of bounds, at most block_words. Writes their kept bits, 0 only for bounds that
+  /// are certainly outside, and lists the words that hold bounds too close to call, with `shaft` as their shaft's
+  /// number, at `undecided`, where there must be room for all. Returns how many it lists.
   std::size_t (*look)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                       std::uint32_t shaft, UndecidedWord* undecided) noexcept;
 
-  /// Completes in floats what look() left undecided of the `count` boxes in `stream`, in `words` listed words: bits of row kept[u.shaft] of
-  /// shaft[u.shaft].
-  void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count, const UndecidedWord* undecided,
-                 std::size_t words, std::uint64_t* const* kept) noexcept;
+  /// Completes in floats what look() left undecided of the `count` boxes in `stream`, in `words` listed words: bits of
+  /// row kept[u.shaft] of shaft[u.shaft].
+  void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
+                 const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept;
 
-  /// What comes after that, for `count` bounds, at most block_bounds: added planes, spheres, and inside bits unless `inside` is null.
+  /// What comes after that, for `count` bounds, at most block_bounds: added planes, spheres, and inside bits unless
+  /// `inside` is null.
   using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;
   Settle* settle_boxes;
@@ -148,7 +155,7 @@ struct GridKernels {
 };
 
 struct Kernels {
-  unsigned width;           ///< floats in a vector: 1, 4, 8 or 16
+  unsigned width;  ///< floats in a vector: 1, 4, 8 or 16
   Test* boxes_slab;
   Test* boxes_planes;
   Test* spheres_slab;

@@ -1,23 +1,23 @@
 /// From views to words: blocks of bounds through the stages of a test.
 #pragma once
 
-#include "kernels/forming/added_planes.hpp"
-#include "kernels/forming/pair.hpp"
-#include "shaftcull/cull.hpp"
-#include "kernels/boxes/planes.hpp"
-#include "kernels/boxes/slab.hpp"
-#include "kernels/spheres/boxes_around.hpp"
 #include "kernels/boxes/few_inside.hpp"
 #include "kernels/boxes/few_outside.hpp"
+#include "kernels/boxes/planes.hpp"
+#include "kernels/boxes/slab.hpp"
+#include "kernels/forming/added_planes.hpp"
+#include "kernels/forming/pair.hpp"
 #include "kernels/grid/testing.hpp"
+#include "kernels/shared/survivors.hpp"
+#include "kernels/shared/word.hpp"
+#include "kernels/spheres/boxes_around.hpp"
+#include "kernels/spheres/planes.hpp"
 #include "kernels/table.hpp"
 #include "kernels/tree/compress_indices.hpp"
-#include "kernels/spheres/planes.hpp"
-#include "kernels/tree/partition.hpp"
-#include "kernels/shared/survivors.hpp"
-#include "kernels/tree/node_bounds.hpp"
-#include "kernels/shared/word.hpp"
 #include "kernels/tree/listed_words.hpp"
+#include "kernels/tree/node_bounds.hpp"
+#include "kernels/tree/partition.hpp"
+#include "shaftcull/cull.hpp"
 
 namespace shaftcull::kernel {
 
@@ -244,7 +244,8 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
 
 /// As Kernels has it.
 template <class L>
-void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count,
+                          CompiledShaft* out) noexcept {
   compile_slabs<L>(a, b, count, out);
 }
 

@@ -13,7 +13,8 @@ template <class T>
 class TaskMemory {
  public:
   TaskMemory() noexcept = default;
-  explicit TaskMemory(std::size_t size) : items_(size == 0 ? nullptr : TaskAllocator<T>().allocate(size)), size_(size) {}
+  explicit TaskMemory(std::size_t size)
+      : items_(size == 0 ? nullptr : TaskAllocator<T>().allocate(size)), size_(size) {}
   TaskMemory(TaskMemory&& other) noexcept
       : items_(std::exchange(other.items_, nullptr)), size_(std::exchange(other.size_, 0)) {}
   TaskMemory& operator=(TaskMemory&& other) noexcept {

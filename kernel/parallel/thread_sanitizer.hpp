@@ -1,8 +1,8 @@
 /// What oneTBB promises about the order of things, said to ThreadSanitizer, which cannot see it: the libtbb.so of
 /// distributions is not built for it, so every task would seem to race with the call that waits for it.
 ///
-/// Only promises of oneTBB's documentation are repeated, so a race between two tasks is still found (docs/testing.md). In
-/// any other build all of this is nothing.
+/// Only promises of oneTBB's documentation are repeated, so a race between two tasks is still found (docs/testing.md).
+/// In any other build all of this is nothing.
 #pragma once
 
 #include <cstddef>

@@ -1,12 +1,12 @@
-#include "kernels/forming/added_planes.hpp"
 #include "compiled/joining_planes.hpp"
-#include "kernels/forming/slab.hpp"
 #include "formation/join.hpp"
 #include "formation/rule.hpp"
-#include "shaftcull/compiled.hpp"
-#include "support/float_environment.hpp"
-#include "simd/scalar.hpp"
+#include "kernels/forming/added_planes.hpp"
+#include "kernels/forming/slab.hpp"
 #include "kernels/table.hpp"
+#include "shaftcull/compiled.hpp"
+#include "simd/scalar.hpp"
+#include "support/float_environment.hpp"
 
 namespace shaftcull {
 namespace {

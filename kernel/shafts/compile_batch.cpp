@@ -5,11 +5,11 @@
 #include <string>
 
 #include "formation/usable_plane.hpp"
-#include "support/arguments.hpp"
-#include "shaftcull/compiled.hpp"
-#include "support/float_environment.hpp"
-#include "streams/four.hpp"
 #include "kernels/table.hpp"
+#include "shaftcull/compiled.hpp"
+#include "streams/four.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull {

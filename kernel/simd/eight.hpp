@@ -1,7 +1,7 @@
 /// Eight floats of one thing in an AVX2 register: the coordinates of a box, the constraints or planes of a shaft.
 ///
-/// Of a mask only the signs of lanes count: negative lanes are meant. As in lanes.hpp, functions are templates on an architecture that only one
-/// translation unit uses.
+/// Of a mask only the signs of lanes count: negative lanes are meant. As in lanes.hpp, functions are templates on an
+/// architecture that only one translation unit uses.
 #pragma once
 
 #ifdef SHAFTCULL_UNIT_AVX2
@@ -58,7 +58,9 @@ struct Eight {
   /// Lanes 0 … count − 1.
   static Mask first(unsigned count) noexcept { return below(count, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7)); }
   /// Lanes 0 … count − 1, at most six, and lane 6.
-  static Mask first_and_seventh(unsigned count) noexcept { return below(count, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, -1, 7)); }
+  static Mask first_and_seventh(unsigned count) noexcept {
+    return below(count, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, -1, 7));
+  }
   static Mask less_equal(Vector a, Vector b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LE_OQ); }
   static Mask both(Mask a, Mask b) noexcept { return _mm256_and_ps(a, b); }
   /// Bit i is the sign of lane i.
@@ -87,9 +89,13 @@ struct Eight {
   static Vector minus_magnitude(Vector a) noexcept { return _mm256_or_ps(all(-0.0F), a); }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_ps(a, b, c); }
   /// a, negated in lanes 3 to 5.
-  static Vector negate_hi(Vector a) noexcept { return _mm256_xor_ps(a, _mm256_setr_ps(0, 0, 0, -0.0F, -0.0F, -0.0F, 0, 0)); }
+  static Vector negate_hi(Vector a) noexcept {
+    return _mm256_xor_ps(a, _mm256_setr_ps(0, 0, 0, -0.0F, -0.0F, -0.0F, 0, 0));
+  }
   /// a, negated in lanes that are not in the mask.
-  static Vector negate_unless(Mask mask, Vector a) noexcept { return _mm256_xor_ps(a, _mm256_andnot_ps(mask, all(-0.0F))); }
+  static Vector negate_unless(Mask mask, Vector a) noexcept {
+    return _mm256_xor_ps(a, _mm256_andnot_ps(mask, all(-0.0F)));
+  }
   /// a, but +∞ where it is NaN.
   static Vector infinite_if_nan(Vector a) noexcept { return _mm256_min_ps(a, all(__builtin_inff())); }
   /// The smaller of the bit patterns, as unsigned integers: negative floats are above all others.

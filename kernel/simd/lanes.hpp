@@ -4,8 +4,8 @@
 /// NaN, so that a NaN coordinate in `a` is ignored. Functions are templates on an architecture that only one
 /// translation unit uses; see kernel/kernels/README.md for why.
 ///
-/// SHAFTCULL_UNIT_AVX2 and, besides, SHAFTCULL_UNIT_AVX512 say whose unit this is. What the compiler may use (__AVX2__) says
-/// something else: with -march=native it may use AVX-512 in the units of all instruction sets.
+/// SHAFTCULL_UNIT_AVX2 and, besides, SHAFTCULL_UNIT_AVX512 say whose unit this is. What the compiler may use (__AVX2__)
+/// says something else: with -march=native it may use AVX-512 in the units of all instruction sets.
 #pragma once
 
 #include <immintrin.h>
@@ -91,11 +91,11 @@ struct Lanes {
 #endif
 #ifdef SHAFTCULL_UNIT_AVX2
       if constexpr (width == 8) {
-        from_ = _mm256_cvtepu8_epi32(
-            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(left_packing<8, 1>.part[lanes])));
+        from_ = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(left_packing<8, 1>.part[lanes])));
       }
 #endif
-      if constexpr (width == 4) from_ = _mm_load_si128(reinterpret_cast<const __m128i*>(left_packing<4, 4>.part[lanes]));
+      if constexpr (width == 4)
+        from_ = _mm_load_si128(reinterpret_cast<const __m128i*>(left_packing<4, 4>.part[lanes]));
     }
 
     /// Stores them, and anything in the rest of a whole vector.
@@ -139,7 +139,8 @@ struct Lanes {
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
   static Vector square_root(Vector a) noexcept { return xsimd::sqrt(a); }
-  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and before that the second.
+  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and
+  // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept {
 #ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) return _mm512_min_ps(a, b);
@@ -169,7 +170,8 @@ struct Lanes {
   /// a · b + c, rounded once where the instruction set can and twice where it cannot: margins allow for both.
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
 #ifdef SHAFTCULL_UNIT_AVX512
-    if constexpr (width == 16) return _mm512_fmadd_ps(a, b, c);  // xsimd 8 multiplies and adds there
+    if constexpr (width == 16)
+      return _mm512_fmadd_ps(a, b, c);  // xsimd 8 multiplies and adds there
     else
 #endif
       return xsimd::fma(a, b, c);
@@ -237,14 +239,16 @@ struct Lanes {
 #ifdef SHAFTCULL_UNIT_AVX2
     return static_cast<unsigned>(_mm256_movemask_ps(row));
 #else
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_loadu_ps(row.of)) | _mm_movemask_ps(_mm_loadu_ps(row.of + 4)) << 4);
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_loadu_ps(row.of)) | _mm_movemask_ps(_mm_loadu_ps(row.of + 4))
+                                                                             << 4);
 #endif
   }
 
   /// a, negated where the sign of b is set; b is ±0.
   static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
 
-  /// A vector of which only signs matter: negative where a or b is below 0. b may be −0 or NaN, whose sign says nothing.
+  /// A vector of which only signs matter: negative where a or b is below 0. b may be −0 or NaN, whose sign says
+  /// nothing.
   static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
 
  private:
@@ -268,7 +272,8 @@ struct Lanes {
                              _mm_packs_epi32(_mm_castps_si128(of[2]), _mm_castps_si128(of[3])));
     }
   }
-  static std::uint64_t signs(Packed bytes) noexcept {  // packing works on quarters: fours of lanes 0–3 come before fours of lanes 4–7
+  static std::uint64_t signs(
+      Packed bytes) noexcept {  // packing works on quarters: fours of lanes 0–3 come before fours of lanes 4–7
 #ifdef SHAFTCULL_UNIT_AVX512
     if constexpr (width == 16) {
       const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
@@ -290,8 +295,9 @@ struct Lanes {
 
   /// Reads outcomes from signs: a negative float is a yes, one above the limit a no, and one in between undecided.
   ///
-  /// Signs of four vectors are packed into one and read at once: each vector read by itself would take a port of the arithmetic, and so
-  /// would a comparison. On AVX-512 alone comparisons make masks, which are quicker combined than packed.
+  /// Signs of four vectors are packed into one and read at once: each vector read by itself would take a port of the
+  /// arithmetic, and so would a comparison. On AVX-512 alone comparisons make masks, which are quicker combined than
+  /// packed.
   class Verdicts {
    public:
     explicit Verdicts(Vector limit) noexcept : limit_(limit) {}
@@ -390,7 +396,8 @@ struct Lanes {
   /// Lanes [lane, lane + 8).
   static __m256 eight_of(Vector a, [[maybe_unused]] unsigned lane) noexcept {
 #ifdef SHAFTCULL_UNIT_AVX512
-    if constexpr (width == 16) return lane == 0 ? _mm512_castps512_ps256(a) : _mm512_extractf32x8_ps(a, 1);
+    if constexpr (width == 16)
+      return lane == 0 ? _mm512_castps512_ps256(a) : _mm512_extractf32x8_ps(a, 1);
     else
 #endif
       return a;

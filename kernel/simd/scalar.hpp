@@ -55,7 +55,8 @@ struct ScalarLanes {
   static Vector either_negative(Vector a, Vector b) noexcept { return b < 0 ? b : a; }
   static std::uint64_t signs(const Vector (&of)[4]) noexcept {
     std::uint64_t signs = 0;
-    for (unsigned v = 4; v-- != 0;) signs = 2 * signs + (of[v] < 0 ? 1U : 0U);  // g++ 12 miscompiles shifts by v under UBSan
+    for (unsigned v = 4; v-- != 0;)
+      signs = 2 * signs + (of[v] < 0 ? 1U : 0U);  // g++ 12 miscompiles shifts by v under UBSan
     return signs;
   }
 

@@ -9,7 +9,8 @@
 
 namespace shaftcull::kernel {
 
-/// Words of 64 shorts. The order of a word's shorts in memory is the instruction set's own: store_word() and outcomes() know it.
+/// Words of 64 shorts. The order of a word's shorts in memory is the instruction set's own: store_word() and outcomes()
+/// know it.
 template <class Arch>
 struct Shorts {
   using Floats = Lanes<Arch>;
@@ -61,7 +62,8 @@ struct Shorts {
     }
 #endif
 #ifdef SHAFTCULL_UNIT_AVX2
-    if constexpr (width == 16) {  // of 32, the first vector has the first and third eight, so that outcomes() packs them in order
+    if constexpr (width == 16) {  // of 32, the first vector has the first and third eight, so that outcomes() packs
+                                  // them in order
       for (unsigned v = 0; v < 4; ++v) {
         const unsigned first = v / 2 * 4 + v % 2;
         const __m256i eights = _mm256_packs_epi32(_mm256_cvtps_epi32(of[first]), _mm256_cvtps_epi32(of[first + 2]));
@@ -93,13 +95,15 @@ struct Shorts {
               _mm512_cmple_epu16_mask(of[0], wide) | std::uint64_t{_mm512_cmple_epu16_mask(of[1], wide)} << 32};
     }
 #endif
-    // Packed into bytes, which saturates and so keeps what matters, negative ones are above all others as unsigned integers.
+    // Packed into bytes, which saturates and so keeps what matters, negative ones are above all others as unsigned
+    // integers.
 #ifdef SHAFTCULL_UNIT_AVX2
     if constexpr (width == 16) {
       const __m256i low = _mm256_packs_epi16(of[0], of[1]);
       const __m256i high = _mm256_packs_epi16(of[2], of[3]);
       const __m256i least = _mm256_min_epu8(low, high);
-      const auto undecided = static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_cmpeq_epi8(_mm256_min_epu8(least, limit), least)));
+      const auto undecided =
+          static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_cmpeq_epi8(_mm256_min_epu8(least, limit), least)));
       return {static_cast<std::uint32_t>(_mm256_movemask_epi8(low)) |
                   std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(high))} << 32,
               std::uint64_t{undecided} << 32 | undecided};
@@ -115,7 +119,8 @@ struct Shorts {
       }
       constexpr std::uint64_t in_every_sixteen = 0x0001000100010001;
       outcomes.undecided =
-          static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(least, limit), least))) * in_every_sixteen;
+          static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_min_epu8(least, limit), least))) *
+          in_every_sixteen;
       return outcomes;
     }
   }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "streams/records.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
-#include "streams/records.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull {

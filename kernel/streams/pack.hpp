@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "support/exact_floats.hpp"
 #include "shaftcull/streams.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 

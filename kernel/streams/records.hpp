@@ -9,9 +9,9 @@
 #include <span>
 #include <string>
 
-#include "support/overlap.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/four.hpp"
+#include "support/overlap.hpp"
 
 namespace shaftcull::kernel {
 
@@ -312,8 +312,8 @@ class SphereReader {
 inline float CentreExtentReader::sum_rounded_up(float x, float y) noexcept {
   const float sum = x + y;
   const float part = sum - x;
-  // sum + error = x + y (Knuth). It is NaN if the sum is infinite, or if `part` is, which has to be more than y, that is,
-  // sum more than x + y: there is nothing to round then. With y below 0 it could be less.
+  // sum + error = x + y (Knuth). It is NaN if the sum is infinite, or if `part` is, which has to be more than y, that
+  // is, sum more than x + y: there is nothing to round then. With y below 0 it could be less.
   const float error = (x - (sum - part)) + (y - part);
   // The next float up, without a branch: bits of floats are ordered by magnitude. + 0 turns −0 into 0.
   const auto bits = std::bit_cast<std::int32_t>(sum + 0.0F);

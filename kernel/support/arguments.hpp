@@ -12,10 +12,10 @@
 #include <span>
 #include <type_traits>
 
-#include "support/overlap.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
+#include "support/overlap.hpp"
 
 namespace shaftcull::kernel {
 

@@ -5,8 +5,8 @@
 
 namespace shaftcull::kernel {
 
-/// Fetches into the second-level cache: `count` items from the beginning of a cache line on, or one anywhere. Not into the
-/// first, which waits for some ten or twenty lines at a time, and the second for many more.
+/// Fetches into the second-level cache: `count` items from the beginning of a cache line on, or one anywhere. Not into
+/// the first, which waits for some ten or twenty lines at a time, and the second for many more.
 ///
 /// Always inlined, because a call of a function that only fetches is no call to g++ 12: it leaves it out.
 template <class Item>

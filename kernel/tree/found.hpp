@@ -10,8 +10,8 @@
 
 namespace shaftcull::kernel {
 
-/// Leaves that a shaft keeps, before it is known where their indices go: words of them, and runs that are kept as a whole.
-/// From four leaves a word on that takes less memory than indices, and these are not copied once more.
+/// Leaves that a shaft keeps, before it is known where their indices go: words of them, and runs that are kept as a
+/// whole. From four leaves a word on that takes less memory than indices, and these are not copied once more.
 template <class Index>
 class FoundOutput {
  public:

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "support/prefetch.hpp"
 #include "kernels/table.hpp"
+#include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
@@ -39,8 +39,8 @@ class LeafIndices {
     return std::copy_n(order_ + first, size, out);
   }
 
-  /// Writes those of the leaves `first` + i, for every set bit i, ascending. There must be room for 64, and the rest of it may
-  /// be scribbled on. Returns how many.
+  /// Writes those of the leaves `first` + i, for every set bit i, ascending. There must be room for 64, and the rest of
+  /// it may be scribbled on. Returns how many.
   std::size_t pick(std::size_t first, std::uint64_t bits, Index* out) const noexcept {
     if constexpr (std::is_same_v<Index, std::uint32_t>) {
       if (first < in_whole_words_) return pick_(order_ + first, bits, out);

@@ -132,8 +132,7 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::ClassLister lister(list_of(query.indices(), overlaps[t]),
-                                 list_of(query.indices(), insides[t]));
+      kernel::ClassLister lister(list_of(query.indices(), overlaps[t]), list_of(query.indices(), insides[t]));
       query.walk(s, lister);
       overlaps.close(t, s);
       insides.close(t, s);
@@ -233,20 +232,20 @@ void classify_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound
   hand_out(shafts, tree, callback, Question::kept_and_inside, excluding);
 }
 
-#define SHAFTCULL_QUERIES(Bound, Index)                                                                                \
-  template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<std::uint64_t>,  \
-                           const ExcludingOf<Index>&);                                                                 \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,       \
-                          const ExcludingOf<Index>&);                                                                  \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,         \
-                          const ExcludingOf<Index>&);                                                                  \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,       \
-                          IndexListsOf<Index>&, const ExcludingOf<Index>&);                                            \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,         \
-                          RunListsOf<Index>&, const ExcludingOf<Index>&);                                              \
-  template void cull_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                             \
-                          const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);                                   \
-  template void classify_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                         \
+#define SHAFTCULL_QUERIES(Bound, Index)                                                                               \
+  template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<std::uint64_t>, \
+                           const ExcludingOf<Index>&);                                                                \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \
+                          const ExcludingOf<Index>&);                                                                 \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,        \
+                          const ExcludingOf<Index>&);                                                                 \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \
+                          IndexListsOf<Index>&, const ExcludingOf<Index>&);                                           \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,        \
+                          RunListsOf<Index>&, const ExcludingOf<Index>&);                                             \
+  template void cull_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                            \
+                          const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);                                  \
+  template void classify_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                        \
                               const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);
 SHAFTCULL_QUERIES(Box, std::uint32_t)
 SHAFTCULL_QUERIES(Sphere, std::uint32_t)

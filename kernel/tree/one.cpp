@@ -31,7 +31,8 @@ KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Inde
   using Output = SpanOutput<Item>;
   Output overlaps(overlap);
   Output insides(inside);
-  kernel::ClassLister lister(List<Index, Output>(query.indices(), overlaps), List<Index, Output>(query.indices(), insides));
+  kernel::ClassLister lister(List<Index, Output>(query.indices(), overlaps),
+                             List<Index, Output>(query.indices(), insides));
   query.walk(0, lister);
   return {overlaps.count(), insides.count()};
 }
@@ -74,15 +75,15 @@ KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& 
   return list_classes<RunList>(shaft, tree, overlap, inside, excluding);
 }
 
-#define SHAFTCULL_QUERIES(Bound, Index)                                                                               \
-  template std::size_t count(const CompiledShaft&, const BoundsTree<Bound, Index>&, const ExcludingOf<Index>&);       \
-  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,                  \
-                            const ExcludingOf<Index>&);                                                               \
-  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>,       \
-                            const ExcludingOf<Index>&);                                                               \
-  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,               \
-                               std::span<Index>, const ExcludingOf<Index>&);                                          \
-  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>,    \
+#define SHAFTCULL_QUERIES(Bound, Index)                                                                            \
+  template std::size_t count(const CompiledShaft&, const BoundsTree<Bound, Index>&, const ExcludingOf<Index>&);    \
+  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,               \
+                            const ExcludingOf<Index>&);                                                            \
+  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>,    \
+                            const ExcludingOf<Index>&);                                                            \
+  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,            \
+                               std::span<Index>, const ExcludingOf<Index>&);                                       \
+  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>, \
                                std::span<TreeRunOf<Index>>, const ExcludingOf<Index>&);
 SHAFTCULL_QUERIES(Box, std::uint32_t)
 SHAFTCULL_QUERIES(Sphere, std::uint32_t)

@@ -26,8 +26,8 @@ std::size_t cut_of(const Part<Index>& part) noexcept {
   return cut < part.last ? cut : cut - unit;
 }
 
-/// Writes the order of a part: that of one half and then that of the other, or of both at once. Not level by level, so that a part
-/// that fits a cache stays there. `parts` of this size, or so, are worked on at once.
+/// Writes the order of a part: that of one half and then that of the other, or of both at once. Not level by level, so
+/// that a part that fits a cache stays there. `parts` of this size, or so, are worked on at once.
 template <class Index>
 void order_part(const Part<Index>& part, std::size_t parts, const Kernels& kernels, Index* order) {
   const std::size_t cut = cut_of(part);

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
+#include "kernels/table.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
-#include "kernels/table.hpp"
 
 namespace shaftcull::kernel {
 

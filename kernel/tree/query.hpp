@@ -5,11 +5,11 @@
 #include <string>
 #include <type_traits>
 
-#include "support/arguments.hpp"
+#include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"
+#include "support/arguments.hpp"
 #include "support/float_environment.hpp"
-#include "kernels/table.hpp"
 #include "support/text.hpp"
 #include "tree/parts.hpp"
 #include "tree/visitors.hpp"
@@ -47,7 +47,9 @@ class Query {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] LeafIndices<Index> indices() const noexcept { return {parts_.order, parts_.is_worth_fetching(), kernels_}; }
+  [[nodiscard]] LeafIndices<Index> indices() const noexcept {
+    return {parts_.order, parts_.is_worth_fetching(), kernels_};
+  }
 
   /// Throws InvalidArgument if `output`, called `name` in the message, is memory that excludes bounds.
   void require_apart(const char* call, const char* name, std::span<const std::byte> output) const {

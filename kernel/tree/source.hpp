@@ -8,13 +8,13 @@
 #include <span>
 #include <string>
 
-#include "support/prefetch.hpp"
-#include "support/overlap.hpp"
-#include "support/arguments.hpp"
 #include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
+#include "support/arguments.hpp"
+#include "support/overlap.hpp"
+#include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {

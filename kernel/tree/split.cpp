@@ -1,5 +1,5 @@
-/// By one thread a part is halved in place, which moves half of it. By many it is cut into chunks: when all have told how
-/// many of their entries go where, each deals out its own, out of place.
+/// By one thread a part is halved in place, which moves half of it. By many it is cut into chunks: when all have told
+/// how many of their entries go where, each deals out its own, out of place.
 #include "tree/split.hpp"
 
 #include <vector>

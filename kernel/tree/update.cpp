@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "support/arguments.hpp"
 #include "shaftcull/error.hpp"
+#include "support/arguments.hpp"
 #include "support/text.hpp"
 #include "tree/write_leaves.hpp"
 

@@ -1,8 +1,8 @@
 /// The walk of one shaft through a tree: word by word of answers, from the top down, in tree order.
 ///
-/// Entries that are not outside name the words to test one level down, some at once: the memory of each is on its way from
-/// when it is named, since a walk takes as long as what it reads. An entry that is inside, and has nothing empty below,
-/// accepts its leaves as one run.
+/// Entries that are not outside name the words to test one level down, some at once: the memory of each is on its way
+/// from when it is named, since a walk takes as long as what it reads. An entry that is inside, and has nothing empty
+/// below, accepts its leaves as one run.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "support/prefetch.hpp"
-#include "shaftcull/compiled.hpp"
 #include "kernels/table.hpp"
+#include "shaftcull/compiled.hpp"
+#include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
@@ -24,8 +24,8 @@ enum class Question : std::uint8_t { kept, kept_and_inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
 ///   visitor.expect(first): leaves first … first + 63 will be tested
-///   visitor.word(first, kept, inside): leaves first … first + 63, some of which are kept; inside is 0 for Question::kept
-///   visitor.run(first, size): leaves that are all inside
+///   visitor.word(first, kept, inside): leaves first … first + 63, some of which are kept; inside is 0 for
+///   Question::kept visitor.run(first, size): leaves that are all inside
 template <class Bound, class Visitor>
 class Walk {
  public:

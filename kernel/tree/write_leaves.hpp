@@ -32,7 +32,8 @@ void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index*
   for (std::size_t first = run.first; first < run.end(); first += fanout) {
     const std::size_t count = std::min(fanout, run.end() - first);
     // Inlined, as fetch_to_second_level() is.
-    const auto fetch_ahead = [=, &source, end = parts.is_worth_fetching() ? parts.size : 0](std::size_t i) __attribute__((always_inline)) {
+    const auto fetch_ahead =
+        [ =, &source, end = parts.is_worth_fetching() ? parts.size : 0 ](std::size_t i) __attribute__((always_inline)) {
       const std::size_t soon = first + i + fetched_leaves;
       if (soon + 4 > end) return;
       for (std::size_t p = soon; p != soon + 4; ++p) source.fetch(order[p]);

@@ -57,7 +57,8 @@ inline Box touching_box(Dice& dice, const Subject& subject) {
     const double from = static_cast<double>(hi ? subject.a.hi[k] : subject.a.lo[k]);
     const double to = static_cast<double>(hi ? subject.b.hi[k] : subject.b.lo[k]);
     const float point = dice.nudge(static_cast<float>(from + static_cast<double>(t) * (to - from)));
-    const double extent = dice.one_in(4) ? 0.0 : static_cast<double>(dice.uniform(0.0F, 0.3F)) * std::max(std::abs(from), 1e-3);
+    const double extent =
+        dice.one_in(4) ? 0.0 : static_cast<double>(dice.uniform(0.0F, 0.3F)) * std::max(std::abs(from), 1e-3);
     const auto beyond = [&](double distance) {
       return static_cast<float>(std::clamp(static_cast<double>(point) + distance, -3e38, 3e38));
     };
@@ -69,7 +70,8 @@ inline Box touching_box(Dice& dice, const Subject& subject) {
   return box;
 }
 
-/// The box of a far_sweep_subject() as it is 2⁻¹⁰ to 2⁷ from where it starts, relatively to its longest way: any touching_box() of that.
+/// The box of a far_sweep_subject() as it is 2⁻¹⁰ to 2⁷ from where it starts, relatively to its longest way: any
+/// touching_box() of that.
 inline Box touching_far_sweep(Dice& dice, const Subject& subject) {
   const auto reach = [](const Box& box) {
     double largest = 0;
@@ -103,7 +105,8 @@ inline Sphere touching_sphere(Dice& dice, const oracle::QuickHull& hull, const V
   return {centre, std::max(0.0F, dice.nudge(static_cast<float>(std::min(hull.reach(centre), 3e38))))};
 }
 
-/// A sphere of a few ulps, or none, beside the path of a corner of the moving box: rounding errors are as large as its radius.
+/// A sphere of a few ulps, or none, beside the path of a corner of the moving box: rounding errors are as large as its
+/// radius.
 inline Sphere tiny_sphere(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
   const float t = dice.one_in(3) ? dice.integer(0, 1) : dice.uniform(dice.one_in(2) ? 0.9F : 0.0F, 1.0F);
   const unsigned most_steps = dice.one_in(2) ? 5 : 1;

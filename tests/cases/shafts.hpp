@@ -43,7 +43,8 @@ inline Subject degenerate_subject(Dice& dice) {
   const Box a = dice.box(-2, 2, 0.1F, 1.0F);
   Box b = a;
   switch (dice.below(6)) {
-    case 0: break;
+    case 0:
+      break;
     case 1:
       for (std::size_t k = 0; k != 3; ++k) {
         b.lo[k] = a.lo[k] + (a.hi[k] - a.lo[k]) * 0.25F * dice.integer(0, 1);
@@ -56,7 +57,9 @@ inline Subject degenerate_subject(Dice& dice) {
       b.hi[axis] = a.hi[axis] + 1.0F;
       break;
     }
-    case 3: b = {a.hi, a.hi}; break;
+    case 3:
+      b = {a.hi, a.hi};
+      break;
     case 4: {
       const Vec3 p = dice.vec3(-2, 2);
       b = {p, p};
@@ -88,8 +91,8 @@ inline Subject distant_subject(Dice& dice, float distance, unsigned axes = 0) {
 }
 
 /// A shaft from one corner of a cube to the opposite one, around the origin or about `distance` from it on each axis:
-/// steep slopes, coordinates and slopes just above powers of 2, where rounding is relatively worst. As often as not all axes
-/// are alike, which makes the coefficients of the slab form cancel, and its margins tightest.
+/// steep slopes, coordinates and slopes just above powers of 2, where rounding is relatively worst. As often as not all
+/// axes are alike, which makes the coefficients of the slab form cancel, and its margins tightest.
 inline Subject long_subject(Dice& dice, bool distant = false) {
   const float distance = distant ? std::ldexp(dice.uniform(1.05F, 1.2F), static_cast<int>(dice.integer(5, 14))) : 0.0F;
   const bool alike = dice.one_in(2);
@@ -137,8 +140,8 @@ inline Subject wild_subject(Dice& dice, int low = -149, int high = 127) {
   return {a, wild_box(dice, low, high)};
 }
 
-/// A point, now and then with an extent, that moves 2⁶⁷ to 2⁷⁵ along one axis and about 2⁶⁸ along another: products of what it moves and of distances that a sphere of
-/// ordinary size has from it are near the largest float.
+/// A point, now and then with an extent, that moves 2⁶⁷ to 2⁷⁵ along one axis and about 2⁶⁸ along another: products of
+/// what it moves and of distances that a sphere of ordinary size has from it are near the largest float.
 inline Subject huge_subject(Dice& dice) {
   const auto power = [&](float low, float high) { return std::exp2(dice.uniform(low, high)); };
   const std::size_t along = dice.below(3);
@@ -157,7 +160,8 @@ inline Subject huge_subject(Dice& dice) {
   return subject;
 }
 
-/// A box near the origin that is swept 2²¹ to 2¹²⁶ far, at any angle or along an axis or two; now and then it comes from there.
+/// A box near the origin that is swept 2²¹ to 2¹²⁶ far, at any angle or along an axis or two; now and then it comes
+/// from there.
 inline Subject far_sweep_subject(Dice& dice) {
   Subject subject{dice.box(-5, 5, 0.05F, 1.0F), {}};
   const float length = std::ldexp(dice.uniform(1.0F, 2.0F), static_cast<int>(dice.integer(21, 125)));
@@ -217,7 +221,8 @@ inline Subject with_wild_planes(Dice& dice, Subject subject) {
     const int high = dice.one_in(2) ? 127 : static_cast<int>(dice.integer(-140, 127));
     const int low = high == 127 ? -149 : high - 9;
     const auto coefficient = [&] { return dice.wild(low, high); };
-    subject.added.push_back({{coefficient(), coefficient(), coefficient()}, dice.one_in(2) ? coefficient() : dice.wild()});
+    subject.added.push_back(
+        {{coefficient(), coefficient(), coefficient()}, dice.one_in(2) ? coefficient() : dice.wild()});
   }
   return subject;
 }

@@ -37,7 +37,8 @@ TEST(Cli, TellsItsVersionAndSubcommands) {
   EXPECT_THAT(version.out, StartsWith("shaftcull "));
   const Outcome help = run_program({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("demo"), HasSubstr("cull"), HasSubstr("stats"), HasSubstr("draw"), HasSubstr("verify")));
+  EXPECT_THAT(help.out,
+              AllOf(HasSubstr("demo"), HasSubstr("cull"), HasSubstr("stats"), HasSubstr("draw"), HasSubstr("verify")));
 }
 
 TEST(Cli, RejectsBadOptionsInOneLine) {
@@ -142,8 +143,9 @@ TEST(CliDemo, PrintsATableOfBothScenes) {
     EXPECT_EQ(words[2], "8");
     EXPECT_THAT(outcome.error, HasSubstr(scene));
   }
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ms/frame"), HasSubstr("worst"), HasSubstr("tests/s"), HasSubstr("kept"),
-                                 HasSubstr("scalar"), HasSubstr("threads"), HasSubstr("streams"), HasSubstr("2 trees")));
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("ms/frame"), HasSubstr("worst"), HasSubstr("tests/s"), HasSubstr("kept"),
+                    HasSubstr("scalar"), HasSubstr("threads"), HasSubstr("streams"), HasSubstr("2 trees")));
   EXPECT_THAT(outcome.error, testing::Not(HasSubstr("\r"))) << "a live line needs a terminal";
 }
 

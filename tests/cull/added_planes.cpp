@@ -14,7 +14,8 @@ namespace shaftcull {
 namespace {
 
 Subject subject_with_planes(Dice& dice, bool grid) {
-  return with_planes(dice, grid ? grid_subject(dice) : Subject{dice.box(-3, 3, 0.2F, 2.0F), dice.box(-3, 3, 0.2F, 2.0F)}, grid);
+  return with_planes(
+      dice, grid ? grid_subject(dice) : Subject{dice.box(-3, 3, 0.2F, 2.0F), dice.box(-3, 3, 0.2F, 2.0F)}, grid);
 }
 
 /// Up to 1e6 away from the origin; often along z, whose term is added last, so that both sums before it round coarsely.
@@ -30,7 +31,8 @@ TEST(AddedPlanes, BoxesAtThePlaneGetTheExactSign) {
   for (int i = 0; i != 150 && !HasFailure(); ++i) {
     const Subject subject = subject_with_planes(dice, false);
     std::vector<Box> boxes;
-    for (int j = 0; j != 40; ++j) boxes.push_back(dice.one_in(3) ? nearby_box(dice, subject) : box_at_plane(dice, subject));
+    for (int j = 0; j != 40; ++j)
+      boxes.push_back(dice.one_in(3) ? nearby_box(dice, subject) : box_at_plane(dice, subject));
     expect_exact(subject, boxes);
   }
 }
@@ -42,7 +44,8 @@ TEST(AddedPlanes, BoxesFarFromTheOrigin) {
   for (int i = 0; i != 250 && !HasFailure(); ++i) {
     const Subject subject = distant_subject_with_planes(dice);
     std::vector<Box> boxes;
-    for (int j = 0; j != 40; ++j) boxes.push_back(dice.one_in(4) ? nearby_box(dice, subject) : box_at_plane(dice, subject));
+    for (int j = 0; j != 40; ++j)
+      boxes.push_back(dice.one_in(4) ? nearby_box(dice, subject) : box_at_plane(dice, subject));
     expect_exact(subject, boxes);
   }
 }

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "columns.hpp"
+#include "flat/tiling.hpp"
 #include "instruction_sets.hpp"
 #include "on_grid.hpp"
 #include "oracle.hpp"
-#include "flat/tiling.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -54,7 +54,8 @@ std::vector<Answer> all_answers(const Subject& subject, const std::vector<Bound>
 
 /// Answers on a grid whose steps double that often, of bounds so far apart.
 template <class Bound>
-std::vector<Answer> all_on_grid(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings, std::size_t apart) {
+std::vector<Answer> all_on_grid(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings,
+                                std::size_t apart) {
   const auto memory = columns(bounds);
   const GridAnswers on_grid = grid_answers(compiled(subject), memory.view(), doublings, apart);
   std::vector<Answer> answers;
@@ -72,9 +73,10 @@ void expect_right(const Subject& subject, const std::vector<Bound>& bounds, cons
     ++wrong;
     first = i;
   }
-  EXPECT_EQ(wrong, 0U) << "of " << bounds.size() << " on " << name(active_isa()) << ", form " << form << "; the first is bound "
-                       << first << ":\n  " << source_text(subject) << "\n  " << source_text(bounds[first]) << "\n  is "
-                       << text(right[first]) << ", answered " << text(answers[first]);
+  EXPECT_EQ(wrong, 0U) << "of " << bounds.size() << " on " << name(active_isa()) << ", form " << form
+                       << "; the first is bound " << first << ":\n  " << source_text(subject) << "\n  "
+                       << source_text(bounds[first]) << "\n  is " << text(right[first]) << ", answered "
+                       << text(answers[first]);
 }
 
 template <class Bound>
@@ -85,7 +87,8 @@ void expect_all(const Subject& subject, const std::vector<Bound>& bounds, const 
     expect_right(subject, bounds, right, all_answers(subject, bounds, Form::planes), "planes");
     // Few in a word are settled in another way than many.
     const std::size_t far_apart = bounds_on_grid / std::max<std::size_t>(bounds.size(), 1);
-    for (const auto& [doublings, apart] : {std::pair(0U, std::size_t{1}), std::pair(0U, far_apart), std::pair(6U, std::size_t{1})}) {
+    for (const auto& [doublings, apart] :
+         {std::pair(0U, std::size_t{1}), std::pair(0U, far_apart), std::pair(6U, std::size_t{1})}) {
       expect_right(subject, bounds, right, all_on_grid(subject, bounds, doublings, apart), "grid");
     }
   }

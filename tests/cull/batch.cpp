@@ -179,10 +179,12 @@ TEST(CompileBatch, IndexPairsOfOneViewAndOfTwo) {
       const UseIsa use(isa);
       for (const bool with_planes : {false, true}) {
         const BatchPlanes planes = with_planes ? BatchPlanes{.a = a.planes, .b = b->planes} : BatchPlanes{};
-        for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{65}, pairs.size()}) {
+        for (const std::size_t size :
+             {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{65}, pairs.size()}) {
           std::vector<CompiledShaft> out(size + 1);
           out[size].added_count = 99;
-          compile_batch(a_memory.view(), b_memory.view(), std::span(pairs).first(size), std::span(out).first(size), planes);
+          compile_batch(a_memory.view(), b_memory.view(), std::span(pairs).first(size), std::span(out).first(size),
+                        planes);
           EXPECT_EQ(out[size].added_count, 99) << "written past the end";
           for (std::size_t i = 0; i != size; ++i) {
             const auto [in_a, in_b] = pairs[i];
@@ -196,8 +198,8 @@ TEST(CompileBatch, IndexPairsOfOneViewAndOfTwo) {
   }
 }
 
-/// The message of what a batch of index pairs of two boxes a and three boxes b is refused with, after checking that nothing was
-/// written.
+/// The message of what a batch of index pairs of two boxes a and three boxes b is refused with, after checking that
+/// nothing was written.
 std::string refusal_of(const std::vector<IndexPair>& pairs, const BatchPlanes& planes, std::size_t out_size) {
   const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxColumns memory(boxes);

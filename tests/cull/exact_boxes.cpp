@@ -33,17 +33,23 @@ auto many(std::size_t count, const MakeBox& make) {
   };
 }
 
-TEST(ExactBoxes, RandomBoxes) { check(1, 200, random_subject, many(64, [](Dice& dice, const Subject&) { return random_box(dice); })); }
+TEST(ExactBoxes, RandomBoxes) {
+  check(1, 200, random_subject, many(64, [](Dice& dice, const Subject&) { return random_box(dice); }));
+}
 
 TEST(ExactBoxes, BoxesThatTouchOrNearlyTouch) { check(2, 250, random_subject, many(64, touching_box)); }
 
 TEST(ExactBoxes, BoxesThatTouchLongShafts) {
-  check(11, 80, [](Dice& dice) { return long_subject(dice); }, many(64, touching_box));
-  check(12, 80, [](Dice& dice) { return long_subject(dice, true); }, many(64, touching_box));
+  check(
+      11, 80, [](Dice& dice) { return long_subject(dice); }, many(64, touching_box));
+  check(
+      12, 80, [](Dice& dice) { return long_subject(dice, true); }, many(64, touching_box));
 }
 
 TEST(ExactBoxes, GridAlignedBoxes) {
-  check(3, 250, [](Dice& dice) { return grid_subject(dice); }, many(64, [](Dice& dice, const Subject&) { return dice.grid_box(0, 8); }));
+  check(
+      3, 250, [](Dice& dice) { return grid_subject(dice); },
+      many(64, [](Dice& dice, const Subject&) { return dice.grid_box(0, 8); }));
 }
 
 TEST(ExactBoxes, DegenerateShafts) {
@@ -53,10 +59,11 @@ TEST(ExactBoxes, DegenerateShafts) {
 
 TEST(ExactBoxes, ShaftsFarFromTheOrigin) {
   for (const float distance : {1e3F, 1e4F, 1e5F, 1e7F}) {
-    check(6, 60, [distance](Dice& dice) { return distant_subject(dice, distance); },
-          many(32, [](Dice& dice, const Subject& of) {
-            return dice.one_in(4) ? nearby_box(dice, of) : touching_box(dice, of);
-          }));
+    check(
+        6, 60, [distance](Dice& dice) { return distant_subject(dice, distance); },
+        many(32, [](Dice& dice, const Subject& of) {
+          return dice.one_in(4) ? nearby_box(dice, of) : touching_box(dice, of);
+        }));
   }
 }
 
@@ -66,14 +73,15 @@ TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38) {
   // One scale for the whole scene, then scales mixed without mercy.
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 126}) {
     const int most = std::min(exponent + 6, 127);
-    check(8, 15, [=](Dice& dice) { return wild_subject(dice, exponent, most); },
-          many(32, [=](Dice& dice, const Subject& of) {
-            return dice.one_in(2) ? wild_box(dice, exponent, most) : touching_box(dice, of);
-          }));
-  }
-  check(9, 150, [](Dice& dice) { return wild_subject(dice); }, many(32, [](Dice& dice, const Subject& of) {
-          return dice.one_in(2) ? wild_box(dice) : touching_box(dice, of);
+    check(
+        8, 15, [=](Dice& dice) { return wild_subject(dice, exponent, most); },
+        many(32, [=](Dice& dice, const Subject& of) {
+          return dice.one_in(2) ? wild_box(dice, exponent, most) : touching_box(dice, of);
         }));
+  }
+  check(
+      9, 150, [](Dice& dice) { return wild_subject(dice); },
+      many(32, [](Dice& dice, const Subject& of) { return dice.one_in(2) ? wild_box(dice) : touching_box(dice, of); }));
 }
 
 TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaft) {

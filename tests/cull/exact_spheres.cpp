@@ -29,7 +29,9 @@ void check(std::uint64_t seed, std::size_t shafts, std::size_t count, const Make
   }
 }
 
-Sphere random(Dice& dice, const Subject& subject, const oracle::QuickHull& /*hull*/) { return random_sphere(dice, subject); }
+Sphere random(Dice& dice, const Subject& subject, const oracle::QuickHull& /*hull*/) {
+  return random_sphere(dice, subject);
+}
 
 Sphere near_sphere(Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
   return touching_sphere(dice, hull, random_centre(dice, subject));
@@ -40,10 +42,11 @@ TEST(ExactSpheres, RandomSpheres) { check(21, 150, 64, random_subject, random); 
 TEST(ExactSpheres, SpheresThatTouchOrNearlyTouch) { check(22, 150, 64, random_subject, near_sphere); }
 
 TEST(ExactSpheres, GridAlignedSpheres) {
-  check(23, 150, 64, [](Dice& dice) { return grid_subject(dice); },
-        [](Dice& dice, const Subject&, const oracle::QuickHull&) {
-          return Sphere{{dice.integer(-4, 12), dice.integer(-4, 12), dice.integer(-4, 12)}, dice.integer(0, 6)};
-        });
+  check(
+      23, 150, 64, [](Dice& dice) { return grid_subject(dice); },
+      [](Dice& dice, const Subject&, const oracle::QuickHull&) {
+        return Sphere{{dice.integer(-4, 12), dice.integer(-4, 12), dice.integer(-4, 12)}, dice.integer(0, 6)};
+      });
 }
 
 TEST(ExactSpheres, DegenerateShafts) {
@@ -63,18 +66,22 @@ TEST(ExactSpheres, ShaftsFarFromTheOrigin) {
 }
 
 TEST(ExactSpheres, RadiiAsSmallAsRoundingErrors) {
-  check(32, 400, 32, [](Dice& dice) { return long_subject(dice); }, tiny_sphere);
-  check(33, 200, 32, [](Dice& dice) { return long_subject(dice, true); }, tiny_sphere);
+  check(
+      32, 400, 32, [](Dice& dice) { return long_subject(dice); }, tiny_sphere);
+  check(
+      33, 200, 32, [](Dice& dice) { return long_subject(dice, true); }, tiny_sphere);
 }
 
 TEST(ExactSpheres, SpheresOnJoiningPlanes) {
   // Errors without multiply-add that add up to more than a tenth of what is allowed for them, which dice seldom throw.
-  expect_exact(Subject{{{-0x1.3649b8p+2F, 0x1.e0a8aap+1F, -0x1.bfaep+1F}, {-0x1.188554p+2F, 0x1.617d0cp+2F, -0x1.bfaep+1F}},
-                       {{0x1.06486ep-1F, 0x1.c43a78p+1F, 0x1.1afd24p+0F}, {0x1.188f08p+0F, 0x1.08c944p+2F, 0x1.c677bcp+0F}},
-                       {}},
-               std::vector<Sphere>{{{-0x1.4ab0f4p+3F, -0x1.d31976p+7F, 0x1.bc966p-1F}, 0x1.daa838p+7F}});
+  expect_exact(
+      Subject{{{-0x1.3649b8p+2F, 0x1.e0a8aap+1F, -0x1.bfaep+1F}, {-0x1.188554p+2F, 0x1.617d0cp+2F, -0x1.bfaep+1F}},
+              {{0x1.06486ep-1F, 0x1.c43a78p+1F, 0x1.1afd24p+0F}, {0x1.188f08p+0F, 0x1.08c944p+2F, 0x1.c677bcp+0F}},
+              {}},
+      std::vector<Sphere>{{{-0x1.4ab0f4p+3F, -0x1.d31976p+7F, 0x1.bc966p-1F}, 0x1.daa838p+7F}});
   check(34, 100, 32, random_subject, resting_sphere);
-  check(35, 50, 32, [](Dice& dice) { return long_subject(dice, true); }, resting_sphere);
+  check(
+      35, 50, 32, [](Dice& dice) { return long_subject(dice, true); }, resting_sphere);
 }
 
 // A distance that is less than the radius by so little that it is rounded to it, in doubles too.
@@ -127,18 +134,21 @@ TEST(ExactSpheres, NearlyEqualFaces) { check(31, 100, 24, nearly_equal_subject, 
 TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 122}) {
     const auto wild = [exponent](Dice& dice) { return dice.wild(exponent, exponent + 4); };
-    check(28, 15, 24, [exponent](Dice& dice) { return wild_subject(dice, exponent, exponent + 4); },
-          [wild](Dice& dice, const Subject&, const oracle::QuickHull&) {
-            return Sphere{{wild(dice), wild(dice), wild(dice)}, std::abs(wild(dice))};
-          });
-  }
-  check(29, 120, 24, [](Dice& dice) { return wild_subject(dice); },
-        [](Dice& dice, const Subject&, const oracle::QuickHull&) {
-          return Sphere{{dice.wild(), dice.wild(), dice.wild()}, std::abs(dice.wild())};
+    check(
+        28, 15, 24, [exponent](Dice& dice) { return wild_subject(dice, exponent, exponent + 4); },
+        [wild](Dice& dice, const Subject&, const oracle::QuickHull&) {
+          return Sphere{{wild(dice), wild(dice), wild(dice)}, std::abs(wild(dice))};
         });
+  }
+  check(
+      29, 120, 24, [](Dice& dice) { return wild_subject(dice); },
+      [](Dice& dice, const Subject&, const oracle::QuickHull&) {
+        return Sphere{{dice.wild(), dice.wild(), dice.wild()}, std::abs(dice.wild())};
+      });
 }
 
-// Squares of slopes overflowed, and what they should have bounded was taken for nothing: in both forms, or with rounded multiply-adds only.
+// Squares of slopes overflowed, and what they should have bounded was taken for nothing: in both forms, or with rounded
+// multiply-adds only.
 TEST(ExactSpheres, SpheresBesideHugeShafts) {
   const Box point{{0, 0x1p+73F, 0}, {0, 0x1p+73F, 0}};
   const Box end{{0x1.9fdf8cp+68F, -0x1p+73F, 0}, {0x1.9fdf8cp+68F, -0x1p+73F, 0}};

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "cases/shafts.hpp"
-#include "kernels/grid/forming.hpp"
 #include "cull/agreement.hpp"
 #include "dice.hpp"
 #include "instruction_sets.hpp"
-#include "on_grid.hpp"
+#include "kernels/grid/forming.hpp"
 #include "kernels/table.hpp"
+#include "on_grid.hpp"
 
 namespace shaftcull {
 namespace {
@@ -75,8 +75,10 @@ void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& fra
       const int computed = stands ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
       const double exact = stands ? face.middle + half - q : leading.middle + scale * (q - face.middle);
       const double permissive = stands || is_upper ? computed - exact : exact - computed;
-      ASSERT_GT(permissive, -0.5) << "at " << q << ", constraint " << i;  // two of them: less than one step, and all are integers
-      ASSERT_LT(permissive, static_cast<double>(kernel::bound_slack + kernel::bound_error) + 2 * by_scale + floats) << "at " << q << ", constraint " << i;
+      ASSERT_GT(permissive, -0.5) << "at " << q << ", constraint "
+                                  << i;  // two of them: less than one step, and all are integers
+      ASSERT_LT(permissive, static_cast<double>(kernel::bound_slack + kernel::bound_error) + 2 * by_scale + floats)
+          << "at " << q << ", constraint " << i;
     }
   }
 }

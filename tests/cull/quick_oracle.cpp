@@ -34,7 +34,8 @@ double proved_share(std::uint64_t seed, unsigned shafts, const MakeBound& bound_
         ++asked;
         if (!answer) continue;
         ++proved;
-        EXPECT_EQ(*answer, exact.answer(bound)) << family.name << ":\n  " << source_text(subject) << "\n  " << source_text(bound);
+        EXPECT_EQ(*answer, exact.answer(bound))
+            << family.name << ":\n  " << source_text(subject) << "\n  " << source_text(bound);
       }
     }
   }
@@ -42,15 +43,19 @@ double proved_share(std::uint64_t seed, unsigned shafts, const MakeBound& bound_
 }
 
 TEST(QuickOracle, ProvesNothingOfBoxesThatRationalsDeny) {
-  EXPECT_GT(proved_share(51, 60, [](const Family& family, Dice& dice, const Subject& subject, const oracle::QuickHull&) {
-              return family.box(dice, subject);
-            }), 0.7);
+  EXPECT_GT(proved_share(51, 60,
+                         [](const Family& family, Dice& dice, const Subject& subject, const oracle::QuickHull&) {
+                           return family.box(dice, subject);
+                         }),
+            0.7);
 }
 
 TEST(QuickOracle, ProvesNothingOfSpheresThatRationalsDeny) {
-  EXPECT_GT(proved_share(52, 20, [](const Family& family, Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
-              return family.sphere(dice, subject, hull);
-            }), 0.7);
+  EXPECT_GT(proved_share(52, 20,
+                         [](const Family& family, Dice& dice, const Subject& subject, const oracle::QuickHull& hull) {
+                           return family.sphere(dice, subject, hull);
+                         }),
+            0.7);
 }
 
 }  // namespace

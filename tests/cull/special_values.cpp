@@ -142,7 +142,9 @@ void expect_never_inside_and_same_everywhere(const std::vector<Bound>& bounds) {
         const UseIsa use(isa);
         const std::vector<Answer> vector = answers(subject, bounds, form);
         for (std::size_t i = 0; i != bounds.size(); ++i) {
-          EXPECT_EQ(vector[i], scalar[i]) << name(isa) << "\n" << source_text(subject) << "\n" << source_text(bounds[i]);
+          EXPECT_EQ(vector[i], scalar[i]) << name(isa) << "\n"
+                                          << source_text(subject) << "\n"
+                                          << source_text(bounds[i]);
         }
       }
       if (testing::Test::HasFailure()) return;
@@ -165,9 +167,9 @@ TEST(SpecialValues, NanCoordinatesNeverCull) {
                    {Answer::overlap, Answer::overlap, Answer::overlap});
     // The other coordinates still may: these boxes are beyond the shaft box on another axis.
     expect_answers(subject, {Box{{nan, 50, 0}, {nan, 60, 1}}, Box{{nan, 0.5F, 0.5F}, {nan, 0.5F, 0.5F}}},
-                   {Answer::outside, subject.added.empty() ? answers(subject, {Box{{-inf, 0.5F, 0.5F}, {inf, 0.5F, 0.5F}}},
-                                                                     Form::slab)[0]
-                                                           : Answer::overlap});
+                   {Answer::outside, subject.added.empty()
+                                         ? answers(subject, {Box{{-inf, 0.5F, 0.5F}, {inf, 0.5F, 0.5F}}}, Form::slab)[0]
+                                         : Answer::overlap});
   }
 }
 

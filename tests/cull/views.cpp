@@ -84,8 +84,10 @@ void expect_every_misalignment(const std::vector<Bound>& bounds) {
     for (const Form form : {Form::slab, Form::planes}) {
       const std::vector<Answer> right = answers(subject, bounds, form);
       for (std::size_t offset = 0; offset != 16; ++offset) {
-        for (const std::size_t apart : {0U, 1U, 5U}) {  // floats by which each stream is further out than the one before
-          for (const std::size_t count : {std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{129}, most_bounds}) {
+        for (const std::size_t apart :
+             {0U, 1U, 5U}) {  // floats by which each stream is further out than the one before
+          for (const std::size_t count :
+               {std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{129}, most_bounds}) {
             SCOPED_TRACE(std::string(name(isa)) + ", first stream " + std::to_string(offset) + " floats off");
             const Misaligned moved(memory.view().slice(0, count), offset, apart);
             expect_view(shaft, moved.view(), right, form);

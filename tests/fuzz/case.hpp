@@ -16,10 +16,10 @@ namespace shaftcull::fuzz {
 /// | bytes   | meaning |
 /// |---------|---------|
 /// | 0       | formation (% 4), order (/ 4 % 4), bit 4: not outside, bit 5: not inside, bit 6: no spheres |
-/// | 1       | planes added (% 4); bit 2: sort corners of all boxes; bit 3: bounds derived from the shaft; bit 4: fill a word |
-/// | 2 … 49  | the shaft's two boxes: lo x y z, hi x y z of a, then of b; little-endian floats |
-/// | then    | 16 bytes for each added plane: normal x y z, offset |
-/// | the rest| bounds, six coordinates each: floats, or if derived a byte each |
+/// | 1       | planes added (% 4); bit 2: sort corners of all boxes; bit 3: bounds derived from the shaft; bit 4: fill
+/// a word | | 2 … 49  | the shaft's two boxes: lo x y z, hi x y z of a, then of b; little-endian floats | | then    |
+/// 16 bytes for each added plane: normal x y z, offset | | the rest| bounds, six coordinates each: floats, or if
+/// derived a byte each |
 ///
 /// A derived coordinate is a coordinate of the shaft moved by some ulps: it is what makes bounds touch. The bounds are
 /// read as boxes, and the same coordinates four by four as spheres.

@@ -48,7 +48,8 @@ bool is_specified(const Sphere& sphere) {
 Subject subject(const Case& it) {
   Subject subject{it.a, it.b};
   for (const Plane& plane : it.planes) {
-    if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) subject.added.push_back(plane);
+    if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{})
+      subject.added.push_back(plane);
   }
   return subject;
 }
@@ -211,7 +212,8 @@ class Comparison {
     return answers;
   }
 
-  /// Asks the active instruction set as little as says it all. Refusals come before it is chosen, and are not asked for again.
+  /// Asks the active instruction set as little as says it all. Refusals come before it is chosen, and are not asked for
+  /// again.
   void require_same(const CompiledShaft& shaft, const Answers& scalar, Isa isa, Form form) {
     if (scalar.inside) {
       const auto [kept, inside] = classified(shaft, form);
@@ -279,7 +281,8 @@ bool same_slab(const CompiledShaft& p, const CompiledShaft& q) {
          p.b == q.b;
 }
 
-/// The pair as one of a batch, on every instruction set: refused if it must be, and the same bits wherever in the batch.
+/// The pair as one of a batch, on every instruction set: refused if it must be, and the same bits wherever in the
+/// batch.
 std::optional<CompiledShaft> batched(const Case& it) {
   constexpr std::size_t copies = 17;  // whole vectors of all widths, and a rest
   const BoxColumns a(std::vector<Box>(copies, it.a));
@@ -313,7 +316,8 @@ void check_answers(const Case& it, std::optional<unsigned> draw) {
   if (shaft) {
     const CompiledShaft compiled = compile(*shaft);
     if (!same_slab(compiled, *pending)) fail("compile() and compile_batch() differ", it);
-    const bool asks_the_same = it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
+    const bool asks_the_same =
+        it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
     const CompiledShaft* const batch = asks_the_same ? &*pending : nullptr;
     Comparison<Box>(it, it.boxes, draw).run(compiled, batch);
     Comparison<Sphere>(it, it.spheres, draw).run(compiled, batch);

@@ -31,8 +31,8 @@ class OddRecords {
   std::vector<unsigned char> bytes_;
 };
 
-/// Fails unless `stream` takes the records, or refuses them for the first for which `is_good` does not hold and stays as it was.
-/// Returns whether it took them.
+/// Fails unless `stream` takes the records, or refuses them for the first for which `is_good` does not hold and stays
+/// as it was. Returns whether it took them.
 template <class Stream, class Records, class Bound, class IsGood>
 bool packs(Stream& stream, const Records& records, const std::vector<Bound>& bounds, const IsGood& is_good) {
   const auto first_bad = std::find_if_not(bounds.begin(), bounds.end(), is_good);
@@ -105,8 +105,8 @@ void check_packing(const Case& it) {
   const std::size_t count = it.boxes.size();
   const MinMaxRecords min_max{boxes.at(offsetof(Box, lo)), boxes.at(offsetof(Box, hi)), boxes.stride, count};
   const CentreExtentRecords extents{boxes.at(offsetof(Box, lo)), boxes.at(offsetof(Box, hi)), boxes.stride, count};
-  const SphereRecords centres{spheres.at(offsetof(Sphere, centre)), spheres.at(offsetof(Sphere, radius)), spheres.stride,
-                              it.spheres.size()};
+  const SphereRecords centres{spheres.at(offsetof(Sphere, centre)), spheres.at(offsetof(Sphere, radius)),
+                              spheres.stride, it.spheres.size()};
 
   BoxStream from_min_max(count);
   const bool min_max_packed = packs(from_min_max, min_max, it.boxes, legal_box);
@@ -117,7 +117,8 @@ void check_packing(const Case& it) {
     if (!extents_packed) {
       require_equal(from_extents[i], empty);
     } else if (!holds_tightly(from_extents[i], it.boxes[i])) {
-      throw Fault("centre and half extent " + source_text(it.boxes[i]) + " were packed as " + source_text(from_extents[i]));
+      throw Fault("centre and half extent " + source_text(it.boxes[i]) + " were packed as " +
+                  source_text(from_extents[i]));
     }
   }
   SphereStream from_centres(it.spheres.size());

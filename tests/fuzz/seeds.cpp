@@ -85,16 +85,21 @@ void write_odd_values(const std::filesystem::path& folder) {
     for (const Box& box : bounds) seed.add(box);
     seed.write(folder, name);
   };
-  write(plain, "infinite-bounds", 0, {{{-inf, -inf, -inf}, {inf, inf, inf}}, {{inf, inf, inf}, {-inf, -inf, -inf}},
-                                      {{-inf, 0, 0}, {0, 1, inf}}, {{inf, 0, 0}, {inf, 1, 1}}});
-  write(plain, "nan-bounds", 0, {{{nan, 0, 0}, {1, 1, 1}}, {{nan, nan, nan}, {nan, nan, nan}}, {{0, 0, 0}, {1, -nan, inf}}});
+  write(plain, "infinite-bounds", 0,
+        {{{-inf, -inf, -inf}, {inf, inf, inf}},
+         {{inf, inf, inf}, {-inf, -inf, -inf}},
+         {{-inf, 0, 0}, {0, 1, inf}},
+         {{inf, 0, 0}, {inf, 1, 1}}});
+  write(plain, "nan-bounds", 0,
+        {{{nan, 0, 0}, {1, 1, 1}}, {{nan, nan, nan}, {nan, nan, nan}}, {{0, 0, 0}, {1, -nan, inf}}});
   write(plain, "inverted-bounds", 0, {{{1, 0, 0}, {0, 1, 1}}, {{5, 5, 5}, {-5, -5, -5}}});
   write(plain, "outside-only", 32, {unit, away});
   write(plain, "inside-only", 16, {unit, away});
   write(plain, "no-spheres", 64, {unit, away});
   write(plain, "no-answers", 48, {unit});
   write({unit, unit}, "equal-boxes", 0, {unit, away});
-  write({unit, {{2, 0, 0}, {3, 1, 1}}}, "purple-faces", 0, {unit, {{1, 1, 1}, {2, 2, 2}}, {{1.5F, -1, 0}, {1.5F, 0, 0}}});
+  write({unit, {{2, 0, 0}, {3, 1, 1}}}, "purple-faces", 0,
+        {unit, {{1, 1, 1}, {2, 2, 2}}, {{1.5F, -1, 0}, {1.5F, 0, 0}}});
   write({{{0, 0, nan}, {1, 1, 1}}, away}, "nan-shaft", 0, {unit});
   write({{{0, 0, 0}, {1, inf, 1}}, away}, "infinite-shaft", 0, {unit});
   write({{{0, 2, 0}, {1, 1, 1}}, away}, "inverted-shaft", 0, {unit});

@@ -24,7 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try {
     const auto it = shaftcull::fuzz::Case::read(input);
     // Drawn by content, so that an input that fails fails again.
-    const unsigned draw = std::accumulate(input.begin(), input.end(), 0U, [](unsigned mix, unsigned byte) { return (mix ^ byte) * 0x01000193U; }) >> 8U;
+    const unsigned draw = std::accumulate(input.begin(), input.end(), 0U,
+                                          [](unsigned mix, unsigned byte) { return (mix ^ byte) * 0x01000193U; }) >>
+                          8U;
     shaftcull::fuzz::check_answers(it, draw);
     if (draw % exact_every == 1) shaftcull::fuzz::check_exact(it, 4);
     if (draw % trees_every == 2) shaftcull::fuzz::check_trees(it);

@@ -65,7 +65,8 @@ TEST_F(ManyErrors, RowsThatShareMemoryAreRefused) {
 
 TEST_F(ManyErrors, ASpanOfCountsOfTheWrongSizeIsRefused) {
   std::vector<std::uint64_t> counts(4, 7);
-  EXPECT_THAT(refusal([&] { count_many(shafts_, boxes_.view(), counts); }), testing::AllOf(HasSubstr("4"), HasSubstr("3")));
+  EXPECT_THAT(refusal([&] { count_many(shafts_, boxes_.view(), counts); }),
+              testing::AllOf(HasSubstr("4"), HasSubstr("3")));
   EXPECT_EQ(counts, std::vector<std::uint64_t>(4, 7));
 }
 

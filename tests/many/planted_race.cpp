@@ -1,5 +1,6 @@
-/// Two races of the kind that ThreadSanitizer must still find for all that handover.hpp and cmake/tsan.suppressions tell it:
-/// `planted_race loop` and `planted_race pipeline`. In CTest only in the preset tsan, where a run without a report fails.
+/// Two races of the kind that ThreadSanitizer must still find for all that handover.hpp and cmake/tsan.suppressions
+/// tell it: `planted_race loop` and `planted_race pipeline`. In CTest only in the preset tsan, where a run without a
+/// report fails.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -14,9 +15,9 @@ namespace {
 
 constexpr int threads = 2;
 
-/// Two threads, each in a task of its own, take their turns: one races after the other, which ThreadSanitizer always sees. Had both
-/// raced in the same instant, it could miss it: each would look for the other's trace before either had left one. Relaxed, so that
-/// nothing but the clock orders them.
+/// Two threads, each in a task of its own, take their turns: one races after the other, which ThreadSanitizer always
+/// sees. Had both raced in the same instant, it could miss it: each would look for the other's trace before either had
+/// left one. Relaxed, so that nothing but the clock orders them.
 class Turns {
  public:
   template <class Race>
@@ -38,9 +39,8 @@ class Turns {
 std::size_t race_in_loop() {
   Turns turns;
   std::size_t count = 0;
-  shaftcull::kernel::parallel_for(2, 1, [&](std::size_t /*row*/, std::size_t /*column*/) {
-    turns.take([&] { ++count; });
-  });
+  shaftcull::kernel::parallel_for(2, 1,
+                                  [&](std::size_t /*row*/, std::size_t /*column*/) { turns.take([&] { ++count; }); });
   return count;
 }
 
@@ -50,10 +50,7 @@ std::size_t race_in_pipeline() {
   std::vector<std::size_t> slots(2);
   std::size_t sum = 0;
   shaftcull::kernel::ordered_pipeline(
-      2, slots.size(),
-      [&](std::size_t i, std::size_t /*slot*/) {
-        turns.take([&] { slots[0] = i; });
-      },
+      2, slots.size(), [&](std::size_t i, std::size_t /*slot*/) { turns.take([&] { slots[0] = i; }); },
       [&](std::size_t /*i*/, std::size_t /*slot*/) { sum += slots[0]; });
   return sum;
 }

@@ -78,7 +78,8 @@ TEST(Sinks, CountManyCountsTheBitsOfEachRow) {
     const std::size_t words = words_for(view.count);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       std::uint64_t count = 0;
-      for (std::size_t w = 0; w != words; ++w) count += static_cast<std::uint64_t>(std::popcount(expected.kept[s * words + w]));
+      for (std::size_t w = 0; w != words; ++w)
+        count += static_cast<std::uint64_t>(std::popcount(expected.kept[s * words + w]));
       EXPECT_EQ(counts[s], count) << "shaft " << s;
     }
   });
@@ -115,7 +116,11 @@ TEST(Sinks, ListManyListsEverythingIfAllIsKept) {
 class Collector {
  public:
   Collector(std::size_t shafts, std::size_t bounds, bool classifies)
-      : shafts_(shafts), bounds_(bounds), classifies_(classifies), kept_(shafts * words_for(bounds), sentinel), inside_(kept_) {}
+      : shafts_(shafts),
+        bounds_(bounds),
+        classifies_(classifies),
+        kept_(shafts * words_for(bounds), sentinel),
+        inside_(kept_) {}
 
   void operator()(const TileAnswers& tile) {
     ASSERT_EQ(tile.shaft, next_shaft_);

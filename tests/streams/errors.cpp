@@ -111,10 +111,11 @@ std::string centre_extent_fault(const Record& record) {
   } catch (const BadBound& error) {
     EXPECT_EQ(error.index(), 2U);
     EXPECT_EQ(stream[0], before);
-    EXPECT_EQ(message_of([&] {
-                const BoxStream packed(CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof(Record), 3});
-              }),
-              error.what());
+    EXPECT_EQ(
+        message_of([&] {
+          const BoxStream packed(CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof(Record), 3});
+        }),
+        error.what());
     return error.what();
   }
   ADD_FAILURE() << "accepted";
@@ -132,7 +133,8 @@ TEST(CentreExtentErrors, SayWhatIsWrongWithTheRecord) {
 TEST(UpdateErrors, NameTheRangeAndTheSize) {
   BoxStream boxes(100);
   const std::vector<Box> news(20, Box{{0, 0, 0}, {1, 1, 1}});
-  EXPECT_EQ(message_of([&] { boxes.update(90, news); }), "update of 20 boxes from position 90 on does not fit a stream of 100");
+  EXPECT_EQ(message_of([&] { boxes.update(90, news); }),
+            "update of 20 boxes from position 90 on does not fit a stream of 100");
   EXPECT_EQ(message_of([&] { boxes.update(101, std::vector<Box>()); }),
             "update of 0 boxes from position 101 on does not fit a stream of 100");
   EXPECT_THROW(boxes.update(SIZE_MAX, news), InvalidArgument);

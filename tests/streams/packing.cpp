@@ -137,7 +137,8 @@ TEST(BoxStream, RoundsCornersOutwardsAtTheEndsOfFloatsToo) {
       records.push_back({centre, -centre, -centre, half, half, 1.5F * half});
     }
   }
-  const BoxStream boxes(CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof records[0], records.size()});
+  const BoxStream boxes(
+      CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof records[0], records.size()});
   for (std::size_t i = 0; i != records.size(); ++i) {
     for (std::size_t k = 0; k != 3; ++k) {
       const long double lo = static_cast<long double>(records[i][k]) - static_cast<long double>(records[i][k + 3]);

@@ -14,7 +14,9 @@ namespace {
 
 using shaftcull_portable::kernel::Four;
 
-Four of(const std::array<float, 3>& floats) { return Four::three_at(reinterpret_cast<const std::byte*>(floats.data())); }
+Four of(const std::array<float, 3>& floats) {
+  return Four::three_at(reinterpret_cast<const std::byte*>(floats.data()));
+}
 
 std::array<float, 4> stored(const Four& four) {
   std::array<float, 4> floats;

@@ -16,7 +16,8 @@ namespace {
 
 /// Every way of asking one shaft.
 template <class Bound, class Index>
-void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector<Bound>& bounds, const CompiledShaft& shaft) {
+void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector<Bound>& bounds,
+                         const CompiledShaft& shaft) {
   const FlatAnswers flat(shaft, bounds);
   const Indices kept = flat.kept();
   EXPECT_EQ(count(shaft, tree), kept.size());
@@ -59,8 +60,8 @@ void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std
     expect_flat_answers(tree, bounds, shaft);
     if (!testing::Test::HasFailure()) continue;
     ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere")
-                  << (sizeof(Index) == 8 ? ", std::uint64_t" : "") << ">(" << seed
-                  << ", shape " << text(shape) << ", " << count << ", " << shaft_count << ')';
+                  << (sizeof(Index) == 8 ? ", std::uint64_t" : "") << ">(" << seed << ", shape " << text(shape) << ", "
+                  << count << ", " << shaft_count << ')';
     return;
   }
 }

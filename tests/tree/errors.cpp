@@ -31,7 +31,8 @@ std::vector<Box> boxes(std::size_t count) {
 
 #ifdef __SSE__
 TEST(TreeErrors, BadBoundsAreBadInEveryMode) {
-  const std::vector<Box> bad = {{{0, 0, 0}, {1, 1, 1}}, {{1e-40F, 0, 0}, {0, 1, 1}}};  // lo > hi, unless denormals are zero
+  const std::vector<Box> bad = {{{0, 0, 0}, {1, 1, 1}},
+                                {{1e-40F, 0, 0}, {0, 1, 1}}};  // lo > hi, unless denormals are zero
   const std::vector<Box> good = {{{0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 1, 1}}};
   for (const Mode& mode : modes) {
     const InMode in(mode);
@@ -73,7 +74,8 @@ TEST(TreeErrors, MoreBoundsThanIndicesReachAreRefused) {
     return message_of([&] { const Tree tree(view); });
   };
   EXPECT_THAT(refusal_of(std::size_t{1} << 32U, BoxTree()),
-              HasSubstr("a tree of 4294967296 bounds: with 32-bit indices it can hold 4294967295; use a BoundsTree<…, std::uint64_t>"));
+              HasSubstr("a tree of 4294967296 bounds: with 32-bit indices it can hold 4294967295; use a BoundsTree<…, "
+                        "std::uint64_t>"));
   EXPECT_THAT(refusal_of((std::size_t{1} << 37U) + 1, BoundsTree<Box, std::uint64_t>()),
               HasSubstr("a tree of 137438953473 bounds: with 64-bit indices it can hold 137438953472; build several"));
 }

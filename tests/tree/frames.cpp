@@ -19,8 +19,7 @@ template <class Tree>
 class TreeFrames : public testing::Test {
  protected:
   /// Whether both answer the same, asked by some shafts.
-  static void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds,
-                                  std::uint64_t seed) {
+  static void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds, std::uint64_t seed) {
     Dice dice(seed);
     const std::vector<CompiledShaft> shafts = shafts_for(dice, 8);
     IndexListsOf<IndexOf<Tree>> overlap;

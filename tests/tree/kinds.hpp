@@ -17,6 +17,7 @@ using BoundOf = std::decay_t<decltype(std::declval<const Tree&>().leaves()[0])>;
 template <class Tree>
 using IndexOf = std::decay_t<decltype(std::declval<const Tree&>().order()[0])>;
 
-using TreeKinds = testing::Types<BoxTree, SphereTree, BoundsTree<Box, std::uint64_t>, BoundsTree<Sphere, std::uint64_t>>;
+using TreeKinds =
+    testing::Types<BoxTree, SphereTree, BoundsTree<Box, std::uint64_t>, BoundsTree<Sphere, std::uint64_t>>;
 
 }  // namespace shaftcull

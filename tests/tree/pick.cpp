@@ -26,7 +26,8 @@ std::vector<std::uint64_t> words_of_bits() {
   for (const unsigned percent : {2U, 10U, 50U, 90U}) {
     for (unsigned i = 0; i != 100; ++i) {
       std::uint64_t word = 0;
-      for (unsigned bit = 0; bit != 64; ++bit) word |= static_cast<std::uint64_t>(dice.below(100) < percent ? 1 : 0) << bit;
+      for (unsigned bit = 0; bit != 64; ++bit)
+        word |= static_cast<std::uint64_t>(dice.below(100) < percent ? 1 : 0) << bit;
       words.push_back(word);
     }
   }
@@ -99,7 +100,8 @@ TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
       kernel::FoundOutput<TypeParam> found;
       std::vector<TypeParam> expected;
       for (std::size_t w = 0; w <= last; ++w) {
-        const std::uint64_t bits = words[w % words.size()] & (w == whole ? 0x1ffff : ~std::uint64_t{0});  // 17 leaves in the last word
+        const std::uint64_t bits =
+            words[w % words.size()] & (w == whole ? 0x1ffff : ~std::uint64_t{0});  // 17 leaves in the last word
         found.add_word(64 * w, bits);
         const std::vector<TypeParam> those = those_of(order, 64 * w, bits);
         expected.insert(expected.end(), those.begin(), those.end());

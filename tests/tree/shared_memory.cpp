@@ -9,11 +9,11 @@
 
 #include "columns.hpp"
 #include "message_of.hpp"
-#include "support/overlap.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/refine.hpp"
 #include "shaftcull/tree.hpp"
+#include "support/overlap.hpp"
 #include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 

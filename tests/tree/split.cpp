@@ -13,13 +13,13 @@
 
 #include "dice.hpp"
 #include "float_modes.hpp"
-#include "support/float_environment.hpp"
 #include "instruction_sets.hpp"
-#include "shaftcull/tree.hpp"
 #include "kernels/table.hpp"
+#include "shaftcull/tree.hpp"
+#include "support/float_environment.hpp"
 #include "tree/entries.hpp"
-#include "tree/split.hpp"
 #include "tree/scenes.hpp"
+#include "tree/split.hpp"
 
 namespace shaftcull {
 namespace {
@@ -113,8 +113,8 @@ Entries split_together(const Entries& entries, std::size_t first_half) {
   std::copy_n(streams.pointers().begin(), of_entries.size(), of_entries.begin());
   std::copy_n(spare.pointers().begin(), of_room.size(), of_room.begin());
   const std::size_t cut = part_first + first_half;
-  const kernel::Halves<Index> halves = kernel::split_together<Index>(
-      {part_first, all.size(), &of_entries, &of_room}, cut, kernel::active_kernels());
+  const kernel::Halves<Index> halves =
+      kernel::split_together<Index>({part_first, all.size(), &of_entries, &of_room}, cut, kernel::active_kernels());
   EXPECT_EQ(halves.low.first, part_first);
   EXPECT_EQ(halves.low.last, cut);
   EXPECT_EQ(halves.high.first, cut);

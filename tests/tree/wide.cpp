@@ -1,4 +1,5 @@
-/// A walk through a tree of more bounds than 32 bits number, in little memory: pages that nobody has written to are all the same one.
+/// A walk through a tree of more bounds than 32 bits number, in little memory: pages that nobody has written to are all
+/// the same one.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
@@ -30,7 +31,8 @@ void* operator new[](std::size_t bytes, std::align_val_t alignment) {
   const std::size_t size = bytes + page;
   char* memory = nullptr;
   if (is_vast(bytes)) {
-    void* const mapped = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void* const mapped =
+        mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (mapped != MAP_FAILED) memory = static_cast<char*>(mapped);
   } else {
     memory = static_cast<char*>(std::aligned_alloc(page, (size + page - 1) / page * page));
@@ -89,7 +91,8 @@ TEST(WideTree, AWalkReachesAllBounds) {
   } catch (const std::bad_alloc&) {
     GTEST_SKIP() << "no room for half a terabyte of addresses";
   }
-  const std::vector<Run> overlap = {{7, 1}, {(std::uint64_t{1} << 32U) - 1, 2}, {(std::uint64_t{1} << 33U) + 331, 1}, {size - 1, 1}};
+  const std::vector<Run> overlap = {
+      {7, 1}, {(std::uint64_t{1} << 32U) - 1, 2}, {(std::uint64_t{1} << 33U) + 331, 1}, {size - 1, 1}};
   for (const Run& run : overlap) {
     for (std::size_t leaf = run.first; leaf != run.first + run.size; ++leaf) {
       for (std::size_t s = 0; s != 6; ++s) tree.leaves.row(s)[leaf] = s == 0 ? 3 : 5;  // half outside
@@ -109,9 +112,11 @@ TEST(WideTree, AWalkReachesAllBounds) {
     using List = kernel::RunList<std::uint64_t, Output>;
     Output overlaps;
     Output insides;
-    const kernel::LeafIndices<std::uint64_t> unknown({}, true, kernel::active_kernels());  // runs are of leaves, not of indices
+    const kernel::LeafIndices<std::uint64_t> unknown({}, true,
+                                                     kernel::active_kernels());  // runs are of leaves, not of indices
     kernel::ClassLister<List> lister(List(unknown, overlaps), List(unknown, insides));
-    kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), shaft, kernel::Question::kept_and_inside, lister)
+    kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), shaft,
+                                                 kernel::Question::kept_and_inside, lister)
         .run();
     EXPECT_EQ(std::vector<Run>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
     EXPECT_EQ(std::vector<Run>(insides.data(), insides.data() + insides.count()), inside) << name(isa);

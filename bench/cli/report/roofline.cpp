@@ -85,8 +85,10 @@ struct Roof {
 std::vector<Roof> roofs_of(const BenchSummary& summary) {
   std::vector<Roof> roofs;
   for (const Look& look : looks) {
-    if (const auto rate = summary.speed(std::string("limit/slab_arithmetic/") + look.isa)) roofs.push_back({&look, "floats", *rate});
-    if (const auto rate = summary.speed(std::string("limit/grid_arithmetic/") + look.isa)) roofs.push_back({&look, "16 bits", *rate});
+    if (const auto rate = summary.speed(std::string("limit/slab_arithmetic/") + look.isa))
+      roofs.push_back({&look, "floats", *rate});
+    if (const auto rate = summary.speed(std::string("limit/grid_arithmetic/") + look.isa))
+      roofs.push_back({&look, "16 bits", *rate});
   }
   return roofs;
 }
@@ -96,7 +98,8 @@ std::vector<double> label_heights(const std::vector<Roof>& roofs) {
   constexpr double line = 1.3;
   std::vector<std::size_t> by_rate(roofs.size());
   std::iota(by_rate.begin(), by_rate.end(), std::size_t{0});
-  std::sort(by_rate.begin(), by_rate.end(), [&](std::size_t a, std::size_t b) { return roofs[a].rate < roofs[b].rate; });
+  std::sort(by_rate.begin(), by_rate.end(),
+            [&](std::size_t a, std::size_t b) { return roofs[a].rate < roofs[b].rate; });
   std::vector<double> heights(roofs.size());
   double free_from = 0;
   for (const std::size_t i : by_rate) {
@@ -158,8 +161,8 @@ std::optional<Plot> plot_roofline(const BenchSummary& summary) {
     const double begin = std::max(least_x, rate / bandwidths.front().tests(1));
     script += fmt::format("set arrow from {},{} to {},{} nohead lw 1.5 lc rgb '{}'\n", begin, rate, most_x, rate,
                           colour(look->ink));
-    script += fmt::format("set label '{}, {}: {:.1f} G' at graph 1.01, first {} left textcolor rgb '{}'\n",
-                          look->label, numbers, rate / 1e9, heights[i], colour(look->ink));
+    script += fmt::format("set label '{}, {}: {:.1f} G' at graph 1.01, first {} left textcolor rgb '{}'\n", look->label,
+                          numbers, rate / 1e9, heights[i], colour(look->ink));
     if (i != 0 && roofs[i - 1].look == look) continue;  // one curve of points each
     const std::vector<Point> points = points_of(summary, *look);
     if (points.empty()) continue;

@@ -35,7 +35,8 @@ header p, figure > p, section > p, .note { margin: 4px 0 0; color: var(--ink-2);
 .tiles b { display: block; font-size: 26px; line-height: 1.2; }
 .tiles span { color: var(--ink-2); }
 .figures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 16px; }
-figure, section { margin: 0; padding: 20px; background: var(--card); border: 1px solid var(--line); border-radius: 8px; }
+figure, section { margin: 0; padding: 20px;
+  background: var(--card); border: 1px solid var(--line); border-radius: 8px; }
 figure { display: flex; flex-direction: column; }
 figure svg { display: block; width: 100%; height: auto; margin-top: auto; padding-top: 12px;
   overflow: visible; }

@@ -1,4 +1,5 @@
-/// Boxes inside the shaft, for a few boxes here and there: in the lanes of a vector are the planes of the shaft, not boxes.
+/// Boxes inside the shaft, for a few boxes here and there: in the lanes of a vector are the planes of the shaft, not
+/// boxes.
 #pragma once
 
 #include "exact/predicates.hpp"
@@ -25,7 +26,8 @@ class PlanesInLanes {
         faces_(Eight::negate_hi(Eight::load_six(shaft.face, -__builtin_inff()))),
         two_margins_(2 * shaft.joining_margin) {
     for (unsigned s = 0; s < 6; ++s) stream_[s] = stream[s];
-    // A plane that there is not is never beyond anything: −∞, or NaN for boxes with an infinite coordinate, which are not within the faces.
+    // A plane that there is not is never beyond anything: −∞, or NaN for boxes with an infinite coordinate, which are
+    // not within the faces.
     const auto exists = Eight::first(shaft.joining_count);
     const Vector shift = Eight::add(Eight::load(shaft.joining_minus_offset), Eight::all(shaft.joining_margin));
     normal0_ = Eight::choose(exists, Eight::load(shaft.joining_normal0), Eight::all(0.0F));
@@ -36,7 +38,8 @@ class PlanesInLanes {
   /// What the lanes say of a box.
   struct Verdict {
     typename Eight::Mask within;  ///< its faces are within the shaft box's; and, in the last lanes, it is not empty
-    Vector value;                 ///< of planes at the far corner + margin: negative if certainly behind, above two margins if certainly beyond
+    Vector value;  ///< of planes at the far corner + margin: negative if certainly behind, above two margins if
+                   ///< certainly beyond
   };
   [[nodiscard]] Verdict of(std::size_t i) const noexcept {
     const Vector box = Eight::gather(stream_, i);
@@ -66,8 +69,8 @@ inline constexpr unsigned all_eight = 0xff;
 /// Writes which of the boxes at `positions` are inside, some of which are too close to call.
 template <class L>
 [[gnu::noinline, gnu::cold]] void settle_few_inside(const CompiledShaft& shaft, const PlanesInLanes<L>& planes,
-                                                    const float* const* stream, std::size_t words, const Positions<L>& positions,
-                                                    std::uint64_t* inside) noexcept {
+                                                    const float* const* stream, std::size_t words,
+                                                    const Positions<L>& positions, std::uint64_t* inside) noexcept {
   using Eight = typename L::Eight;
   std::uint64_t undecided[block_words];
   for (std::size_t w = 0; w < words; ++w) inside[w] = undecided[w] = 0;
@@ -93,8 +96,8 @@ template <class L>
 
 /// Writes which of the kept boxes, few of them, are inside of a shaft that planes in lanes suit.
 template <class L>
-void few_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
+void few_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
   using Eight = typename L::Eight;
   const PlanesInLanes<L> planes(shaft, stream);
   const Positions<L> positions(kept, words);
@@ -107,7 +110,8 @@ void few_inside_stage(const CompiledShaft& shaft, const float* const* stream, st
     const unsigned signs = Eight::signs(Eight::both(verdict.within, verdict.value));
     inside[i / word_bits] |= std::uint64_t{(signs + 1) / (all_eight + 1)} << (i % word_bits);
   }
-  if (planes.undecided(least) != 0) [[unlikely]] settle_few_inside<L>(shaft, planes, stream, words, positions, inside);
+  if (planes.undecided(least) != 0) [[unlikely]]
+    settle_few_inside<L>(shaft, planes, stream, words, positions, inside);
 }
 
 }  // namespace shaftcull::kernel

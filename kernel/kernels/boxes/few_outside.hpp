@@ -1,5 +1,5 @@
-/// Boxes outside the shaft, in slab form, for a few boxes here and there: in the lanes of a vector are the constraints of the shaft, not
-/// boxes. So boxes need not be collected, and of the shaft nothing is broadcast.
+/// Boxes outside the shaft, in slab form, for a few boxes here and there: in the lanes of a vector are the constraints
+/// of the shaft, not boxes. So boxes need not be collected, and of the shaft nothing is broadcast.
 #pragma once
 
 #include "exact/predicates.hpp"
@@ -14,7 +14,9 @@ class SlabInLanes {
   using Eight = typename L::Eight;
   using Vector = typename Eight::Vector;
 
-  [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept { return shaft.slab_form == CompiledShaft::SlabForm::fused; }
+  [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept {
+    return shaft.slab_form == CompiledShaft::SlabForm::fused;
+  }
 
   explicit SlabInLanes(const CompiledShaft& shaft) noexcept
       : corner_(Eight::order(shaft.slab_near)),
@@ -31,10 +33,12 @@ class SlabInLanes {
   /// As Slab::room().
   [[nodiscard]] float room(const float* const* stream, std::size_t i) const noexcept {
     const Vector box = Eight::gather(stream, i);
-    const Vector bound = Eight::with_last_two(Eight::multiply_add(Eight::permuted(box, corner_), scale_, shift_), ends_);
+    const Vector bound =
+        Eight::with_last_two(Eight::multiply_add(Eight::permuted(box, corner_), scale_, shift_), ends_);
     const Vector signed_bound = Eight::infinite_if_nan(Eight::negate_unless(is_upper_, bound));
     const Vector none = Eight::all(__builtin_inff());
-    return Eight::sum_of_smallest(Eight::choose(is_upper_, signed_bound, none), Eight::choose(is_upper_, none, signed_bound));
+    return Eight::sum_of_smallest(Eight::choose(is_upper_, signed_bound, none),
+                                  Eight::choose(is_upper_, none, signed_bound));
   }
   [[nodiscard]] float two_margins() const noexcept { return two_margins_; }
 
@@ -49,7 +53,8 @@ class SlabInLanes {
 
 /// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that this suits.
 template <class L>
-std::uint64_t few_outside(const CompiledShaft& shaft, const float* const* stream, std::size_t first, std::uint64_t lanes) noexcept {
+std::uint64_t few_outside(const CompiledShaft& shaft, const float* const* stream, std::size_t first,
+                          std::uint64_t lanes) noexcept {
   const SlabInLanes<L> slab(shaft);
   std::uint64_t outside = 0;
   std::uint64_t undecided = 0;
@@ -59,9 +64,12 @@ std::uint64_t few_outside(const CompiledShaft& shaft, const float* const* stream
     outside |= static_cast<std::uint64_t>(room < 0) << lane;
     undecided |= static_cast<std::uint64_t>((room >= 0) & (room <= slab.two_margins())) << lane;
   }
-  if (undecided == 0) [[likely]] return outside;
+  if (undecided == 0) [[likely]]
+    return outside;
   const SlabPredicate exact(shaft);
-  return outside | decide_lanes<L>(undecided, [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, first + lane).value); });
+  return outside | decide_lanes<L>(undecided, [&](unsigned lane) {
+           return exact.outside(BoundAt<L, 6>(stream, first + lane).value);
+         });
 }
 
 }  // namespace shaftcull::kernel

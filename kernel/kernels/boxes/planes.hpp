@@ -209,7 +209,7 @@ void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std
 /// Clears the bits of boxes that are not inside.
 template <class L>
 void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                         std::uint64_t* inside) noexcept {
+                      std::uint64_t* inside) noexcept {
   const auto minus_margin = L::all(-shaft.joining_margin);
   const auto margin = L::all(shaft.joining_margin);
   for (std::size_t w = 0; w < words; ++w) {

@@ -1,8 +1,8 @@
 /// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
 #pragma once
 
-#include "kernels/forming/slab.hpp"
 #include "exact/predicates.hpp"
+#include "kernels/forming/slab.hpp"
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {
@@ -56,8 +56,9 @@ struct Slab {
     }
   }
 
-  /// Smallest upper bound − largest lower bound + margin, where coordinate(i) is what constraint i reads: negative if certainly
-  /// outside, above two margins if certainly not. Never NaN, because minimum and maximum pass over a NaN in their first argument.
+  /// Smallest upper bound − largest lower bound + margin, where coordinate(i) is what constraint i reads: negative if
+  /// certainly outside, above two margins if certainly not. Never NaN, because minimum and maximum pass over a NaN in
+  /// their first argument.
   template <class Coordinate>
   [[nodiscard]] Vector room(Coordinate coordinate) const noexcept {
     Vector upper = end;
@@ -223,13 +224,14 @@ void box_exact_words(const CompiledShaft& shaft, const float* const* stream, con
   }
 }
 
-/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's always in the
-/// fused form.
+/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's
+/// always in the fused form.
 template <class L, template <class> class Corners, class Words>
 void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
                    std::size_t words, std::uint64_t* kept) noexcept {
   using enum CompiledShaft::SlabForm;
-  using TestWords = void(const CompiledShaft&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
+  using TestWords =
+      void(const CompiledShaft&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
   if constexpr (Corners<L>::exactly) {
     static constexpr TestWords* relative_by_uppers[7] = {
         slab_words<L, Corners, Words, 0, relative>, slab_words<L, Corners, Words, 1, relative>,
@@ -244,9 +246,10 @@ void slab_words_of(const CompiledShaft& shaft, float margin, const float* const*
       {nullptr, slab_words<L, Corners, Words, 1, fused>, slab_words<L, Corners, Words, 2, fused>,
        slab_words<L, Corners, Words, 3, fused>, slab_words<L, Corners, Words, 4, fused>,
        slab_words<L, Corners, Words, 5, fused>, slab_words<L, Corners, Words, 6, fused>},
-      {slab_words<L, Corners, Words, 0, difference>, slab_words<L, Corners, Words, 1, difference>, slab_words<L, Corners, Words, 2, difference>,
-       slab_words<L, Corners, Words, 3, difference>, slab_words<L, Corners, Words, 4, difference>,
-       slab_words<L, Corners, Words, 5, difference>, slab_words<L, Corners, Words, 6, difference>}};
+      {slab_words<L, Corners, Words, 0, difference>, slab_words<L, Corners, Words, 1, difference>,
+       slab_words<L, Corners, Words, 2, difference>, slab_words<L, Corners, Words, 3, difference>,
+       slab_words<L, Corners, Words, 4, difference>, slab_words<L, Corners, Words, 5, difference>,
+       slab_words<L, Corners, Words, 6, difference>}};
   by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, position, words, kept);
 }
 
@@ -261,8 +264,9 @@ void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std:
   slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, position, words, kept);
 }
 
-/// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside for certain. Their
-/// corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12 (docs/exactness.md).
+/// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside
+/// for certain. Their corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12
+/// (docs/exactness.md).
 template <class L, template <class> class Corners, class Words = WordsInARow<L>>
 void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                        const Words& position = {}) noexcept {

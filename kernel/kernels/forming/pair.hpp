@@ -49,15 +49,16 @@ bool compile_pair(const Box& a, const Box& b, CompiledShaft& out) noexcept {
   const float from = __builtin_fabsf(Eight::first(p));
   const float to = __builtin_fabsf(Eight::first(other));
   const float position = (from > to ? from : to) + top_shift;
-  const bool fused_suits = reach <= fused_regular_limit && 1 / fused_regular_limit <= least_slope &&
-                           position <= length * fused_limit;
+  const bool fused_suits =
+      reach <= fused_regular_limit && 1 / fused_regular_limit <= least_slope && position <= length * fused_limit;
   const float margin = position * fused_margin_per_position + length * fused_margin_per_way;
   const SlabOrder& order = slab_orders.by_negative[Eight::signs(scale) & 0x3f];
   Eight::store(out.slab_scale,
                Eight::permuted(Eight::with_last_two(scale, Eight::pair_in_all(margin, reach)), order.face));
   Eight::store(out.slab_shift, Eight::permuted(shift, order.face));
   __builtin_memcpy(out.slab_near, order.near_stream, 8);
-  if (!(fused_suits && reach <= largest_plain_reach)) [[unlikely]] rewrite_slab<L>(out, fused_suits);
+  if (!(fused_suits && reach <= largest_plain_reach)) [[unlikely]]
+    rewrite_slab<L>(out, fused_suits);
   return true;
 }
 

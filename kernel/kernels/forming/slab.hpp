@@ -2,8 +2,8 @@
 ///
 /// Face f of box(u) is at p + u q, with p = a's face and q = b's face − p. A bound's coordinate x on that axis, at the
 /// corner nearest to the shaft, bounds u by (x − p) / q: from above if only a touches that face of the shaft box (red),
-/// from below if only b does (blue). Instead of u the kernels use the position t of face 0, the *leading* face: its own bound on t is x itself,
-/// an operation less in six. kernel/compiled/slab.hpp has the margins.
+/// from below if only b does (blue). Instead of u the kernels use the position t of face 0, the *leading* face: its own
+/// bound on t is x itself, an operation less in six. kernel/compiled/slab.hpp has the margins.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@
 
 namespace shaftcull::kernel {
 
-/// Whether every box is finite with lo ≤ hi and hi − lo does not overflow. Boxes of which that is not true deserve a second look.
+/// Whether every box is finite with lo ≤ hi and hi − lo does not overflow. Boxes of which that is not true deserve a
+/// second look.
 template <class L>
 bool all_fine(const float* const* box, std::size_t count) noexcept {
   auto largest = L::all(0.0F);  // as unsigned integers: negative floats, infinities and NaN are above all others
@@ -43,7 +44,8 @@ bool all_fine(const float* const* box, std::size_t count) noexcept {
 /// Whether every box is finite with lo ≤ hi.
 template <class L>
 bool all_finite(const float* const* box, std::size_t count) noexcept {
-  if (all_fine<L>(box, count)) [[likely]] return true;
+  if (all_fine<L>(box, count)) [[likely]]
+    return true;
   for (unsigned k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(box[k][i] <= box[k + 3][i] && box[k][i] >= -__FLT_MAX__ && box[k + 3][i] <= __FLT_MAX__)) return false;
@@ -52,7 +54,8 @@ bool all_finite(const float* const* box, std::size_t count) noexcept {
   return true;
 }
 
-/// Overwrites the slab coefficients of a shaft by those of the difference form, for pairs that the fused form does not suit.
+/// Overwrites the slab coefficients of a shaft by those of the difference form, for pairs that the fused form does not
+/// suit.
 template <class L>
 void write_difference_slab(CompiledShaft& shaft) noexcept {
   const float* const p = reinterpret_cast<const float*>(&shaft.a);
@@ -89,9 +92,14 @@ struct FarWay {
   float length;      ///< largest magnitude of a slope: the end of t in the relative form
 
   explicit FarWay(const CompiledShaft& shaft) noexcept
-      : from(reinterpret_cast<const float*>(&shaft.a)), to(reinterpret_cast<const float*>(&shaft.b)), from_reach(0), length(0) {
+      : from(reinterpret_cast<const float*>(&shaft.a)),
+        to(reinterpret_cast<const float*>(&shaft.b)),
+        from_reach(0),
+        length(0) {
     float to_reach = 0;
-    const auto enlarge = [](float& largest, float x) { largest = __builtin_fabsf(x) > largest ? __builtin_fabsf(x) : largest; };
+    const auto enlarge = [](float& largest, float x) {
+      largest = __builtin_fabsf(x) > largest ? __builtin_fabsf(x) : largest;
+    };
     for (unsigned f = 0; f < 6; ++f) {
       enlarge(from_reach, from[f]);
       enlarge(to_reach, to[f]);
@@ -114,7 +122,8 @@ bool write_relative_slab(CompiledShaft& shaft) noexcept {
   float scale[6];
   for (unsigned f = 0; f < 6; ++f) {
     const float slope = way.to[f] - way.from[f];
-    // A purple face as in the difference form. Other scales are 1 or more in magnitude, so that no product loses its sign.
+    // A purple face as in the difference form. Other scales are 1 or more in magnitude, so that no product loses its
+    // sign.
     scale[f] = slope == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : way.length / slope;
     if (slope != 0 && !(__builtin_fabsf(scale[f]) <= __FLT_MAX__)) return false;
     if (scale[f] < 0) negative |= 1U << f;
@@ -132,8 +141,8 @@ bool write_relative_slab(CompiledShaft& shaft) noexcept {
   return true;
 }
 
-/// Overwrites the slab coefficients of a shaft whose coordinates are large, or that the fused form does not suit, by those of the form that
-/// does, if that is another.
+/// Overwrites the slab coefficients of a shaft whose coordinates are large, or that the fused form does not suit, by
+/// those of the form that does, if that is another.
 template <class L>
 [[gnu::noinline, gnu::cold]] void rewrite_slab(CompiledShaft& shaft, bool fused_suits) noexcept {
   if (shaft.reach > largest_plain_reach && write_relative_slab<L>(shaft)) return;

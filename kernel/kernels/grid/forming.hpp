@@ -1,10 +1,13 @@
-/// Shafts on a grid: the slab constraints in 16-bit integers, for groups of shafts that are tested against the same bounds.
+/// Shafts on a grid: the slab constraints in 16-bit integers, for groups of shafts that are tested against the same
+/// bounds.
 ///
-/// A frame around a group's shafts has 2¹⁵ steps an axis. Bounds are snapped to it once, rounded outwards, so that a test takes half of the
-/// arithmetic of floats and half of the memory. What it says is certain; what it cannot say, the floats decide. docs/exactness.md has the proof.
+/// A frame around a group's shafts has 2¹⁵ steps an axis. Bounds are snapped to it once, rounded outwards, so that a
+/// test takes half of the arithmetic of floats and half of the memory. What it says is certain; what it cannot say, the
+/// floats decide. docs/exactness.md has the proof.
 ///
-/// On a grid every constraint has the same form. A hi face is compared with the lo coordinate of a bound; for a lo face and the hi coordinate
-/// both are negated. Then all constraints are x ≤ middle + way · v, where v runs from −½ at a to ½ at b.
+/// On a grid every constraint has the same form. A hi face is compared with the lo coordinate of a bound; for a lo face
+/// and the hi coordinate both are negated. Then all constraints are x ≤ middle + way · v, where v runs from −½ at a to
+/// ½ at b.
 #pragma once
 
 #include <cstddef>
@@ -25,33 +28,38 @@ struct GridFrame {
   [[nodiscard]] bool exists() const noexcept { return steps[0] != 0; }
 };
 
-/// A shaft on a grid. t is the position of the leading face, which moves least of those that do not stand, so that its constraint x ≤ t needs
-/// no arithmetic. It comes first, then the constraints that bound t from above, then the others that bound it from below, and last
-/// those of faces that stand: they move too little to bound t.
+/// A shaft on a grid. t is the position of the leading face, which moves least of those that do not stand, so that its
+/// constraint x ≤ t needs no arithmetic. It comes first, then the constraints that bound t from above, then the others
+/// that bound it from below, and last those of faces that stand: they move too little to bound t.
 struct alignas(64) GridShaft {
   std::int16_t scale[6];  ///< in 2⁻¹⁵: way of the leading face / way, negative for constraints from above
-  std::int16_t shift[6];  ///< leading middle − scale · middle, moved to the permissive side; for standing faces where they are most permissive
-  std::int16_t begin;     ///< of t
+  std::int16_t shift[6];  ///< leading middle − scale · middle, moved to the permissive side; for standing faces where
+                          ///< they are most permissive
+  std::int16_t begin;  ///< of t
   std::int16_t end;
   std::uint8_t near_stream[6];
   std::uint8_t uppers;
   std::uint8_t standing;
-  std::uint8_t limit;     ///< bounds with more room than this, which is an integer, are certainly not outside
-  bool exists;            ///< if not, the other members say nothing
+  std::uint8_t limit;  ///< bounds with more room than this, which is an integer, are certainly not outside
+  bool exists;         ///< if not, the other members say nothing
 };
 
-inline constexpr float grid_top = 16383.0F;    ///< where coordinates are cut off, either way: sums of two fit into 16 bits
+inline constexpr float grid_top =
+    16383.0F;  ///< where coordinates are cut off, either way: sums of two fit into 16 bits
 inline constexpr float grid_edge = 14500.0F;   ///< steps from a frame's origin to its outermost face
 inline constexpr float standing_way = 100.0F;  ///< faces that move fewer steps stand
 
 // What computed values are off by, and by how much they are moved to the permissive side.
-inline constexpr float float_slack = 0.0625F;                ///< roundings of floats
-inline constexpr float snap_slack = 0.5F + float_slack;      ///< a coordinate is moved by so much, and off by half a step
-inline constexpr float bound_error = 1.0F + float_slack;     ///< a product and the shift are off by half a step each
-inline constexpr float bound_slack = 0.5F + float_slack;     ///< less than half a step is left, less than one for two bounds
+inline constexpr float float_slack = 0.0625F;             ///< roundings of floats
+inline constexpr float snap_slack = 0.5F + float_slack;   ///< a coordinate is moved by so much, and off by half a step
+inline constexpr float bound_error = 1.0F + float_slack;  ///< a product and the shift are off by half a step each
+inline constexpr float bound_slack =
+    0.5F + float_slack;  ///< less than half a step is left, less than one for two bounds
 
-static_assert(standing_way + bound_slack + bound_error + 2 * snap_slack <= 126, "GridShaft::limit is compared with signed bytes");
-static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * snap_slack) <= 126, "likewise, for any scale");
+static_assert(standing_way + bound_slack + bound_error + 2 * snap_slack <= 126,
+              "GridShaft::limit is compared with signed bytes");
+static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * snap_slack) <= 126,
+              "likewise, for any scale");
 
 /// The frame around shafts.
 template <class L>
@@ -94,10 +102,11 @@ template <class L>
   return frame;
 }
 
-/// Makes grid[lane] of shaft[lane], for a whole vector of shafts: one a lane, so that nothing branches on what a face is, which would be mispredicted
-/// several times a shaft.
+/// Makes grid[lane] of shaft[lane], for a whole vector of shafts: one a lane, so that nothing branches on what a face
+/// is, which would be mispredicted several times a shaft.
 template <class L>
-void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridFrame& frame, GridShaft* const (&grid)[L::width]) noexcept {
+void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridFrame& frame,
+                      GridShaft* const (&grid)[L::width]) noexcept {
   using Vector = typename L::Vector;
   constexpr unsigned faces = 6;
   const Vector zero = L::all(0.0F);
@@ -141,15 +150,18 @@ void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridF
   const Vector way_out = L::add(L::multiply(half, leading_size), L::all(float_slack));
   const Vector top = L::all(grid_top);  // if all faces stand: room for anything
   const Vector begin = L::choose(any_moves, L::floor(L::subtract(leading_middle, way_out)), L::subtract(zero, top));
-  const Vector minus_end = L::choose(any_moves, L::floor(L::subtract(L::subtract(zero, leading_middle), way_out)), L::subtract(zero, top));
+  const Vector minus_end =
+      L::choose(any_moves, L::floor(L::subtract(L::subtract(zero, leading_middle), way_out)), L::subtract(zero, top));
 
   Vector uppers = zero;
   for (unsigned f = 0; f < faces; ++f) {
-    const auto is_upper = L::both(L::less_equal(L::all(standing_way), size[f]), L::less(L::multiply(way[f], leading_way), zero));
+    const auto is_upper =
+        L::both(L::less_equal(L::all(standing_way), size[f]), L::less(L::multiply(way[f], leading_way), zero));
     uppers = L::add(uppers, L::choose(is_upper, one, zero));
   }
 
-  // What an upper and a lower bound on t may be off by together: first the ends of t, and the coordinate in the leading face's constraint.
+  // What an upper and a lower bound on t may be off by together: first the ends of t, and the coordinate in the leading
+  // face's constraint.
   Vector upper_error = L::all(1 + 2 * float_slack);
   Vector lower_error = L::all(2 * snap_slack);
   Vector limit = zero;
@@ -164,8 +176,11 @@ void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridF
     const Vector number = L::all(static_cast<float>(f));
     const auto stands = L::less(size[f], L::all(standing_way));
     const auto leads = L::both(L::less_equal(leading, number), L::less_equal(number, leading));
-    const auto is_upper = L::both(L::less_equal(L::all(standing_way), size[f]), L::less(L::multiply(way[f], leading_way), zero));
-    const auto of_moving = [&](auto upper, auto lower) { return L::choose(is_upper, upper, L::choose(leads, zero, lower)); };
+    const auto is_upper =
+        L::both(L::less_equal(L::all(standing_way), size[f]), L::less(L::multiply(way[f], leading_way), zero));
+    const auto of_moving = [&](auto upper, auto lower) {
+      return L::choose(is_upper, upper, L::choose(leads, zero, lower));
+    };
 
     const Vector ratio = L::divide(leading_size, L::choose(stands, one, size[f]));
     const Vector exact_scale = L::choose(is_upper, L::subtract(zero, ratio), ratio);
@@ -173,11 +188,13 @@ void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridF
     const Vector scale = L::minimum(nearest, L::all(0x1p15F - 1));
     const Vector short_scale = L::multiply(scale, L::all(0x1p-15F));
     // Whatever the scale is rounded to, the constraint goes through the middle of the face's way.
-    const Vector scale_error = L::multiply(L::multiply(L::magnitude(L::subtract(short_scale, exact_scale)), half), size[f]);
+    const Vector scale_error =
+        L::multiply(L::multiply(L::magnitude(L::subtract(short_scale, exact_scale)), half), size[f]);
     const Vector slack = L::multiply(L::add(L::all(bound_slack), scale_error), L::all(grid_slack_factor));
     const Vector moving_shift = L::add(L::subtract(leading_middle, L::multiply(short_scale, middle[f])),
                                        L::choose(is_upper, slack, L::subtract(zero, slack)));
-    const Vector standing_shift = L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack * grid_slack_factor));
+    const Vector standing_shift =
+        L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack * grid_slack_factor));
     const Vector error = L::add(L::add(L::all(bound_slack + bound_error), L::add(scale_error, scale_error)),
                                 L::multiply(L::all(2 * snap_slack), ratio));
     const Vector room = L::add(size[f], L::all(bound_slack + bound_error + 2 * snap_slack));

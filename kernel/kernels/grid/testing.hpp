@@ -1,18 +1,19 @@
 /// Tests on a grid: the first stage of many shafts against the same bounds (kernel/kernels/grid/forming.hpp).
 #pragma once
 
-#include "kernels/grid/forming.hpp"
-#include "kernels/boxes/slab.hpp"
 #include "kernels/boxes/few_outside.hpp"
-#include "kernels/table.hpp"
+#include "kernels/boxes/slab.hpp"
+#include "kernels/grid/forming.hpp"
 #include "kernels/shared/word.hpp"
+#include "kernels/table.hpp"
 
 namespace shaftcull::kernel {
 
-/// Writes `count` bounds' coordinates on the grid, rounded outwards, in whole words: hi coordinates are negated. What fills the last word up is
-/// beyond everything.
+/// Writes `count` bounds' coordinates on the grid, rounded outwards, in whole words: hi coordinates are negated. What
+/// fills the last word up is beyond everything.
 template <class L>
-void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count, std::int16_t* const* grid) noexcept {
+void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count,
+                std::int16_t* const* grid) noexcept {
   const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
   const auto top = L::all(grid_top);
   const auto bottom = L::Shorts::all(static_cast<std::int16_t>(-grid_top));
@@ -35,8 +36,8 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
   }
 }
 
-/// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold bounds which may be either.
-/// Returns how many those are.
+/// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold bounds
+/// which may be either. Returns how many those are.
 template <class L, unsigned uppers, unsigned standing>
 std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                        std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
@@ -86,11 +87,13 @@ std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, 
 
 /// As GridKernels has it.
 template <class L>
-std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
-                         std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
-  using Words = std::size_t(const GridShaft&, const std::int16_t* const*, std::size_t, std::uint64_t*, std::uint32_t, UndecidedWord*) noexcept;
+std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words,
+                         std::uint64_t* kept, std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
+  using Words = std::size_t(const GridShaft&, const std::int16_t* const*, std::size_t, std::uint64_t*, std::uint32_t,
+                            UndecidedWord*) noexcept;
   static constexpr Words* by_standing_and_uppers[7][6] = {
-      {grid_words<L, 0, 0>, grid_words<L, 1, 0>, grid_words<L, 2, 0>, grid_words<L, 3, 0>, grid_words<L, 4, 0>, grid_words<L, 5, 0>},
+      {grid_words<L, 0, 0>, grid_words<L, 1, 0>, grid_words<L, 2, 0>, grid_words<L, 3, 0>, grid_words<L, 4, 0>,
+       grid_words<L, 5, 0>},
       {grid_words<L, 0, 1>, grid_words<L, 1, 1>, grid_words<L, 2, 1>, grid_words<L, 3, 1>, grid_words<L, 4, 1>},
       {grid_words<L, 0, 2>, grid_words<L, 1, 2>, grid_words<L, 2, 2>, grid_words<L, 3, 2>},
       {grid_words<L, 0, 3>, grid_words<L, 1, 3>, grid_words<L, 2, 3>},
@@ -102,7 +105,8 @@ std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid
 
 /// A word of `count` boxes, maybe the last one, that the grid could not decide, in floats.
 template <class L>
-std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::size_t word) noexcept {
+std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+                           std::size_t word) noexcept {
   std::uint64_t kept;
   const bool whole = (word + 1) * word_bits <= count;
   const unsigned rest = whole ? 0 : static_cast<unsigned>(count % word_bits);

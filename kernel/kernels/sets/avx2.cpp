@@ -6,8 +6,9 @@
 #include "dispatch/baseline.hpp"
 #ifndef SHAFTCULL_COMPILED_FOR_AVX512
 #include "dispatch/built_sets.hpp"
-#include "simd/shorts.hpp"
 #include "kernels/table_of.hpp"
+#include "simd/shorts.hpp"
 
-constinit const shaftcull::kernel::Kernels shaftcull::kernel::avx2_kernels = kernels_for<Lanes<xsimd::fma3<xsimd::avx2>>>;
+constinit const shaftcull::kernel::Kernels shaftcull::kernel::avx2_kernels =
+    kernels_for<Lanes<xsimd::fma3<xsimd::avx2>>>;
 #endif

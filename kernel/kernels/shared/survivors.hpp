@@ -1,7 +1,7 @@
 /// Survivors: later stages of a test run on the few bounds that earlier ones left, collected into full vectors.
 ///
-/// On the usual scene one bound in fifty survives the first stage, so nearly every vector that holds a survivor holds only one.
-/// Collecting costs a few cycles a survivor, and a stage then runs on a tenth of the vectors.
+/// On the usual scene one bound in fifty survives the first stage, so nearly every vector that holds a survivor holds
+/// only one. Collecting costs a few cycles a survivor, and a stage then runs on a tenth of the vectors.
 #pragma once
 
 #include "kernels/shared/word.hpp"
@@ -19,7 +19,8 @@ class Positions {
 
   /// Of the bits of `words` words, of which at most `most` are set.
   Positions(const std::uint64_t* bits, std::size_t words) noexcept {
-    // A branch a bit would be mispredicted once a word. Some positions a word are written whatever it holds, and more than that are rare.
+    // A branch a bit would be mispredicted once a word. Some positions a word are written whatever it holds, and more
+    // than that are rare.
     std::uint16_t* end = position_;
     for (std::size_t w = 0; w < words; ++w) {
       const auto first = static_cast<unsigned>(w * word_bits);
@@ -28,7 +29,8 @@ class Positions {
       end += __builtin_popcountll(left);
       do {
 #pragma GCC unroll 3
-        for (unsigned i = 0; i < at_once; ++i, left &= left - 1) out[i] = static_cast<std::uint16_t>(first + lowest_bit<L>(left));
+        for (unsigned i = 0; i < at_once; ++i, left &= left - 1)
+          out[i] = static_cast<std::uint16_t>(first + lowest_bit<L>(left));
         out += at_once;
       } while (out < end);
     }
@@ -59,7 +61,8 @@ class Survivors {
   static constexpr unsigned most_words = most / word_bits;
 
   /// Collects the bounds of `words` words whose bits in `kept` are set, at most `most`.
-  Survivors(const float* const* stream, std::size_t words, const std::uint64_t* kept) noexcept : position_(kept, words) {
+  Survivors(const float* const* stream, std::size_t words, const std::uint64_t* kept) noexcept
+      : position_(kept, words) {
     // The last vector is filled with the block's first bound, so that nothing is read that was not written.
     position_.fill_up(0);
     for (unsigned i = 0; i < position_.count(); i += L::width) {

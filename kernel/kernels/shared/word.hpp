@@ -1,8 +1,8 @@
 /// Words: 64 bounds at a time, and what every stage of a test shares.
 ///
-/// A test is a row of stages over a block of words. Each stage sees the kept bits of the one before and only clears some.
-/// A stage that cannot decide a lane for certain asks an exact predicate for that lane, so between stages every bit is
-/// the real-arithmetic answer.
+/// A test is a row of stages over a block of words. Each stage sees the kept bits of the one before and only clears
+/// some. A stage that cannot decide a lane for certain asks an exact predicate for that lane, so between stages every
+/// bit is the real-arithmetic answer.
 #pragma once
 
 #ifdef SHAFTCULL_UNIT_AVX2
@@ -23,11 +23,16 @@ inline constexpr unsigned word_bits = 64;
 inline constexpr std::size_t block_words = 32;
 inline constexpr std::size_t block_bounds = block_words * word_bits;
 
-/// Bits 0 … count − 1, fewer than 64. Always inlined, as words_of(): one copy for all instruction sets would be that of any.
-[[gnu::always_inline]] constexpr std::uint64_t first_bits(unsigned count) noexcept { return (std::uint64_t{1} << count) - 1; }
+/// Bits 0 … count − 1, fewer than 64. Always inlined, as words_of(): one copy for all instruction sets would be that of
+/// any.
+[[gnu::always_inline]] constexpr std::uint64_t first_bits(unsigned count) noexcept {
+  return (std::uint64_t{1} << count) - 1;
+}
 
 /// How many words the bits of `count` bounds take.
-[[gnu::always_inline]] constexpr std::size_t words_of(std::size_t count) noexcept { return (count + word_bits - 1) / word_bits; }
+[[gnu::always_inline]] constexpr std::size_t words_of(std::size_t count) noexcept {
+  return (count + word_bits - 1) / word_bits;
+}
 
 /// The lanes of one vector within a word.
 template <class L>

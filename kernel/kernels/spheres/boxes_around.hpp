@@ -5,8 +5,8 @@
 
 namespace shaftcull::kernel {
 
-/// As BoxSpheres. Corners are rounded to nearest, which the margin of the sphere's stage allows for; a negative radius makes a box that is outside
-/// of everything.
+/// As BoxSpheres. Corners are rounded to nearest, which the margin of the sphere's stage allows for; a negative radius
+/// makes a box that is outside of everything.
 template <class L>
 void box_spheres(const float* const* sphere, std::size_t count, float* const* box) noexcept {
   const auto zero = L::all(0.0F);

@@ -4,8 +4,8 @@
 #include "exact/predicates.hpp"
 #include "kernels/boxes/planes.hpp"
 #include "kernels/boxes/slab.hpp"
-#include "support/mutant.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -57,15 +57,14 @@ void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream,
   }
 }
 
-/// How far spheres' centres are from boxes on the way from a to b: f(u) = square of the distance to box(u), u from 0 to 1, and half of its
-/// derivative. f is convex, so its values anywhere bound its minimum from both sides.
+/// How far spheres' centres are from boxes on the way from a to b: f(u) = square of the distance to box(u), u from 0 to
+/// 1, and half of its derivative. f is convex, so its values anywhere bound its minimum from both sides.
 template <class L>
 class SquareDistance {
  public:
   using Vector = typename L::Vector;
 
-  explicit SquareDistance(const CompiledShaft& shaft) noexcept
-      : shaft_(shaft) {
+  explicit SquareDistance(const CompiledShaft& shaft) noexcept : shaft_(shaft) {
     const float* a = reinterpret_cast<const float*>(&shaft.a);
     const float* b = reinterpret_cast<const float*>(&shaft.b);
     const bool fused = shaft.slab_form == CompiledShaft::SlabForm::fused;
@@ -95,7 +94,8 @@ class SquareDistance {
     // docs/exactness.md, spheres.
     const float reach = shaft.reach;
     const float error = bound_margin_factor * float_unit * reach * (17 * slopes + 0x1p-13F * reach);
-    error_ = L::all(reach > fused_regular_limit ? __builtin_inff() : error);  // products with slopes may overflow: nothing is certain
+    error_ = L::all(reach > fused_regular_limit ? __builtin_inff()
+                                                : error);  // products with slopes may overflow: nothing is certain
     error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * reach + 25 * slopes));
   }
 
@@ -133,9 +133,11 @@ class SquareDistance {
       const Vector under = L::maximum(below, zero);
       const Vector over = L::maximum(above, zero);
       value.square = L::multiply_add(under, under, L::multiply_add(over, over, value.square));
-      value.half_slope = L::multiply_add(under, lo_slope_[k], L::multiply_add(over, minus_hi_slope_[k], value.half_slope));
-      value.half_curvature = L::add(value.half_curvature, L::choose(L::less(zero, below), lo_square_[k],
-                                                                    L::choose(L::less(zero, above), hi_square_[k], zero)));
+      value.half_slope =
+          L::multiply_add(under, lo_slope_[k], L::multiply_add(over, minus_hi_slope_[k], value.half_slope));
+      value.half_curvature =
+          L::add(value.half_curvature,
+                 L::choose(L::less(zero, below), lo_square_[k], L::choose(L::less(zero, above), hi_square_[k], zero)));
       value.gaps = L::add(value.gaps, L::add(under, over));
     }
     return value;
@@ -178,8 +180,9 @@ class SquareDistance {
   Vector error_per_gap_;
 };
 
-/// Accepts every kept sphere that a point of one well-chosen box on the way from a to b is certainly within reach of, clears those that all are
-/// certainly beyond the reach of, and asks the exact predicate about the others, and about those near an added plane.
+/// Accepts every kept sphere that a point of one well-chosen box on the way from a to b is certainly within reach of,
+/// clears those that all are certainly beyond the reach of, and asks the exact predicate about the others, and about
+/// those near an added plane.
 template <class L>
 void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* kept) noexcept {
@@ -271,7 +274,8 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
         certain &= L::bits(L::less(L::add(value, margin), zero)) << lane;
         within &= ~(L::bits(L::less(margin, value)) << lane);
       };
-      const Vector joining = largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream, at);
+      const Vector joining =
+          largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream, at);
       const Vector growth = L::all(8 * float_unit * radius_margin_factor);
       test(L::add(joining, radius), L::multiply_add(radius, growth, L::all(shaft.joining_margin)));
       for (unsigned i = 0; i < shaft.added_count; ++i) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "kernels/boxes/slab.hpp"
-#include "kernels/table.hpp"
-#include "kernels/spheres/planes.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
+#include "kernels/spheres/planes.hpp"
+#include "kernels/table.hpp"
 
 namespace shaftcull::kernel {
 

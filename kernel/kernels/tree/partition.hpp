@@ -52,8 +52,8 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
 template <class L, unsigned streams>
 void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
   constexpr std::size_t few = 1024;  // the same for all, since the axis depends on it
-  const Halving halving = count <= few ? halving_of_few<L>(from, count, first_half)
-                                       : halving_of_many<L>(from, count, first_half, to);
+  const Halving halving =
+      count <= few ? halving_of_few<L>(from, count, first_half) : halving_of_many<L>(from, count, first_half, to);
   const auto [key, less] = halving.pivot;
   part_by<L, streams>(from, to, count, halving.axis, key, less);
   if (less == first_half) return;
@@ -140,18 +140,12 @@ void deal(const float* const* from, std::size_t count, unsigned axis, float pivo
 template <class L, unsigned streams>
 inline constexpr SplitKernels split_kernels = {
     .whole = split_entries<L, streams>,
-    .bracket =
-        [](const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
-          return bracket_of<L>(entry, count, rank, room);
-        },
-    .collect =
-        [](const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept {
-          return collect<L>(key, count, bracket, some);
-        },
-    .pivot =
-        [](const float* key, std::size_t count, std::size_t rank) noexcept {
-          return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key;
-        },
+    .bracket = [](const float* const* entry, std::size_t count, std::size_t rank,
+                  float* const* room) noexcept { return bracket_of<L>(entry, count, rank, room); },
+    .collect = [](const float* key, std::size_t count, const Bracket& bracket,
+                  float* some) noexcept { return collect<L>(key, count, bracket, some); },
+    .pivot = [](const float* key, std::size_t count,
+                std::size_t rank) noexcept { return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key; },
     .tally =
         [](const float* key, std::size_t count, float pivot) noexcept {
           const std::size_t less = count_less<L>(key, count, pivot);

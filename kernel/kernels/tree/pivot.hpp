@@ -5,8 +5,8 @@
 /// selection", 1975).
 #pragma once
 
-#include "kernels/table.hpp"
 #include "kernels/shared/word.hpp"
+#include "kernels/table.hpp"
 
 namespace shaftcull::kernel {
 

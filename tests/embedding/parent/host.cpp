@@ -1,5 +1,5 @@
-// Loads two plugins that each have the library in themselves, so that all symbols of the one are there for the other. Neither
-// may come to use the other's copy.
+// Loads two plugins that each have the library in themselves, so that all symbols of the one are there for the other.
+// Neither may come to use the other's copy.
 #include <dlfcn.h>
 
 #include <cstdio>
