@@ -23,13 +23,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/export.hpp"
+#include "shaftcull/function_ref.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -88,15 +88,15 @@ struct TileAnswers {
 
 /// Called once for every tile and shaft, one call at a time, ordered by tile and then by shaft. An exception ends the
 /// run and reaches the caller; tiles after it are not delivered.
-using TileCallback = std::function<void(const TileAnswers&)>;
+using TileCallback = FunctionRef<void(const TileAnswers&)>;
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback,
+void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
                 Form form = Form::fastest);
-void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
                 Form form = Form::fastest);
-void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback,
+void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
                     Form form = Form::fastest);
-void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
                     Form form = Form::fastest);
 
 /// How many threads a call from here would use (1 in a build without oneTBB).

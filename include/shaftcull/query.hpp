@@ -20,6 +20,7 @@
 #include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/results.hpp"
 #include "shaftcull/tree.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -46,16 +47,7 @@ struct ExcludingOf {
 using TreeRun = TreeRunOf<std::uint32_t>;
 using Excluding = ExcludingOf<std::uint32_t>;
 
-/// How many of each answer there are.
-struct KeptCounts {
-  std::size_t overlap;
-  std::size_t inside;
-  friend bool operator==(const KeptCounts&, const KeptCounts&) = default;
-};
-
-// One shaft. Nothing is allocated. Results that a span has no room for are counted, but not written: call again with
-// as much room as the number returned, if that was more than there was. What a span has room for past the last result
-// may be scribbled on.
+// One shaft. Nothing is allocated. results.hpp says what happens to results that a span has no room for.
 
 /// How many bounds the shaft keeps (which are not outside).
 template <class Bound, BoundIndex Index>

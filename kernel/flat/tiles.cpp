@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t tasks_per_thread = 4;
 
 template <class View>
-void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, const TileCallback& callback, bool inside,
+void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, TileCallback callback, bool inside,
                    Form form) {
   const kernel::Job<View> job(shafts, bounds, inside, form);
   if (!callback) throw InvalidArgument("the tile callback is empty; pass something that can be called");
@@ -53,21 +53,19 @@ void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, co
 
 }  // namespace
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback, Form form) {
+void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback, Form form) {
   deliver_tiles(shafts, boxes, callback, false, form);
 }
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
-                Form form) {
+void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback, Form form) {
   deliver_tiles(shafts, spheres, callback, false, form);
 }
 
-void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, const TileCallback& callback,
-                    Form form) {
+void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback, Form form) {
   deliver_tiles(shafts, boxes, callback, true, form);
 }
 
-void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, const TileCallback& callback,
+void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
                     Form form) {
   deliver_tiles(shafts, spheres, callback, true, form);
 }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -104,7 +105,8 @@ TEST_F(ManyErrors, ListsOfMoreBoundsThanIndicesReachAreRefused) {
 }
 
 TEST_F(ManyErrors, AnEmptyCallbackIsRefused) {
-  EXPECT_THROW(cull_tiles(shafts_, boxes_.view(), TileCallback()), InvalidArgument);
+  const std::function<void(const TileAnswers&)> empty;
+  EXPECT_THROW(cull_tiles(shafts_, boxes_.view(), empty), InvalidArgument);
 }
 
 TEST(ManyCalls, NoShaftsOrNoBoundsCallNothingBack) {

@@ -1,0 +1,68 @@
+/// What callbacks are passed as.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "shaftcull/export.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+template <class Signature>
+class FunctionRef;
+
+/// A reference to something that can be called with Args and returns a Result: a lambda, a function, a std::function.
+///
+/// It owns nothing: what it refers to must live as long as it is called. A temporary lambda passed to a call of the
+/// library does, since such calls keep no callback when they return. Two pointers; copied freely; no allocation.
+///
+/// It is empty if it was made of an empty std::function or of a null pointer to a function. Calls of the library refuse
+/// an empty one with InvalidArgument.
+template <class Result, class... Args>
+class FunctionRef<Result(Args...)> {
+ public:
+  template <class Callable>
+  requires(!std::same_as<std::remove_cvref_t<Callable>, FunctionRef> &&
+           !std::is_function_v<std::remove_reference_t<Callable>> && std::is_invocable_r_v<Result, Callable&, Args...>)
+      FunctionRef(Callable&& callable)
+  noexcept  // NOLINT(google-explicit-constructor): callbacks are passed as they are
+      : object_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
+        call_(call_object<std::remove_reference_t<Callable>>) {
+    // What can be made from a null pointer can be empty: pointers to functions, std::function.
+    if constexpr (std::is_constructible_v<std::remove_cvref_t<Callable>, std::nullptr_t>) {
+      if (callable == nullptr) call_ = nullptr;
+    }
+  }
+
+  template <class Function>
+  requires(std::is_function_v<Function>&& std::is_invocable_r_v<Result, Function&, Args...>)
+      FunctionRef(Function& function)
+  noexcept  // NOLINT(google-explicit-constructor)
+      : function_(reinterpret_cast<void (*)()>(&function)), call_(call_function<Function>) {}
+
+  [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
+  /// Calls what it refers to. It must not be empty.
+  Result operator()(Args... args) const { return call_(*this, std::forward<Args>(args)...); }
+
+ private:
+  template <class Object>
+  static Result call_object(const FunctionRef& self, Args... args) {
+    return static_cast<Result>(std::invoke(*static_cast<Object*>(self.object_), std::forward<Args>(args)...));
+  }
+  template <class Function>
+  static Result call_function(const FunctionRef& self, Args... args) {
+    return static_cast<Result>(reinterpret_cast<Function*>(self.function_)(std::forward<Args>(args)...));
+  }
+
+  union {
+    void* object_;
+    void (*function_)();
+  };
+  Result (*call_)(const FunctionRef&, Args...);
+};
+
+}  // namespace shaftcull
