@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "columns.hpp"
-#include "dice.hpp"
 #include "failing_memory.hpp"
 #include "instruction_sets.hpp"
+#include "oracle/random.hpp"
 #include "parallel/thread_sanitizer.hpp"
 #include "shaftcull/shaftcull.hpp"
 
@@ -20,14 +20,14 @@ constexpr std::size_t bound_count = 5000;
 class Allocation : public testing::Test {
  protected:
   Allocation() {
-    Dice dice(111);
+    Random random(111);
     for (std::size_t i = 0; i != bound_count; ++i) {
       // Some touch the shaft exactly, so that the slow, exact step runs as well.
-      boxes_.push_back(i % 3 == 0 ? dice.grid_box(-5, 5) : dice.box(-5, 5, 0.05F, 1.0F));
-      spheres_.push_back({boxes_.back().lo, dice.integer(0, 3)});
+      boxes_.push_back(i % 3 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.05F, 1.0F));
+      spheres_.push_back({boxes_.back().lo, random.integer(0, 3)});
     }
     for (int s = 0; s != 10; ++s) {
-      Shaft shaft(dice.grid_box(-5, 5), dice.grid_box(-5, 5));
+      Shaft shaft(random.grid_box(-5, 5), random.grid_box(-5, 5));
       shaft.add_plane({{1, 2, 3}, 4});
       shafts_.push_back(compile(shaft));
     }

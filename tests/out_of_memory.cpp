@@ -120,15 +120,15 @@ class TreeOutOfMemory : public testing::Test {
   static constexpr std::size_t count = 5000;
 
   TreeOutOfMemory() {
-    Dice dice(61);
-    before_ = scene<BoundOf<Tree>>(dice, Shape::uniform, count);
-    after_ = scene<BoundOf<Tree>>(dice, Shape::wild_sizes, count);
+    Random random(61);
+    before_ = scene<BoundOf<Tree>>(random, Shape::uniform, count);
+    after_ = scene<BoundOf<Tree>>(random, Shape::wild_sizes, count);
     for (IndexOf<Tree> i = 0; i < count; i += 1001) {  // few enough for single nodes to be fitted
       some_.push_back(i);
       some_values_.push_back(after_[i]);
     }
     tree_ = Tree{std::span<const BoundOf<Tree>>(before_)};
-    shafts_ = shafts_for(dice, 40);
+    shafts_ = shafts_for(random, 40);
   }
 
   /// What a tree is and answers.
@@ -266,8 +266,8 @@ TYPED_TEST(TreeOutOfMemory, AnEmptyTreeStaysOne) {
 }
 
 TEST(LargeTreeOutOfMemory, NoThreadOfABuildLosesTheException) {
-  Dice dice(62);
-  const std::vector<Box> boxes = scene<Box>(dice, Shape::uniform, 70000);  // halved by all threads together
+  Random random(62);
+  const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 70000);  // halved by all threads together
   with_threads(4, [&] {
     EXPECT_GT(fail_each_allocation([] { return BoxTree(); },
                                    [&](BoxTree& tree) { tree = BoxTree{std::span<const Box>(boxes)}; },

@@ -11,7 +11,7 @@
 
 #include "columns.hpp"
 #include "instruction_sets.hpp"
-#include "on_grid.hpp"
+#include "oracle/grid_answers.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"

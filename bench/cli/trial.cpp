@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/families.hpp"
-#include "dice.hpp"
-#include "on_grid.hpp"
-#include "oracle.hpp"
-#include "quick_oracle.hpp"
+#include "oracle/cases/families.hpp"
+#include "oracle/grid_answers.hpp"
+#include "oracle/hull.hpp"
+#include "oracle/quick_hull.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
 #include "undecided.hpp"
@@ -29,12 +29,12 @@ constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   return x ^ (x >> 31U);
 }
 
-Shaft formed(Dice& dice, const Subject& subject) {
+Shaft formed(Random& random, const ShaftInput& input) {
   ShaftOptions options;
-  options.formation = static_cast<Formation>(dice.below(3));
-  options.order = static_cast<PlaneOrder>(dice.below(3));
-  Shaft shaft(subject.a, subject.b, options);
-  for (const Plane& plane : subject.added) shaft.add_plane(plane);
+  options.formation = static_cast<Formation>(random.below(3));
+  options.order = static_cast<PlaneOrder>(random.below(3));
+  Shaft shaft(input.a, input.b, options);
+  for (const Plane& plane : input.added) shaft.add_plane(plane);
   return shaft;
 }
 
@@ -73,26 +73,26 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
       kept_(words_for(bounds)),
       inside_(words_for(bounds)),
       wrong_(words_for(bounds)) {
-  Dice dice(mixed(seed) ^ number);
+  Random random(mixed(seed) ^ number);
   const Family& family = families[family_];
-  subject_ = family.subject(dice, static_cast<unsigned>(number / std::size(families) / 2));
-  shaft_ = compile(formed(dice, subject_));
-  batched_ = subject_.added.empty() && dice.one_in(2);
+  input_ = family.shaft(random, static_cast<unsigned>(number / std::size(families) / 2));
+  shaft_ = compile(formed(random, input_));
+  batched_ = input_.added.empty() && random.one_in(2);
 
   // Streams of any alignment, with NaN around them: a kernel that reads past its view shows it.
   const std::size_t streams = spheres_ ? 4 : 6;
   memory_.assign(streams * (count_ + 16), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t s = 0; s != streams; ++s) start_[s] = s * (count_ + 16) + dice.below(16);
+  for (std::size_t s = 0; s != streams; ++s) start_[s] = s * (count_ + 16) + random.below(16);
 
-  const oracle::QuickHull quick(subject_);
+  const oracle::QuickHull quick(input_);
   std::optional<oracle::Hull> exact;
   const auto settle = [&](std::size_t i, const auto& bound) {
     const std::optional<Answer> proved = quick.answer(bound);
     Answer right{};
-    if (proved && !dice.one_in(second_opinion)) {
+    if (proved && !random.one_in(second_opinion)) {
       right = *proved;
     } else {
-      if (!exact) exact.emplace(subject_.a, subject_.b, subject_.added);
+      if (!exact) exact.emplace(input_.a, input_.b, input_.added);
       right = exact->answer(bound);
       ++tally_.by_rationals;
       if (!proved && right != Answer::outside && exact->touches(bound)) ++tally_.touching;
@@ -104,12 +104,12 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
   };
   for (std::size_t i = 0; i != count_; ++i) {
     if (spheres_) {
-      const Sphere sphere = family.sphere(dice, subject_, quick);
+      const Sphere sphere = family.sphere(random, input_, quick);
       for (std::size_t k = 0; k != 3; ++k) memory_[start_[k] + i] = sphere.centre[k];
       memory_[start_[3] + i] = sphere.radius;
       settle(i, sphere);
     } else {
-      const Box box = family.box(dice, subject_);
+      const Box box = family.box(random, input_);
       for (std::size_t k = 0; k != 3; ++k) {
         memory_[start_[k] + i] = box.lo[k];
         memory_[start_[k + 3] + i] = box.hi[k];
@@ -202,8 +202,8 @@ void Trial::ask(std::span<Trial> trials) {
   std::vector<Box> a;
   std::vector<Box> b;
   for (const Trial& trial : trials) {
-    a.push_back(trial.subject_.a);
-    b.push_back(trial.subject_.b);
+    a.push_back(trial.input_.a);
+    b.push_back(trial.input_.b);
   }
   const BoxStream from(a);
   const BoxStream to(b);
@@ -227,7 +227,7 @@ void Trial::fail(std::size_t bound, const std::string& what) {
   if ((wrong_[bound / 64] & bit(bound)) == 0) ++tally_.wrong;
   wrong_[bound / 64] |= bit(bound);
   failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, families[family_].name,
-                                  bound, count_, what, source_text(subject_), bound_text(bound)));
+                                  bound, count_, what, source_text(input_), bound_text(bound)));
 }
 
 std::string Trial::bound_text(std::size_t i) const {

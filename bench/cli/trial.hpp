@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "oracle/shaft_input.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/isa.hpp"
-#include "subject.hpp"
 
 namespace shaftcull::cli {
 
@@ -62,7 +62,7 @@ class Trial {
   std::size_t count_;
   bool spheres_;
   bool batched_ = false;  ///< its shaft is formed by compile_batch() too
-  Subject subject_;
+  ShaftInput input_;
   CompiledShaft shaft_{};
   std::vector<float> memory_;
   std::size_t start_[6] = {};  ///< of each stream in memory_

@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 
-#include "cases/families.hpp"
 #include "instruction_sets.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
+#include "oracle/cases/families.hpp"
 #include "progress.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"

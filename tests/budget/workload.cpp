@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "dice.hpp"
 #include "many/workload.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -41,9 +41,9 @@ void count(const char* path, std::size_t items, const Work& work) {
 
 /// As the benchmarks' workload W: about one bound in fifty is kept.
 std::vector<Box> drawn_boxes(std::uint64_t seed, std::size_t size, float small, float large) {
-  Dice dice(seed);
+  Random random(seed);
   std::vector<Box> boxes;
-  for (std::size_t i = 0; i != size; ++i) boxes.push_back(dice.box(-5, 5, small, large));
+  for (std::size_t i = 0; i != size; ++i) boxes.push_back(random.box(-5, 5, small, large));
   return boxes;
 }
 

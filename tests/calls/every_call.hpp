@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "dice.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -34,10 +34,10 @@ class EveryCall {
   /// `shafts` are what queries ask; a group of them and more if there are over 64. Must be at least 1. Bounds and
   /// shafts touch often, so that exact predicates run too.
   EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) : shafts_(std::move(shafts)) {
-    Dice dice(4711);
+    Random random(4711);
     for (std::size_t i = 0; i != bounds; ++i) {
-      boxes_.push_back(i % 3 == 0 ? dice.grid_box(-5, 5) : dice.box(-5, 5, 0.05F, 1.0F));
-      spheres_.push_back({boxes_.back().lo, i % 5 == 0 ? dice.integer(0, 3) : dice.uniform(0.01F, 0.5F)});
+      boxes_.push_back(i % 3 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.05F, 1.0F));
+      spheres_.push_back({boxes_.back().lo, i % 5 == 0 ? random.integer(0, 3) : random.uniform(0.01F, 0.5F)});
       if (i % 7 == 0) candidates_.push_back(static_cast<std::uint32_t>(i));
     }
     box_stream_ = BoxStream(boxes_);
@@ -56,10 +56,10 @@ class EveryCall {
 
   /// Shafts of all kinds: in slab form, with purple faces, with added planes, with and without their planes.
   static std::vector<CompiledShaft> shafts(std::size_t count) {
-    Dice dice(4712);
+    Random random(4712);
     std::vector<CompiledShaft> shafts(count);
     for (std::size_t s = 0; s != count; ++s) {
-      Shaft shaft(s % 2 == 0 ? dice.grid_box(-5, 5) : dice.box(-5, 5, 0.2F, 2.0F), dice.grid_box(-5, 5));
+      Shaft shaft(s % 2 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.2F, 2.0F), random.grid_box(-5, 5));
       if (s % 4 == 0) shaft.add_plane({{1, 2, 3}, 4});
       if (s % 3 != 0 || s % 4 == 0) {
         shafts[s] = compile(shaft);

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "calls/every_call.hpp"
-#include "effort.hpp"
 #include "instruction_sets.hpp"
 #include "many/workload.hpp"
 #include "message_of.hpp"
+#include "sanitizers.hpp"
 
 namespace shaftcull {
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "calls/every_call.hpp"
-#include "effort.hpp"
 #include "many/workload.hpp"
+#include "sanitizers.hpp"
 
 namespace shaftcull {
 namespace {

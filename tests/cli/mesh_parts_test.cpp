@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "dice.hpp"
+#include "oracle/random.hpp"
 
 namespace shaftcull::cli {
 namespace {
@@ -20,11 +20,11 @@ MeshTriangle at(float x, float y, float z, std::uint32_t object = 0) {
 
 /// Triangles of objects with so many each, anywhere.
 std::vector<MeshTriangle> scattered(const std::vector<int>& counts) {
-  Dice dice(7);
+  Random random(7);
   std::vector<MeshTriangle> triangles;
   for (std::uint32_t object = 0; object < counts.size(); ++object) {
     for (int i = 0; i < counts[object]; ++i) {
-      const auto coordinate = [&] { return static_cast<float>(dice.below(1000)); };
+      const auto coordinate = [&] { return static_cast<float>(random.below(1000)); };
       const float x = coordinate();
       const float y = coordinate();
       triangles.push_back(at(x, y, coordinate(), object));

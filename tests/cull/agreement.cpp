@@ -9,8 +9,8 @@
 #include "columns.hpp"
 #include "flat/tiling.hpp"
 #include "instruction_sets.hpp"
-#include "on_grid.hpp"
-#include "oracle.hpp"
+#include "oracle/grid_answers.hpp"
+#include "oracle/hull.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -25,25 +25,25 @@ Answer answer(const std::vector<std::uint64_t>& kept, const std::vector<std::uin
   return !bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap;
 }
 
-CompiledShaft compiled(const Subject& subject) {
-  Shaft shaft(subject.a, subject.b);
-  for (const Plane& plane : subject.added) shaft.add_plane(plane);
+CompiledShaft compiled(const ShaftInput& input) {
+  Shaft shaft(input.a, input.b);
+  for (const Plane& plane : input.added) shaft.add_plane(plane);
   CompiledShaft result = compile(shaft);
   if (mutate != nullptr) mutate(result);
   return result;
 }
 
 template <class Bound>
-std::vector<Answer> all_answers(const Subject& subject, const std::vector<Bound>& bounds, Form form) {
+std::vector<Answer> all_answers(const ShaftInput& input, const std::vector<Bound>& bounds, Form form) {
   const auto memory = columns(bounds);
-  const CompiledShaft shaft = compiled(subject);
+  const CompiledShaft shaft = compiled(input);
   // Words that the calls must overwrite entirely.
   std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
   std::vector<std::uint64_t> inside = culled;
   cull(shaft, memory.view(), culled, form);
   classify(shaft, memory.view(), kept, inside, form);
-  EXPECT_EQ(culled, kept) << "cull() and classify() keep different bounds of " << source_text(subject);
+  EXPECT_EQ(culled, kept) << "cull() and classify() keep different bounds of " << source_text(input);
   std::vector<Answer> answers;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
     EXPECT_TRUE(bit(kept, i) || !bit(inside, i)) << "inside but not kept: " << source_text(bounds[i]);
@@ -54,17 +54,17 @@ std::vector<Answer> all_answers(const Subject& subject, const std::vector<Bound>
 
 /// Answers on a grid whose steps double that often, of bounds so far apart.
 template <class Bound>
-std::vector<Answer> all_on_grid(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings,
+std::vector<Answer> all_on_grid(const ShaftInput& input, const std::vector<Bound>& bounds, unsigned doublings,
                                 std::size_t apart) {
   const auto memory = columns(bounds);
-  const GridAnswers on_grid = grid_answers(compiled(subject), memory.view(), doublings, apart);
+  const GridAnswers on_grid = grid_answers(compiled(input), memory.view(), doublings, apart);
   std::vector<Answer> answers;
   for (std::size_t i = 0; i != bounds.size(); ++i) answers.push_back(answer(on_grid.kept, on_grid.inside, i));
   return answers;
 }
 
 template <class Bound>
-void expect_right(const Subject& subject, const std::vector<Bound>& bounds, const std::vector<Answer>& right,
+void expect_right(const ShaftInput& input, const std::vector<Bound>& bounds, const std::vector<Answer>& right,
                   const std::vector<Answer>& answers, const char* form) {
   std::size_t wrong = 0;
   std::size_t first = 0;
@@ -74,56 +74,56 @@ void expect_right(const Subject& subject, const std::vector<Bound>& bounds, cons
     first = i;
   }
   EXPECT_EQ(wrong, 0U) << "of " << bounds.size() << " on " << name(active_isa()) << ", form " << form
-                       << "; the first is bound " << first << ":\n  " << source_text(subject) << "\n  "
+                       << "; the first is bound " << first << ":\n  " << source_text(input) << "\n  "
                        << source_text(bounds[first]) << "\n  is " << text(right[first]) << ", answered "
                        << text(answers[first]);
 }
 
 template <class Bound>
-void expect_all(const Subject& subject, const std::vector<Bound>& bounds, const std::vector<Answer>& right) {
+void expect_all(const ShaftInput& input, const std::vector<Bound>& bounds, const std::vector<Answer>& right) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    expect_right(subject, bounds, right, all_answers(subject, bounds, Form::slab), "slab");
-    expect_right(subject, bounds, right, all_answers(subject, bounds, Form::planes), "planes");
+    expect_right(input, bounds, right, all_answers(input, bounds, Form::slab), "slab");
+    expect_right(input, bounds, right, all_answers(input, bounds, Form::planes), "planes");
     // Few in a word are settled in another way than many.
     const std::size_t far_apart = bounds_on_grid / std::max<std::size_t>(bounds.size(), 1);
     for (const auto& [doublings, apart] :
          {std::pair(0U, std::size_t{1}), std::pair(0U, far_apart), std::pair(6U, std::size_t{1})}) {
-      expect_right(subject, bounds, right, all_on_grid(subject, bounds, doublings, apart), "grid");
+      expect_right(input, bounds, right, all_on_grid(input, bounds, doublings, apart), "grid");
     }
   }
 }
 
 template <class Bound>
-void expect_oracle(const Subject& subject, const std::vector<Bound>& bounds) {
-  const oracle::Hull hull(subject.a, subject.b, subject.added);
+void expect_oracle(const ShaftInput& input, const std::vector<Bound>& bounds) {
+  const oracle::Hull hull(input.a, input.b, input.added);
   std::vector<Answer> right;
   for (const Bound& bound : bounds) right.push_back(hull.answer(bound));
-  expect_all(subject, bounds, right);
+  expect_all(input, bounds, right);
 }
 
 }  // namespace
 
 void (*mutate)(CompiledShaft& shaft) = nullptr;
 
-std::vector<Answer> answers(const Subject& subject, const std::vector<Box>& bounds, Form form) {
-  return all_answers(subject, bounds, form);
+std::vector<Answer> answers(const ShaftInput& input, const std::vector<Box>& bounds, Form form) {
+  return all_answers(input, bounds, form);
 }
 
-std::vector<Answer> answers(const Subject& subject, const std::vector<Sphere>& bounds, Form form) {
-  return all_answers(subject, bounds, form);
+std::vector<Answer> answers(const ShaftInput& input, const std::vector<Sphere>& bounds, Form form) {
+  return all_answers(input, bounds, form);
 }
 
-void expect_answers(const Subject& subject, const std::vector<Box>& bounds, const std::vector<Answer>& right) {
-  expect_all(subject, bounds, right);
+void expect_answers(const ShaftInput& input, const std::vector<Box>& bounds, const std::vector<Answer>& right) {
+  expect_all(input, bounds, right);
 }
 
-void expect_answers(const Subject& subject, const std::vector<Sphere>& bounds, const std::vector<Answer>& right) {
-  expect_all(subject, bounds, right);
+void expect_answers(const ShaftInput& input, const std::vector<Sphere>& bounds, const std::vector<Answer>& right) {
+  expect_all(input, bounds, right);
 }
 
-void expect_exact(const Subject& subject, const std::vector<Box>& bounds) { expect_oracle(subject, bounds); }
+void expect_exact(const ShaftInput& input, const std::vector<Box>& bounds) { expect_oracle(input, bounds); }
 
-void expect_exact(const Subject& subject, const std::vector<Sphere>& bounds) { expect_oracle(subject, bounds); }
+void expect_exact(const ShaftInput& input, const std::vector<Sphere>& bounds) { expect_oracle(input, bounds); }
 
 }  // namespace shaftcull

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "cases/shafts.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "cull/equal_shafts.hpp"
-#include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
+#include "oracle/cases/shafts.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -32,7 +32,7 @@ void expect_batch(const std::vector<Box>& a, const std::vector<Box>& b) {
     std::vector<CompiledShaft> batch(a.size());
     compile_batch(a_memory.view(), b_memory.view(), batch);
     for (std::size_t i = 0; i != a.size(); ++i) {
-      SCOPED_TRACE(std::string(name(isa)) + ", pair " + std::to_string(i) + ": " + source_text(Subject{a[i], b[i]}));
+      SCOPED_TRACE(std::string(name(isa)) + ", pair " + std::to_string(i) + ": " + source_text(ShaftInput{a[i], b[i]}));
       complete(batch[i]);
       EXPECT_TRUE(batch[i].has_planes());
       expect_equal(batch[i], compile(Shaft(a[i], b[i])));
@@ -44,32 +44,32 @@ void expect_batch(const std::vector<Box>& a, const std::vector<Box>& b) {
 template <class MakeBox>
 void expect_batch_of(std::uint64_t seed, const MakeBox& box) {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
+  Random random(seed);
   std::vector<Box> a;
   std::vector<Box> b;
   for (int i = 0; i != 1003; ++i) {
-    a.push_back(box(dice));
-    b.push_back(dice.one_in(20) ? a.back() : box(dice));
+    a.push_back(box(random));
+    b.push_back(random.one_in(20) ? a.back() : box(random));
   }
   expect_batch(a, b);
 }
 
 TEST(CompileBatch, RandomPairs) {
-  expect_batch_of(71, [](Dice& dice) { return dice.box(-5, 5, 0.2F, 1.0F); });
+  expect_batch_of(71, [](Random& random) { return random.box(-5, 5, 0.2F, 1.0F); });
 }
 
 TEST(CompileBatch, GridAlignedPairsWithFacesInCommon) {
-  expect_batch_of(72, [](Dice& dice) { return dice.grid_box(-2, 2); });
+  expect_batch_of(72, [](Random& random) { return random.grid_box(-2, 2); });
 }
 
 TEST(CompileBatch, SweepsThatEndFarBeyondTheScene) {
-  Dice dice(77);
+  Random random(77);
   std::vector<Box> a;
   std::vector<Box> b;
   for (int i = 0; i != 1003; ++i) {
-    const Subject subject = dice.one_in(3) ? random_subject(dice) : far_sweep_subject(dice);
-    a.push_back(subject.a);
-    b.push_back(subject.b);
+    const ShaftInput input = random.one_in(3) ? random_shaft(random) : far_sweep_shaft(random);
+    a.push_back(input.a);
+    b.push_back(input.b);
   }
   expect_batch(a, b);
 }
@@ -78,20 +78,20 @@ TEST(CompileBatch, EveryColouringOfTheFaces) {
   std::vector<Box> a;
   std::vector<Box> b;
   for (unsigned colouring = 0; colouring != colourings; ++colouring) {
-    const Subject subject = coloured_subject(colouring);
-    a.push_back(subject.a);
-    b.push_back(subject.b);
+    const ShaftInput input = coloured_shaft(colouring);
+    a.push_back(input.a);
+    b.push_back(input.b);
   }
   expect_batch(a, b);
 }
 
 TEST(CompileBatch, PairsFarFromTheOrigin) {
-  expect_batch_of(73, [](Dice& dice) { return dice.box(1e6F, 1e6F + 10, 0.2F, 1.0F); });
+  expect_batch_of(73, [](Random& random) { return random.box(1e6F, 1e6F + 10, 0.2F, 1.0F); });
 }
 
 TEST(CompileBatch, PairsOfEveryMagnitude) {
-  expect_batch_of(74, [](Dice& dice) {
-    return Dice::sorted({dice.wild(), dice.wild(), dice.wild()}, {dice.wild(), dice.wild(), dice.wild()});
+  expect_batch_of(74, [](Random& random) {
+    return Random::sorted({random.wild(), random.wild(), random.wild()}, {random.wild(), random.wild(), random.wild()});
   });
 }
 
@@ -110,12 +110,12 @@ struct Patches {
   std::vector<Plane> planes;
   std::size_t planes_each;
 
-  Patches(Dice& dice, std::size_t count, std::size_t each, bool wild) : planes_each(each) {
+  Patches(Random& random, std::size_t count, std::size_t each, bool wild) : planes_each(each) {
     for (std::size_t i = 0; i != count; ++i) {
-      boxes.push_back(wild ? wild_box(dice) : dice.box(-5, 5, 0.2F, 1.0F));
+      boxes.push_back(wild ? wild_box(random) : random.box(-5, 5, 0.2F, 1.0F));
       for (std::size_t k = 0; k != each; ++k) {
-        planes.push_back(plane_through(dice, dice.one_in(2) ? boxes.back().lo : Vec3{0, 0, 0}, dice.one_in(3)));
-        if (wild) planes.back() = with_wild_planes(dice, {boxes.back(), boxes.back()}).added.back();
+        planes.push_back(plane_through(random, random.one_in(2) ? boxes.back().lo : Vec3{0, 0, 0}, random.one_in(3)));
+        if (wild) planes.back() = with_wild_planes(random, {boxes.back(), boxes.back()}).added.back();
       }
     }
   }
@@ -142,37 +142,37 @@ void expect_planes(const Patches& a, const Patches& b) {
 }
 
 TEST(CompileBatch, PlanesOfBothBoxesAreAddedInTheirOrder) {
-  Dice dice(101);
+  Random random(101);
   for (const auto& [of_a, of_b] : {std::pair(1, 1), {0, 1}, {3, 0}, {2, 5}, {16, 0}, {8, 8}}) {
-    const Patches a(dice, 203, static_cast<std::size_t>(of_a), false);
-    expect_planes(a, Patches(dice, 203, static_cast<std::size_t>(of_b), false));
+    const Patches a(random, 203, static_cast<std::size_t>(of_a), false);
+    expect_planes(a, Patches(random, 203, static_cast<std::size_t>(of_b), false));
   }
 }
 
 TEST(CompileBatch, PlanesOfEveryMagnitude) {
-  Dice dice(102);
-  const Patches a(dice, 1003, 1, true);
-  expect_planes(a, Patches(dice, 1003, 1, true));
+  Random random(102);
+  const Patches a(random, 1003, 1, true);
+  expect_planes(a, Patches(random, 1003, 1, true));
 }
 
 TEST(CompileBatch, PlanesForEveryCount) {
-  Dice dice(103);
+  Random random(103);
   for (std::size_t count = 0; count != 70; ++count) {
-    const Patches a(dice, count, 1, false);
-    expect_planes(a, Patches(dice, count, 2, false));
+    const Patches a(random, count, 1, false);
+    expect_planes(a, Patches(random, count, 2, false));
   }
 }
 
 TEST(CompileBatch, IndexPairsOfOneViewAndOfTwo) {
-  Dice dice(104);
-  const Patches a(dice, 50, 2, false);
-  const Patches other(dice, 70, 1, false);
+  Random random(104);
+  const Patches a(random, 50, 2, false);
+  const Patches other(random, 70, 1, false);
   for (const Patches* b : {&a, &other}) {
     const BoxColumns a_memory(a.boxes);
     const BoxColumns b_memory(b->boxes);
     std::vector<IndexPair> pairs;
     for (int i = 0; i != 333; ++i) {
-      pairs.push_back({dice.below(50), dice.below(static_cast<unsigned>(b->boxes.size()))});
+      pairs.push_back({random.below(50), random.below(static_cast<unsigned>(b->boxes.size()))});
     }
     pairs.push_back({49, static_cast<std::uint32_t>(b->boxes.size() - 1)});
     for (const Isa isa : isas_under_test()) {
@@ -256,12 +256,12 @@ TEST(CompileBatch, BoxesThatNoPairNamesMayBeAnything) {
 }
 
 TEST(CompileBatch, EveryCountFillsAllAndNoMore) {
-  Dice dice(75);
+  Random random(75);
   std::vector<Box> a;
   std::vector<Box> b;
   for (int i = 0; i != 40; ++i) {
-    a.push_back(dice.box(-5, 5, 0.2F, 1.0F));
-    b.push_back(dice.box(-5, 5, 0.2F, 1.0F));
+    a.push_back(random.box(-5, 5, 0.2F, 1.0F));
+    b.push_back(random.box(-5, 5, 0.2F, 1.0F));
   }
   const BoxColumns a_memory(a);
   const BoxColumns b_memory(b);
@@ -281,12 +281,12 @@ TEST(CompileBatch, EveryCountFillsAllAndNoMore) {
 }
 
 TEST(CompileBatch, PendingPlanesAreFoundByTheTestsThatNeedThem) {
-  Dice dice(76);
+  Random random(76);
   std::vector<Box> boxes;
-  for (int i = 0; i != 200; ++i) boxes.push_back(dice.box(-5, 5, 0.05F, 2.0F));
+  for (int i = 0; i != 200; ++i) boxes.push_back(random.box(-5, 5, 0.05F, 2.0F));
   const BoxColumns memory(boxes);
-  const BoxColumns a({dice.box(-5, 5, 0.2F, 2.0F)});
-  const BoxColumns b({dice.box(-5, 5, 0.2F, 2.0F)});
+  const BoxColumns a({random.box(-5, 5, 0.2F, 2.0F)});
+  const BoxColumns b({random.box(-5, 5, 0.2F, 2.0F)});
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     std::vector<CompiledShaft> pending(1);

@@ -4,110 +4,111 @@
 #include <cstdint>
 #include <vector>
 
-#include "cases/bounds.hpp"
-#include "cases/shafts.hpp"
 #include "cull/agreement.hpp"
-#include "dice.hpp"
-#include "effort.hpp"
+#include "oracle/cases/bounds.hpp"
+#include "oracle/cases/shafts.hpp"
+#include "oracle/random.hpp"
+#include "sanitizers.hpp"
 
 namespace shaftcull {
 namespace {
 
-/// Checks `shafts` random subjects, each with the boxes that `boxes_of` makes for it.
-template <class MakeSubject, class MakeBoxes>
-void check(std::uint64_t seed, std::size_t shafts, const MakeSubject& subject_of, const MakeBoxes& boxes_of) {
+/// Checks `shafts` random inputs, each with the boxes that `boxes_of` makes for it.
+template <class MakeShaft, class MakeBoxes>
+void check(std::uint64_t seed, std::size_t shafts, const MakeShaft& shaft_of, const MakeBoxes& boxes_of) {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
-  for (std::size_t i = 0; i != effort(shafts) && !testing::Test::HasFailure(); ++i) {
-    const Subject subject = subject_of(dice);
-    expect_exact(subject, boxes_of(dice, subject));
+  Random random(seed);
+  for (std::size_t i = 0; i != random_cases(shafts) && !testing::Test::HasFailure(); ++i) {
+    const ShaftInput input = shaft_of(random);
+    expect_exact(input, boxes_of(random, input));
   }
 }
 
 template <class MakeBox>
 auto many(std::size_t count, const MakeBox& make) {
-  return [count, make](Dice& dice, const Subject& subject) {
+  return [count, make](Random& random, const ShaftInput& input) {
     std::vector<Box> boxes;
-    for (std::size_t i = 0; i != count; ++i) boxes.push_back(make(dice, subject));
+    for (std::size_t i = 0; i != count; ++i) boxes.push_back(make(random, input));
     return boxes;
   };
 }
 
 TEST(ExactBoxes, RandomBoxes) {
-  check(1, 200, random_subject, many(64, [](Dice& dice, const Subject&) { return random_box(dice); }));
+  check(1, 200, random_shaft, many(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
 }
 
-TEST(ExactBoxes, BoxesThatTouchOrNearlyTouch) { check(2, 250, random_subject, many(64, touching_box)); }
+TEST(ExactBoxes, BoxesThatTouchOrNearlyTouch) { check(2, 250, random_shaft, many(64, touching_box)); }
 
 TEST(ExactBoxes, BoxesThatTouchLongShafts) {
   check(
-      11, 80, [](Dice& dice) { return long_subject(dice); }, many(64, touching_box));
+      11, 80, [](Random& random) { return long_shaft(random); }, many(64, touching_box));
   check(
-      12, 80, [](Dice& dice) { return long_subject(dice, true); }, many(64, touching_box));
+      12, 80, [](Random& random) { return long_shaft(random, true); }, many(64, touching_box));
 }
 
 TEST(ExactBoxes, GridAlignedBoxes) {
   check(
-      3, 250, [](Dice& dice) { return grid_subject(dice); },
-      many(64, [](Dice& dice, const Subject&) { return dice.grid_box(0, 8); }));
+      3, 250, [](Random& random) { return grid_shaft(random); },
+      many(64, [](Random& random, const ShaftInput&) { return random.grid_box(0, 8); }));
 }
 
 TEST(ExactBoxes, DegenerateShafts) {
-  check(4, 200, degenerate_subject, many(32, touching_box));
-  check(5, 100, degenerate_subject, many(32, [](Dice& dice, const Subject&) { return random_box(dice); }));
+  check(4, 200, degenerate_shaft, many(32, touching_box));
+  check(5, 100, degenerate_shaft, many(32, [](Random& random, const ShaftInput&) { return random_box(random); }));
 }
 
 TEST(ExactBoxes, ShaftsFarFromTheOrigin) {
   for (const float distance : {1e3F, 1e4F, 1e5F, 1e7F}) {
     check(
-        6, 60, [distance](Dice& dice) { return distant_subject(dice, distance); },
-        many(32, [](Dice& dice, const Subject& of) {
-          return dice.one_in(4) ? nearby_box(dice, of) : touching_box(dice, of);
+        6, 60, [distance](Random& random) { return distant_shaft(random, distance); },
+        many(32, [](Random& random, const ShaftInput& of) {
+          return random.one_in(4) ? nearby_box(random, of) : touching_box(random, of);
         }));
   }
 }
 
-TEST(ExactBoxes, NearlyEqualFaces) { check(7, 150, nearly_equal_subject, many(32, touching_box)); }
+TEST(ExactBoxes, NearlyEqualFaces) { check(7, 150, nearly_equal_shaft, many(32, touching_box)); }
 
 TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38) {
   // One scale for the whole scene, then scales mixed without mercy.
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 126}) {
     const int most = std::min(exponent + 6, 127);
     check(
-        8, 15, [=](Dice& dice) { return wild_subject(dice, exponent, most); },
-        many(32, [=](Dice& dice, const Subject& of) {
-          return dice.one_in(2) ? wild_box(dice, exponent, most) : touching_box(dice, of);
+        8, 15, [=](Random& random) { return wild_shaft(random, exponent, most); },
+        many(32, [=](Random& random, const ShaftInput& of) {
+          return random.one_in(2) ? wild_box(random, exponent, most) : touching_box(random, of);
         }));
   }
   check(
-      9, 150, [](Dice& dice) { return wild_subject(dice); },
-      many(32, [](Dice& dice, const Subject& of) { return dice.one_in(2) ? wild_box(dice) : touching_box(dice, of); }));
+      9, 150, [](Random& random) { return wild_shaft(random); }, many(32, [](Random& random, const ShaftInput& of) {
+        return random.one_in(2) ? wild_box(random) : touching_box(random, of);
+      }));
 }
 
 TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaft) {
-  check(13, 100, random_subject, many(64, [](Dice& dice, const Subject&) { return boundless_box(dice); }));
+  check(13, 100, random_shaft, many(64, [](Random& random, const ShaftInput&) { return boundless_box(random); }));
 }
 
 /// Most of them in the relative form.
 TEST(ExactBoxes, SweepsThatEndFarBeyondTheScene) {
-  check(14, 250, far_sweep_subject, many(64, touching_far_sweep));
-  check(15, 100, far_sweep_subject, many(64, [](Dice& dice, const Subject&) { return random_box(dice); }));
-  check(16, 60, far_sweep_subject, many(32, [](Dice& dice, const Subject& of) {
-          return dice.one_in(2) ? touching_box(dice, of) : boundless_box(dice);
+  check(14, 250, far_sweep_shaft, many(64, touching_far_sweep));
+  check(15, 100, far_sweep_shaft, many(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
+  check(16, 60, far_sweep_shaft, many(32, [](Random& random, const ShaftInput& of) {
+          return random.one_in(2) ? touching_box(random, of) : boundless_box(random);
         }));
 }
 
 TEST(ExactBoxes, EveryColouringOfTheFaces) {
   constexpr std::uint64_t seed = 10;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
+  Random random(seed);
   for (unsigned colouring = 0; colouring != colourings && !HasFailure(); ++colouring) {
-    const Subject subject = coloured_subject(colouring);
+    const ShaftInput input = coloured_shaft(colouring);
     std::vector<Box> boxes;
-    for (int i = 0; i != 12; ++i) boxes.push_back(dice.grid_box(-1, 5));
-    for (int i = 0; i != 12; ++i) boxes.push_back(touching_box(dice, subject));
-    for (int i = 0; i != 8; ++i) boxes.push_back(dice.box(-1, 5, 0.0F, 0.3F));
-    expect_exact(subject, boxes);
+    for (int i = 0; i != 12; ++i) boxes.push_back(random.grid_box(-1, 5));
+    for (int i = 0; i != 12; ++i) boxes.push_back(touching_box(random, input));
+    for (int i = 0; i != 8; ++i) boxes.push_back(random.box(-1, 5, 0.0F, 0.3F));
+    expect_exact(input, boxes);
   }
 }
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "cases/families.hpp"
 #include "columns.hpp"
-#include "dice.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"
-#include "on_grid.hpp"
+#include "oracle/cases/families.hpp"
+#include "oracle/grid_answers.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
@@ -22,12 +22,12 @@ namespace {
 
 /// The answers of all calls, one word behind the other.
 template <class View>
-std::vector<std::uint64_t> all_words(const Subject& subject, const View& bounds, unsigned doublings) {
-  Shaft formed(subject.a, subject.b);
-  for (const Plane& plane : subject.added) formed.add_plane(plane);
+std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds, unsigned doublings) {
+  Shaft formed(input.a, input.b);
+  for (const Plane& plane : input.added) formed.add_plane(plane);
   const CompiledShaft shaft = compile(formed);
-  const std::vector<Box> a(9, subject.a);
-  const std::vector<Box> b(9, subject.b);
+  const std::vector<Box> a(9, input.a);
+  const std::vector<Box> b(9, input.b);
   const BoxColumns from(a);
   const BoxColumns to(b);
   std::vector<CompiledShaft> batch(9);
@@ -37,7 +37,7 @@ std::vector<std::uint64_t> all_words(const Subject& subject, const View& bounds,
   std::vector<std::uint64_t> kept(words_for(bounds.count));
   std::vector<std::uint64_t> inside(kept);
   const auto note = [&](const std::vector<std::uint64_t>& row) { words.insert(words.end(), row.begin(), row.end()); };
-  for (const CompiledShaft& each : {shaft, compile(subject.a, subject.b), batch[0], batch[8]}) {
+  for (const CompiledShaft& each : {shaft, compile(input.a, input.b), batch[0], batch[8]}) {
     for (const Form form : {Form::slab, Form::planes}) {
       classify(each, bounds, kept, inside, form);
       note(kept);
@@ -55,21 +55,21 @@ std::vector<std::uint64_t> all_words(const Subject& subject, const View& bounds,
 }
 
 template <class Bound>
-void expect_same_in_all_modes(const Subject& subject, const std::vector<Bound>& bounds, unsigned doublings) {
+void expect_same_in_all_modes(const ShaftInput& input, const std::vector<Bound>& bounds, unsigned doublings) {
   const auto memory = columns(bounds);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    const std::vector<std::uint64_t> right = all_words(subject, memory.view(), doublings);
+    const std::vector<std::uint64_t> right = all_words(input, memory.view(), doublings);
     for (const Mode& mode : modes) {
       std::vector<std::uint64_t> words;
       unsigned left = 0;
       {
         const InMode in(mode);
-        words = all_words(subject, memory.view(), doublings);
+        words = all_words(input, memory.view(), doublings);
         left = _mm_getcsr() & control_bits;
       }
       ASSERT_EQ(left, mode.bits & control_bits) << mode.name << " on " << name(isa);
-      ASSERT_EQ(words, right) << mode.name << " on " << name(isa) << "\n  " << source_text(subject);
+      ASSERT_EQ(words, right) << mode.name << " on " << name(isa) << "\n  " << source_text(input);
     }
   }
 }
@@ -77,20 +77,20 @@ void expect_same_in_all_modes(const Subject& subject, const std::vector<Bound>& 
 TEST(FloatEnvironment, AnswersAreTheSameInEveryMode) {
   constexpr std::uint64_t seed = 171;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
+  Random random(seed);
   for (const Family& family : families) {
     SCOPED_TRACE(family.name);
     for (unsigned i = 0; i < 12 && !testing::Test::HasFailure(); i += 2) {
-      const Subject subject = family.subject(dice, i);
-      const oracle::QuickHull hull(subject);
+      const ShaftInput input = family.shaft(random, i);
+      const oracle::QuickHull hull(input);
       std::vector<Box> boxes;
       std::vector<Sphere> spheres;
       for (unsigned k = 0; k != 64; ++k) {
-        boxes.push_back(family.box(dice, subject));
-        spheres.push_back(family.sphere(dice, subject, hull));
+        boxes.push_back(family.box(random, input));
+        spheres.push_back(family.sphere(random, input, hull));
       }
-      expect_same_in_all_modes(subject, boxes, i);
-      expect_same_in_all_modes(subject, spheres, i);
+      expect_same_in_all_modes(input, boxes, i);
+      expect_same_in_all_modes(input, spheres, i);
     }
   }
 }

@@ -6,7 +6,7 @@
 
 #include "cull/agreement.hpp"
 #include "golden.hpp"
-#include "oracle.hpp"
+#include "oracle/hull.hpp"
 
 namespace shaftcull {
 namespace {

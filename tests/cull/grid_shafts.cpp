@@ -8,13 +8,13 @@
 #include <limits>
 #include <vector>
 
-#include "cases/shafts.hpp"
 #include "cull/agreement.hpp"
-#include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/table.hpp"
-#include "on_grid.hpp"
+#include "oracle/cases/shafts.hpp"
+#include "oracle/grid_answers.hpp"
+#include "oracle/random.hpp"
 
 namespace shaftcull {
 namespace {
@@ -90,15 +90,15 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
     const UseIsa use(isa);
     const kernel::GridKernels& kernels = kernel::active_kernels().grid;
     if (kernels.frame == nullptr) continue;
-    Dice dice(seed);
+    Random random(seed);
     std::size_t on_a_grid = 0;
     for (unsigned group = 0; group != 40; ++group) {
       std::vector<CompiledShaft> shafts;
       for (unsigned i = 0; i != 16; ++i) {
-        const Subject subject = i % 4 == 0   ? nearly_equal_subject(dice)
-                                : i % 4 == 1 ? distant_subject(dice, std::ldexp(1.0F, static_cast<int>(group % 16)))
-                                             : random_subject(dice);
-        shafts.push_back(compile(Shaft(subject.a, subject.b)));
+        const ShaftInput input = i % 4 == 0   ? nearly_equal_shaft(random)
+                                 : i % 4 == 1 ? distant_shaft(random, std::ldexp(1.0F, static_cast<int>(group % 16)))
+                                              : random_shaft(random);
+        shafts.push_back(compile(Shaft(input.a, input.b)));
       }
       const GridFrame frame = kernels.frame(shafts.data(), shafts.size());
       ASSERT_TRUE(frame.exists());

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "cases/shafts.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "cull/equal_shafts.hpp"
-#include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
+#include "oracle/cases/shafts.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
@@ -25,84 +25,84 @@ namespace shaftcull {
 namespace {
 
 /// Compares the shaft of a pair, before and after its planes are made, with that of Shaft.
-void expect_pair(const Subject& subject) {
-  const CompiledShaft expected = compile(Shaft(subject.a, subject.b));
+void expect_pair(const ShaftInput& input) {
+  const CompiledShaft expected = compile(Shaft(input.a, input.b));
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    SCOPED_TRACE(std::string(name(isa)) + ": " + source_text(subject));
-    CompiledShaft shaft = compile(subject.a, subject.b);
+    SCOPED_TRACE(std::string(name(isa)) + ": " + source_text(input));
+    CompiledShaft shaft = compile(input.a, input.b);
     EXPECT_FALSE(shaft.has_planes());
     complete(shaft);
     expect_equal(shaft, expected);
   }
 }
 
-template <class MakeSubject>
-void expect_pairs(std::uint64_t seed, const MakeSubject& subject, int pairs = 2000) {
+template <class MakeShaft>
+void expect_pairs(std::uint64_t seed, const MakeShaft& input, int pairs = 2000) {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
-  for (int i = 0; i != pairs && !testing::Test::HasFailure(); ++i) expect_pair(subject(dice));
+  Random random(seed);
+  for (int i = 0; i != pairs && !testing::Test::HasFailure(); ++i) expect_pair(input(random));
 }
 
-TEST(CompilePair, RandomBoxes) { expect_pairs(81, random_subject); }
+TEST(CompilePair, RandomBoxes) { expect_pairs(81, random_shaft); }
 
 TEST(CompilePair, BoxesOnAGrid) {
-  expect_pairs(82, [](Dice& dice) { return grid_subject(dice, 3); });
+  expect_pairs(82, [](Random& random) { return grid_shaft(random, 3); });
 }
 
-TEST(CompilePair, EqualContainedTouchingFlatBoxesAndPoints) { expect_pairs(83, degenerate_subject); }
+TEST(CompilePair, EqualContainedTouchingFlatBoxesAndPoints) { expect_pairs(83, degenerate_shaft); }
 
-TEST(CompilePair, FacesThatNearlyCoincide) { expect_pairs(84, nearly_equal_subject); }
+TEST(CompilePair, FacesThatNearlyCoincide) { expect_pairs(84, nearly_equal_shaft); }
 
 TEST(CompilePair, BoxesFarFromTheOrigin) {
-  expect_pairs(85, [](Dice& dice) { return distant_subject(dice, std::exp2(dice.uniform(5, 25))); });
+  expect_pairs(85, [](Random& random) { return distant_shaft(random, std::exp2(random.uniform(5, 25))); });
 }
 
 TEST(CompilePair, CoordinatesOfEveryMagnitude) {
-  expect_pairs(86, [](Dice& dice) { return wild_subject(dice); });
+  expect_pairs(86, [](Random& random) { return wild_shaft(random); });
 }
 
 TEST(CompilePair, DenormalCoordinates) {
-  expect_pairs(87, [](Dice& dice) { return wild_subject(dice, -149, -127); });
+  expect_pairs(87, [](Random& random) { return wild_shaft(random, -149, -127); });
 }
 
 TEST(CompilePair, HugeCoordinates) {
-  expect_pairs(88, huge_subject);
-  expect_pairs(89, [](Dice& dice) { return wild_subject(dice, 120, 127); });
+  expect_pairs(88, huge_shaft);
+  expect_pairs(89, [](Random& random) { return wild_shaft(random, 120, 127); });
 }
 
-TEST(CompilePair, SweepsThatEndFarBeyondTheScene) { expect_pairs(93, far_sweep_subject); }
+TEST(CompilePair, SweepsThatEndFarBeyondTheScene) { expect_pairs(93, far_sweep_shaft); }
 
 /// Around the limits between the fused, the difference and the exact form.
 TEST(CompilePair, MagnitudesAroundTheLimitsOfForms) {
   for (const int exponent : {-126, -61, -60, 19, 20, 59, 60, 124, 125, 126}) {
     expect_pairs(
-        90, [&](Dice& dice) { return wild_subject(dice, exponent - 1, exponent + 1); }, 300);
+        90, [&](Random& random) { return wild_shaft(random, exponent - 1, exponent + 1); }, 300);
   }
 }
 
 TEST(CompilePair, EveryColouringOfTheFaces) {
-  for (unsigned colouring = 0; colouring != colourings; ++colouring) expect_pair(coloured_subject(colouring));
+  for (unsigned colouring = 0; colouring != colourings; ++colouring) expect_pair(coloured_shaft(colouring));
 }
 
 TEST(CompilePair, ZerosOfBothSigns) {
-  expect_pairs(91, [](Dice& dice) {
-    const auto zero = [&] { return dice.one_in(2) ? 0.0F : -0.0F; };
-    Subject subject = grid_subject(dice, 1);
-    for (Box* box : {&subject.a, &subject.b}) {
+  expect_pairs(91, [](Random& random) {
+    const auto zero = [&] { return random.one_in(2) ? 0.0F : -0.0F; };
+    ShaftInput input = grid_shaft(random, 1);
+    for (Box* box : {&input.a, &input.b}) {
       for (std::size_t k = 0; k != 3; ++k) {
         if (box->lo[k] == 0) box->lo[k] = zero();
         if (box->hi[k] == 0) box->hi[k] = zero();
       }
     }
-    return subject;
+    return input;
   });
 }
 
 TEST(CompilePair, AnswersWhatShaftAnswers) {
-  Dice dice(92);
+  Random random(92);
   std::vector<Box> boxes;
-  for (int i = 0; i != 300; ++i) boxes.push_back(dice.box(-5, 5, 0.05F, 1.0F));
+  for (int i = 0; i != 300; ++i) boxes.push_back(random.box(-5, 5, 0.05F, 1.0F));
   const BoxColumns memory(boxes);
   const auto answers = [&](const CompiledShaft& shaft, Form form) {
     std::vector<std::uint64_t> kept(words_for(boxes.size()));
@@ -113,9 +113,9 @@ TEST(CompilePair, AnswersWhatShaftAnswers) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (int i = 0; i != 50; ++i) {
-      const Subject subject = random_subject(dice);
+      const ShaftInput input = random_shaft(random);
       for (const Form form : {Form::slab, Form::planes}) {
-        EXPECT_EQ(answers(compile(subject.a, subject.b), form), answers(compile(Shaft(subject.a, subject.b)), form));
+        EXPECT_EQ(answers(compile(input.a, input.b), form), answers(compile(Shaft(input.a, input.b)), form));
       }
     }
   }
@@ -138,10 +138,10 @@ TEST(CompilePair, ABadBoxIsRefusedAsShaftRefusesIt) {
     const UseIsa use(isa);
     for (const Box& box : bad) {
       for (const bool is_first : {true, false}) {
-        const Subject subject = is_first ? Subject{box, good} : Subject{good, box};
-        SCOPED_TRACE(source_text(subject));
-        EXPECT_EQ(message_of([&] { static_cast<void>(compile(subject.a, subject.b)); }),
-                  message_of([&] { static_cast<void>(Shaft(subject.a, subject.b)); }));
+        const ShaftInput input = is_first ? ShaftInput{box, good} : ShaftInput{good, box};
+        SCOPED_TRACE(source_text(input));
+        EXPECT_EQ(message_of([&] { static_cast<void>(compile(input.a, input.b)); }),
+                  message_of([&] { static_cast<void>(Shaft(input.a, input.b)); }));
       }
     }
   }

@@ -7,10 +7,10 @@
 
 #include "columns.hpp"
 #include "cull/agreement.hpp"
-#include "dice.hpp"
 #include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
 #include "misaligned.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -20,19 +20,19 @@ namespace {
 constexpr std::size_t most_bounds = 200;
 constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 
-const Subject subject{{{-2, -2, -2}, {-1, -0.5F, 0}}, {{1, 0.5F, -1}, {2, 2, 1}}};
+const ShaftInput input{{{-2, -2, -2}, {-1, -0.5F, 0}}, {{1, 0.5F, -1}, {2, 2, 1}}};
 
 std::vector<Box> some_boxes() {
-  Dice dice(51);
+  Random random(51);
   std::vector<Box> boxes;
-  for (std::size_t i = 0; i != most_bounds; ++i) boxes.push_back(dice.box(-2, 2, 0.01F, 0.5F));
+  for (std::size_t i = 0; i != most_bounds; ++i) boxes.push_back(random.box(-2, 2, 0.01F, 0.5F));
   return boxes;
 }
 
 std::vector<Sphere> some_spheres() {
-  Dice dice(52);
+  Random random(52);
   std::vector<Sphere> spheres;
-  for (std::size_t i = 0; i != most_bounds; ++i) spheres.push_back({dice.vec3(-2, 2), dice.uniform(0, 0.5F)});
+  for (std::size_t i = 0; i != most_bounds; ++i) spheres.push_back({random.vec3(-2, 2), random.uniform(0, 0.5F)});
   return spheres;
 }
 
@@ -58,13 +58,13 @@ void expect_view(const CompiledShaft& shaft, const View& view, const std::vector
 
 template <class Columns, class Bound>
 void expect_every_count(const std::vector<Bound>& bounds) {
-  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   const Columns memory(bounds);
   const auto all = memory.view();
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
-      const std::vector<Answer> right = answers(subject, bounds, form);
+      const std::vector<Answer> right = answers(input, bounds, form);
       for (std::size_t count = 0; count <= most_bounds; ++count) {
         SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(count) + " bounds");
         const GuardedView guarded(all.slice(0, count));
@@ -77,12 +77,12 @@ void expect_every_count(const std::vector<Bound>& bounds) {
 
 template <class Columns, class Bound>
 void expect_every_misalignment(const std::vector<Bound>& bounds) {
-  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   const Columns memory(bounds);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const Form form : {Form::slab, Form::planes}) {
-      const std::vector<Answer> right = answers(subject, bounds, form);
+      const std::vector<Answer> right = answers(input, bounds, form);
       for (std::size_t offset = 0; offset != 16; ++offset) {
         for (const std::size_t apart :
              {0U, 1U, 5U}) {  // floats by which each stream is further out than the one before
@@ -108,7 +108,7 @@ TEST(Views, EveryMisalignmentOfBoxesGivesTheSameAnswers) { expect_every_misalign
 TEST(Views, EveryMisalignmentOfSpheresGivesTheSameAnswers) { expect_every_misalignment<SphereColumns>(some_spheres()); }
 
 TEST(Views, AnEmptyViewMayHaveNullStreams) {
-  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const Form form : {Form::slab, Form::planes}) {
@@ -121,9 +121,9 @@ TEST(Views, AnEmptyViewMayHaveNullStreams) {
 }
 
 TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
-  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   const BoxColumns memory(some_boxes());
-  const std::vector<Answer> right = answers(subject, some_boxes(), Form::fastest);
+  const std::vector<Answer> right = answers(input, some_boxes(), Form::fastest);
   for (const std::size_t first : {1U, 64U, 77U, 200U}) {
     const std::vector<Answer> part(right.begin() + static_cast<std::ptrdiff_t>(first), right.end());
     expect_view(shaft, memory.view().slice(first, part.size()), part, Form::fastest);
@@ -131,11 +131,11 @@ TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
 }
 
 TEST(Views, ASingleBoundAnswersLikeAView) {
-  const CompiledShaft shaft = compile(Shaft(subject.a, subject.b));
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   const std::vector<Box> boxes = some_boxes();
   const std::vector<Sphere> spheres = some_spheres();
-  const std::vector<Answer> of_boxes = answers(subject, boxes, Form::fastest);
-  const std::vector<Answer> of_spheres = answers(subject, spheres, Form::fastest);
+  const std::vector<Answer> of_boxes = answers(input, boxes, Form::fastest);
+  const std::vector<Answer> of_spheres = answers(input, spheres, Form::fastest);
   for (std::size_t i = 0; i != most_bounds; ++i) {
     EXPECT_EQ(classify(shaft, boxes[i]), of_boxes[i]) << source_text(boxes[i]);
     EXPECT_EQ(classify(shaft, spheres[i]), of_spheres[i]) << source_text(spheres[i]);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dice.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
@@ -65,9 +65,9 @@ TEST(CulledVolume, CountsOnlyWhatLiesWithinTheBox) {
 }
 
 TEST(PlaneOrder, ByVolumeHasTheLargestFirst) {
-  Dice dice(3);
+  Random random(3);
   for (int i = 0; i != 2000; ++i) {
-    const Shaft shaft(dice.box(-5, 5, 0.1F, 2), dice.box(-5, 5, 0.1F, 2), {.order = PlaneOrder::by_volume});
+    const Shaft shaft(random.box(-5, 5, 0.1F, 2), random.box(-5, 5, 0.1F, 2), {.order = PlaneOrder::by_volume});
     double before = INFINITY;
     for (const JoiningPlane& plane : shaft.joining_planes()) {
       const double volume = culled_volume(shaft.box(), plane);
@@ -78,9 +78,9 @@ TEST(PlaneOrder, ByVolumeHasTheLargestFirst) {
 }
 
 TEST(PlaneOrder, ByAddedVolumeIsGreedy) {
-  Dice dice(5);
+  Random random(5);
   for (int i = 0; i != 25; ++i) {
-    const Shaft shaft(dice.box(-5, 5, 0.1F, 3), dice.box(-5, 5, 0.1F, 3), {.order = PlaneOrder::by_added_volume});
+    const Shaft shaft(random.box(-5, 5, 0.1F, 3), random.box(-5, 5, 0.1F, 3), {.order = PlaneOrder::by_added_volume});
     std::vector<JoiningPlane> planes(shaft.joining_planes().begin(), shaft.joining_planes().end());
     const std::vector<double> chosen = sampled_shares(shaft, planes);
     for (std::size_t rank = 0; rank < planes.size(); ++rank) {
@@ -109,11 +109,11 @@ TEST(PlaneOrder, ByAddedVolumePairsDiagonalPlanesBeforeLargerOnesThatOverlap) {
 }
 
 TEST(PlaneOrder, NeverAddsOrDropsAPlane) {
-  Dice dice(13);
+  Random random(13);
   for (int i = 0; i != 2000; ++i) {
     const bool on_grid = i % 2 == 0;
-    const Box a = on_grid ? dice.grid_box(-3, 3) : dice.box(-5, 5, 0.1F, 2);
-    const Box b = on_grid ? dice.grid_box(-3, 3) : dice.box(-5, 5, 0.1F, 2);
+    const Box a = on_grid ? random.grid_box(-3, 3) : random.box(-5, 5, 0.1F, 2);
+    const Box b = on_grid ? random.grid_box(-3, 3) : random.box(-5, 5, 0.1F, 2);
     std::vector<std::pair<Face, Face>> unsorted = edges_of(Shaft(a, b));
     std::ranges::sort(unsorted);
     for (const PlaneOrder order : {PlaneOrder::by_volume, PlaneOrder::by_added_volume}) {

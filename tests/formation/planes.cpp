@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "dice.hpp"
 #include "golden.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
@@ -43,11 +43,11 @@ TEST(JoiningPlanes, OfBoxesBetweenRandomPointsAreAsManyAsChanceSays) {
   // On an axis four random numbers nest with probability 1/3; the shares follow by counting.
   constexpr std::uint64_t seed = 2000;
   constexpr std::size_t shafts = 20000;
-  Dice dice(seed);
+  Random random(seed);
   std::array<double, 9> share{};
   double mean = 0;
   for (std::size_t i = 0; i != shafts; ++i) {
-    const auto box = [&] { return Dice::sorted(dice.vec3(-5, 5), dice.vec3(-5, 5)); };
+    const auto box = [&] { return Random::sorted(random.vec3(-5, 5), random.vec3(-5, 5)); };
     const Box a = box();
     const Box b = box();
     const std::size_t planes = Shaft(a, b).joining_planes().size();
@@ -63,9 +63,9 @@ TEST(JoiningPlanes, OfBoxesBetweenRandomPointsAreAsManyAsChanceSays) {
 }
 
 TEST(JoiningPlanes, HaveUnitNormalsIfSpheresMayBeTested) {
-  Dice dice(7);
+  Random random(7);
   for (int i = 0; i != 1000; ++i) {
-    const Shaft shaft = Shaft(dice.box(-5, 5, 0.1F, 2), dice.box(-5, 5, 0.1F, 2));
+    const Shaft shaft = Shaft(random.box(-5, 5, 0.1F, 2), random.box(-5, 5, 0.1F, 2));
     for (const JoiningPlane& joining : shaft.joining_planes()) {
       const Vec3& n = joining.plane.normal;
       EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-6) << "seed 7, shaft " << i;
@@ -74,15 +74,15 @@ TEST(JoiningPlanes, HaveUnitNormalsIfSpheresMayBeTested) {
 }
 
 TEST(JoiningPlanes, AreFiniteForAllFiniteBoxes) {
-  Dice dice(11);
+  Random random(11);
   for (int i = 0; i != 20000; ++i) {
-    const auto wild = [&] { return Vec3{dice.wild(), dice.wild(), dice.wild()}; };
+    const auto wild = [&] { return Vec3{random.wild(), random.wild(), random.wild()}; };
     const auto huge = [&] {
-      const auto far = [&] { return dice.one_in(2) ? FLT_MAX : -FLT_MAX * dice.uniform(0, 1); };
+      const auto far = [&] { return random.one_in(2) ? FLT_MAX : -FLT_MAX * random.uniform(0, 1); };
       return Vec3{far(), far(), far()};
     };
-    const Box a = i % 2 == 0 ? Dice::sorted(wild(), wild()) : Dice::sorted(huge(), huge());
-    const Box b = i % 2 == 0 ? Dice::sorted(wild(), wild()) : Dice::sorted(huge(), huge());
+    const Box a = i % 2 == 0 ? Random::sorted(wild(), wild()) : Random::sorted(huge(), huge());
+    const Box b = i % 2 == 0 ? Random::sorted(wild(), wild()) : Random::sorted(huge(), huge());
     for (const bool spheres : {false, true}) {
       const Shaft shaft = Shaft(a, b, {.spheres = spheres});
       for (const JoiningPlane& joining : shaft.joining_planes()) {

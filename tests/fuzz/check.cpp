@@ -9,12 +9,12 @@
 
 #include "columns.hpp"
 #include "fuzz/packing.hpp"
-#include "on_grid.hpp"
-#include "oracle.hpp"
+#include "oracle/grid_answers.hpp"
+#include "oracle/hull.hpp"
+#include "oracle/shaft_input.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
-#include "subject.hpp"
 
 namespace shaftcull::fuzz {
 namespace {
@@ -45,13 +45,12 @@ bool is_specified(const Sphere& sphere) {
   return !(sphere.radius < 0) && std::none_of(sphere.centre.begin(), sphere.centre.end(), is_infinite);
 }
 
-Subject subject(const Case& it) {
-  Subject subject{it.a, it.b};
+ShaftInput input(const Case& it) {
+  ShaftInput input{it.a, it.b};
   for (const Plane& plane : it.planes) {
-    if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{})
-      subject.added.push_back(plane);
+    if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) input.added.push_back(plane);
   }
-  return subject;
+  return input;
 }
 
 /// The result of `call`, or nothing if it throws InvalidArgument.
@@ -65,7 +64,7 @@ auto unless_refused(const Call& call) -> std::optional<decltype(call())> {
 }
 
 [[noreturn]] void fail(const std::string& what, const Case& it) {
-  throw Fault(what + "\n  " + source_text(Subject{it.a, it.b, it.planes}));
+  throw Fault(what + "\n  " + source_text(ShaftInput{it.a, it.b, it.planes}));
 }
 
 /// The shaft, if it may be formed; a fault if it is refused without reason or accepted without right.
@@ -327,7 +326,7 @@ void check_answers(const Case& it, std::optional<unsigned> draw) {
 
 void check_exact(const Case& it, std::size_t most_bounds) {
   if (!is_joinable(it.a) || !is_joinable(it.b)) return;
-  const Subject of = subject(it);
+  const ShaftInput of = input(it);
   Shaft shaft(of.a, of.b);
   for (const Plane& plane : of.added) shaft.add_plane(plane);
   const CompiledShaft compiled = compile(shaft);

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "fuzz/check.hpp"
+#include "oracle/shaft_input.hpp"
 #include "shaftcull/streams.hpp"
-#include "subject.hpp"
 
 namespace shaftcull::fuzz {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "dice.hpp"
-#include "effort.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/trees.hpp"
+#include "oracle/random.hpp"
+#include "sanitizers.hpp"
 
 namespace shaftcull::fuzz {
 namespace {
@@ -63,15 +63,15 @@ TEST(FuzzCorpus, EverySeedHoldsWhatMustHold) {
 TEST(FuzzCorpus, SeedsCutShortOrWithBytesChangedHoldIt) {
   constexpr std::uint64_t seed = 131;
   SCOPED_TRACE("seed " + std::to_string(seed));
-  Dice dice(seed);
+  Random random(seed);
   for (const auto& file : corpus()) {
     SCOPED_TRACE(file.filename().string());
     const Bytes original = contents(file);
-    for (std::uint64_t i = 0; i != effort(30) && !HasFailure(); ++i) {
+    for (std::uint64_t i = 0; i != random_cases(30) && !HasFailure(); ++i) {
       Bytes bytes = original;
-      if (dice.one_in(8)) bytes.resize(dice.below(static_cast<unsigned>(bytes.size() + 1)));
-      for (unsigned changes = 1 + dice.below(4); !bytes.empty() && changes != 0; --changes) {
-        bytes[dice.below(static_cast<unsigned>(bytes.size()))] = static_cast<std::uint8_t>(dice.below(256));
+      if (random.one_in(8)) bytes.resize(random.below(static_cast<unsigned>(bytes.size() + 1)));
+      for (unsigned changes = 1 + random.below(4); !bytes.empty() && changes != 0; --changes) {
+        bytes[random.below(static_cast<unsigned>(bytes.size()))] = static_cast<std::uint8_t>(random.below(256));
       }
       check(bytes, 2);
     }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/families.hpp"
 #include "fuzz/case.hpp"
+#include "oracle/cases/families.hpp"
 
 namespace {
 
@@ -20,16 +20,16 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 /// An input under construction, as Case::read() takes it.
 class Seed {
  public:
-  Seed(const Subject& subject, std::uint8_t options, std::uint8_t flags) {
+  Seed(const ShaftInput& input, std::uint8_t options, std::uint8_t flags) {
     bytes_.reserve(1024);  // g++ 12 warns of copies that cannot happen if this may have to grow
     bytes_.push_back(options);
-    const auto planes = std::min<std::size_t>(subject.added.size(), 3);
+    const auto planes = std::min<std::size_t>(input.added.size(), 3);
     bytes_.push_back(static_cast<std::uint8_t>(flags | planes));
-    add(subject.a);
-    add(subject.b);
+    add(input.a);
+    add(input.b);
     for (std::size_t i = 0; i != planes; ++i) {
-      for (const float n : subject.added[i].normal) add(n);
-      add(subject.added[i].offset);
+      for (const float n : input.added[i].normal) add(n);
+      add(input.added[i].offset);
     }
   }
   void add(float x) {
@@ -58,17 +58,17 @@ class Seed {
 };
 
 void write_families(const std::filesystem::path& folder) {
-  Dice dice(1);
+  Random random(1);
   std::uint8_t options = 0;
   for (const Family& family : families) {
-    const Subject subject = family.subject(dice, dice.below(colourings));
-    const oracle::QuickHull hull(subject);
-    Seed boxes(subject, options++ % 16, 0);
-    Seed spheres(subject, 0, 0);
-    Seed derived(subject, 0, fuzz::sort_corners | fuzz::derive_bounds);
-    for (int i = 0; i != 4; ++i) boxes.add(family.box(dice, subject));
-    for (int i = 0; i != 6; ++i) spheres.add(family.sphere(dice, subject, hull));
-    for (int i = 0; i != 36; ++i) derived.add_byte(dice.below(256));
+    const ShaftInput input = family.shaft(random, random.below(colourings));
+    const oracle::QuickHull hull(input);
+    Seed boxes(input, options++ % 16, 0);
+    Seed spheres(input, 0, 0);
+    Seed derived(input, 0, fuzz::sort_corners | fuzz::derive_bounds);
+    for (int i = 0; i != 4; ++i) boxes.add(family.box(random, input));
+    for (int i = 0; i != 6; ++i) spheres.add(family.sphere(random, input, hull));
+    for (int i = 0; i != 36; ++i) derived.add_byte(random.below(256));
     boxes.write(folder, std::string(family.name) + "-boxes");
     spheres.write(folder, std::string(family.name) + "-spheres");
     derived.write(folder, std::string(family.name) + "-derived");
@@ -78,10 +78,10 @@ void write_families(const std::filesystem::path& folder) {
 void write_odd_values(const std::filesystem::path& folder) {
   constexpr Box unit{{0, 0, 0}, {1, 1, 1}};
   constexpr Box away{{3, -2, 5}, {4, -1, 6}};
-  const Subject plain{unit, away};
-  const auto write = [&](const Subject& subject, const std::string& name, std::uint8_t options,
+  const ShaftInput plain{unit, away};
+  const auto write = [&](const ShaftInput& input, const std::string& name, std::uint8_t options,
                          const std::vector<Box>& bounds) {
-    Seed seed(subject, options, fuzz::fill_word);
+    Seed seed(input, options, fuzz::fill_word);
     for (const Box& box : bounds) seed.add(box);
     seed.write(folder, name);
   };
@@ -108,7 +108,7 @@ void write_odd_values(const std::filesystem::path& folder) {
 
 /// Spheres that meet the shaft, and were culled by vectors without multiply-add.
 void write_found(const std::filesystem::path& folder) {
-  Subject huge{};
+  ShaftInput huge{};
   huge.a.lo[0] = huge.a.hi[0] = 0x1p+73F;
   huge.b.lo[0] = huge.b.hi[0] = -0x1p+73F;
   huge.b.lo[1] = huge.b.hi[1] = 0x1.9fdf8cp+68F;

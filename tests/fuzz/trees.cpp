@@ -8,10 +8,10 @@
 
 #include "fuzz/check.hpp"
 #include "fuzz/packing.hpp"
+#include "oracle/shaft_input.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
-#include "subject.hpp"
 #include "tree/flat.hpp"
 
 namespace shaftcull::fuzz {
@@ -36,7 +36,7 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
     return;
   }
   std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) +
-                        " differs from a flat scan\n  " + source_text(Subject{it.a, it.b, it.planes});
+                        " differs from a flat scan\n  " + source_text(ShaftInput{it.a, it.b, it.planes});
   for (const Bound& bound : bounds) message += "\n  " + source_text(bound);
   throw Fault(message);
 }

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/set_bits.hpp"
+#include "oracle/random.hpp"
 
 namespace shaftcull {
 namespace {
@@ -18,13 +18,13 @@ TEST(SetBits, AreCountedAndListedInOrder) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     const kernel::SetBits& set_bits = kernel::set_bits_of(kernel::active_kernels());
-    Dice dice(111);
+    Random random(111);
     for (const unsigned percent : {0U, 1U, 2U, 4U, 9U, 30U, 70U, 99U, 100U}) {
       for (std::size_t count = 0; count != 70; ++count) {
         std::vector<std::uint64_t> words(count);
         std::vector<std::uint32_t> right;
         for (std::uint32_t i = 0; i != 64 * count; ++i) {
-          if (dice.below(100) >= percent) continue;
+          if (random.below(100) >= percent) continue;
           words[i / 64] |= std::uint64_t{1} << i % 64;
           right.push_back(i);
         }

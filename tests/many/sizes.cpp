@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "columns.hpp"
-#include "dice.hpp"
 #include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
 #include "many/workload.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/refine.hpp"
 
@@ -57,16 +57,16 @@ std::vector<CompiledShaft> mixed_shafts() {
 
 std::vector<Box> mixed_boxes() {
   std::vector<Box> boxes = random_boxes(seed + 1, most_bounds);
-  Dice dice(seed + 2);
-  for (std::size_t i = 0; i < boxes.size(); i += 5) boxes[i] = dice.grid_box(-5, 5);  // many that touch
+  Random random(seed + 2);
+  for (std::size_t i = 0; i < boxes.size(); i += 5) boxes[i] = random.grid_box(-5, 5);  // many that touch
   return boxes;
 }
 
 std::vector<Sphere> mixed_spheres() {
   std::vector<Sphere> spheres = random_spheres(seed + 3, most_bounds);
-  Dice dice(seed + 4);
+  Random random(seed + 4);
   for (std::size_t i = 0; i < spheres.size(); i += 5) {
-    spheres[i] = {{dice.integer(-5, 5), dice.integer(-5, 5), dice.integer(-5, 5)}, dice.integer(-1, 2)};
+    spheres[i] = {{random.integer(-5, 5), random.integer(-5, 5), random.integer(-5, 5)}, random.integer(-1, 2)};
   }
   return spheres;
 }

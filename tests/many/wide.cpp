@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "effort.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/refine.hpp"
 

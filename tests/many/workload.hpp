@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dice.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
@@ -32,25 +32,25 @@ void with_threads([[maybe_unused]] int threads, const Call& call) {
 }
 
 inline std::vector<CompiledShaft> random_shafts(std::uint64_t seed, std::size_t count) {
-  Dice dice(seed);
+  Random random(seed);
   std::vector<CompiledShaft> shafts;
   for (std::size_t s = 0; s != count; ++s) {
-    shafts.push_back(compile(Shaft(dice.box(-5, 5, 0.2F, 2.0F), dice.box(-5, 5, 0.2F, 2.0F))));
+    shafts.push_back(compile(Shaft(random.box(-5, 5, 0.2F, 2.0F), random.box(-5, 5, 0.2F, 2.0F))));
   }
   return shafts;
 }
 
 inline std::vector<Box> random_boxes(std::uint64_t seed, std::size_t count) {
-  Dice dice(seed);
+  Random random(seed);
   std::vector<Box> boxes;
-  for (std::size_t i = 0; i != count; ++i) boxes.push_back(dice.box(-5, 5, 0.01F, 0.2F));
+  for (std::size_t i = 0; i != count; ++i) boxes.push_back(random.box(-5, 5, 0.01F, 0.2F));
   return boxes;
 }
 
 inline std::vector<Sphere> random_spheres(std::uint64_t seed, std::size_t count) {
-  Dice dice(seed);
+  Random random(seed);
   std::vector<Sphere> spheres;
-  for (std::size_t i = 0; i != count; ++i) spheres.push_back({dice.vec3(-5, 5), dice.uniform(0.01F, 0.2F)});
+  for (std::size_t i = 0; i != count; ++i) spheres.push_back({random.vec3(-5, 5), random.uniform(0.01F, 0.2F)});
   return spheres;
 }
 

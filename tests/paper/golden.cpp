@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "golden.hpp"
-#include "paper/shaft.hpp"
+#include "peers/paper/shaft.hpp"
 
 namespace {
 

@@ -11,23 +11,23 @@
 #include <utility>
 #include <vector>
 
-#include "dice.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull {
 namespace {
 
 std::vector<Box> boxes_of(std::size_t count, std::uint64_t seed) {
-  Dice dice(seed);
+  Random random(seed);
   std::vector<Box> boxes;
-  while (boxes.size() != count) boxes.push_back(dice.box(-5, 5, 0.1F, 2));
+  while (boxes.size() != count) boxes.push_back(random.box(-5, 5, 0.1F, 2));
   return boxes;
 }
 
 std::vector<Sphere> spheres_of(std::size_t count, std::uint64_t seed) {
-  Dice dice(seed);
+  Random random(seed);
   std::vector<Sphere> spheres;
-  while (spheres.size() != count) spheres.push_back({dice.vec3(-5, 5), dice.uniform(0, 2)});
+  while (spheres.size() != count) spheres.push_back({random.vec3(-5, 5), random.uniform(0, 2)});
   return spheres;
 }
 
@@ -106,14 +106,14 @@ TEST(BoxStream, PacksCentreAndHalfExtentExactlyWhereFloatsAllow) {
 }
 
 TEST(BoxStream, RoundsCornersOfCentreAndHalfExtentOutwardsByNoMoreThanItMust) {
-  Dice dice(17);
+  Random random(17);
   for (int i = 0; i != 20000; ++i) {
     // With these exponents sums are exact in long double (64 bits).
-    const std::array<float, 6> record = {dice.wild(-20, 18),
-                                         dice.wild(-20, 18),
-                                         dice.wild(-20, 18),
-                                         std::fabs(dice.wild(-20, 18)),
-                                         std::fabs(dice.wild(-20, 18)),
+    const std::array<float, 6> record = {random.wild(-20, 18),
+                                         random.wild(-20, 18),
+                                         random.wild(-20, 18),
+                                         std::fabs(random.wild(-20, 18)),
+                                         std::fabs(random.wild(-20, 18)),
                                          0x1p-20F};
     const Box box = BoxStream(CentreExtentRecords{record.data(), record.data() + 3, sizeof record, 1})[0];
     for (std::size_t k = 0; k != 3; ++k) {
@@ -152,10 +152,10 @@ TEST(BoxStream, RoundsCornersOutwardsAtTheEndsOfFloatsToo) {
 }
 
 TEST(BoxStream, PacksCentreAndHalfExtentTheSameOneByOneAndTogether) {
-  Dice dice(18);
+  Random random(18);
   std::vector<std::array<float, 6>> records(23);
   for (std::array<float, 6>& record : records) {
-    for (std::size_t k = 0; k != 6; ++k) record[k] = k < 3 ? dice.wild() : std::fabs(dice.wild());
+    for (std::size_t k = 0; k != 6; ++k) record[k] = k < 3 ? random.wild() : std::fabs(random.wild());
   }
   const auto pack = [&](std::size_t first, std::size_t count) {
     const float* const record = records[first].data();

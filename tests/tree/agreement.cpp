@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "effort.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
@@ -52,11 +52,11 @@ void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector
 
 template <class Bound, class Index = std::uint32_t>
 void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std::size_t shaft_count) {
-  Dice dice(seed);
-  const std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
+  Random random(seed);
+  const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
   const BoundsTree<Bound, Index> tree{std::span<const Bound>(bounds)};
   ASSERT_EQ(tree.size(), count);
-  for (const CompiledShaft& shaft : shafts_for(dice, shaft_count)) {
+  for (const CompiledShaft& shaft : shafts_for(random, shaft_count)) {
     expect_flat_answers(tree, bounds, shaft);
     if (!testing::Test::HasFailure()) continue;
     ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere")
@@ -80,10 +80,10 @@ TEST(TreeAgreement, HoldsForEveryShapeAndCount) {
 }
 
 TEST(TreeAgreement, HoldsForTenThousandRandomScenes) {
-  for (std::uint64_t seed = 10000; seed != 10000 + effort(5000); ++seed) {
-    Dice dice(seed * 7919);
-    const Shape shape = shapes[dice.below(std::size(shapes))];
-    const std::size_t count = dice.one_in(20) ? dice.below(6000) : dice.below(300);
+  for (std::uint64_t seed = 10000; seed != 10000 + random_cases(5000); ++seed) {
+    Random random(seed * 7919);
+    const Shape shape = shapes[random.below(std::size(shapes))];
+    const std::size_t count = random.one_in(20) ? random.below(6000) : random.below(300);
     expect_flat_answers<Box>(seed, shape, count, 2);
     expect_flat_answers<Sphere>(seed, shape, count, 2);
     if (HasFailure()) return;

@@ -15,13 +15,13 @@ namespace shaftcull {
 namespace {
 
 TEST(TreeDoubleBuffer, TheLastFrameIsAskedWhileTheNextIsUpdated) {
-  Dice dice(91);
-  const std::vector<CompiledShaft> shafts = shafts_for(dice, 40);
-  std::vector<Box> bounds = scene<Box>(dice, Shape::uniform, 20000);
+  Random random(91);
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 40);
+  std::vector<Box> bounds = scene<Box>(random, Shape::uniform, 20000);
   BoxTree asked{std::span<const Box>(bounds)};
   BoxTree updated = asked;
   for (int frame = 0; frame != 4; ++frame) {
-    const std::vector<Box> next = scene<Box>(dice, Shape::uniform, 20000);
+    const std::vector<Box> next = scene<Box>(random, Shape::uniform, 20000);
     IndexLists kept;
     std::thread asker([&] { with_threads(2, [&] { list_many(shafts, asked, kept); }); });
     with_threads(2, [&] { updated.update(std::span<const Box>(next)); });
@@ -33,9 +33,9 @@ TEST(TreeDoubleBuffer, TheLastFrameIsAskedWhileTheNextIsUpdated) {
 }
 
 TEST(TreeDoubleBuffer, ManyThreadsMayAskOneTree) {
-  Dice dice(92);
-  const std::vector<CompiledShaft> shafts = shafts_for(dice, 40);
-  const std::vector<Sphere> bounds = scene<Sphere>(dice, Shape::uniform, 20000);
+  Random random(92);
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 40);
+  const std::vector<Sphere> bounds = scene<Sphere>(random, Shape::uniform, 20000);
   const SphereTree tree{std::span<const Sphere>(bounds)};
   std::vector<IndexLists> kept(3);
   std::vector<std::thread> askers;

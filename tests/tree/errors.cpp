@@ -25,8 +25,8 @@ const CompiledShaft& shaft() {
 }
 
 std::vector<Box> boxes(std::size_t count) {
-  Dice dice(1);
-  return scene<Box>(dice, Shape::uniform, count);
+  Random random(1);
+  return scene<Box>(random, Shape::uniform, count);
 }
 
 #ifdef __SSE__

@@ -34,10 +34,10 @@ TYPED_TEST_SUITE(TreeExceptions, TreeKinds);
 
 TYPED_TEST(TreeExceptions, OneFromACallbackEndsTheCallAndLeavesTheTree) {
   using Bound = BoundOf<TypeParam>;
-  Dice dice(81);
-  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  Random random(81);
+  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
   const TypeParam tree{std::span<const Bound>(bounds)};
-  const std::vector<CompiledShaft> shafts = shafts_for(dice, 200);
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 200);
   for (const int threads : thread_counts) {
     for (const int last : {1, 2, 100, 200}) {
       for (const bool classifies : {false, true}) {
@@ -66,10 +66,10 @@ TYPED_TEST(TreeExceptions, OneFromACallbackEndsTheCallAndLeavesTheTree) {
 
 TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
   using Bound = BoundOf<TypeParam>;
-  Dice dice(83);
-  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  Random random(83);
+  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
   const TypeParam tree{std::span<const Bound>(bounds)};
-  const std::vector<CompiledShaft> shafts = shafts_for(dice, 50);
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 50);
   with_threads(4, [&] {
     const auto ask_from_tasks = [&] {
       kernel::parallel_for(16, 1, [&](std::size_t task, std::size_t) {
@@ -87,11 +87,11 @@ TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
 /// nodes were not fitted.
 TYPED_TEST(TreeExceptions, AnUpdateThatDidNotEndAsksForARefit) {
   using Bound = BoundOf<TypeParam>;
-  Dice dice(82);
-  const std::vector<CompiledShaft> shafts = shafts_for(dice, 20);
+  Random random(82);
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
   for (const std::size_t count : {10U, 64U, 5000U, 20000U}) {
-    std::vector<Bound> bounds = scene<Bound>(dice, Shape::clustered, count);
-    const std::vector<Bound> news = scene<Bound>(dice, Shape::uniform, count);
+    std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, count);
+    const std::vector<Bound> news = scene<Bound>(random, Shape::uniform, count);
     TypeParam tree{std::span<const Bound>(bounds)};
     auto& parts = const_cast<std::remove_const_t<std::remove_pointer_t<decltype(tree.parts())>>&>(*tree.parts());
     parts.mark_all_dirty();

@@ -20,8 +20,8 @@ class TreeFrames : public testing::Test {
  protected:
   /// Whether both answer the same, asked by some shafts.
   static void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds, std::uint64_t seed) {
-    Dice dice(seed);
-    const std::vector<CompiledShaft> shafts = shafts_for(dice, 8);
+    Random random(seed);
+    const std::vector<CompiledShaft> shafts = shafts_for(random, 8);
     IndexListsOf<IndexOf<Tree>> overlap;
     IndexListsOf<IndexOf<Tree>> inside;
     list_many(shafts, tree, overlap, inside);
@@ -39,12 +39,12 @@ constexpr std::size_t counts[] = {0, 1, 64, 65, 129, 4097, 20000};
 
 TYPED_TEST(TreeFrames, UpdatingEverythingFromRecordsOrStreamsEqualsTheNewBounds) {
   using Bound = BoundOf<TypeParam>;
-  Dice dice(71);
+  Random random(71);
   for (const std::size_t count : counts) {
-    TypeParam tree{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, count))};
+    TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, count))};
     for (const Shape shape : shapes) {
-      const std::vector<Bound> moved = scene<Bound>(dice, shape, count);
-      if (dice.one_in(2)) {
+      const std::vector<Bound> moved = scene<Bound>(random, shape, count);
+      if (random.one_in(2)) {
         tree.update(std::span<const Bound>(moved));
       } else {
         tree.update(columns(moved).view());
@@ -58,17 +58,17 @@ TYPED_TEST(TreeFrames, UpdatingEverythingFromRecordsOrStreamsEqualsTheNewBounds)
 TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(72);
+  Random random(72);
   for (const std::size_t count : counts) {
     if (count == 0) continue;
     for (const Shape shape : shapes) {
-      std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
+      std::vector<Bound> bounds = scene<Bound>(random, shape, count);
       TypeParam tree{std::span<const Bound>(bounds)};
       for (const std::size_t moves : {std::size_t{1}, count / 100 + 1, count}) {  // few and many dirty nodes
         std::vector<Index> indices;
-        const std::vector<Bound> values = scene<Bound>(dice, shapes[dice.below(std::size(shapes))], moves);
+        const std::vector<Bound> values = scene<Bound>(random, shapes[random.below(std::size(shapes))], moves);
         for (const Bound& value : values) {
-          indices.push_back(dice.below(static_cast<unsigned>(count)));  // some twice: the last value counts
+          indices.push_back(random.below(static_cast<unsigned>(count)));  // some twice: the last value counts
           bounds[indices.back()] = value;
         }
         tree.update(indices, std::span<const Bound>(values));
@@ -85,14 +85,14 @@ TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
 TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(73);
-  std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 20000);
+  Random random(73);
+  std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 20000);
   TypeParam few{std::span<const Bound>(bounds)};
   TypeParam all = few;
-  const std::vector<Bound> values = scene<Bound>(dice, Shape::uniform, 9);
+  const std::vector<Bound> values = scene<Bound>(random, Shape::uniform, 9);
   std::vector<Index> indices;
   for (const Bound& value : values) {
-    indices.push_back(dice.below(20000));
+    indices.push_back(random.below(20000));
     bounds[indices.back()] = value;
   }
   few.update(indices, std::span<const Bound>(values));
@@ -102,8 +102,8 @@ TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
 }
 
 TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
-  Dice dice(78);
-  BoxTree tree{std::span<const Box>(scene<Box>(dice, Shape::uniform, 600000))};
+  Random random(78);
+  BoxTree tree{std::span<const Box>(scene<Box>(random, Shape::uniform, 600000))};
   const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
   const std::vector<std::uint32_t> index = {123456};
   for (const bool is_empty : {false, true, false}) {
@@ -118,16 +118,16 @@ TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
 TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(74);
-  TypeParam tree{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, 20000))};
+  Random random(74);
+  TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, 20000))};
   EXPECT_EQ(tree.growth(), 1.0);
-  const std::vector<Bound> shuffled = scene<Bound>(dice, Shape::uniform, 20000);
+  const std::vector<Bound> shuffled = scene<Bound>(random, Shape::uniform, 20000);
   tree.update(std::span<const Bound>(shuffled));
   EXPECT_GT(tree.growth(), 10.0);
   tree.rebuild();
   EXPECT_EQ(tree.growth(), 1.0);
   this->expect_flat_answers(tree, shuffled, 741);
-  const std::vector<Bound> again = scene<Bound>(dice, Shape::uniform, 20000);
+  const std::vector<Bound> again = scene<Bound>(random, Shape::uniform, 20000);
   const std::vector<Index> indices = {5, 19999};
   tree.update(indices, std::span<const Bound>(again).first(2));
   tree.refit();
@@ -143,10 +143,10 @@ constexpr std::size_t rebuilt_counts[] = {1, 100, 4097, 70000};
 TYPED_TEST(TreeFrames, RebuildingUnchangedBoundsMovesNothing) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(741);
+  Random random(741);
   for (const Shape shape : shapes) {
     for (const std::size_t count : rebuilt_counts) {
-      const std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
+      const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
       TypeParam tree{std::span<const Bound>(bounds)};
       const std::vector<Index> order(tree.order().begin(), tree.order().end());
       tree.rebuild();
@@ -158,20 +158,20 @@ TYPED_TEST(TreeFrames, RebuildingUnchangedBoundsMovesNothing) {
 TYPED_TEST(TreeFrames, TheOrderOfARebuiltTreeDoesNotDependOnWhatItWentThrough) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(742);
+  Random random(742);
   for (const Shape shape : shapes) {
     for (const std::size_t count : rebuilt_counts) {
-      const std::vector<Bound> bounds = scene<Bound>(dice, shape, count);
+      const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
       const TypeParam built{columns(bounds).view()};
 
-      TypeParam moved{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, count))};
+      TypeParam moved{std::span<const Bound>(scene<Bound>(random, Shape::uniform, count))};
       moved.rebuild();
-      moved.update(std::span<const Bound>(scene<Bound>(dice, Shape::clustered, count)));
+      moved.update(std::span<const Bound>(scene<Bound>(random, Shape::clustered, count)));
       moved.rebuild();
       std::vector<Index> indices(count);
       for (std::size_t i = 0; i != count; ++i) indices[i] = static_cast<Index>(count - 1 - i);
       moved.update(indices, std::span<const Bound>(std::vector<Bound>(bounds.rbegin(), bounds.rend())));
-      if (dice.one_in(2)) moved.refit();  // a rebuild does that, too
+      if (random.one_in(2)) moved.refit();  // a rebuild does that, too
       moved.rebuild();
       EXPECT_FALSE(moved.needs_refit());
       const auto order = built.order();
@@ -200,8 +200,8 @@ TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
 TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(79);
-  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  Random random(79);
+  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
   for (const bool updated_before : {false, true}) {
     TypeParam tree{std::span<const Bound>(bounds)};
     if (updated_before) {
@@ -223,8 +223,8 @@ TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
 
 TYPED_TEST(TreeFrames, LeavesAndOrderShowTheBounds) {
   using Bound = BoundOf<TypeParam>;
-  Dice dice(75);
-  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 777);
+  Random random(75);
+  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 777);
   const TypeParam tree{columns(bounds).view()};
   std::vector<bool> seen(bounds.size());
   for (std::size_t p = 0; p != bounds.size(); ++p) {
@@ -236,11 +236,11 @@ TYPED_TEST(TreeFrames, LeavesAndOrderShowTheBounds) {
 
 TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
   using Bound = BoundOf<TypeParam>;
-  Dice dice(76);
-  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, 5000);
+  Random random(76);
+  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
   TypeParam first{std::span<const Bound>(bounds)};
   TypeParam second = first;
-  const std::vector<Bound> moved = scene<Bound>(dice, Shape::clustered, 5000);
+  const std::vector<Bound> moved = scene<Bound>(random, Shape::clustered, 5000);
   second.update(std::span<const Bound>(moved));
   this->expect_flat_answers(first, bounds, 761);
   this->expect_flat_answers(second, moved, 762);
@@ -259,9 +259,9 @@ TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
 TYPED_TEST(TreeFrames, NodesTakeLessThanTwoPerCentOfLeavesAndOrder) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(77);
+  Random random(77);
   const std::size_t count = 400000;
-  const TypeParam tree{std::span<const Bound>(scene<Bound>(dice, Shape::uniform, count))};
+  const TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, count))};
   const std::size_t needed = count * (tree.leaves().stream.size() * sizeof(float) + sizeof(Index));
   EXPECT_LT(tree.memory_bytes(), needed + needed / 50);
 }
@@ -269,9 +269,9 @@ TYPED_TEST(TreeFrames, NodesTakeLessThanTwoPerCentOfLeavesAndOrder) {
 TYPED_TEST(TreeFrames, UpdatesByIndexTakeOneMoreIndexABound) {
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
-  Dice dice(80);
+  Random random(80);
   const std::size_t count = 400000;
-  const std::vector<Bound> bounds = scene<Bound>(dice, Shape::uniform, count);
+  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, count);
   TypeParam tree{std::span<const Bound>(bounds)};
   const std::size_t before = tree.memory_bytes();
   for (int again = 0; again != 2; ++again) {

@@ -21,10 +21,10 @@ template <class Tree>
 class TreeMany : public testing::Test {
  protected:
   TreeMany() {
-    Dice dice(61);
-    bounds_ = scene<BoundOf<Tree>>(dice, Shape::uniform, 9000);
+    Random random(61);
+    bounds_ = scene<BoundOf<Tree>>(random, Shape::uniform, 9000);
     tree_ = Tree(std::span<const BoundOf<Tree>>(bounds_));
-    shafts_ = shafts_for(dice, 53);
+    shafts_ = shafts_for(random, 53);
   }
   std::vector<BoundOf<Tree>> bounds_;
   Tree tree_;
@@ -113,15 +113,16 @@ TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheRun) {
 
 TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   using Index = IndexOf<TypeParam>;
-  Dice dice(62);
+  Random random(62);
   std::vector<std::uint64_t> mask(words_for(this->bounds_.size()));
-  for (std::uint64_t& word : mask) word = dice.one_in(3) ? 0 : std::uint64_t{dice.below(0xffffffff)} << dice.below(33);
+  for (std::uint64_t& word : mask)
+    word = random.one_in(3) ? 0 : std::uint64_t{random.below(0xffffffff)} << random.below(33);
   // What a shaft keeps is what is worth leaving out of it.
   std::vector<Index> own;
   for (const CompiledShaft& shaft : this->shafts_) {
     const Indices kept = FlatAnswers(shaft, this->bounds_).kept();
     for (int i = 0; i != 3; ++i) {
-      own.push_back(kept.empty() ? 5U : kept[dice.below(static_cast<unsigned>(kept.size()))]);
+      own.push_back(kept.empty() ? 5U : kept[random.below(static_cast<unsigned>(kept.size()))]);
     }
   }
   for (const bool use_mask : {false, true}) {
@@ -160,10 +161,10 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
 
 TYPED_TEST(TreeMany, TheOrderDoesNotDependOnTheNumberOfThreads) {
   using Index = IndexOf<TypeParam>;
-  Dice dice(63);
+  Random random(63);
   // So many that threads halve them together; with sizes apart, and with many ties.
   for (const Shape shape : {Shape::uniform, Shape::wild_sizes, Shape::grid}) {
-    const auto bounds = scene<BoundOf<TypeParam>>(dice, shape, 140000);
+    const auto bounds = scene<BoundOf<TypeParam>>(random, shape, 140000);
     const auto order_here = [&] {
       const TypeParam tree{std::span<const BoundOf<TypeParam>>(bounds)};
       return std::vector<Index>(tree.order().begin(), tree.order().end());

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <vector>
 
-#include "dice.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/table.hpp"
+#include "oracle/random.hpp"
 #include "tree/found.hpp"
 #include "tree/leaf_indices.hpp"
 
@@ -22,12 +22,12 @@ constexpr std::size_t margin = 16;
 /// Words of which some share of bits is set, none and all among them.
 std::vector<std::uint64_t> words_of_bits() {
   std::vector<std::uint64_t> words{0, ~std::uint64_t{0}, 1, std::uint64_t{1} << 63, 0xffff, 0xffff'0000'0000'0000};
-  Dice dice(112);
+  Random random(112);
   for (const unsigned percent : {2U, 10U, 50U, 90U}) {
     for (unsigned i = 0; i != 100; ++i) {
       std::uint64_t word = 0;
       for (unsigned bit = 0; bit != 64; ++bit)
-        word |= static_cast<std::uint64_t>(dice.below(100) < percent ? 1 : 0) << bit;
+        word |= static_cast<std::uint64_t>(random.below(100) < percent ? 1 : 0) << bit;
       words.push_back(word);
     }
   }
@@ -44,9 +44,9 @@ std::vector<Index> those_of(const std::vector<Index>& order, std::size_t first, 
 }
 
 TEST(Pick, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
-  Dice dice(113);
+  Random random(113);
   std::vector<std::uint32_t> from(64);
-  for (std::uint32_t& index : from) index = dice.below(0xffffffff);  // as floats, NaNs among them
+  for (std::uint32_t& index : from) index = random.below(0xffffffff);  // as floats, NaNs among them
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const std::uint64_t bits : words_of_bits()) {

@@ -31,14 +31,14 @@ Box around(const Box& a, const Box& b) {
 
 TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
   for (std::uint64_t seed = 81; seed != 91; ++seed) {
-    Dice dice(seed);
-    const auto bounds = scene<TypeParam>(dice, shapes[seed % std::size(shapes)], 5000);
+    Random random(seed);
+    const auto bounds = scene<TypeParam>(random, shapes[seed % std::size(shapes)], 5000);
     const auto memory = columns(bounds);
     std::vector<Box> a;
     std::vector<Box> b;
     for (int i = 0; i != 4; ++i) {
-      a.push_back(dice.box(-4, -2, 0.2F, 1.0F));
-      b.push_back(dice.box(2, 4, 0.2F, 1.0F));
+      a.push_back(random.box(-4, -2, 0.2F, 1.0F));
+      b.push_back(random.box(2, 4, 0.2F, 1.0F));
     }
     Box group_a = a[0];
     Box group_b = b[0];
@@ -72,8 +72,8 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
 }
 
 TYPED_TEST(Refine, CandidatesKeepTheirOrderAndMayRepeat) {
-  Dice dice(92);
-  const auto bounds = scene<TypeParam>(dice, Shape::uniform, 100);
+  Random random(92);
+  const auto bounds = scene<TypeParam>(random, Shape::uniform, 100);
   const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
   const Indices candidates = {70, 3, 3, 99, 0};
   Indices kept(5);

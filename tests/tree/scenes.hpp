@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dice.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
@@ -47,12 +47,13 @@ struct Blob {
   Vec3 half;
 };
 
-inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
-  Blob blob{dice.vec3(-5, 5), dice.vec3(0.01F, 0.2F)};
+inline Blob blob(Random& random, Shape shape, std::size_t i) {
+  Blob blob{random.vec3(-5, 5), random.vec3(0.01F, 0.2F)};
   switch (shape) {
     case Shape::clustered: {
-      const float home = static_cast<float>(dice.below(5)) - 2.0F;
-      blob = {{home + dice.uniform(-0.01F, 0.01F), 2 * home + dice.uniform(-0.01F, 0.01F), home}, dice.vec3(0, 0.01F)};
+      const float home = static_cast<float>(random.below(5)) - 2.0F;
+      blob = {{home + random.uniform(-0.01F, 0.01F), 2 * home + random.uniform(-0.01F, 0.01F), home},
+              random.vec3(0, 0.01F)};
       break;
     }
     case Shape::coincident:
@@ -66,7 +67,7 @@ inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
       blob = {{blob.centre[0], 0, 1}, {0, 0, 0}};
       break;
     case Shape::wild_sizes: {
-      const float scale = std::pow(10.0F, dice.uniform(-6, 3));
+      const float scale = std::pow(10.0F, random.uniform(-6, 3));
       for (float& h : blob.half) h *= scale;
       break;
     }
@@ -74,7 +75,7 @@ inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
       if (i == 17) blob.half = {1e6F, 1e30F, 40};
       break;
     case Shape::grid:
-      blob = {{dice.integer(-5, 5), dice.integer(-5, 5), dice.integer(-5, 5)}, {0.5F, 0.5F, 0.5F}};
+      blob = {{random.integer(-5, 5), random.integer(-5, 5), random.integer(-5, 5)}, {0.5F, 0.5F, 0.5F}};
       break;
     default:
       break;
@@ -82,67 +83,67 @@ inline Blob blob(Dice& dice, Shape shape, std::size_t i) {
   return blob;
 }
 
-inline Box box_of(Dice& dice, Shape shape, std::size_t i) {
-  const Blob b = blob(dice, shape, i);
+inline Box box_of(Random& random, Shape shape, std::size_t i) {
+  const Blob b = blob(random, shape, i);
   Box box{};
   for (std::size_t k = 0; k != 3; ++k) {
     box.lo[k] = b.centre[k] - b.half[k];
     box.hi[k] = b.centre[k] + b.half[k];
   }
-  if (shape == Shape::some_empty && dice.one_in(3)) return empty_box;
-  if (shape == Shape::some_infinite && dice.one_in(5)) {
-    box.lo[dice.below(3)] = -infinity;
-    if (dice.one_in(2)) box.hi[dice.below(3)] = infinity;
+  if (shape == Shape::some_empty && random.one_in(3)) return empty_box;
+  if (shape == Shape::some_infinite && random.one_in(5)) {
+    box.lo[random.below(3)] = -infinity;
+    if (random.one_in(2)) box.hi[random.below(3)] = infinity;
   }
   return box;
 }
 
-inline Sphere sphere_of(Dice& dice, Shape shape, std::size_t i) {
-  const Blob b = blob(dice, shape, i);
-  if (shape == Shape::some_infinite && dice.one_in(5)) return {b.centre, infinity};
+inline Sphere sphere_of(Random& random, Shape shape, std::size_t i) {
+  const Blob b = blob(random, shape, i);
+  if (shape == Shape::some_infinite && random.one_in(5)) return {b.centre, infinity};
   return {b.centre, b.half[0]};
 }
 
 template <class Bound>
-std::vector<Bound> scene(Dice& dice, Shape shape, std::size_t count) {
+std::vector<Bound> scene(Random& random, Shape shape, std::size_t count) {
   std::vector<Bound> bounds;
   for (std::size_t i = 0; i != count; ++i) {
     if constexpr (std::is_same_v<Bound, Box>) {
-      bounds.push_back(box_of(dice, shape, i));
+      bounds.push_back(box_of(random, shape, i));
     } else {
-      bounds.push_back(sphere_of(dice, shape, i));
+      bounds.push_back(sphere_of(random, shape, i));
     }
   }
   return bounds;
 }
 
 /// Shafts thin and thick, of all kinds that compile differently.
-inline std::vector<CompiledShaft> shafts_for(Dice& dice, std::size_t count) {
+inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) {
   std::vector<CompiledShaft> shafts;
   while (shafts.size() != count) {
     Box a{};
     Box b{};
-    switch (dice.below(5)) {
+    switch (random.below(5)) {
       case 0:
-        a = dice.box(-5, 5, 0.2F, 1.0F), b = dice.box(-5, 5, 0.2F, 1.0F);
+        a = random.box(-5, 5, 0.2F, 1.0F), b = random.box(-5, 5, 0.2F, 1.0F);
         break;
       case 1:
-        a = dice.box(-4, 4, 3.0F, 5.0F), b = dice.box(-4, 4, 3.0F, 5.0F);
+        a = random.box(-4, 4, 3.0F, 5.0F), b = random.box(-4, 4, 3.0F, 5.0F);
         break;  // most bounds are inside
       case 2:
-        a = dice.grid_box(-5, 5), b = dice.grid_box(-5, 5);
+        a = random.grid_box(-5, 5), b = random.grid_box(-5, 5);
         break;  // touching, purple faces
       case 3:
-        a = b = dice.grid_box(-5, 5);
+        a = b = random.grid_box(-5, 5);
         break;
       default:
-        a = dice.box(-5, 5, 0, 0.01F), b = dice.box(-5, 5, 0, 0.01F);
+        a = random.box(-5, 5, 0, 0.01F), b = random.box(-5, 5, 0, 0.01F);
         break;
     }
     Shaft shaft(a, b);
-    if (dice.one_in(4)) shaft.add_plane({dice.vec3(-1, 1), dice.uniform(-1, 1)});
+    if (random.one_in(4)) shaft.add_plane({random.vec3(-1, 1), random.uniform(-1, 1)});
     shafts.push_back(compile(shaft));
-    if (dice.one_in(3) && shafts.back().added_count == 0) {
+    if (random.one_in(3) && shafts.back().added_count == 0) {
       const BoxStream as(std::vector<Box>{a});
       const BoxStream bs(std::vector<Box>{b});
       compile_batch(as.view(), bs.view(), {&shafts.back(), 1});  // planes pending

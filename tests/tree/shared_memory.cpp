@@ -49,8 +49,8 @@ class TreeSharedMemory : public testing::Test {
     return leaves;
   }
   static Tree random_tree() {
-    Dice dice(51);
-    return Tree{std::span<const BoundOf<Tree>>(scene<BoundOf<Tree>>(dice, Shape::uniform, count))};
+    Random random(51);
+    return Tree{std::span<const BoundOf<Tree>>(scene<BoundOf<Tree>>(random, Shape::uniform, count))};
   }
 
   const CompiledShaft shaft_ = compile(Shaft({{-4, -4, -4}, {0, 0, 0}}, {{1, 1, 1}, {4, 4, 4}}));

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "dice.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/table.hpp"
+#include "oracle/random.hpp"
 #include "shaftcull/tree.hpp"
 #include "support/float_environment.hpp"
 #include "tree/entries.hpp"
@@ -181,57 +181,60 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
 }
 
 /// Ways to throw keys.
-using Keys = float (*)(Dice&);
+using Keys = float (*)(Random&);
 const std::map<std::string, Keys> distributions = {
-    {"uniform", [](Dice& dice) { return dice.uniform(-1, 1); }},
-    {"equal", [](Dice&) { return 0.25F; }},
-    {"few values", [](Dice& dice) { return dice.integer(-1, 1); }},
-    {"signed zeros", [](Dice& dice) { return dice.below(2) == 0   ? -0.0F
-                                             : dice.below(4) == 0 ? 1e-45F
-                                                                  : 0.0F; }},
-    {"denormals", [](Dice& dice) { return dice.integer(-50, 50) * 1e-45F; }},
-    {"largest", [](Dice& dice) { return dice.below(2) == 0 ? std::numeric_limits<float>::max() : dice.integer(0, 3); }},
-    {"all magnitudes", [](Dice& dice) { return dice.wild(); }},
-    {"two values", [](Dice& dice) { return dice.below(2) == 0 ? -std::numeric_limits<float>::max() : 1e-45F; }},
-    {"outlier", [](Dice& dice) { return dice.below(500) == 0 ? 1e30F : dice.uniform(0, 1e-3F); }}};
+    {"uniform", [](Random& random) { return random.uniform(-1, 1); }},
+    {"equal", [](Random&) { return 0.25F; }},
+    {"few values", [](Random& random) { return random.integer(-1, 1); }},
+    {"signed zeros",
+     [](Random& random) { return random.below(2) == 0   ? -0.0F
+                                 : random.below(4) == 0 ? 1e-45F
+                                                        : 0.0F; }},
+    {"denormals", [](Random& random) { return random.integer(-50, 50) * 1e-45F; }},
+    {"largest",
+     [](Random& random) { return random.below(2) == 0 ? std::numeric_limits<float>::max() : random.integer(0, 3); }},
+    {"all magnitudes", [](Random& random) { return random.wild(); }},
+    {"two values", [](Random& random) { return random.below(2) == 0 ? -std::numeric_limits<float>::max() : 1e-45F; }},
+    {"outlier", [](Random& random) { return random.below(500) == 0 ? 1e30F : random.uniform(0, 1e-3F); }}};
 
-Entries entries_of(Dice& dice, Keys key, std::size_t axis, std::size_t count) {
+Entries entries_of(Random& random, Keys key, std::size_t axis, std::size_t count) {
   Entries entries(count);
   for (std::size_t i = 0; i != count; ++i) {
     entries[i].centre = {0.5F, 0.5F, 0.5F};  // the other axes are not spread out at all
-    entries[i].centre[axis] = key(dice);
+    entries[i].centre[axis] = key(random);
     entries[i].index = static_cast<std::uint32_t>(i);
   }
   return entries;
 }
 
 TEST(SplitEntries, HalvesAreThoseOfSorting) {
-  Dice dice(5100);
+  Random random(5100);
   for (const auto& [what, key] : distributions) {
     for (std::size_t count = 2; count < 200; count += 1 + count / 20) {
-      const std::size_t axis = dice.below(3);
-      expect_split(entries_of(dice, key, axis, count), 1 + dice.below(static_cast<unsigned>(count) - 1), axis, what);
+      const std::size_t axis = random.below(3);
+      expect_split(entries_of(random, key, axis, count), 1 + random.below(static_cast<unsigned>(count) - 1), axis,
+                   what);
       if (testing::Test::HasFatalFailure()) return;
     }
   }
 }
 
 TEST(SplitEntries, LargePartsAreSampled) {
-  Dice dice(5200);
+  Random random(5200);
   for (const auto& [what, key] : distributions) {
     for (const std::size_t count : {1024U, 1025U, 4096U, 4097U, 9001U}) {
       // Where no key of the sample differs, the axis is the first.
-      expect_split(entries_of(dice, key, 0, count), 1 + dice.below(static_cast<unsigned>(count) - 1), 0, what);
-      expect_split(entries_of(dice, key, 0, count), count / 2, 0, what);
+      expect_split(entries_of(random, key, 0, count), 1 + random.below(static_cast<unsigned>(count) - 1), 0, what);
+      expect_split(entries_of(random, key, 0, count), count / 2, 0, what);
       if (testing::Test::HasFatalFailure()) return;
     }
   }
 }
 
 TEST(SplitEntries, LargestPartsAreHalvedByAllThreads) {
-  Dice dice(5250);
+  Random random(5250);
   for (const auto& [what, key] : distributions) {
-    expect_split(entries_of(dice, key, 0, 70001), 1 + dice.below(70000), 0, what);
+    expect_split(entries_of(random, key, 0, 70001), 1 + random.below(70000), 0, what);
     if (testing::Test::HasFatalFailure()) return;
   }
 }
@@ -268,11 +271,11 @@ TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
 }
 
 TEST(SplitEntries, AxisThatIsSpreadOutMost) {
-  Dice dice(5300);
+  Random random(5300);
   for (std::size_t axis = 0; axis != 3; ++axis) {
     Entries entries(300);
     for (std::size_t i = 0; i != entries.size(); ++i) {
-      entries[i] = {dice.vec3(-1, 1), static_cast<std::uint32_t>(i)};
+      entries[i] = {random.vec3(-1, 1), static_cast<std::uint32_t>(i)};
       entries[i].centre[axis] *= 10;
     }
     expect_split(entries, 128, axis, "axis");
@@ -299,8 +302,8 @@ TEST(TreeOrder, IndicesComeBackFromEntries) {
 
 TEST(TreeOrder, IsTheSameOnEveryInstructionSet) {
   for (const Shape shape : shapes) {
-    Dice dice(5400);
-    const std::vector<Box> boxes = scene<Box>(dice, shape, 9000);  // its halves are sampled at first
+    Random random(5400);
+    const std::vector<Box> boxes = scene<Box>(random, shape, 9000);  // its halves are sampled at first
     std::vector<std::uint32_t> first;
     for (const Isa isa : available_isas()) {
       const UseIsa use(isa);

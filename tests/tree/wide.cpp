@@ -9,7 +9,7 @@
 #include <new>
 #include <vector>
 
-#include "effort.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/query.hpp"
 #include "tree/outputs.hpp"

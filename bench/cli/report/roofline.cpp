@@ -75,7 +75,7 @@ std::string draw_bandwidths(const std::vector<Bandwidth>& bandwidths, double hig
   return script;
 }
 
-/// What a kind of arithmetic allows, in tests a second (bench/limit.cpp).
+/// What a kind of arithmetic allows, in tests a second (bench/families/roofline.cpp).
 struct Roof {
   const Look* look;
   const char* numbers;

@@ -1,4 +1,4 @@
-/// build/bench/summary.json, as `shaftcull-bench` writes it (bench/summary.hpp), read back.
+/// build/bench/summary.json, as `shaftcull-bench` writes it (bench/harness/summary.hpp), read back.
 #pragma once
 
 #include <cstddef>

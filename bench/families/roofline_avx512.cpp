@@ -1,0 +1,18 @@
+// Which instruction set this unit is for, to simd/lanes.hpp.
+#define SHAFTCULL_UNIT_AVX2
+#define SHAFTCULL_UNIT_AVX512
+// xsimd gets a name of its own in this unit, so that none of its inline functions is shared with another one.
+#define xsimd xsimd_limit_avx512
+#include "families/roofline_lanes.hpp"
+
+namespace shaftcull::bench {
+namespace {
+
+struct RooflineLanes : kernel::Lanes<xsimd::avx512bw> {};
+
+}  // namespace
+
+extern const RooflineKernels avx512_roofline_kernels;
+const RooflineKernels avx512_roofline_kernels = roofline_kernels_for<RooflineLanes>;
+
+}  // namespace shaftcull::bench

@@ -1,0 +1,121 @@
+/// small/…: what calls cost that test few bounds.
+///
+/// small/one_shaft_64_boxes is the whole cost of cull() for a full word of boxes. small/n/N, small/list_many/N and
+/// small/refine_many/N are calls for N boxes, just below and above a word too: fewer bounds must not cost more.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "harness/suite.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/refine.hpp"
+
+namespace shaftcull::bench {
+namespace {
+
+constexpr std::size_t word_boxes = 64;
+constexpr std::size_t sizes[] = {1, 8, 16, 32, 63, word_boxes, 65};
+constexpr std::size_t most_boxes = 65;  // their pieces overlap by one
+/// Pieces of the boxes that calls take in turn, with each shaft: too many calls for a branch predictor to learn by
+/// heart, few enough boxes for an L1 cache.
+constexpr std::size_t pieces = 16;
+
+/// Time at most so many times that of a full word: fewer than a word, and one more than a word.
+constexpr double most_of_fewer = 1.3;
+constexpr double most_of_one_more = 1.6;
+
+struct Small {
+  std::vector<CompiledShaft> shafts;
+  BoxView boxes;
+  std::vector<std::uint32_t> candidates;
+  IndexLists lists;
+};
+
+void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
+  std::uint64_t kept[words_for(most_boxes)] = {};
+  for (auto _ : state) {
+    for (const CompiledShaft& shaft : small.shafts) {
+      for (std::size_t p = 0; p < pieces; ++p) {
+        cull(shaft, small.boxes.slice(p * word_boxes, count), std::span(kept).first(words_for(count)));
+        benchmark::DoNotOptimize(kept);
+      }
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * pieces));
+}
+
+void run_list_many(benchmark::State& state, Small& small, std::size_t count) {
+  std::size_t next = 0;
+  for (auto _ : state) {
+    list_many(small.shafts, small.boxes.slice(next++ % pieces * word_boxes, count), small.lists);
+    benchmark::DoNotOptimize(small.lists.indices.data());
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+void run_refine_many(benchmark::State& state, Small& small, std::size_t count) {
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const std::size_t first = next++ % pieces * word_boxes;
+    refine_many(small.shafts, small.boxes, std::span<const std::uint32_t>(small.candidates).subspan(first, count),
+                small.lists);
+    benchmark::DoNotOptimize(small.lists.indices.data());
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+void declare_sizes(Suite& suite, const std::shared_ptr<Small>& small, Isa isa, const std::string& family,
+                   void (*run)(benchmark::State&, Small&, std::size_t)) {
+  const auto name_of = [&](std::size_t count) { return fmt::format("small/{}/{}/{}", family, count, name(isa)); };
+  for (const std::size_t count : sizes) {
+    suite.add(name_of(count), "",
+              [=](benchmark::State& state) {
+                select_isa(isa);
+                run(state, *small, count);
+              },
+              {.brief = true});
+    if (count == word_boxes) continue;
+    suite.add_target(name_of(count), name_of(word_boxes), 1 / (count < word_boxes ? most_of_fewer : most_of_one_more));
+  }
+}
+
+}  // namespace
+
+void declare_small(Suite& suite, const Workload& workload) {
+  const auto small = std::make_shared<Small>();
+  for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
+    small->shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
+  }
+  small->boxes = workload.boxes.view().slice(0, pieces * word_boxes + most_boxes - word_boxes);
+  small->candidates.resize(small->boxes.count);
+  std::iota(small->candidates.begin(), small->candidates.end(), 0U);
+
+  const std::vector<Isa> available = available_isas();
+  for (const Isa isa : available) {
+    suite.add("small/one_shaft_64_boxes/" + std::string(name(isa)), "", [=](benchmark::State& state) {
+      select_isa(isa);
+      run_cull(state, *small, word_boxes);
+    });
+    if (isa == Isa::avx2) suite.add_time_target("small/one_shaft_64_boxes/avx2", 60.0);
+  }
+  for (const Isa isa : std::set<Isa>{Isa::avx2, available.back()}) {
+    if (isa > available.back()) continue;
+    declare_sizes(suite, small, isa, "n",
+                  [](benchmark::State& state, Small& some, std::size_t count) { run_cull(state, some, count); });
+    declare_sizes(suite, small, isa, "list_many", run_list_many);
+    declare_sizes(suite, small, isa, "refine_many", run_refine_many);
+  }
+  suite.note("small/… counts calls, not tests: a call's whole cost");
+  suite.note("targets of small/… are ratios of speeds: 0.77 is 1.3 × the time of a full word");
+}
+
+}  // namespace shaftcull::bench

@@ -1,0 +1,46 @@
+// Which instruction set this unit is for, to simd/lanes.hpp.
+#define SHAFTCULL_UNIT_AVX2
+#define xsimd xsimd_unfiltered_avx2
+#include "kernels/boxes/slab.hpp"
+#include "peers/unfiltered.hpp"
+#include "simd/lanes.hpp"
+
+namespace shaftcull::bench {
+namespace {
+
+struct UnfilteredLanes : kernel::Lanes<xsimd::fma3<xsimd::avx2>> {};
+
+template <unsigned uppers>
+void cull_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+                std::uint64_t* kept) noexcept {
+  using L = UnfilteredLanes;
+  const kernel::Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft, 0.0F);
+  const float* x[6];
+  for (unsigned i = 0; i < 6; ++i) x[i] = stream[shaft.slab_near[i]];
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t outside = 0;
+#pragma GCC unroll 2
+    for (unsigned four = 0; four < kernel::word_bits; four += 4 * L::width) {
+      L::Vector room[4];
+#pragma GCC unroll 4
+      for (unsigned v = 0; v < 4; ++v) {
+        const std::size_t at = w * kernel::word_bits + four + v * L::width;
+        room[v] = slab.room([&](unsigned i) { return L::load(x[i] + at); });
+      }
+      outside |= L::signs(room) << four;
+    }
+    kept[w] = ~outside;
+  }
+}
+
+}  // namespace
+
+void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words,
+                          std::uint64_t* kept) noexcept {
+  using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
+  static constexpr Words* by_uppers[7] = {nullptr,       cull_words<1>, cull_words<2>, cull_words<3>,
+                                          cull_words<4>, cull_words<5>, cull_words<6>};
+  by_uppers[shaft.slab_uppers](shaft, boxes.stream.data(), words, kept);
+}
+
+}  // namespace shaftcull::bench

@@ -1,0 +1,228 @@
+/// Bits, counts, lists and tiles all say what cull() and classify() say, whatever the number of threads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "columns.hpp"
+#include "many/workload.hpp"
+#include "misaligned.hpp"
+#include "shaftcull/many.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
+
+/// Counts of bounds on either side of words, of tiles and of blocks of tiles.
+constexpr std::size_t bound_counts[] = {0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 5000};
+constexpr std::size_t shaft_counts[] = {0, 1, 63, 64, 65, 200};
+
+/// Calls check(shafts, view, expected) for every count of shafts and of bounds, on every number of threads.
+template <class Columns, class Check>
+void for_all_sizes(const Columns& memory, const Check& check) {
+  const std::vector<CompiledShaft> most_shafts = random_shafts(81, 200);
+  for (const std::size_t shaft_count : shaft_counts) {
+    const std::vector<CompiledShaft> shafts(most_shafts.begin(),
+                                            most_shafts.begin() + static_cast<std::ptrdiff_t>(shaft_count));
+    for (const std::size_t bound_count : bound_counts) {
+      // Many of both say nothing more than many of each, and take long under a sanitizer.
+      if (shaft_count > 65 && bound_count > 65 && bound_count != 2049) continue;
+      const auto view = memory.view().slice(0, bound_count);
+      const ExpectedRows expected(shafts, view);
+      for (const int threads : thread_counts) {
+        SCOPED_TRACE(std::to_string(shaft_count) + " shafts, " + std::to_string(bound_count) + " bounds, " +
+                     std::to_string(threads) + " threads");
+        with_threads(threads, [&] { check(shafts, view, expected); });
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  }
+}
+
+/// Runs the same check for boxes and for spheres.
+template <class Check>
+void for_boxes_and_spheres(const Check& check) {
+  for_all_sizes(BoxColumns(random_boxes(82, 5000)), check);
+  for_all_sizes(SphereColumns(random_spheres(83, 5000)), check);
+}
+
+TEST(Outputs, CullManyWritesTheRowsThatCullGives) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    std::vector<std::uint64_t> rows(expected.kept.size(), sentinel);
+    cull_many(shafts, view, rows);
+    EXPECT_EQ(rows, expected.kept);
+    cull_many(shafts, view, rows, Form::planes);
+    EXPECT_EQ(rows, expected.kept);
+  });
+}
+
+TEST(Outputs, ClassifyManyWritesTheRowsThatClassifyGives) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    std::vector<std::uint64_t> kept(expected.kept.size(), sentinel);
+    std::vector<std::uint64_t> inside(expected.inside.size(), sentinel);
+    classify_many(shafts, view, kept, inside);
+    EXPECT_EQ(kept, expected.kept);
+    EXPECT_EQ(inside, expected.inside);
+  });
+}
+
+TEST(Outputs, CountManyCountsTheBitsOfEachRow) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    std::vector<std::uint64_t> counts(shafts.size(), sentinel);
+    count_many(shafts, view, counts);
+    const std::size_t words = words_for(view.count);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      std::uint64_t count = 0;
+      for (std::size_t w = 0; w != words; ++w)
+        count += static_cast<std::uint64_t>(std::popcount(expected.kept[s * words + w]));
+      EXPECT_EQ(counts[s], count) << "shaft " << s;
+    }
+  });
+}
+
+TEST(Outputs, ListManyListsTheSetBitsOfEachRowAscending) {
+  IndexLists lists;  // used again and again, so that what it held before must not matter
+  for_boxes_and_spheres([&lists](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    list_many(shafts, view, lists);
+    ASSERT_EQ(lists.size(), shafts.size());
+    ASSERT_EQ(lists.offsets.front(), 0U);
+    ASSERT_EQ(lists.offsets.back(), lists.indices.size());
+    const std::size_t words = words_for(view.count);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      std::vector<std::uint32_t> right;
+      for (std::uint32_t i = 0; i != view.count; ++i) {
+        if ((expected.kept[s * words + i / 64] >> i % 64 & 1U) != 0) right.push_back(i);
+      }
+      EXPECT_EQ(std::vector<std::uint32_t>(lists[s].begin(), lists[s].end()), right) << "shaft " << s;
+    }
+  });
+}
+
+TEST(Outputs, ListManyListsEverythingIfAllIsKept) {
+  const std::vector<CompiledShaft> shafts(3, compile(Shaft({{-9, -9, -9}, {0, 0, 0}}, {{0, 0, 0}, {9, 9, 9}})));
+  const BoxColumns memory(std::vector<Box>(5000, Box{{-1, -1, -1}, {1, 1, 1}}));
+  IndexLists lists;
+  list_many(shafts, memory.view(), lists);
+  ASSERT_EQ(lists.indices.size(), 15000U);
+  for (std::uint32_t i = 0; i != 15000; ++i) ASSERT_EQ(lists.indices[i], i % 5000);
+}
+
+/// Puts tiles back together into rows, and checks their order.
+class Collector {
+ public:
+  Collector(std::size_t shafts, std::size_t bounds, bool classifies)
+      : shafts_(shafts),
+        bounds_(bounds),
+        classifies_(classifies),
+        kept_(shafts * words_for(bounds), sentinel),
+        inside_(kept_) {}
+
+  void operator()(const TileAnswers& tile) {
+    ASSERT_EQ(tile.shaft, next_shaft_);
+    ASSERT_EQ(tile.first, next_first_);
+    ASSERT_EQ(tile.first % 64, 0U);
+    ASSERT_GT(tile.count, 0U);
+    ASSERT_LE(tile.first + tile.count, bounds_);
+    ASSERT_EQ(tile.kept.size(), words_for(tile.count));
+    ASSERT_EQ(tile.inside.size(), classifies_ ? words_for(tile.count) : 0);
+    const std::size_t at = tile.shaft * words_for(bounds_) + tile.first / 64;
+    std::copy(tile.kept.begin(), tile.kept.end(), kept_.begin() + static_cast<std::ptrdiff_t>(at));
+    std::copy(tile.inside.begin(), tile.inside.end(), inside_.begin() + static_cast<std::ptrdiff_t>(at));
+    if (++next_shaft_ == shafts_) {
+      next_shaft_ = 0;
+      next_first_ += tile.count;
+    }
+  }
+  void expect(const ExpectedRows& expected) const {
+    EXPECT_EQ(next_first_, shafts_ == 0 ? 0 : bounds_) << "tiles are missing";
+    EXPECT_EQ(kept_, expected.kept);
+    if (classifies_) {
+      EXPECT_EQ(inside_, expected.inside);
+    }
+  }
+
+ private:
+  std::size_t shafts_;
+  std::size_t bounds_;
+  bool classifies_;
+  std::size_t next_shaft_ = 0;
+  std::size_t next_first_ = 0;
+  std::vector<std::uint64_t> kept_;
+  std::vector<std::uint64_t> inside_;
+};
+
+TEST(Outputs, CullTilesDeliversEveryTileOrderedByTileAndThenByShaft) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    Collector collector(shafts.size(), view.count, false);
+    cull_tiles(shafts, view, std::ref(collector));
+    collector.expect(expected);
+  });
+}
+
+TEST(Outputs, ClassifyTilesDeliversEveryTileOrderedByTileAndThenByShaft) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    Collector collector(shafts.size(), view.count, true);
+    classify_tiles(shafts, view, std::ref(collector));
+    collector.expect(expected);
+  });
+}
+
+/// A whole tile, which many shafts test in ways of their own, and one that is not whole.
+template <class Columns>
+void expect_every_misalignment(const Columns& memory) {
+  const std::vector<CompiledShaft> shafts = random_shafts(86, 8);  // enough for a grid
+  const ExpectedRows expected(shafts, memory.view());
+  for (std::size_t offset = 0; offset != 16; ++offset) {
+    SCOPED_TRACE(std::to_string(offset) + " floats off, and one more with each stream");
+    const Misaligned moved(memory.view(), offset, 1);
+    std::vector<std::uint64_t> kept(expected.kept.size(), sentinel);
+    std::vector<std::uint64_t> inside(expected.inside.size(), sentinel);
+    classify_many(shafts, moved.view(), kept, inside);
+    EXPECT_EQ(kept, expected.kept);
+    EXPECT_EQ(inside, expected.inside);
+  }
+}
+
+TEST(Outputs, EveryMisalignmentOfTilesGivesTheSameAnswers) {
+  expect_every_misalignment(BoxColumns(random_boxes(87, 2048 + 100)));
+  expect_every_misalignment(SphereColumns(random_spheres(88, 2048 + 100)));
+}
+
+TEST(Outputs, ManyTasksAgreeWithCull) {
+  // Enough tiles that every kind of cut has many tasks; with and without a second group of shafts.
+  const BoxColumns memory(random_boxes(84, 100001));
+  for (const std::size_t shaft_count : {20U, 66U}) {
+    const std::vector<CompiledShaft> shafts = random_shafts(85, shaft_count);
+    const ExpectedRows expected(shafts, memory.view());
+    for (const int threads : thread_counts) {
+      with_threads(threads, [&] {
+        std::vector<std::uint64_t> rows(expected.kept.size(), sentinel);
+        cull_many(shafts, memory.view(), rows);
+        EXPECT_EQ(rows, expected.kept);
+        Collector collector(shafts.size(), memory.view().count, true);
+        classify_tiles(shafts, memory.view(), std::ref(collector));
+        collector.expect(expected);
+        std::vector<std::uint64_t> counts(shafts.size());
+        count_many(shafts, memory.view(), counts);
+        IndexLists lists;
+        list_many(shafts, memory.view(), lists);
+        const std::size_t words = words_for(memory.view().count);
+        for (std::size_t s = 0; s != shafts.size(); ++s) {
+          EXPECT_EQ(lists[s].size(), counts[s]);
+          std::vector<std::uint64_t> row(words);
+          for (const std::uint32_t i : lists[s]) row[i / 64] |= std::uint64_t{1} << i % 64;
+          EXPECT_TRUE(std::equal(row.begin(), row.end(), rows.begin() + static_cast<std::ptrdiff_t>(s * words)));
+          EXPECT_TRUE(std::is_sorted(lists[s].begin(), lists[s].end()));
+        }
+      });
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,27 @@
+/// What a test is about: a shaft, given as its boxes and added planes, and how to print it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/cull.hpp"
+
+namespace shaftcull {
+
+/// A shaft as its two boxes and added planes.
+struct ShaftInput {
+  Box a;
+  Box b;
+  std::vector<Plane> added{};
+};
+
+/// C++ source text that makes the same values again, to the bit.
+std::string source_text(const Box& box);
+std::string source_text(const Sphere& sphere);
+std::string source_text(const ShaftInput& input);
+
+/// "outside", "overlap" or "inside".
+const char* text(Answer answer);
+
+}  // namespace shaftcull

@@ -1,0 +1,28 @@
+/// How many random cases a test tries, and what it cannot do under a sanitizer.
+#pragma once
+
+#include <cstdint>
+
+namespace shaftcull {
+
+/// As many as asked for; under AddressSanitizer a third. What it looks for does not take many cases, and takes long.
+constexpr std::uint64_t random_cases(std::uint64_t cases) {
+#if defined(__SANITIZE_ADDRESS__)
+  return (cases + 2) / 3;
+#else
+  return cases;
+#endif
+}
+
+/// Whether this is built with a sanitizer that keeps a record of every piece of memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // as GCC says it
+inline constexpr bool has_shadow_memory = true;
+#elif !defined(__has_feature)
+inline constexpr bool has_shadow_memory = false;
+#elif __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)  // as Clang says it
+inline constexpr bool has_shadow_memory = true;
+#else
+inline constexpr bool has_shadow_memory = false;
+#endif
+
+}  // namespace shaftcull
