@@ -1,0 +1,77 @@
+/// How far a sphere's centre is from a shaft: the gaps between it and the faces of box(t).
+///
+/// The sphere is outside iff the smallest squared distance of its centre c from box(t), over t in [0, 1],
+///   f(t) = Σ gap_g(t)²  over the gaps that are positive,
+/// is larger than r². Each axis has two gaps, lo_k(t) − c_k and c_k − hi_k(t), linear in t, so f is convex and
+/// piecewise quadratic, and breaks only where a gap is zero.
+///
+/// Three steps find out, each for what the one before leaves undecided: doubles with a bound on their error
+/// (rounded_gaps.hpp), certificates for where f seems to be least (gap_certificates.cpp), and expansions
+/// (gap_expansions.cpp).
+#pragma once
+
+#include <cmath>
+
+#include "exact/expansion.hpp"
+#include "shaftcull/compiled.hpp"
+
+namespace shaftcull::kernel {
+
+/// gap(t) = start + t · slope, and end for t = 1: how far the centre is beyond a face of box(t).
+struct Gap {
+  double start_minuend;
+  double start_subtrahend;
+  double slope_minuend;
+  double slope_subtrahend;
+  double end_minuend;
+  double end_subtrahend;
+
+  [[nodiscard]] double start() const noexcept { return start_minuend - start_subtrahend; }
+  [[nodiscard]] double slope() const noexcept { return slope_minuend - slope_subtrahend; }
+  /// As a Measured or an Expansion<2>.
+  template <class Number>
+  [[nodiscard]] Number start_in() const noexcept {
+    return Number::difference(start_minuend, start_subtrahend);
+  }
+  template <class Number>
+  [[nodiscard]] Number slope_in() const noexcept {
+    return Number::difference(slope_minuend, slope_subtrahend);
+  }
+  [[nodiscard]] Expansion<2> exact_start() const noexcept { return start_in<Expansion<2>>(); }
+  [[nodiscard]] Expansion<2> exact_slope() const noexcept { return slope_in<Expansion<2>>(); }
+};
+
+struct Gaps {
+  Gap gap[6];
+  unsigned axis[6];
+  unsigned count = 0;
+
+  Gaps(const Box& a, const Box& b, const float (&sphere)[4]) noexcept {
+    for (unsigned k = 0; k < 3; ++k) {
+      const double c = sphere[k];
+      if (!std::isfinite(c)) continue;
+      axis[count] = axis[count + 1] = k;
+      gap[count++] = {a.lo[k], c, b.lo[k], a.lo[k], b.lo[k], c};
+      gap[count++] = {c, a.hi[k], a.hi[k], b.hi[k], c, b.hi[k]};
+    }
+  }
+};
+
+/// What a step says of a sphere and a shaft.
+enum class Verdict : unsigned char { outside, meets, undecided };
+
+/// Where f seems to be least: t, and the gaps that are positive there, gap g as bit g.
+struct Minimum {
+  double t;
+  unsigned positive;
+};
+
+/// Decides for certain from where f seems to be least, if what matters is computed without rounding, or nearly so.
+/// `still` says that no gap of `least.positive` changes on the way from a to b.
+Verdict certify(const CompiledShaft& shaft, const Gaps& gaps, const Minimum& least, bool still,
+                const float (&sphere)[4]) noexcept;
+
+/// Whether the minimum of f is larger than r², decided by expansions alone.
+bool exactly_outside(const Gaps& gaps, double radius) noexcept;
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,103 @@
+/// The third step of the distance between a sphere's centre and a shaft: the sign of f's minimum by expansions.
+#include "exact/gap.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// t = numerator / denominator with denominator > 0, exactly.
+struct Ratio {
+  Expansion<2> numerator;
+  Expansion<2> denominator;
+};
+
+/// denominator · gap(t), exactly.
+Expansion<16> scaled_gap(const Gap& gap, const Ratio& t) noexcept {
+  return gap.exact_start() * t.denominator + gap.exact_slope() * t.numerator;
+}
+
+/// Terms that a sum of degree four in floats and differences of them has at most, however many are added up: its terms
+/// are multiples of 2⁻⁵⁹⁶ below 2⁵²⁴ and do not overlap, so that no two share a bit. It is what keeps them on a small
+/// stack.
+constexpr std::size_t most_terms = 596 + 524;
+
+/// Sign of f′(t), exactly.
+int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
+  Expansion<6 * 64> sum;
+  for (unsigned g = 0; g < gaps.count; ++g) {
+    const auto gap = scaled_gap(gaps.gap[g], t);
+    if (gap.sign() <= 0) continue;
+    const auto term = gap * gaps.gap[g].exact_slope();
+    for (std::size_t i = 0; i < term.size(); ++i) sum.grow(term[i]);
+  }
+  return sum.sign();
+}
+
+/// Whether f(t) > r², exactly.
+[[gnu::noinline]] bool farther_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
+  Expansion<most_terms> sum;
+  for (unsigned g = 0; g < gaps.count; ++g) {
+    const auto gap = scaled_gap(gaps.gap[g], t);
+    if (gap.sign() <= 0) continue;
+    const auto square = gap * gap;
+    for (std::size_t i = 0; i < square.size(); ++i) sum.grow(square[i]);
+  }
+  const auto limit = t.denominator * t.denominator * (radius * radius);
+  for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
+  return sum.sign() > 0;
+}
+
+/// Whether the minimum of f is larger than r², where it lies between `low` and `high` and no gap changes its sign
+/// there; exactly. Not inlined, so that its sum and that of farther_at() are not on the stack at the same time.
+///
+/// The same gaps are positive there. With starts α and slopes β of those, Lagrange's identity gives
+///   min f = Σ_{g<h} (α_g β_h − α_h β_g)² / Σ β_g²,
+/// a sum of squares, so nothing cancels.
+[[gnu::noinline]] bool farther_between(const Gaps& gaps, const Ratio& low, const Ratio& high, double radius) noexcept {
+  const Gap* active[6];
+  unsigned count = 0;
+  for (unsigned g = 0; g < gaps.count; ++g) {
+    if (scaled_gap(gaps.gap[g], low).sign() > 0 || scaled_gap(gaps.gap[g], high).sign() > 0)
+      active[count++] = &gaps.gap[g];
+  }
+  Expansion<most_terms> sum;
+  for (unsigned g = 0; g < count; ++g) {
+    const auto start = active[g]->exact_start();
+    const auto slope = active[g]->exact_slope();
+    for (unsigned h = g + 1; h < count; ++h) {
+      const auto cross = start * active[h]->exact_slope() - active[h]->exact_start() * slope;
+      const auto square = cross * cross;
+      for (std::size_t i = 0; i < square.size(); ++i) sum.grow(square[i]);
+    }
+    const auto limit = slope * slope * (radius * radius);
+    for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
+  }
+  return sum.sign() > 0;
+}
+
+}  // namespace
+
+bool exactly_outside(const Gaps& gaps, double radius) noexcept {
+  Ratio low{{}, Expansion<2>(1.0)};
+  Ratio high{Expansion<2>(1.0), Expansion<2>(1.0)};
+  if (derivative_sign(gaps, low) >= 0) return farther_at(gaps, low, radius);
+  if (derivative_sign(gaps, high) <= 0) return farther_at(gaps, high, radius);
+
+  // From here on f′(low) < 0 < f′(high): narrow to an interval without a breakpoint.
+  const auto less = [](const Ratio& s, const Ratio& t) {
+    return (s.numerator * t.denominator - t.numerator * s.denominator).sign() < 0;
+  };
+  for (unsigned g = 0; g < gaps.count; ++g) {
+    Ratio t{-gaps.gap[g].exact_start(), gaps.gap[g].exact_slope()};
+    const int direction = t.denominator.sign();
+    if (direction == 0) continue;
+    if (direction < 0) t = {-t.numerator, -t.denominator};
+    if (!less(low, t) || !less(t, high)) continue;
+    const int sign = derivative_sign(gaps, t);
+    if (sign == 0) return farther_at(gaps, t, radius);
+    (sign > 0 ? high : low) = t;
+  }
+
+  return farther_between(gaps, low, high, radius);
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,136 @@
+/// The first step of the distance between a sphere's centre and a shaft: doubles, with a bound on their own error.
+#pragma once
+
+#include <cmath>
+
+#include "exact/gap.hpp"
+
+namespace shaftcull::kernel {
+
+/// The two gaps of an axis, side by side, as the compilers' own vectors: any processor that has none gets plain
+/// doubles.
+using Two [[gnu::vector_size(16)]] = double;
+
+inline double sum(Two x) noexcept { return x[0] + x[1]; }
+
+/// x where it is positive, and 0 elsewhere; without a branch, which would be mispredicted.
+inline Two where_positive(Two x, Two condition) noexcept { return condition > 0 ? x : Two{}; }
+
+inline double larger(double x, double y) noexcept { return x < y ? y : x; }
+
+/// Gaps in doubles, and f as they give it.
+class RoundedGaps {
+ public:
+  explicit RoundedGaps(const Gaps& gaps) noexcept {
+    double reach = 0;  // largest magnitude that a rounding error of a gap can be relative to
+    slopes_ = 0;
+    for (unsigned g = 0; g < gaps.count; ++g) {
+      const double start = gaps.gap[g].start();
+      const double slope = gaps.gap[g].slope();
+      start_[g / 2][g % 2] = start;
+      slope_[g / 2][g % 2] = slope;
+      slopes_ += std::fabs(slope);
+      reach = larger(reach, std::fabs(start) + std::fabs(slope));
+    }
+    // A gap is off by at most 4 units of reach: its start and slope by one each, product and sum by one each.
+    gap_error_ = 4 * unit * reach;
+  }
+
+  /// Whether none of the gaps in `some` (gap g as bit g) changes on the way from a to b.
+  [[nodiscard]] bool are_still(unsigned some) const noexcept {
+    bool still = true;
+    for (unsigned g = 0; g < 6; ++g) still = still && ((some >> g & 1U) == 0 || slope_[g / 2][g % 2] == 0);
+    return still;
+  }
+
+  /// Decides in double arithmetic, with a bound on its own error, or tells where f seems to be least.
+  ///
+  /// f is convex. If it neither rises from t = 0 on nor falls up to t = 1, it is least where its derivative is 0. The
+  /// derivative is linear while the same gaps are positive, so a few of Newton's steps lead there, kept from going
+  /// round in circles by the interval between steps that led to either side.
+  Verdict decide(double radius, Minimum& least) const noexcept {
+    constexpr unsigned most_steps = 16;
+    const double radius_square = radius * radius;  // exact: 24-bit factor
+    const Value at_a = at(0);
+    const Value at_b = at(1);
+    Value value = at(0.5);  // all three at once take hardly longer than one
+    if (at_a.half_slope >= 0 || at_b.half_slope <= 0) {
+      const bool is_at_b = at_a.half_slope < 0;
+      least = {is_at_b ? 1.0 : 0.0, 0};
+      return compare(is_at_b ? at_b : at_a, least.t, radius_square);
+    }
+    double t = 0.5;
+    double low = 0;
+    double high = 1;
+    for (unsigned step = 0; step < most_steps; ++step) {
+      const Verdict verdict = compare(value, t, radius_square);
+      if (verdict != Verdict::undecided) return verdict;
+      if (std::fabs(value.half_slope) <= half_slope_error(value)) break;
+      (value.half_slope < 0 ? low : high) = t;
+      const double next = t - value.half_slope / value.curvature;
+      t = next > low && next < high ? next : 0.5 * (low + high);
+      value = at(t);
+    }
+    least = {t, positive(t)};
+    return Verdict::undecided;
+  }
+
+ private:
+  static constexpr double unit = 0x1p-53;
+
+  struct Value {
+    double square;      // f
+    double half_slope;  // f′ / 2
+    double curvature;   // f″ / 2
+    double gaps;        // sum of the positive ones
+  };
+
+  // Of errors, twice what is needed pays for the rounding of the bounds themselves.
+
+  [[nodiscard]] double square_error(const Value& value) const noexcept {
+    return 4 * gap_error_ * (value.gaps + 3 * gap_error_) + 16 * unit * value.square;
+  }
+  [[nodiscard]] double half_slope_error(const Value& value) const noexcept {
+    return 2 * slopes_ * (gap_error_ + 4 * unit * value.gaps);
+  }
+
+  /// As f is convex, min f ≤ f(t), and min f ≥ f(t) + min(f′(t) (0 − t), f′(t) (1 − t), 0).
+  [[nodiscard]] Verdict compare(const Value& value, double t, double radius_square) const noexcept {
+    if (value.square + square_error(value) < radius_square) return Verdict::meets;
+    const double descent = larger(value.half_slope * t, -value.half_slope * (1 - t)) + half_slope_error(value);
+    const double least = value.square - square_error(value) - 2 * larger(descent, 0.0) * (1 + 4 * unit);
+    return least * (1 - 8 * unit) > radius_square ? Verdict::outside : Verdict::undecided;
+  }
+
+  [[nodiscard]] Value at(double t) const noexcept {
+    Two square{};
+    Two half_slope{};
+    Two curvature{};
+    Two sum_of_gaps{};
+    for (unsigned k = 0; k < 3; ++k) {
+      const Two value = start_[k] + t * slope_[k];
+      const Two gap = where_positive(value, value);
+      square += gap * gap;
+      half_slope += gap * slope_[k];
+      curvature += where_positive(slope_[k] * slope_[k], value);
+      sum_of_gaps += gap;
+    }
+    return {sum(square), sum(half_slope), sum(curvature), sum(sum_of_gaps)};
+  }
+
+  [[nodiscard]] unsigned positive(double t) const noexcept {
+    unsigned bits = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const Two value = start_[k] + t * slope_[k];
+      bits |= static_cast<unsigned>(value[0] > 0) << 2 * k | static_cast<unsigned>(value[1] > 0) << (2 * k + 1);
+    }
+    return bits;
+  }
+
+  Two start_[3] = {};
+  Two slope_[3] = {};
+  double slopes_;  // sum of their magnitudes
+  double gap_error_;
+};
+
+}  // namespace shaftcull::kernel
