@@ -1,5 +1,5 @@
-# Checks that kernels ask which unit they are in (SHAFTCULL_UNIT_AVX2, SHAFTCULL_UNIT_AVX512) and not what the compiler may use,
-# which a parent project's -march=native changes for all units. Given: KERNEL, the library's sources.
+# Checks that no kernel asks what the compiler may use, which a parent project's -march=native changes for all units: what a set
+# may use, its own header in kernel/simd knows. Given: KERNEL, the library's sources.
 cmake_minimum_required(VERSION 3.22)
 
 file(GLOB_RECURSE sources ${KERNEL}/*.hpp ${KERNEL}/*.cpp)

@@ -10,7 +10,7 @@ namespace shaftcull::cli {
 namespace {
 
 /// The scalar path, watched: decide_lanes() notes what it is asked.
-struct WatchedLanes : kernel::ScalarLanes {
+struct WatchedLanes : kernel::scalar::Floats {
   static inline thread_local std::uint64_t asked = 0;
   static void note_undecided(std::uint64_t lanes) noexcept { asked |= lanes; }
 };

@@ -1,14 +1,10 @@
-// Which instruction set this unit is for, to simd/lanes.hpp.
-#define SHAFTCULL_UNIT_AVX2
-#define SHAFTCULL_UNIT_AVX512
-// xsimd gets a name of its own in this unit, so that none of its inline functions is shared with another one.
-#define xsimd xsimd_limit_avx512
 #include "families/roofline_lanes.hpp"
+#include "simd/x86/avx512.hpp"
 
 namespace shaftcull::bench {
 namespace {
 
-struct RooflineLanes : kernel::Lanes<xsimd::avx512bw> {};
+struct RooflineLanes : kernel::avx512::Floats {};
 
 }  // namespace
 

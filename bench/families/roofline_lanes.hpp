@@ -2,8 +2,10 @@
 /// (kernel/kernels/README.md).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "families/roofline_kernels.hpp"
-#include "simd/shorts.hpp"
 
 namespace shaftcull::bench {
 
@@ -40,7 +42,7 @@ float slab_arithmetic(std::size_t vectors) noexcept {
 
 template <class L>
 float grid_arithmetic(std::size_t vectors) noexcept {
-  using S = typename L::Shorts;
+  using S = typename L::Integers16;
   auto scale = S::all(12345);
   auto coordinate = S::all(23456);
   constexpr unsigned chains = 6;

@@ -1,14 +1,11 @@
-// Which instruction set this unit is for, to simd/lanes.hpp.
-#define SHAFTCULL_UNIT_AVX2
-#define xsimd xsimd_unfiltered_avx2
 #include "kernels/boxes/slab.hpp"
 #include "peers/unfiltered.hpp"
-#include "simd/lanes.hpp"
+#include "simd/x86/avx2.hpp"
 
 namespace shaftcull::bench {
 namespace {
 
-struct UnfilteredLanes : kernel::Lanes<xsimd::fma3<xsimd::avx2>> {};
+struct UnfilteredLanes : kernel::avx2::Floats {};
 
 template <unsigned uppers>
 void cull_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,

@@ -63,7 +63,7 @@ struct BoxStages {
                                 box_planes_stage<L>(shaft, all, words, bits);
                               });
     } else {
-      if constexpr (requires { typename L::Eight; }) {
+      if constexpr (L::EightFloats::in_one_register) {
         if (count <= few_boxes && SlabInLanes<L>::suits(shaft)) {
           const std::uint64_t all = first_bits(static_cast<unsigned>(count));
           *kept = all & ~few_outside<L>(shaft, stream, 0, all);
@@ -87,7 +87,7 @@ struct BoxStages {
   /// Writes which boxes are inside: of those kept, if anybody knows.
   static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                       const std::uint64_t* kept, std::uint64_t* inside) noexcept {
-    if constexpr (requires { typename L::Eight; }) {
+    if constexpr (L::EightFloats::in_one_register) {
       if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words_of(count))) {
         return few_inside_stage<L>(shaft, stream, words_of(count), kept, inside);
       }
@@ -258,10 +258,9 @@ bool all_boxes_finite(const float* const* box, std::size_t count) noexcept {
 /// Tests on a grid, where there are vectors of 16-bit integers.
 template <class L>
 constexpr GridKernels grid_kernels() noexcept {
-  if constexpr (requires { typename L::Shorts; }) {
-    constexpr bool wide = L::width == 16;  // floats are quick there
-    return {.fewest_shafts = wide ? 8 : 5,
-            .fewest_tests = wide ? 16384 : 6144,
+  if constexpr (requires { typename L::Integers16; }) {
+    return {.fewest_shafts = L::Integers16::fewest_shafts_on_grid,
+            .fewest_tests = L::Integers16::fewest_tests_on_grid,
             .frame = grid_frame<L>,
             .form_shafts = form_grid_shafts<L>,
             .snap_boxes = snap_boxes<L>,

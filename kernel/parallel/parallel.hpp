@@ -8,7 +8,7 @@
 /// * It is isolated. A thread that waits for the loop would otherwise take another of the caller's tasks meanwhile, in
 ///   the middle of the one that made the call.
 ///
-/// Bodies of loops and the work of pipelines run in the standard floating-point modes (simd/float_environment.hpp);
+/// Bodies of loops and the work of pipelines run in the standard floating-point modes (support/float_environment.hpp);
 /// what a pipeline delivers is delivered in the caller's.
 ///
 /// Loops within a loop's tasks (parallel_for_nested()) share context and isolation, so that all of a call's threads

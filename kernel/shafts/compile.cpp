@@ -39,12 +39,12 @@ CompiledShaft compile_formed(const Shaft& shaft) noexcept {
     b[k] = &shaft.b().lo[k];
     b[k + 3] = &shaft.b().hi[k];
   }
-  kernel::compile_slabs<kernel::ScalarLanes>(a, b, 1, &compiled);
+  kernel::compile_slabs<kernel::scalar::Floats>(a, b, 1, &compiled);
   const auto [edges, planes] = columns(shaft.joining_planes());
   kernel::compile_joining_planes(edges, planes, compiled);
   const std::span<const Plane> added = shaft.added_planes();
   const Plane* const first_added = added.data();
-  kernel::add_planes<kernel::ScalarLanes>(a, b, &first_added, added.size(), 1, &compiled);
+  kernel::add_planes<kernel::scalar::Floats>(a, b, &first_added, added.size(), 1, &compiled);
   compiled.answers_outside = shaft.options().outside;
   compiled.answers_inside = shaft.options().inside;
   compiled.answers_spheres = shaft.options().spheres;

@@ -7,7 +7,7 @@
 #include "formation/usable_plane.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"
-#include "streams/four.hpp"
+#include "simd/baseline_four_floats.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
@@ -31,7 +31,7 @@ void gather(const BoxView& boxes, std::span<const IndexPair> pairs, GatheredBoxe
     const std::size_t box[4] = {four[0].*side, four[1].*side, four[2].*side, four[3].*side};
     for (std::size_t f = 0; f != 6; ++f) {
       const float* const stream = boxes.stream[f];
-      kernel::Four::of(stream[box[0]], stream[box[1]], stream[box[2]], stream[box[3]]).store(&out.row[f][i]);
+      kernel::FourFloats::of(stream[box[0]], stream[box[1]], stream[box[2]], stream[box[3]]).store(&out.row[f][i]);
     }
   };
   std::size_t i = 0;

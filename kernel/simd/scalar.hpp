@@ -1,57 +1,77 @@
-/// One float as a vector of width 1, with the interface of Lanes: the scalar path, on any processor.
+/// The set `scalar`: one float at a time, on any processor. It has no 16-bit integers, by which it would not gain.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-namespace shaftcull::kernel {
+#include "simd/operations.hpp"
+#include "simd/portable.hpp"
 
-struct ScalarLanes {
+namespace shaftcull::kernel::scalar {
+
+struct Set;
+using EightFloats = PortableEightFloats<Set>;
+
+struct Floats {
   using Vector = float;
   using Mask = bool;
+  using EightFloats = scalar::EightFloats;
   static constexpr unsigned width = 1;
 
   static Vector load(const float* p) noexcept { return *p; }
-  static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
-  static void load_fours(const float* const (&at)[1], Vector (&columns)[4]) noexcept {
-    for (unsigned c = 0; c < 4; ++c) columns[c] = at[0][c];
-  }
   static void store(float* p, Vector a) noexcept { *p = a; }
+  static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
+  static void load_columns(const float* const (&rows)[1], Vector (&columns)[4]) noexcept {
+    for (unsigned c = 0; c < 4; ++c) columns[c] = rows[0][c];
+  }
+  static void transpose(const Vector (&columns)[8], EightFloats::Vector (&things)[1]) noexcept {
+    for (unsigned c = 0; c < 8; ++c) things[0].of[c] = columns[c];
+  }
 
-  /// As kernel::Part.
-  class Part {
+  class FirstLanes {
    public:
-    explicit Part(int count) noexcept : is_there_(count > 0) {}
+    explicit FirstLanes(int count) noexcept : is_there_(count > 0) {}
     [[nodiscard]] Vector load(const float* p) const noexcept { return is_there_ ? *p : 0.0F; }
     [[nodiscard]] Vector choose(Vector a, Vector b) const noexcept { return is_there_ ? a : b; }
 
    private:
     bool is_there_;
   };
-  class Packing {
+  class Compressor {
    public:
-    explicit Packing(std::uint64_t /*lanes*/) noexcept {}
+    explicit Compressor(std::uint64_t /*bits*/) noexcept {}
     void store(float* p, Vector a) const noexcept { *p = a; }
-    void store(float* /*p*/, Vector /*a*/, std::size_t /*count*/) const noexcept {}
+    void store(float* /*p*/, Vector /*a*/, std::size_t /*count*/) const noexcept {}  // of fewer than one
   };
+
   static Vector all(float a) noexcept { return a; }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
   static Vector square_root(Vector a) noexcept { return __builtin_sqrtf(a); }
+  static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
   static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
   static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
+  static Vector maximum_of_bits(Vector a, Vector b) noexcept {
+    return __builtin_bit_cast(std::uint32_t, a) > __builtin_bit_cast(std::uint32_t, b) ? a : b;
+  }
+  static Vector magnitude(Vector a) noexcept { return __builtin_fabsf(a); }
+  static Vector floor(Vector a) noexcept { return __builtin_floorf(a); }
+  static Vector flip_sign(Vector a, Vector b) noexcept { return __builtin_signbitf(b) ? -a : a; }
   static float smallest(Vector a) noexcept { return a; }
   static float largest(Vector a) noexcept { return a; }
-  static Vector magnitude(Vector a) noexcept { return __builtin_fabsf(a); }
+
   static Mask less(Vector a, Vector b) noexcept { return a < b; }
   static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
-  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return mask ? a : b; }
   static Mask both(Mask a, Mask b) noexcept { return a && b; }
   static Mask either(Mask a, Mask b) noexcept { return a || b; }
-  static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
-  static Vector flip_sign(Vector a, Vector b) noexcept { return __builtin_signbitf(b) ? -a : a; }
+  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return mask ? a : b; }
+  static std::uint64_t bits(Mask mask) noexcept { return mask; }
+  static unsigned lowest_bit(std::uint64_t word) noexcept {
+    return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
+  }
+
   static Vector either_negative(Vector a, Vector b) noexcept { return b < 0 ? b : a; }
   static std::uint64_t signs(const Vector (&of)[4]) noexcept {
     std::uint64_t signs = 0;
@@ -60,11 +80,10 @@ struct ScalarLanes {
     return signs;
   }
 
-  /// As in Lanes.
-  class Verdicts {
+  class SignCollector {
    public:
-    explicit Verdicts(Vector limit) noexcept : limit_(limit) {}
-    std::uint64_t read(const Vector (&of)[4]) noexcept {
+    explicit SignCollector(Vector limit) noexcept : limit_(limit) {}
+    std::uint64_t collect(const Vector (&of)[4]) noexcept {
       for (const Vector a : of) undecided_ |= (a >= 0) & (a <= limit_);
       return signs(of);
     }
@@ -74,27 +93,8 @@ struct ScalarLanes {
     Vector limit_;
     bool undecided_ = false;
   };
-  struct Row {
-    float of[8];
-  };
-  static void transpose(const Vector (&columns)[8], Row (&rows)[1]) noexcept {
-    for (unsigned c = 0; c < 8; ++c) rows[0].of[c] = columns[c];
-  }
-  static Row permuted(const Row& row, const std::uint32_t (&order)[8]) noexcept {
-    Row permuted;
-    for (unsigned i = 0; i < 8; ++i) permuted.of[i] = row.of[order[i]];
-    return permuted;
-  }
-  static void store_row(const Row& row, void* out) noexcept { __builtin_memcpy(out, row.of, sizeof row.of); }
-  static unsigned row_signs(const Row& row) noexcept {
-    unsigned signs = 0;
-    for (unsigned i = 0; i < 8; ++i) signs |= (__builtin_signbitf(row.of[i]) != 0 ? 1U : 0U) << i;
-    return signs;
-  }
-  static Vector maximum_of_bits(Vector a, Vector b) noexcept {
-    return __builtin_bit_cast(std::uint32_t, a) > __builtin_bit_cast(std::uint32_t, b) ? a : b;
-  }
-  static std::uint64_t bits(Mask mask) noexcept { return mask; }
 };
 
-}  // namespace shaftcull::kernel
+static_assert(FloatOperations<Floats>);
+
+}  // namespace shaftcull::kernel::scalar

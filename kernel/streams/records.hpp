@@ -10,7 +10,7 @@
 #include <string>
 
 #include "shaftcull/streams.hpp"
-#include "streams/four.hpp"
+#include "simd/baseline_four_floats.hpp"
 #include "support/overlap.hpp"
 
 namespace shaftcull::kernel {
@@ -29,7 +29,9 @@ struct VectorRecords {
     std::memcpy(floats, first + i * stride, sizeof floats);
   }
   /// The same three floats, and 0.
-  [[nodiscard]] Four read_vector(std::size_t i) const noexcept { return Four::three_at(first + i * stride); }
+  [[nodiscard]] FourFloats read_vector(std::size_t i) const noexcept {
+    return FourFloats::three_at(first + i * stride);
+  }
 
   /// Whether the memory from the first of `count` records of `size` floats to the last has a byte in common with
   /// `memory`.
@@ -44,7 +46,7 @@ struct VectorRecords {
   /// Copies the three floats of records which[0 … 3] to to[0 … 2][0 … 3].
   template <class Which>
   void read_four(Which which, float* const* to) const noexcept {
-    Four row[4] = {read_vector(which[0]), read_vector(which[1]), read_vector(which[2]), read_vector(which[3])};
+    FourFloats row[4] = {read_vector(which[0]), read_vector(which[1]), read_vector(which[2]), read_vector(which[3])};
     transpose(row);
     for (std::size_t k = 0; k != 3; ++k) row[k].store(to[k]);
   }
@@ -130,7 +132,7 @@ class MinMaxReader {
     return (bound[0] <= bound[3]) & (bound[1] <= bound[4]) & (bound[2] <= bound[5]);
   }
   [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
-    Four::Truth legal;
+    FourFloats::Truth legal;
     for (std::size_t i = first; i != end; ++i) legal &= lo_.read_vector(i) <= hi_.read_vector(i);
     return legal.everywhere();
   }
@@ -191,11 +193,11 @@ class CentreExtentReader {
     return is_legal;
   }
   [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
-    Four::Truth legal;
+    FourFloats::Truth legal;
     for (std::size_t i = first; i != end; ++i) {
-      const Four centre = centre_.read_vector(i);
-      const Four half = half_.read_vector(i);
-      legal &= (Four() <= half) & (centre - half <= centre + half);
+      const FourFloats centre = centre_.read_vector(i);
+      const FourFloats half = half_.read_vector(i);
+      legal &= (FourFloats() <= half) & (centre - half <= centre + half);
     }
     return legal.everywhere();
   }
@@ -266,11 +268,11 @@ class SphereReader {
   }
   [[nodiscard]] static bool is_clearly_legal(const float (&bound)[rows]) noexcept { return is_legal(bound); }
   [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
-    Four::Truth finite;
+    FourFloats::Truth finite;
     bool has_radius = true;
     for (std::size_t i = first; i != end; ++i) {
-      const Four centre = centre_.read_vector(i);
-      finite &= Four() <= centre - centre;
+      const FourFloats centre = centre_.read_vector(i);
+      finite &= FourFloats() <= centre - centre;
       float radius[1];
       radius_.read(i, radius);
       has_radius &= radius[0] >= 0;

@@ -1,7 +1,7 @@
-/// Four floats without vectors, as other processors have them: the same header, in another namespace.
+/// FourFloats floats without vectors, as other processors have them: the same header, in another namespace.
 #undef __SSE2__
 #define shaftcull shaftcull_portable
-#include "streams/four.hpp"
+#include "simd/baseline_four_floats.hpp"
 #undef shaftcull
 
 #include <gtest/gtest.h>
@@ -12,41 +12,41 @@
 
 namespace {
 
-using shaftcull_portable::kernel::Four;
+using shaftcull_portable::kernel::FourFloats;
 
-Four of(const std::array<float, 3>& floats) {
-  return Four::three_at(reinterpret_cast<const std::byte*>(floats.data()));
+FourFloats of(const std::array<float, 3>& floats) {
+  return FourFloats::three_at(reinterpret_cast<const std::byte*>(floats.data()));
 }
 
-std::array<float, 4> stored(const Four& four) {
+std::array<float, 4> stored(const FourFloats& four) {
   std::array<float, 4> floats;
   four.store(floats.data());
   return floats;
 }
 
-TEST(PortableFour, ReadsThreeAndCalculates) {
-  EXPECT_EQ(stored(Four()), (std::array<float, 4>{0, 0, 0, 0}));
+TEST(PortableFourFloats, ReadsThreeAndCalculates) {
+  EXPECT_EQ(stored(FourFloats()), (std::array<float, 4>{0, 0, 0, 0}));
   EXPECT_EQ(stored(of({1, -2, 3})), (std::array<float, 4>{1, -2, 3, 0}));
   EXPECT_EQ(stored(of({1, -2, 3}) + of({4, 5, 0.5F})), (std::array<float, 4>{5, 3, 3.5F, 0}));
   EXPECT_EQ(stored(of({1, -2, 3}) - of({4, 5, 0.5F})), (std::array<float, 4>{-3, -7, 2.5F, 0}));
 }
 
-TEST(PortableFour, ComparesAllOfThem) {
-  EXPECT_TRUE(Four::Truth().everywhere());
+TEST(PortableFourFloats, ComparesAllOfThem) {
+  EXPECT_TRUE(FourFloats::Truth().everywhere());
   EXPECT_TRUE((of({1, 2, 3}) <= of({1, 3, 4})).everywhere());
   EXPECT_FALSE((of({2, 2, 3}) <= of({1, 3, 4})).everywhere());
   EXPECT_FALSE((of({1, 2, 5}) <= of({1, 3, 4})).everywhere());
   EXPECT_FALSE((of({1, NAN, 3}) <= of({1, 3, 4})).everywhere());
   EXPECT_FALSE((of({1, 2, 3}) <= of({1, NAN, 4})).everywhere());
-  const Four::Truth yes = Four() <= Four();
-  const Four::Truth no = of({1, 1, 1}) <= Four();
+  const FourFloats::Truth yes = FourFloats() <= FourFloats();
+  const FourFloats::Truth no = of({1, 1, 1}) <= FourFloats();
   EXPECT_TRUE((yes & yes).everywhere());
   EXPECT_FALSE((yes & no).everywhere());
   EXPECT_FALSE((no & yes).everywhere());
 }
 
-TEST(PortableFour, Transposes) {
-  Four rows[4] = {of({1, 2, 3}), of({4, 5, 6}), of({7, 8, 9}), of({10, 11, 12})};
+TEST(PortableFourFloats, Transposes) {
+  FourFloats rows[4] = {of({1, 2, 3}), of({4, 5, 6}), of({7, 8, 9}), of({10, 11, 12})};
   transpose(rows);
   EXPECT_EQ(stored(rows[0]), (std::array<float, 4>{1, 4, 7, 10}));
   EXPECT_EQ(stored(rows[1]), (std::array<float, 4>{2, 5, 8, 11}));

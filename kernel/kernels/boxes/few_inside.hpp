@@ -12,8 +12,8 @@ namespace shaftcull::kernel {
 template <class L>
 class PlanesInLanes {
  public:
-  using Eight = typename L::Eight;
-  using Vector = typename Eight::Vector;
+  using EightFloats = typename L::EightFloats;
+  using Vector = typename EightFloats::Vector;
 
   /// Whether they say all there is to say of this shaft.
   [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept {
@@ -21,41 +21,45 @@ class PlanesInLanes {
   }
 
   PlanesInLanes(const CompiledShaft& shaft, const float* const* stream) noexcept
-      : corner0_(Eight::order(shaft.joining_far0)),
-        corner1_(Eight::order(shaft.joining_far1)),
-        faces_(Eight::negate_hi(Eight::load_six(shaft.face, -__builtin_inff()))),
+      : corner0_(EightFloats::order(shaft.joining_far0)),
+        corner1_(EightFloats::order(shaft.joining_far1)),
+        faces_(EightFloats::negate_hi(EightFloats::load_six(shaft.face, -__builtin_inff()))),
         two_margins_(2 * shaft.joining_margin) {
     for (unsigned s = 0; s < 6; ++s) stream_[s] = stream[s];
     // A plane that there is not is never beyond anything: −∞, or NaN for boxes with an infinite coordinate, which are
     // not within the faces.
-    const auto exists = Eight::first(shaft.joining_count);
-    const Vector shift = Eight::add(Eight::load(shaft.joining_minus_offset), Eight::all(shaft.joining_margin));
-    normal0_ = Eight::choose(exists, Eight::load(shaft.joining_normal0), Eight::all(0.0F));
-    normal1_ = Eight::choose(exists, Eight::load(shaft.joining_normal1), Eight::all(0.0F));
-    shift_ = Eight::choose(exists, shift, Eight::all(-__builtin_inff()));
+    const auto exists = EightFloats::first(shaft.joining_count);
+    const Vector shift =
+        EightFloats::add(EightFloats::load(shaft.joining_minus_offset), EightFloats::all(shaft.joining_margin));
+    normal0_ = EightFloats::choose(exists, EightFloats::load(shaft.joining_normal0), EightFloats::all(0.0F));
+    normal1_ = EightFloats::choose(exists, EightFloats::load(shaft.joining_normal1), EightFloats::all(0.0F));
+    shift_ = EightFloats::choose(exists, shift, EightFloats::all(-__builtin_inff()));
   }
 
   /// What the lanes say of a box.
   struct Verdict {
-    typename Eight::Mask within;  ///< its faces are within the shaft box's; and, in the last lanes, it is not empty
+    typename EightFloats::Mask
+        within;    ///< its faces are within the shaft box's; and, in the last lanes, it is not empty
     Vector value;  ///< of planes at the far corner + margin: negative if certainly behind, above two margins if
                    ///< certainly beyond
   };
   [[nodiscard]] Verdict of(std::size_t i) const noexcept {
-    const Vector box = Eight::gather(stream_, i);
-    const Vector lower = Eight::with_seventh(faces_, Eight::all(stream_[0][i]));
-    return {Eight::less_equal(lower, Eight::negate_hi(box)),
-            Eight::multiply_add(Eight::permuted(box, corner0_), normal0_,
-                                Eight::multiply_add(Eight::permuted(box, corner1_), normal1_, shift_))};
+    const Vector box = EightFloats::gather(stream_, i);
+    const Vector lower = EightFloats::with_seventh(faces_, EightFloats::all(stream_[0][i]));
+    return {
+        EightFloats::less_equal(lower, EightFloats::negate_hi(box)),
+        EightFloats::multiply_add(EightFloats::permuted(box, corner0_), normal0_,
+                                  EightFloats::multiply_add(EightFloats::permuted(box, corner1_), normal1_, shift_))};
   }
   /// Of values, the lanes that are neither for certain.
   [[nodiscard]] unsigned undecided(Vector value) const noexcept {
-    return Eight::signs(Eight::less_equal(value, Eight::all(two_margins_))) & ~Eight::signs(value);
+    return EightFloats::signs(EightFloats::less_equal(value, EightFloats::all(two_margins_))) &
+           ~EightFloats::signs(value);
   }
 
  private:
-  typename Eight::Order corner0_;
-  typename Eight::Order corner1_;
+  typename EightFloats::Order corner0_;
+  typename EightFloats::Order corner1_;
   Vector normal0_;
   Vector normal1_;
   Vector shift_;
@@ -71,14 +75,14 @@ template <class L>
 [[gnu::noinline, gnu::cold]] void settle_few_inside(const CompiledShaft& shaft, const PlanesInLanes<L>& planes,
                                                     const float* const* stream, std::size_t words,
                                                     const Positions<L>& positions, std::uint64_t* inside) noexcept {
-  using Eight = typename L::Eight;
+  using EightFloats = typename L::EightFloats;
   std::uint64_t undecided[block_words];
   for (std::size_t w = 0; w < words; ++w) inside[w] = undecided[w] = 0;
   for (unsigned k = 0; k < positions.count(); ++k) {
     const unsigned i = positions[k];
     const auto verdict = planes.of(i);
-    if (Eight::signs(verdict.within) != all_eight) continue;
-    const unsigned behind = Eight::signs(verdict.value);
+    if (EightFloats::signs(verdict.within) != all_eight) continue;
+    const unsigned behind = EightFloats::signs(verdict.value);
     const std::uint64_t bit = std::uint64_t{1} << (i % word_bits);
     if (behind == all_eight) {
       inside[i / word_bits] |= bit;
@@ -98,16 +102,16 @@ template <class L>
 template <class L>
 void few_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
                       const std::uint64_t* kept, std::uint64_t* inside) noexcept {
-  using Eight = typename L::Eight;
+  using EightFloats = typename L::EightFloats;
   const PlanesInLanes<L> planes(shaft, stream);
   const Positions<L> positions(kept, words);
   for (std::size_t w = 0; w < words; ++w) inside[w] = 0;
-  auto least = Eight::all(-1.0F);
+  auto least = EightFloats::all(-1.0F);
   for (unsigned k = 0; k < positions.count(); ++k) {
     const unsigned i = positions[k];
     const auto verdict = planes.of(i);
-    least = Eight::minimum_of_bits(least, verdict.value);
-    const unsigned signs = Eight::signs(Eight::both(verdict.within, verdict.value));
+    least = EightFloats::minimum_of_bits(least, verdict.value);
+    const unsigned signs = EightFloats::signs(EightFloats::both(verdict.within, verdict.value));
     inside[i / word_bits] |= std::uint64_t{(signs + 1) / (all_eight + 1)} << (i % word_bits);
   }
   if (planes.undecided(least) != 0) [[unlikely]]

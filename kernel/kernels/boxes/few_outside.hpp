@@ -11,40 +11,40 @@ namespace shaftcull::kernel {
 template <class L>
 class SlabInLanes {
  public:
-  using Eight = typename L::Eight;
-  using Vector = typename Eight::Vector;
+  using EightFloats = typename L::EightFloats;
+  using Vector = typename EightFloats::Vector;
 
   [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept {
     return shaft.slab_form == CompiledShaft::SlabForm::fused;
   }
 
   explicit SlabInLanes(const CompiledShaft& shaft) noexcept
-      : corner_(Eight::order(shaft.slab_near)),
-        is_upper_(Eight::first_and_seventh(shaft.slab_uppers)),
-        scale_(Eight::load(shaft.slab_scale)),
+      : corner_(EightFloats::order(shaft.slab_near)),
+        is_upper_(EightFloats::first_and_seventh(shaft.slab_uppers)),
+        scale_(EightFloats::load(shaft.slab_scale)),
         two_margins_(2 * shaft.slab_margin) {
     // As in Slab, lower bounds carry the margin.
-    const Vector margin = Eight::choose(is_upper_, Eight::all(0.0F), Eight::all(shaft.slab_margin));
-    ends_ = Eight::subtract(Eight::sorted_last_two(shaft.a.lo[0], shaft.b.lo[0]), margin);
+    const Vector margin = EightFloats::choose(is_upper_, EightFloats::all(0.0F), EightFloats::all(shaft.slab_margin));
+    ends_ = EightFloats::subtract(EightFloats::sorted_last_two(shaft.a.lo[0], shaft.b.lo[0]), margin);
     // What follows the six shifts is no number, and arithmetic with denormals takes a hundred cycles.
-    shift_ = Eight::with_last_two(Eight::subtract(Eight::load(shaft.slab_shift), margin), ends_);
+    shift_ = EightFloats::with_last_two(EightFloats::subtract(EightFloats::load(shaft.slab_shift), margin), ends_);
   }
 
   /// As Slab::room().
   [[nodiscard]] float room(const float* const* stream, std::size_t i) const noexcept {
-    const Vector box = Eight::gather(stream, i);
-    const Vector bound =
-        Eight::with_last_two(Eight::multiply_add(Eight::permuted(box, corner_), scale_, shift_), ends_);
-    const Vector signed_bound = Eight::infinite_if_nan(Eight::negate_unless(is_upper_, bound));
-    const Vector none = Eight::all(__builtin_inff());
-    return Eight::sum_of_smallest(Eight::choose(is_upper_, signed_bound, none),
-                                  Eight::choose(is_upper_, none, signed_bound));
+    const Vector box = EightFloats::gather(stream, i);
+    const Vector bound = EightFloats::with_last_two(
+        EightFloats::multiply_add(EightFloats::permuted(box, corner_), scale_, shift_), ends_);
+    const Vector signed_bound = EightFloats::infinite_if_nan(EightFloats::negate_unless(is_upper_, bound));
+    const Vector none = EightFloats::all(__builtin_inff());
+    return EightFloats::sum_of_smallest(EightFloats::choose(is_upper_, signed_bound, none),
+                                        EightFloats::choose(is_upper_, none, signed_bound));
   }
   [[nodiscard]] float two_margins() const noexcept { return two_margins_; }
 
  private:
-  typename Eight::Order corner_;
-  typename Eight::Mask is_upper_;
+  typename EightFloats::Order corner_;
+  typename EightFloats::Mask is_upper_;
   Vector scale_;
   Vector shift_;
   Vector ends_;
@@ -59,7 +59,7 @@ std::uint64_t few_outside(const CompiledShaft& shaft, const float* const* stream
   std::uint64_t outside = 0;
   std::uint64_t undecided = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
-    const unsigned lane = lowest_bit<L>(lanes);
+    const unsigned lane = L::lowest_bit(lanes);
     const float room = slab.room(stream, first + lane);
     outside |= static_cast<std::uint64_t>(room < 0) << lane;
     undecided |= static_cast<std::uint64_t>((room >= 0) & (room <= slab.two_margins())) << lane;

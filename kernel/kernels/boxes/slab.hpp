@@ -165,7 +165,7 @@ template <class L, class SlabType, class Corners, class Word>
                                                       const Corners& corners, const float* const* stream,
                                                       std::size_t at, const Word& word) noexcept {
   std::uint64_t outside = 0;
-  typename L::Verdicts verdicts(slab.two_margins);
+  typename L::SignCollector signs(slab.two_margins);
   for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
     typename L::Vector room[4];
 #pragma GCC unroll 4
@@ -178,13 +178,13 @@ template <class L, class SlabType, class Corners, class Word>
       room[v] = word.choose(four + v * L::width, room[v], L::all(outside_for_certain));
     }
     if constexpr (Corners::exactly) {
-      outside |= verdicts.read(room) << four;
+      outside |= signs.collect(room) << four;
     } else {
       outside |= L::signs(room) << four;
     }
   }
   if constexpr (Corners::exactly) {
-    if (verdicts.any_undecided()) [[unlikely]] {
+    if (signs.any_undecided()) [[unlikely]] {
       outside = settle_slab_word<L>(shaft, slab, corners.x, stream, at, word);
     }
   }

@@ -35,7 +35,7 @@ void add_plane_vector(const typename L::Vector (&face)[6], const float* const (&
   using Vector = typename L::Vector;
   const Vector zero = L::all(0.0F);
   Vector column[4];
-  L::load_fours(plane, column);
+  L::load_columns(plane, column);
   const Vector offset = column[3];
 
   Vector most[3];   // of each term of n · p, at the near corner of a bound that meets the shaft box
@@ -99,9 +99,9 @@ void add_plane_vector(const typename L::Vector (&face)[6], const float* const (&
                              L::square_root(length_square),
                              L::add(L::multiply(length_sum, L::all(added_slack_per_length)), L::all(added_denormals)),
                              selectors};
-  typename L::Row row[L::width];
+  typename L::EightFloats::Vector row[L::width];
   L::transpose(columns, row);
-  for (unsigned lane = 0; lane < lanes; ++lane) L::store_row(row[lane], &out[lane].added[slot]);
+  for (unsigned lane = 0; lane < lanes; ++lane) L::EightFloats::store(&out[lane].added[slot], row[lane]);
 }
 
 /// The normal and the offset of a plane, side by side.
@@ -121,7 +121,7 @@ bool all_planes_usable(const Plane* planes, std::size_t count) noexcept {
       plane[lane] = floats_of<L>(planes + (i + lane < count ? i + lane : i));
     }
     typename L::Vector column[4];
-    L::load_fours(plane, column);
+    L::load_columns(plane, column);
     auto each = L::less_equal(L::magnitude(column[3]), most);
     auto largest = L::all(0.0F);
     for (unsigned k = 0; k < 3; ++k) {

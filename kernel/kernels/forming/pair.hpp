@@ -5,57 +5,48 @@
 #pragma once
 
 #include "kernels/forming/slab.hpp"
-#include "simd/eight.hpp"
-#include "simd/portable_eight.hpp"
 
 namespace shaftcull::kernel {
-
-template <class L>
-struct EightOf {
-  using Type = PortableEight<L>;
-};
-template <class L>
-requires requires { typename L::Eight; }
-struct EightOf<L> {
-  using Type = typename L::Eight;
-};
 
 /// Compiles the shaft between boxes `a` and `b`; joining planes are left pending. Returns false, and leaves `out` as it
 /// was, if a box is not finite with lo ≤ hi.
 template <class L>
 bool compile_pair(const Box& a, const Box& b, CompiledShaft& out) noexcept {
-  using Eight = typename EightOf<L>::Type;
-  using Vector = typename Eight::Vector;
+  using EightFloats = typename L::EightFloats;
+  using Vector = typename EightFloats::Vector;
 
   // The last two lanes repeat faces, which changes no minimum or maximum.
-  const Vector p = Eight::load_faces(&a);
-  const Vector other = Eight::load_faces(&b);
-  const Vector slope = Eight::subtract(other, p);
-  const Vector slope_0 = Eight::first_in_all(slope);
-  const Vector scale = Eight::divide(slope_0, slope);  // 1 for the leading face
-  const Vector shift = Eight::subtract(Eight::first_in_all(p), Eight::multiply(p, scale));
-  const auto largest = Eight::largest_of_three(Eight::maximum(Eight::magnitude(p), Eight::magnitude(other)),
-                                               Eight::magnitude(shift), Eight::minus_magnitude(slope));
+  const Vector p = EightFloats::load_faces(&a);
+  const Vector other = EightFloats::load_faces(&b);
+  const Vector slope = EightFloats::subtract(other, p);
+  const Vector slope_0 = EightFloats::first_in_all(slope);
+  const Vector scale = EightFloats::divide(slope_0, slope);  // 1 for the leading face
+  const Vector shift = EightFloats::subtract(EightFloats::first_in_all(p), EightFloats::multiply(p, scale));
+  const auto largest =
+      EightFloats::largest_of_three(EightFloats::maximum(EightFloats::magnitude(p), EightFloats::magnitude(other)),
+                                    EightFloats::magnitude(shift), EightFloats::minus_magnitude(slope));
   const float reach = largest.of[0];
   const float top_shift = largest.of[1];
   const float least_slope = -largest.of[2];
 
-  if (!(Eight::is_ordered(p) && Eight::is_ordered(other) && reach <= __FLT_MAX__)) [[unlikely]]
+  if (!(EightFloats::is_ordered(p) && EightFloats::is_ordered(other) && reach <= __FLT_MAX__)) [[unlikely]]
     return false;
-  Eight::store(&out.a, p);  // eight floats onto six and what follows them, which comes next
-  Eight::store(&out.b, Eight::with_last_two(other, Eight::pair_in_all(batch_mark.of[0], batch_mark.of[1])));
+  EightFloats::store(&out.a, p);  // eight floats onto six and what follows them, which comes next
+  EightFloats::store(&out.b,
+                     EightFloats::with_last_two(other, EightFloats::pair_in_all(batch_mark.of[0], batch_mark.of[1])));
 
-  const float length = __builtin_fabsf(Eight::first(slope));
-  const float from = __builtin_fabsf(Eight::first(p));
-  const float to = __builtin_fabsf(Eight::first(other));
+  const float length = __builtin_fabsf(EightFloats::first(slope));
+  const float from = __builtin_fabsf(EightFloats::first(p));
+  const float to = __builtin_fabsf(EightFloats::first(other));
   const float position = (from > to ? from : to) + top_shift;
   const bool fused_suits =
       reach <= fused_regular_limit && 1 / fused_regular_limit <= least_slope && position <= length * fused_limit;
   const float margin = position * fused_margin_per_position + length * fused_margin_per_way;
-  const SlabOrder& order = slab_orders.by_negative[Eight::signs(scale) & 0x3f];
-  Eight::store(out.slab_scale,
-               Eight::permuted(Eight::with_last_two(scale, Eight::pair_in_all(margin, reach)), order.face));
-  Eight::store(out.slab_shift, Eight::permuted(shift, order.face));
+  const SlabOrder& order = slab_orders.by_negative[EightFloats::signs(scale) & 0x3f];
+  EightFloats::store(
+      out.slab_scale,
+      EightFloats::permuted(EightFloats::with_last_two(scale, EightFloats::pair_in_all(margin, reach)), order.face));
+  EightFloats::store(out.slab_shift, EightFloats::permuted(shift, order.face));
   __builtin_memcpy(out.slab_near, order.near_stream, 8);
   if (!(fused_suits && reach <= largest_plain_reach)) [[unlikely]]
     rewrite_slab<L>(out, fused_suits);

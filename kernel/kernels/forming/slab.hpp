@@ -198,10 +198,11 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   shift[6] = shift[7] = p[6] = p[7] = zero;
   other[6] = L::all(batch_mark.of[0]);
   other[7] = L::all(batch_mark.of[1]);
-  typename L::Row scale_row[width];
-  typename L::Row shift_row[width];
-  typename L::Row a_row[width];
-  typename L::Row b_row[width];
+  using EightFloats = typename L::EightFloats;
+  typename EightFloats::Vector scale_row[width];
+  typename EightFloats::Vector shift_row[width];
+  typename EightFloats::Vector a_row[width];
+  typename EightFloats::Vector b_row[width];
   L::transpose(scale, scale_row);
   L::transpose(shift, shift_row);
   L::transpose(p, a_row);
@@ -210,11 +211,11 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     CompiledShaft& shaft = out[lane];
     __builtin_prefetch(&shaft + 16, 1);  // strides this long are beyond hardware prefetchers
     __builtin_prefetch(reinterpret_cast<const char*>(&shaft + 16) + 64, 1);
-    L::store_row(a_row[lane], &shaft.a);
-    L::store_row(b_row[lane], &shaft.b);
-    const SlabOrder& order = slab_orders.by_negative[L::row_signs(scale_row[lane]) & 0x3f];
-    L::store_row(L::permuted(scale_row[lane], order.face), shaft.slab_scale);
-    L::store_row(L::permuted(shift_row[lane], order.face), shaft.slab_shift);
+    EightFloats::store(&shaft.a, a_row[lane]);
+    EightFloats::store(&shaft.b, b_row[lane]);
+    const SlabOrder& order = slab_orders.by_negative[EightFloats::signs(scale_row[lane]) & 0x3f];
+    EightFloats::store(shaft.slab_scale, EightFloats::permuted(scale_row[lane], order.face));
+    EightFloats::store(shaft.slab_shift, EightFloats::permuted(shift_row[lane], order.face));
     __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
   }
 

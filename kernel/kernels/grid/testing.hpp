@@ -16,7 +16,7 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
                 std::int16_t* const* grid) noexcept {
   const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
   const auto top = L::all(grid_top);
-  const auto bottom = L::Shorts::all(static_cast<std::int16_t>(-grid_top));
+  const auto bottom = L::Integers16::all(static_cast<std::int16_t>(-grid_top));
   for (unsigned s = 0; s < 6; ++s) {
     const auto origin = L::all(frame.origin[s % 3]);
     const auto steps = L::all(s < 3 ? frame.steps[s % 3] : -frame.steps[s % 3]);
@@ -28,7 +28,7 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
         snapped[v] = L::minimum(top, L::multiply_add(x, steps, down));
         snapped[v] = word.choose(lane, snapped[v], top);
       }
-      L::Shorts::store_word(grid[s] + at, snapped, bottom);  // NaN becomes what constrains nothing
+      L::Integers16::store_rounded(grid[s] + at, snapped, bottom);  // NaN becomes what constrains nothing
     };
     std::size_t i = 0;
     for (; i + word_bits <= count; i += word_bits) snap_word(WholeWord<L>{}, i);
@@ -41,7 +41,7 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
 template <class L, unsigned uppers, unsigned standing>
 std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                        std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
-  using S = typename L::Shorts;
+  using S = typename L::Integers16;
   using Vector = typename S::Vector;
   constexpr unsigned moving = 6 - standing;
   Vector scale[6];
@@ -123,7 +123,7 @@ void decide_on_grid(const CompiledShaft* const* shaft, const float* const* strea
     const std::size_t word = undecided[u].word;
     std::uint64_t& bits = kept[undecided[u].shaft][word];
     const std::uint64_t lanes = undecided[u].lanes & bits;
-    if constexpr (requires { typename L::Eight; }) {
+    if constexpr (L::EightFloats::in_one_register) {
       constexpr int few = 4;  // with more, testing the whole word in vectors is no slower
       if (__builtin_popcountll(lanes) <= few && SlabInLanes<L>::suits(its_shaft)) {
         bits &= ~few_outside<L>(its_shaft, stream, word * word_bits, lanes);

@@ -2,4 +2,4 @@
 #include "dispatch/built_sets.hpp"
 #include "kernels/table_of.hpp"
 
-constinit const shaftcull::kernel::Kernels shaftcull::kernel::scalar_kernels = kernels_for<ScalarLanes>;
+constinit const shaftcull::kernel::Kernels shaftcull::kernel::scalar_kernels = kernels_for<scalar::Floats>;

@@ -30,7 +30,7 @@ class Positions {
       do {
 #pragma GCC unroll 3
         for (unsigned i = 0; i < at_once; ++i, left &= left - 1)
-          out[i] = static_cast<std::uint16_t>(first + lowest_bit<L>(left));
+          out[i] = static_cast<std::uint16_t>(first + L::lowest_bit(left));
         out += at_once;
       } while (out < end);
     }

@@ -5,10 +5,6 @@
 /// bit is the real-arithmetic answer.
 #pragma once
 
-#ifdef SHAFTCULL_UNIT_AVX2
-#include <immintrin.h>
-#endif
-
 #include <cstddef>
 #include <cstdint>
 
@@ -38,16 +34,6 @@ inline constexpr std::size_t block_bounds = block_words * word_bits;
 template <class L>
 constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
   return (L::width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << L::width) - 1) << offset;
-}
-
-/// Position of the lowest bit that is set; 63 or 64 if none is.
-template <class L>
-unsigned lowest_bit(std::uint64_t word) noexcept {
-#ifdef SHAFTCULL_UNIT_AVX2
-  return static_cast<unsigned>(_tzcnt_u64(word));
-#else
-  return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
-#endif
 }
 
 /// How the vectors of a word of 64 bounds are read.
@@ -81,8 +67,8 @@ struct PartOfWord {
   }
 
  private:
-  [[nodiscard]] typename L::Part part(std::size_t lane) const noexcept {
-    return typename L::Part(static_cast<int>(bounds) - static_cast<int>(lane));
+  [[nodiscard]] typename L::FirstLanes part(std::size_t lane) const noexcept {
+    return typename L::FirstLanes(static_cast<int>(bounds) - static_cast<int>(lane));
   }
 };
 

@@ -19,8 +19,8 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
   std::size_t i = 0;
   for (; i + L::width <= count; i += L::width) {
     const std::uint64_t is_low = L::bits(L::less(L::load(from[axis] + i), limits));
-    const typename L::Packing low_ones(is_low);
-    const typename L::Packing high_ones(~is_low & lanes_of<L>(0));
+    const typename L::Compressor low_ones(is_low);
+    const typename L::Compressor high_ones(~is_low & lanes_of<L>(0));
     const auto lows = static_cast<std::size_t>(__builtin_popcountll(is_low));
     const bool has_room = moved + L::width <= count;
     for (unsigned s = 0; s < streams; ++s) {
@@ -85,7 +85,7 @@ class Group {
 
   /// Writes those of some vectors' lanes, one vector of each stream, whose bits are set.
   void take(std::uint64_t lanes, const typename L::Vector (&x)[streams]) noexcept {
-    const typename L::Packing ones(lanes);
+    const typename L::Compressor ones(lanes);
     const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
     const bool has_room = left_ >= L::width;
     for (unsigned s = 0; s < streams; ++s) {

@@ -195,7 +195,7 @@ Collected collect(const float* key, std::size_t count, const Bracket& bracket, f
     const std::uint64_t is_below = L::bits(L::less(keys, froms));
     const std::uint64_t is_between = L::bits(L::less_equal(keys, tos)) & ~is_below;
     below += static_cast<std::size_t>(__builtin_popcountll(is_below));
-    typename L::Packing(is_between).store(some + between, keys);
+    typename L::Compressor(is_between).store(some + between, keys);
     between += static_cast<std::size_t>(__builtin_popcountll(is_between));
   }
   for (; i < count; ++i) {

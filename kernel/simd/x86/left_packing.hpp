@@ -1,4 +1,4 @@
-/// Shuffles that put some lanes of a vector side by side, for instruction sets that have no instruction for it.
+/// Shuffles that put some lanes of a vector side by side, for sets that have no instruction for it: SSE4.2 and AVX2.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,7 @@
-/// Four floats, for what reads and checks the user's records: in a vector where every processor has one.
+/// Four floats, for what reads and checks the user's records.
+///
+/// This is no instruction set to choose: it uses what every processor of the target has, which is SSE2 on x86-64 and
+/// plain floats elsewhere. So it is the same whatever SHAFTCULL_ISA says, and nothing is asked of the processor.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +15,7 @@ namespace shaftcull::kernel {
 
 #if defined(__SSE2__)
 
-class Four {
+class FourFloats {
  public:
   /// What holds of each of the four; at first everything does.
   class Truth {
@@ -30,37 +33,41 @@ class Four {
     __m128 mask_;
   };
 
-  Four() noexcept : floats_(_mm_setzero_ps()) {}
+  FourFloats() noexcept : floats_(_mm_setzero_ps()) {}
 
   /// Three floats, which need not be aligned, and 0. Reads nothing else.
-  static Four three_at(const std::byte* floats) noexcept {
+  static FourFloats three_at(const std::byte* floats) noexcept {
     double two;
     float one;
     std::memcpy(&two, floats, sizeof two);
     std::memcpy(&one, floats + sizeof two, sizeof one);
-    return Four(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(two)), _mm_set_ss(one)));
+    return FourFloats(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(two)), _mm_set_ss(one)));
   }
-  static Four of(float a, float b, float c, float d) noexcept { return Four(_mm_setr_ps(a, b, c, d)); }
+  static FourFloats of(float a, float b, float c, float d) noexcept { return FourFloats(_mm_setr_ps(a, b, c, d)); }
   void store(float* to) const noexcept { _mm_storeu_ps(to, floats_); }
 
-  friend Four operator+(Four a, Four b) noexcept { return Four(_mm_add_ps(a.floats_, b.floats_)); }
-  friend Four operator-(Four a, Four b) noexcept { return Four(_mm_sub_ps(a.floats_, b.floats_)); }
+  friend FourFloats operator+(FourFloats a, FourFloats b) noexcept {
+    return FourFloats(_mm_add_ps(a.floats_, b.floats_));
+  }
+  friend FourFloats operator-(FourFloats a, FourFloats b) noexcept {
+    return FourFloats(_mm_sub_ps(a.floats_, b.floats_));
+  }
   /// Not where either is NaN.
-  friend Truth operator<=(Four a, Four b) noexcept { return Truth(_mm_cmple_ps(a.floats_, b.floats_)); }
+  friend Truth operator<=(FourFloats a, FourFloats b) noexcept { return Truth(_mm_cmple_ps(a.floats_, b.floats_)); }
 
   /// Rows become columns.
-  friend void transpose(Four (&row)[4]) noexcept {
+  friend void transpose(FourFloats (&row)[4]) noexcept {
     _MM_TRANSPOSE4_PS(row[0].floats_, row[1].floats_, row[2].floats_, row[3].floats_);
   }
 
  private:
-  explicit Four(__m128 floats) noexcept : floats_(floats) {}
+  explicit FourFloats(__m128 floats) noexcept : floats_(floats) {}
   __m128 floats_;
 };
 
 #else
 
-class Four {
+class FourFloats {
  public:
   class Truth {
    public:
@@ -77,13 +84,13 @@ class Four {
     bool holds_ = true;
   };
 
-  static Four three_at(const std::byte* floats) noexcept {
-    Four four;
+  static FourFloats three_at(const std::byte* floats) noexcept {
+    FourFloats four;
     std::memcpy(four.floats_, floats, 3 * sizeof(float));
     return four;
   }
-  static Four of(float a, float b, float c, float d) noexcept {
-    Four four;
+  static FourFloats of(float a, float b, float c, float d) noexcept {
+    FourFloats four;
     four.floats_[0] = a;
     four.floats_[1] = b;
     four.floats_[2] = c;
@@ -92,20 +99,20 @@ class Four {
   }
   void store(float* to) const noexcept { std::memcpy(to, floats_, sizeof floats_); }
 
-  friend Four operator+(Four a, const Four& b) noexcept {
+  friend FourFloats operator+(FourFloats a, const FourFloats& b) noexcept {
     for (std::size_t i = 0; i != 4; ++i) a.floats_[i] += b.floats_[i];
     return a;
   }
-  friend Four operator-(Four a, const Four& b) noexcept {
+  friend FourFloats operator-(FourFloats a, const FourFloats& b) noexcept {
     for (std::size_t i = 0; i != 4; ++i) a.floats_[i] -= b.floats_[i];
     return a;
   }
-  friend Truth operator<=(const Four& a, const Four& b) noexcept {
+  friend Truth operator<=(const FourFloats& a, const FourFloats& b) noexcept {
     bool holds = true;
     for (std::size_t i = 0; i != 4; ++i) holds &= a.floats_[i] <= b.floats_[i];
     return Truth(holds);
   }
-  friend void transpose(Four (&row)[4]) noexcept {
+  friend void transpose(FourFloats (&row)[4]) noexcept {
     for (std::size_t i = 0; i != 4; ++i) {
       for (std::size_t k = 0; k != i; ++k) {
         const float other = row[i].floats_[k];

@@ -1,0 +1,206 @@
+/// The set `avx512` (F, CD, DQ, BW and VL): vectors of 16 floats and of 32 integers.
+///
+/// Shafts are formed with vectors of 8, since transposing goes by eight: that is a quarter faster.
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+
+// A name of its own for each set, so that none of xsimd's inline functions is shared with another one.
+#define xsimd xsimd_avx512
+#include "simd/operations.hpp"
+#include "simd/x86/vectors_of_8.hpp"
+
+namespace shaftcull::kernel::avx512 {
+
+struct Set;
+using EightFloats = x86::EightFloatsOf<Set>;
+using FormationFloats = x86::FloatsOf<Set>;
+
+struct Integers16;
+
+struct Floats {
+  using Vector = xsimd::batch<float, xsimd::avx512bw>;
+  using Mask = xsimd::batch_bool<float, xsimd::avx512bw>;
+  using EightFloats = avx512::EightFloats;
+  using Integers16 = avx512::Integers16;
+  static constexpr unsigned width = 16;
+
+  static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
+  static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
+  static Vector gather(const float* p, const std::uint16_t* index) noexcept {
+    const __m256i sixteen = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
+    return _mm512_i32gather_ps(_mm512_cvtepu16_epi32(sixteen), p, sizeof(float));
+  }
+  static void load_columns(const float* const (&rows)[16], Vector (&columns)[4]) noexcept {
+    const float* low[8];
+    const float* high[8];
+    for (unsigned i = 0; i < 8; ++i) {
+      low[i] = rows[i];
+      high[i] = rows[i + 8];
+    }
+    FormationFloats::Vector low_columns[4];
+    FormationFloats::Vector high_columns[4];
+    FormationFloats::load_columns(low, low_columns);
+    FormationFloats::load_columns(high, high_columns);
+    for (unsigned c = 0; c < 4; ++c) {
+      columns[c] = _mm512_insertf32x8(_mm512_castps256_ps512(low_columns[c]), high_columns[c], 1);
+    }
+  }
+  static void transpose(const Vector (&columns)[8], __m256 (&things)[16]) noexcept {
+    __m256 low[8];
+    __m256 high[8];
+    for (unsigned c = 0; c < 8; ++c) {
+      low[c] = lower_half(columns[c]);
+      high[c] = upper_half(columns[c]);
+    }
+    EightFloats::transpose(low, things);
+    EightFloats::transpose(high, things + 8);
+  }
+
+  class FirstLanes {
+   public:
+    explicit FirstLanes(int count) noexcept
+        : mask_(static_cast<__mmask16>(count <= 0    ? 0U
+                                       : count >= 16 ? 0xffffU
+                                                     : (1U << count) - 1)) {}
+
+    [[nodiscard]] Vector load(const float* p) const noexcept { return _mm512_maskz_loadu_ps(mask_, p); }
+    [[nodiscard]] Vector choose(Vector a, Vector b) const noexcept { return _mm512_mask_mov_ps(b, mask_, a); }
+
+   private:
+    __mmask16 mask_;
+  };
+
+  class Compressor {
+   public:
+    explicit Compressor(std::uint64_t bits) noexcept {
+      const __m512i all = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+      from_ = _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), all);
+    }
+
+    void store(float* p, Vector a) const noexcept { Floats::store(p, packed(a)); }
+    void store(float* p, Vector a, std::size_t count) const noexcept {
+      _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1U << count) - 1), packed(a));
+    }
+
+   private:
+    [[nodiscard]] Vector packed(Vector a) const noexcept { return _mm512_permutexvar_ps(from_, a); }
+
+    __m512i from_;
+  };
+
+  static Vector all(float a) noexcept { return Vector(a); }
+  static Vector add(Vector a, Vector b) noexcept { return a + b; }
+  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
+  static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
+  static Vector divide(Vector a, Vector b) noexcept { return a / b; }
+  static Vector square_root(Vector a) noexcept { return xsimd::sqrt(a); }
+  // xsimd 8 multiplies, and then adds.
+  static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_ps(a, b, c); }
+  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and
+  // before that the second.
+  static Vector minimum(Vector a, Vector b) noexcept { return _mm512_min_ps(a, b); }
+  static Vector maximum(Vector a, Vector b) noexcept { return _mm512_max_ps(a, b); }
+  static Vector maximum_of_bits(Vector a, Vector b) noexcept {
+    return _mm512_castsi512_ps(_mm512_max_epu32(_mm512_castps_si512(a), _mm512_castps_si512(b)));
+  }
+  static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
+  static Vector floor(Vector a) noexcept { return xsimd::floor(a); }
+  static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
+  static float smallest(Vector a) noexcept {
+    return folded(a, [](__m128 x, __m128 y) { return _mm_min_ps(x, y); });
+  }
+  static float largest(Vector a) noexcept {
+    return folded(a, [](__m128 x, __m128 y) { return _mm_max_ps(x, y); });
+  }
+
+  static Mask less(Vector a, Vector b) noexcept { return a < b; }
+  static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
+  static Mask both(Mask a, Mask b) noexcept { return a & b; }
+  static Mask either(Mask a, Mask b) noexcept { return a | b; }
+  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }
+  static std::uint64_t bits(Mask mask) noexcept { return static_cast<__mmask16>(mask); }
+  static unsigned lowest_bit(std::uint64_t word) noexcept { return static_cast<unsigned>(_tzcnt_u64(word)); }
+
+  static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
+  /// Packing saturates, which keeps signs. It works on quarters, whose fours of bytes are then put in order.
+  static std::uint64_t signs(const Vector (&of)[4]) noexcept {
+    const __m512i bytes =
+        _mm512_packs_epi16(_mm512_packs_epi32(_mm512_castps_si512(of[0]), _mm512_castps_si512(of[1])),
+                           _mm512_packs_epi32(_mm512_castps_si512(of[2]), _mm512_castps_si512(of[3])));
+    const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+    return _mm512_movepi8_mask(_mm512_permutexvar_epi32(order, bytes));
+  }
+
+  /// Comparisons make masks here, which are quicker combined than packed.
+  class SignCollector {
+   public:
+    explicit SignCollector(Vector limit) noexcept : limit_(limit) {}
+
+    std::uint64_t collect(const Vector (&of)[4]) noexcept {
+      for (unsigned v = 0; v < 4; ++v) {  // as unsigned integers, negative floats are above all others
+        undecided_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(of[v]), _mm512_castps_si512(limit_));
+      }
+      return signs(of);
+    }
+    [[nodiscard]] bool any_undecided() const noexcept { return undecided_ != 0; }
+
+   private:
+    Vector limit_;
+    std::uint32_t undecided_ = 0;
+  };
+
+ private:
+  static __m256 lower_half(Vector a) noexcept { return _mm512_castps512_ps256(a); }
+  static __m256 upper_half(Vector a) noexcept { return _mm512_extractf32x8_ps(a, 1); }
+  /// All lanes put together by one(x, y), lane by lane of four.
+  template <class One>
+  static float folded(Vector a, One one) noexcept {
+    const auto fours_of = [&](__m256 half) {
+      return one(_mm256_castps256_ps128(half), _mm256_extractf128_ps(half, 1));
+    };
+    const __m128 fours = one(fours_of(lower_half(a)), fours_of(upper_half(a)));
+    const __m128 pairs = one(fours, _mm_movehl_ps(fours, fours));
+    return _mm_cvtss_f32(one(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
+  }
+};
+
+struct Integers16 {
+  using Floats = avx512::Floats;
+  using Vector = xsimd::batch<std::int16_t, xsimd::avx512bw>;
+  static constexpr unsigned width = 32;
+  static constexpr unsigned vectors = 2;
+  static constexpr std::size_t fewest_shafts_on_grid = 8;  // floats are quick here
+  static constexpr std::size_t fewest_tests_on_grid = 16384;
+
+  static Vector load(const std::int16_t* p) noexcept { return Vector::load_aligned(p); }
+  static Vector all(std::int16_t a) noexcept { return Vector(a); }
+  static Vector add(Vector a, Vector b) noexcept { return a + b; }
+  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
+  static Vector minimum(Vector a, Vector b) noexcept { return xsimd::min(a, b); }
+  static Vector maximum(Vector a, Vector b) noexcept { return xsimd::max(a, b); }
+  // xsimd 8 has ssub(), but not without optimisation.
+  static Vector subtract_saturated(Vector a, Vector b) noexcept { return _mm512_subs_epi16(a, b); }
+  static Vector multiply(Vector a, Vector b) noexcept { return _mm512_mulhrs_epi16(a, b); }
+
+  /// What 32 bits do not hold becomes the least that they do, and converting saturates.
+  static void store_rounded(std::int16_t* out, const Floats::Vector (&of)[4], Vector least) noexcept {
+    for (unsigned v = 0; v < 4; ++v) {
+      const __m256i sixteen = _mm512_cvtsepi32_epi16(_mm512_cvtps_epi32(of[v]));
+      _mm256_store_si256(reinterpret_cast<__m256i*>(out) + v, _mm256_max_epi16(sixteen, _mm512_castsi512_si256(least)));
+    }
+  }
+
+  static Outcomes outcomes(const Vector (&of)[2], Vector limit) noexcept {
+    const __m512i wide = _mm512_srli_epi16(limit, 8);
+    return {_mm512_movepi16_mask(of[0]) | std::uint64_t{_mm512_movepi16_mask(of[1])} << 32,
+            _mm512_cmple_epu16_mask(of[0], wide) | std::uint64_t{_mm512_cmple_epu16_mask(of[1], wide)} << 32};
+  }
+};
+
+static_assert(FloatOperations<Floats> && FloatOperations<FormationFloats> && Integer16Operations<Integers16>);
+
+}  // namespace shaftcull::kernel::avx512
