@@ -130,17 +130,18 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
   const SphereTree spheres{std::span<const Sphere>(spheres_)};
   std::vector<std::uint32_t> kept(bound_count);
   std::vector<std::uint32_t> inside(bound_count);
-  std::vector<TreeRun> runs(bound_count);
+  std::vector<LeafRange> ranges(bound_count);
   const std::vector<std::uint32_t> own = {1, 2};
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
                 for (const CompiledShaft& shaft : shafts_) {
                   (void)count(shaft, boxes, {.own = own});
-                  cull(shaft, boxes, std::span(kept));
-                  cull(shaft, spheres, std::span(runs));
-                  classify(shaft, boxes, std::span(kept), std::span(inside));
-                  classify(shaft, spheres, std::span(kept), std::span(inside), {.own = own});
+                  (void)count_classified(shaft, boxes);
+                  (void)list(shaft, boxes, std::span(kept));
+                  (void)list(shaft, spheres, std::span(ranges));
+                  (void)list_classified(shaft, boxes, std::span(kept), std::span(inside));
+                  (void)list_classified(shaft, spheres, std::span(kept), std::span(inside), {.own = own});
                   refine(shaft, boxes.leaves(), own, kept);
                 }
               }),

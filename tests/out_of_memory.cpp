@@ -143,7 +143,7 @@ class TreeOutOfMemory : public testing::Test {
     Snapshot now{bounds_of(tree.leaves()), {tree.order().begin(), tree.order().end()}, {}, tree.growth()};
     for (const CompiledShaft& shaft : shafts_) {
       std::vector<IndexOf<Tree>> kept(tree.size());
-      kept.resize(cull(shaft, tree, kept));
+      kept.resize(list(shaft, tree, std::span(kept)));
       now.found.insert(now.found.end(), kept.begin(), kept.end());
     }
     return now;
@@ -151,7 +151,7 @@ class TreeOutOfMemory : public testing::Test {
   void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds) const {
     for (const CompiledShaft& shaft : shafts_) {
       std::vector<IndexOf<Tree>> kept(tree.size());
-      kept.resize(cull(shaft, tree, kept));
+      kept.resize(list(shaft, tree, std::span(kept)));
       ASSERT_EQ(sorted(kept), FlatAnswers(shaft, bounds).kept());
     }
   }
@@ -237,7 +237,7 @@ TYPED_TEST(TreeOutOfMemory, ARefitThatFailsIsStillNeeded) {
     };
     const auto check = [&](TypeParam& tree) {
       EXPECT_TRUE(tree.needs_refit());
-      EXPECT_THROW(static_cast<void>(shaftcull::count(this->shafts_[0], tree)), InvalidArgument);
+      EXPECT_THROW(static_cast<void>(shaftcull::count(this->shafts_[0], tree)), NeedsRefit);
       tree.refit();
       this->expect_flat_answers(tree, updated);
     };
@@ -283,8 +283,9 @@ bool are_as_before_or_empty(const IndexListsOf<Index>& lists, const IndexListsOf
          (lists.size() == 0 && lists.indices.empty());
 }
 template <class Index>
-bool are_as_before_or_empty(const RunListsOf<Index>& lists, const RunListsOf<Index>& before) {
-  return (lists.offsets == before.offsets && lists.runs == before.runs) || (lists.size() == 0 && lists.runs.empty());
+bool are_as_before_or_empty(const LeafRangeListsOf<Index>& lists, const LeafRangeListsOf<Index>& before) {
+  return (lists.offsets == before.offsets && lists.ranges == before.ranges) ||
+         (lists.size() == 0 && lists.ranges.empty());
 }
 
 template <class Index>
@@ -292,8 +293,8 @@ bool are_equal(const IndexListsOf<Index>& one, const IndexListsOf<Index>& other)
   return one.offsets == other.offsets && one.indices == other.indices;
 }
 template <class Index>
-bool are_equal(const RunListsOf<Index>& one, const RunListsOf<Index>& other) {
-  return one.offsets == other.offsets && one.runs == other.runs;
+bool are_equal(const LeafRangeListsOf<Index>& one, const LeafRangeListsOf<Index>& other) {
+  return one.offsets == other.offsets && one.ranges == other.ranges;
 }
 
 /// Makes call(lists) fail at every allocation, and again without: it lists what it lists of new memory.
@@ -314,17 +315,19 @@ void expect_lists_or_none(const Lists& before, const Call& call) {
 TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   using Index = IndexOf<TypeParam>;
   const IndexListsOf<Index> indices{{0, 1}, {5}};
-  const RunListsOf<Index> runs{{0, 1}, {{5, 1}}};
+  const LeafRangeListsOf<Index> ranges{{0, 1}, {{5, 1}}};
   const auto list = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists); };
   expect_lists_or_none(indices, list);
-  expect_lists_or_none(runs, list);
+  expect_lists_or_none(ranges, list);
   const auto refine = [&](auto& lists) {
     refine_many(this->shafts_, this->tree_.leaves(), this->tree_.order(), lists);
   };
   expect_lists_or_none(indices, refine);
 
   const auto fail_both = [&](const auto& before) {
-    const auto list_both = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists.first, lists.second); };
+    const auto list_both = [&](auto& lists) {
+      list_classified_many(this->shafts_, this->tree_, lists.first, lists.second);
+    };
     auto expected = std::pair(before, before);
     list_both(expected);
     EXPECT_GT(fail_each_allocation([&] { return std::pair(before, before); }, list_both,
@@ -338,7 +341,7 @@ TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
               1U);
   };
   fail_both(indices);
-  fail_both(runs);
+  fail_both(ranges);
 }
 
 template <class Index>
@@ -380,12 +383,13 @@ void expect_first_answers(const Call& call) {
 }
 
 TYPED_TEST(TreeOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {
-  using Answers = ShaftAnswersOf<IndexOf<TypeParam>>;
-  const auto sizes_in = [](std::vector<std::size_t>& sizes) {
-    return [&sizes](const Answers& answers) { sizes.push_back(answers.overlap.size() + answers.inside.size()); };
-  };
-  expect_first_answers([&](auto& sizes) { cull_each(this->shafts_, this->tree_, sizes_in(sizes)); });
-  expect_first_answers([&](auto& sizes) { classify_each(this->shafts_, this->tree_, sizes_in(sizes)); });
+  expect_first_answers([&](auto& sizes) {
+    for_each_kept(this->shafts_, this->tree_, [&](const auto& answers) { sizes.push_back(answers.kept.size()); });
+  });
+  expect_first_answers([&](auto& sizes) {
+    for_each_classified(this->shafts_, this->tree_,
+                        [&](const auto& answers) { sizes.push_back(answers.overlap.size() + answers.inside.size()); });
+  });
 }
 
 TEST(TilesOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {

@@ -119,7 +119,7 @@ std::size_t run_all(const Sweep& sweep) {
 }
 
 std::size_t by_tree(const Scene& scene, std::size_t s, std::uint32_t* found) {
-  return cull(compile(scene.from[s], scene.to[s]), scene.tree, std::span(found, most_found));
+  return list(compile(scene.from[s], scene.to[s]), scene.tree, std::span(found, most_found));
 }
 
 /// The grid that takes the least time for these sweeps on `isa`.

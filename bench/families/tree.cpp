@@ -33,7 +33,7 @@ void query_tree(benchmark::State& state, const BoxTree& tree, const SweptBoxes& 
   std::vector<std::uint32_t> hits(tree.size());
   for (auto _ : state) {
     compile_batch(swept.from.view(), swept.to.view(), shafts);
-    for (const CompiledShaft& shaft : shafts) benchmark::DoNotOptimize(cull(shaft, tree, std::span(hits)));
+    for (const CompiledShaft& shaft : shafts) benchmark::DoNotOptimize(list(shaft, tree, std::span(hits)));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(shafts.size()));
 }
@@ -68,7 +68,7 @@ void require_same_hits(TreeScene& scene, const SweptBoxes& swept, const SweptSet
   const auto hits_of = [&](std::size_t i, float by) {
     const CompiledShaft shaft = compile(Shaft(grown(swept.from[i], by), grown(swept.to[i], by)));
     std::vector<std::uint32_t> hits(
-        kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(cull(shaft, scene.tree(), std::span(kept))));
+        kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(list(shaft, scene.tree(), std::span(kept))));
     std::sort(hits.begin(), hits.end());
     return hits;
   };

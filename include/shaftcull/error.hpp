@@ -26,4 +26,11 @@ class BadBound : public InvalidArgument {
   std::size_t index_;
 };
 
+/// A tree was asked after update() by index and before refit(). Not an InvalidArgument: the arguments are fine, the
+/// order of calls is not. The tree stays as it is; call refit() or rebuild() and ask again.
+class NeedsRefit : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
 }  // namespace shaftcull

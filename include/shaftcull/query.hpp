@@ -1,23 +1,32 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
-/// Bounds and indices are of the tree's kind: a vector passes for a span of them, and braces for `excluding`. Results
-/// are in tree order (BoundsTree::order()), which depends on nothing but the bounds, by index, that the tree was last
-/// built or rebuilt from: not on threads, instruction sets, or what happened before. A query throws InvalidArgument if
-/// the tree needs a refit, if a shaft was formed without the answer asked for, if `excluding` does not fit, or if an
-/// output shares memory with another output or with `excluding`; nothing is written then. Cost: about 20 ns for each
-/// node or group of 64 bounds that the shaft reaches. Safe to call from many threads. Trees stay as they are, whatever
-/// a query throws.
+/// *Verbs* are those of views (cull.hpp, many.hpp). Bounds and indices are of the tree's kind, and a vector or an array
+/// passes for a span of them. Lists are in tree order (BoundsTree::order()), which depends on nothing but the bounds,
+/// by index, that the tree was last built or rebuilt from: not on threads, instruction sets, or what happened before.
+///
+/// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`, `{.mask =
+/// words}` or both (ExcludingOf).
+///
+/// *Results that do not fit* are counted and not written: see results.hpp.
+///
+/// *Errors.* Before anything is written, a query throws NeedsRefit if the tree needs a refit, and InvalidArgument if a
+/// shaft was formed without the answer asked for, if `excluding` or the size of an output does not fit, if a span is
+/// null that is not empty, or if an output shares memory with another output or with `excluding`. Trees stay as they
+/// are, whatever a query throws.
+///
+/// *Cost.* About 20 ns for each node or group of 64 bounds that the shaft reaches, and what is written. Queries are
+/// safe to call from many threads, and take at most 64 KiB of the stack. Those of one shaft allocate nothing.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
+#include "shaftcull/function_ref.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/results.hpp"
@@ -27,10 +36,10 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Leaves [first, first + size) of a tree: bounds order()[first] and so on.
 template <BoundIndex Index>
-struct TreeRunOf {
+struct LeafRangeOf {
   Index first;
   Index size;
-  friend bool operator==(const TreeRunOf&, const TreeRunOf&) = default;
+  friend bool operator==(const LeafRangeOf&, const LeafRangeOf&) = default;
 };
 
 /// Bounds that a query leaves out, by the user's indices.
@@ -39,105 +48,124 @@ struct ExcludingOf {
   /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two
   /// objects, say. All are below the tree's size().
   std::span<const Index> own{};
-  /// Bit i of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
+  /// Bit i % 64 of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
   std::span<const std::uint64_t> mask{};
 };
 
 /// Those of trees with 32-bit indices.
-using TreeRun = TreeRunOf<std::uint32_t>;
+using LeafRange = LeafRangeOf<std::uint32_t>;
 using Excluding = ExcludingOf<std::uint32_t>;
 
-// One shaft. Nothing is allocated. results.hpp says what happens to results that a span has no room for.
+// One shaft.
 
 /// How many bounds the shaft keeps (which are not outside).
 template <class Bound, BoundIndex Index>
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
+/// How many bounds overlap the shaft, and how many are inside it. Nothing below a node that is inside is tested.
+template <class Bound, BoundIndex Index>
+[[nodiscard]] KeptCounts count_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                          const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
 /// Writes the indices of the bounds that the shaft keeps, and returns how many there are.
 template <class Bound, BoundIndex Index>
-std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                 std::type_identity_t<std::span<Index>> kept,
-                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                               std::type_identity_t<std::span<Index>> kept,
+                               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-/// Writes the runs of leaves that the shaft keeps, each as long as can be, and returns how many there are.
+/// Writes the ranges of leaves that the shaft keeps, each as long as can be, and returns how many there are.
 template <class Bound, BoundIndex Index>
-std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                 std::type_identity_t<std::span<TreeRunOf<Index>>> kept,
-                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                               std::type_identity_t<std::span<LeafRangeOf<Index>>> kept,
+                               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-/// As cull(), but bounds that overlap and bounds inside apart. Nothing below a node that is inside is tested.
+/// As list(), but bounds that overlap and bounds inside apart. Nothing below a node that is inside is tested.
 template <class Bound, BoundIndex Index>
-KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                    std::type_identity_t<std::span<Index>> overlap, std::type_identity_t<std::span<Index>> inside,
-                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                         std::type_identity_t<std::span<Index>> overlap,
+                                         std::type_identity_t<std::span<Index>> inside,
+                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                    std::type_identity_t<std::span<TreeRunOf<Index>>> overlap,
-                    std::type_identity_t<std::span<TreeRunOf<Index>>> inside,
-                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                         std::type_identity_t<std::span<LeafRangeOf<Index>>> overlap,
+                                         std::type_identity_t<std::span<LeafRangeOf<Index>>> inside,
+                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-// Many shafts, in parallel. Results do not depend on the number of threads. If memory runs out (std::bad_alloc), counts
-// are unspecified, and lists are as they were or empty.
+// Many shafts, in parallel, as many.hpp says. Results do not depend on the number of threads. If memory runs out
+// (std::bad_alloc), counts are unspecified, and lists are as they were or empty.
 
 /// kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
 template <class Bound, BoundIndex Index>
 void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-/// Runs in compressed sparse rows: those of shaft s are runs[offsets[s] … offsets[s + 1]), ascending.
+/// counts[s] becomes count_classified(shafts[s], …). One for each shaft.
+template <class Bound, BoundIndex Index>
+void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                           std::span<KeptCounts> counts,
+                           const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// Leaf ranges in compressed sparse rows: those of shaft s are ranges[offsets[s] … offsets[s + 1]), ascending.
 template <BoundIndex Index>
-struct RunListsOf {
+struct LeafRangeListsOf {
   std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<TreeRunOf<Index>> runs;
+  std::vector<LeafRangeOf<Index>> ranges;
 
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
-  [[nodiscard]] std::span<const TreeRunOf<Index>> operator[](std::size_t shaft) const noexcept {
-    return {runs.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
+  [[nodiscard]] std::span<const LeafRangeOf<Index>> operator[](std::size_t shaft) const noexcept {
+    return {ranges.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
 };
-using RunLists = RunListsOf<std::uint32_t>;
+using LeafRangeLists = LeafRangeListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps, as indices or as runs. Reuses the memory of the lists; if this throws, they are as they
-/// were or empty.
+/// Lists what each shaft keeps, as indices or as leaf ranges. Reuses the memory of the lists; if this throws, they are
+/// as they were or empty.
 template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& kept,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+               LeafRangeListsOf<Index>& kept, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Likewise, but bounds that overlap and bounds inside apart.
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                          IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
+                          const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& overlap,
-               RunListsOf<Index>& inside, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                          LeafRangeListsOf<Index>& overlap, LeafRangeListsOf<Index>& inside,
+                          const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-/// What one shaft answers. Memory is the library's and is valid during the callback only.
+/// What one shaft keeps, as leaf ranges, for a callback. The ranges are the library's and valid during the callback
+/// only.
 template <BoundIndex Index>
-struct ShaftAnswersOf {
+struct KeptRangesOf {
   std::size_t shaft;
-  std::span<const TreeRunOf<Index>> overlap;  ///< for cull_each() whatever is kept
-  std::span<const TreeRunOf<Index>> inside;   ///< empty for cull_each()
+  std::span<const LeafRangeOf<Index>> kept;
 };
-using ShaftAnswers = ShaftAnswersOf<std::uint32_t>;
+using KeptRanges = KeptRangesOf<std::uint32_t>;
 
-/// Called once for every shaft, one call at a time, in their order. An exception ends the run and reaches the caller;
-/// shafts after it are not handed out.
+/// Likewise, but bounds that overlap and bounds inside apart.
 template <BoundIndex Index>
-using ShaftCallbackOf = std::function<void(const ShaftAnswersOf<Index>&)>;
-using ShaftCallback = ShaftCallbackOf<std::uint32_t>;
+struct ClassifiedRangesOf {
+  std::size_t shaft;
+  std::span<const LeafRangeOf<Index>> overlap;
+  std::span<const LeafRangeOf<Index>> inside;
+};
+using ClassifiedRanges = ClassifiedRangesOf<std::uint32_t>;
 
+/// Calls callback(KeptRangesOf) or callback(ClassifiedRangesOf) once for every shaft, one call at a time, in their
+/// order, while other threads go on with the next shafts. An exception of the callback ends the call and reaches the
+/// caller; shafts after it are not handed out.
 template <class Bound, BoundIndex Index>
-void cull_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
-template <class Bound, BoundIndex Index>
-void classify_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                   const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
+void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                   std::type_identity_t<FunctionRef<void(const KeptRangesOf<Index>&)>> callback,
                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+template <class Bound, BoundIndex Index>
+void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                         std::type_identity_t<FunctionRef<void(const ClassifiedRangesOf<Index>&)>> callback,
+                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 }  // namespace shaftcull

@@ -81,9 +81,10 @@ class BoundsTree {
   void update(const Records& all);
   void update(std::span<const Bound> all);
 
-  /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw until refit()
-  /// is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for an index not
-  /// below size(), unless there are as many indices as values, or if the values are among the tree's own leaves().
+  /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw NeedsRefit
+  /// until refit() is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for
+  /// an index not below size(), unless there are as many indices as values, or if the values are among the tree's own
+  /// leaves().
   void update(std::span<const Index> indices, const View& bounds);
   void update(std::span<const Index> indices, const Records& bounds);
   void update(std::span<const Index> indices, std::span<const Bound> bounds);
@@ -95,7 +96,7 @@ class BoundsTree {
 
   /// How much larger the smallest nodes have become since the tree was built or rebuilt, 1 at first: the sum of their
   /// surfaces over what it was then. Queries slow down somewhat less than it grows; at 2 or 3 a rebuild() pays.
-  /// Infinite nodes are left out. +∞ if the sum was 0 and is not now. O(size() / 64); throws InvalidArgument if
+  /// Infinite nodes are left out. +∞ if the sum was 0 and is not now. O(size() / 64); throws NeedsRefit if
   /// needs_refit().
   [[nodiscard]] double growth() const;
 

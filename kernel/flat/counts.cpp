@@ -13,7 +13,7 @@ namespace {
 template <class View>
 void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> counts, Form form) {
   const kernel::Job<View> job(shafts, bounds, false, form);
-  kernel::require_counts(counts, shafts.size());
+  kernel::require_counts("kept_counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
   const kernel::SetBits& set_bits = job.set_bits();

@@ -52,9 +52,9 @@ void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::si
                         (overflows ? "more than memory can hold" : std::to_string(shafts * row_words)));
 }
 
-void refuse_counts(std::size_t size, std::size_t shafts) {
-  throw InvalidArgument("kept_counts has room for " + counted(size, "count") + "; " + counted(shafts, "shaft") +
-                        " need one each");
+void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
+  throw InvalidArgument(std::string(what) + " has room for " + counted(size, "count") + "; " +
+                        counted(shafts, "shaft") + " need one each");
 }
 
 void refuse_shared_memory(const char* call, const char* one, const char* other) {

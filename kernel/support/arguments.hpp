@@ -25,7 +25,7 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_shaft(const CompiledShaft& shaft, bool outside, bool inside, std::size_t position);
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
-[[noreturn]] void refuse_counts(std::size_t size, std::size_t shafts);
+[[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
 [[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
 [[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
 
@@ -80,11 +80,12 @@ inline void require_rows(const char* what, std::span<const std::uint64_t> words,
   require_memory(what, words, "words");
 }
 
-/// The span called kept_counts has one count for each shaft.
-inline void require_counts(std::span<const std::uint64_t> kept_counts, std::size_t shafts) {
-  if (kept_counts.size() != shafts) [[unlikely]]
-    refuse_counts(kept_counts.size(), shafts);
-  require_memory("kept_counts", kept_counts, "counts");
+/// The span called `what` has one count for each shaft.
+template <class Count>
+void require_counts(const char* what, std::span<Count> counts, std::size_t shafts) {
+  if (counts.size() != shafts) [[unlikely]]
+    refuse_counts(what, counts.size(), shafts);
+  require_memory(what, counts, "counts");
 }
 
 /// What `call` writes, and what else it writes or reads, share no memory. `one` and `other` are their names.

@@ -10,7 +10,7 @@
 
 namespace shaftcull::kernel {
 
-/// Leaves that a shaft keeps, before it is known where their indices go: words of them, and runs that are kept as a
+/// Leaves that a shaft keeps, before it is known where their indices go: words of them, and ranges that are kept as a
 /// whole. From four leaves a word on that takes less memory than indices, and these are not copied once more.
 template <class Index>
 class FoundOutput {
@@ -20,7 +20,7 @@ class FoundOutput {
     found_.push({bits, static_cast<Index>(first), 0});
     count_ += static_cast<std::size_t>(std::popcount(bits));
   }
-  void add_run(std::size_t first, std::size_t size) {
+  void add_range(std::size_t first, std::size_t size) {
     found_.push({0, static_cast<Index>(first), static_cast<Index>(size)});
     count_ += size;
   }
@@ -33,9 +33,9 @@ class FoundOutput {
     found_.for_each_piece([&](const Found* found, std::size_t size) {
       for (std::size_t i = 0; i != size; ++i) {
         if (i + fetched_words < size) indices.fetch(found[i + fetched_words].first);
-        const auto [bits, first, run] = found[i];
-        if (run != 0) {
-          out = indices.copy(first, run, out);
+        const auto [bits, first, range] = found[i];
+        if (range != 0) {
+          out = indices.copy(first, range, out);
         } else if (end - out >= static_cast<std::ptrdiff_t>(most_added)) {
           out += indices.pick(first, bits, out);
         } else {
@@ -46,11 +46,11 @@ class FoundOutput {
   }
 
  private:
-  /// A word's bits, or a run of whole words.
+  /// A word's bits, or a range of whole words.
   struct Found {
     std::uint64_t bits;
     Index first;
-    Index run;  ///< size, or 0 for a word
+    Index range;  ///< size, or 0 for a word
   };
   /// Words ahead of the one written whose indices are fetched.
   static constexpr std::size_t fetched_words = 16;

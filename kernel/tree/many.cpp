@@ -24,18 +24,19 @@ std::vector<Index>& items_of(IndexListsOf<Index>& lists) {
   return lists.indices;
 }
 template <BoundIndex Index>
-std::vector<TreeRunOf<Index>>& items_of(RunListsOf<Index>& lists) {
-  return lists.runs;
+std::vector<LeafRangeOf<Index>>& items_of(LeafRangeListsOf<Index>& lists) {
+  return lists.ranges;
 }
 template <class Index>
-using Runs = kernel::PiecewiseOutput<TreeRunOf<Index>>;
+using LeafRanges = kernel::PiecewiseOutput<LeafRangeOf<Index>>;
 
 template <class Index>
 kernel::FoundList<Index> list_of(const kernel::LeafIndices<Index>& /*indices*/, kernel::FoundOutput<Index>& output) {
   return kernel::FoundList<Index>(output);
 }
 template <class Index>
-kernel::RunList<Index, Runs<Index>> list_of(const kernel::LeafIndices<Index>& indices, Runs<Index>& output) {
+kernel::LeafRangeList<Index, LeafRanges<Index>> list_of(const kernel::LeafIndices<Index>& indices,
+                                                        LeafRanges<Index>& output) {
   return {indices, output};
 }
 
@@ -44,14 +45,15 @@ void write(const kernel::FoundOutput<Index>& found, const kernel::LeafIndices<In
   found.write(indices, out);
 }
 template <class Index>
-void write(const Runs<Index>& runs, const kernel::LeafIndices<Index>& /*indices*/, TreeRunOf<Index>* out) {
-  runs.for_each_piece([&](const TreeRunOf<Index>* items, std::size_t size) { out = std::copy_n(items, size, out); });
+void write(const LeafRanges<Index>& ranges, const kernel::LeafIndices<Index>& /*indices*/, LeafRangeOf<Index>* out) {
+  ranges.for_each_piece(
+      [&](const LeafRangeOf<Index>* items, std::size_t size) { out = std::copy_n(items, size, out); });
 }
 
 template <class Index>
 kernel::FoundOutput<Index> output_for(const IndexListsOf<Index>&);
 template <class Index>
-Runs<Index> output_for(const RunListsOf<Index>&);
+LeafRanges<Index> output_for(const LeafRangeListsOf<Index>&);
 
 /// What tasks leave, piece by piece, to be put side by side.
 template <class Lists>
@@ -95,18 +97,18 @@ class Pieces {
   kernel::IncompleteLists<typename std::decay_t<decltype(items_of(std::declval<Lists&>()))>::value_type> in_progress_;
 };
 
-/// Throws InvalidArgument if lists, called `name` in the message, hold memory that excludes bounds.
+/// Throws InvalidArgument if lists, called `name` in the message of `call`, hold memory that excludes bounds.
 template <class Bound, class Index, class Lists>
-void require_apart(const kernel::Query<Bound, Index>& query, const char* name, Lists& lists) {
-  query.require_apart("list_many", name, kernel::bytes_of(lists.offsets));
-  query.require_apart("list_many", name, kernel::bytes_of(items_of(lists)));
+void require_apart(const kernel::Query<Bound, Index>& query, const char* call, const char* name, Lists& lists) {
+  query.require_apart(call, name, kernel::bytes_of(lists.offsets));
+  query.require_apart(call, name, kernel::bytes_of(items_of(lists)));
 }
 
 template <class Bound, class Index, class Lists>
 void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& kept,
                const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
-  require_apart(query, "kept", kept);
+  require_apart(query, "list_many", "kept", kept);
   Pieces<Lists> all(shafts.size(), kept);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
@@ -124,9 +126,9 @@ template <class Bound, class Index, class Lists>
 void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& overlap,
                   Lists& inside, const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
-  if (&overlap == &inside) kernel::refuse_shared_memory("list_many", "overlap", "inside");
-  require_apart(query, "overlap", overlap);
-  require_apart(query, "inside", inside);
+  if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
+  require_apart(query, "list_classified_many", "overlap", overlap);
+  require_apart(query, "list_classified_many", "inside", inside);
   Pieces<Lists> overlaps(shafts.size(), overlap);
   Pieces<Lists> insides(shafts.size(), inside);
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -147,35 +149,33 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
 /// Shafts whose answers wait for their turn, for each thread.
 constexpr std::size_t slots_per_thread = 8;
 
-template <class Bound, BoundIndex Index>
-void hand_out(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-              const ShaftCallbackOf<Index>& callback, Question question, const ExcludingOf<Index>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, question, excluding);
+template <class Callback>
+void require_callback(const Callback& callback) {
   if (!callback) throw InvalidArgument("the shaft callback is empty; pass something that can be called");
-  using Output = kernel::GrowingOutput<TreeRunOf<Index>>;
-  struct Slot {
-    Output kept;
-    Output inside;
-  };
+}
+
+/// Walks with the visitor that visitor_of(slot) makes, for every shaft in parallel, and then calls deliver(s, slot),
+/// one at a time in their order. `Slot` is where a shaft's answers wait; it can be cleared.
+template <class Slot, class Bound, class Index, class VisitorOf, class Deliver>
+void hand_out(const kernel::Query<Bound, Index>& query, const VisitorOf& visitor_of, const Deliver& deliver) {
   std::vector<Slot> slots(slots_per_thread * static_cast<std::size_t>(kernel::threads_here()));
   const auto work = [&](std::size_t s, std::size_t slot) {
-    Slot& here = slots[slot];
-    here.kept.clear();
-    here.inside.clear();
-    using List = kernel::RunList<Index, Output>;
-    if (question == Question::kept) {
-      kernel::KeptLister lister(List(query.indices(), here.kept));
-      query.walk(s, lister);
-    } else {
-      kernel::ClassLister lister(List(query.indices(), here.kept), List(query.indices(), here.inside));
-      query.walk(s, lister);
-    }
+    slots[slot].clear();
+    auto visitor = visitor_of(slots[slot]);
+    query.walk(s, visitor);
   };
-  const auto deliver = [&](std::size_t s, std::size_t slot) {
-    const Slot& here = slots[slot];
-    callback({s, {here.kept.data(), here.kept.count()}, {here.inside.data(), here.inside.count()}});
-  };
-  kernel::ordered_pipeline(shafts.size(), slots.size(), work, deliver);
+  kernel::ordered_pipeline(query.shafts(), slots.size(), work,
+                           [&](std::size_t s, std::size_t slot) { deliver(s, slots[slot]); });
+}
+
+template <class Index>
+using Ranges = kernel::GrowingOutput<LeafRangeOf<Index>>;
+template <class Index>
+using RangeList = kernel::LeafRangeList<Index, Ranges<Index>>;
+
+template <class Index>
+std::span<const LeafRangeOf<Index>> span_of(const Ranges<Index>& ranges) noexcept {
+  return {ranges.data(), ranges.count()};
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ template <class Bound, BoundIndex Index>
 void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
-  kernel::require_counts(kept_counts, shafts.size());
+  kernel::require_counts("kept_counts", kept_counts, shafts.size());
   query.require_apart("count_many", "kept_counts", kernel::bytes_of(kept_counts));
   kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const Run task = piece(shafts.size(), task_shafts, t);
@@ -197,56 +197,100 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, I
 }
 
 template <class Bound, BoundIndex Index>
+void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                           std::span<KeptCounts> counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
+  kernel::require_counts("counts", counts, shafts.size());
+  query.require_apart("count_classified_many", "counts", kernel::bytes_of(counts));
+  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const Run task = piece(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::ClassCounter counter;
+      query.walk(s, counter);
+      counts[s] = counter.counts();
+    }
+  });
+}
+
+template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& kept,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+               LeafRangeListsOf<Index>& kept, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_kept(shafts, tree, kept, excluding);
 }
 
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                          IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
+                          const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, RunListsOf<Index>& overlap,
-               RunListsOf<Index>& inside, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                          LeafRangeListsOf<Index>& overlap, LeafRangeListsOf<Index>& inside,
+                          const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
 
 template <class Bound, BoundIndex Index>
-void cull_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  hand_out(shafts, tree, callback, Question::kept, excluding);
-}
-template <class Bound, BoundIndex Index>
-void classify_each(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                   const std::type_identity_t<ShaftCallbackOf<Index>>& callback,
+void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                   std::type_identity_t<FunctionRef<void(const KeptRangesOf<Index>&)>> callback,
                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  hand_out(shafts, tree, callback, Question::kept_and_inside, excluding);
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+  require_callback(callback);
+  hand_out<Ranges<Index>>(
+      query, [&](Ranges<Index>& kept) { return kernel::KeptLister(RangeList<Index>(query.indices(), kept)); },
+      [&](std::size_t s, const Ranges<Index>& kept) {
+        callback({s, span_of(kept)});
+      });
+}
+
+template <class Bound, BoundIndex Index>
+void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                         std::type_identity_t<FunctionRef<void(const ClassifiedRangesOf<Index>&)>> callback,
+                         const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
+  require_callback(callback);
+  struct Slot {
+    Ranges<Index> overlap;
+    Ranges<Index> inside;
+    void clear() noexcept {
+      overlap.clear();
+      inside.clear();
+    }
+  };
+  hand_out<Slot>(
+      query,
+      [&](Slot& slot) {
+        return kernel::ClassLister(RangeList<Index>(query.indices(), slot.overlap),
+                                   RangeList<Index>(query.indices(), slot.inside));
+      },
+      [&](std::size_t s, const Slot& slot) {
+        callback({s, span_of(slot.overlap), span_of(slot.inside)});
+      });
 }
 
 #define SHAFTCULL_QUERIES(Bound, Index)                                                                               \
   template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<std::uint64_t>, \
                            const ExcludingOf<Index>&);                                                                \
+  template void count_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                \
+                                      std::span<KeptCounts>, const ExcludingOf<Index>&);                              \
   template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \
                           const ExcludingOf<Index>&);                                                                 \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,        \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, LeafRangeListsOf<Index>&,  \
                           const ExcludingOf<Index>&);                                                                 \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \
-                          IndexListsOf<Index>&, const ExcludingOf<Index>&);                                           \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, RunListsOf<Index>&,        \
-                          RunListsOf<Index>&, const ExcludingOf<Index>&);                                             \
-  template void cull_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                            \
-                          const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);                                  \
-  template void classify_each(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                        \
-                              const ShaftCallbackOf<Index>&, const ExcludingOf<Index>&);
+  template void list_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                 \
+                                     IndexListsOf<Index>&, IndexListsOf<Index>&, const ExcludingOf<Index>&);          \
+  template void list_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                 \
+                                     LeafRangeListsOf<Index>&, LeafRangeListsOf<Index>&, const ExcludingOf<Index>&);  \
+  template void for_each_kept(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                        \
+                              FunctionRef<void(const KeptRangesOf<Index>&)>, const ExcludingOf<Index>&);              \
+  template void for_each_classified(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                  \
+                                    FunctionRef<void(const ClassifiedRangesOf<Index>&)>, const ExcludingOf<Index>&);
 SHAFTCULL_QUERIES(Box, std::uint32_t)
 SHAFTCULL_QUERIES(Sphere, std::uint32_t)
 SHAFTCULL_QUERIES(Box, std::uint64_t)

@@ -5,16 +5,16 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 using kernel::IndexList;
+using kernel::LeafRangeList;
 using kernel::Question;
-using kernel::RunList;
 using kernel::SpanOutput;
 
-/// `List` is IndexList or RunList.
+/// `List` is IndexList or LeafRangeList.
 template <template <class, class> class List, class Bound, class Index, class Item>
 std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> kept,
                       const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
-  query.require_apart("cull", "kept", kernel::bytes_of(kept));
+  query.require_apart("list", "kept", kernel::bytes_of(kept));
   SpanOutput<Item> output(kept);
   kernel::KeptLister lister(List<Index, SpanOutput<Item>>(query.indices(), output));
   query.walk(0, lister);
@@ -25,9 +25,9 @@ template <template <class, class> class List, class Bound, class Index, class It
 KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> overlap,
                         std::span<Item> inside, const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
-  kernel::require_apart("classify", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
-  query.require_apart("classify", "overlap", kernel::bytes_of(overlap));
-  query.require_apart("classify", "inside", kernel::bytes_of(inside));
+  kernel::require_apart("list_classified", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
+  query.require_apart("list_classified", "overlap", kernel::bytes_of(overlap));
+  query.require_apart("list_classified", "inside", kernel::bytes_of(inside));
   using Output = SpanOutput<Item>;
   Output overlaps(overlap);
   Output insides(inside);
@@ -49,42 +49,55 @@ std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tr
 }
 
 template <class Bound, BoundIndex Index>
-std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+KeptCounts count_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                            const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
+  kernel::ClassCounter counter;
+  query.walk(0, counter);
+  return counter.counts();
+}
+
+template <class Bound, BoundIndex Index>
+std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<Index>> kept,
                  const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   return list_kept<IndexList>(shaft, tree, kept, excluding);
 }
 template <class Bound, BoundIndex Index>
-std::size_t cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                 std::type_identity_t<std::span<TreeRunOf<Index>>> kept,
+std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                 std::type_identity_t<std::span<LeafRangeOf<Index>>> kept,
                  const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  return list_kept<RunList>(shaft, tree, kept, excluding);
+  return list_kept<LeafRangeList>(shaft, tree, kept, excluding);
 }
 
 template <class Bound, BoundIndex Index>
-KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                    std::type_identity_t<std::span<Index>> overlap, std::type_identity_t<std::span<Index>> inside,
-                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                           std::type_identity_t<std::span<Index>> overlap,
+                           std::type_identity_t<std::span<Index>> inside,
+                           const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   return list_classes<IndexList>(shaft, tree, overlap, inside, excluding);
 }
 template <class Bound, BoundIndex Index>
-KeptCounts classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                    std::type_identity_t<std::span<TreeRunOf<Index>>> overlap,
-                    std::type_identity_t<std::span<TreeRunOf<Index>>> inside,
-                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  return list_classes<RunList>(shaft, tree, overlap, inside, excluding);
+KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                           std::type_identity_t<std::span<LeafRangeOf<Index>>> overlap,
+                           std::type_identity_t<std::span<LeafRangeOf<Index>>> inside,
+                           const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  return list_classes<LeafRangeList>(shaft, tree, overlap, inside, excluding);
 }
 
-#define SHAFTCULL_QUERIES(Bound, Index)                                                                            \
-  template std::size_t count(const CompiledShaft&, const BoundsTree<Bound, Index>&, const ExcludingOf<Index>&);    \
-  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,               \
-                            const ExcludingOf<Index>&);                                                            \
-  template std::size_t cull(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>,    \
-                            const ExcludingOf<Index>&);                                                            \
-  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,            \
-                               std::span<Index>, const ExcludingOf<Index>&);                                       \
-  template KeptCounts classify(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<TreeRunOf<Index>>, \
-                               std::span<TreeRunOf<Index>>, const ExcludingOf<Index>&);
+#define SHAFTCULL_QUERIES(Bound, Index)                                                                           \
+  template std::size_t count(const CompiledShaft&, const BoundsTree<Bound, Index>&, const ExcludingOf<Index>&);   \
+  template KeptCounts count_classified(const CompiledShaft&, const BoundsTree<Bound, Index>&,                     \
+                                       const ExcludingOf<Index>&);                                                \
+  template std::size_t list(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,              \
+                            const ExcludingOf<Index>&);                                                           \
+  template std::size_t list(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<LeafRangeOf<Index>>, \
+                            const ExcludingOf<Index>&);                                                           \
+  template KeptCounts list_classified(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,    \
+                                      std::span<Index>, const ExcludingOf<Index>&);                               \
+  template KeptCounts list_classified(const CompiledShaft&, const BoundsTree<Bound, Index>&,                      \
+                                      std::span<LeafRangeOf<Index>>, std::span<LeafRangeOf<Index>>,               \
+                                      const ExcludingOf<Index>&);
 SHAFTCULL_QUERIES(Box, std::uint32_t)
 SHAFTCULL_QUERIES(Sphere, std::uint32_t)
 SHAFTCULL_QUERIES(Box, std::uint64_t)

@@ -20,7 +20,7 @@ namespace shaftcull::kernel {
 template <class Bound, class Index>
 class Query {
  public:
-  /// Throws InvalidArgument as query.hpp says.
+  /// Throws NeedsRefit and InvalidArgument as shaftcull/query.hpp says.
   Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Question question,
         const ExcludingOf<Index>& excluding)
       : shafts_(shafts),
@@ -30,7 +30,7 @@ class Query {
         own_(excluding.own),
         own_per_shaft_(shafts.empty() ? 0 : excluding.own.size() / shafts.size()),
         mask_(excluding.mask) {
-    if (parts_.dirty_words != 0) throw InvalidArgument("query of a tree whose bounds were updated; call refit() first");
+    if (parts_.dirty_words != 0) throw NeedsRefit("query of a tree whose bounds were updated; call refit() first");
     require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       require_answers(shafts[s], true, question == Question::kept_and_inside, std::is_same_v<Bound, Sphere>, s);

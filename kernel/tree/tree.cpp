@@ -165,7 +165,7 @@ bool BoundsTree<Bound, Index>::needs_refit() const noexcept {
 template <class Bound, BoundIndex Index>
 double BoundsTree<Bound, Index>::growth() const {
   if (!parts_) return 1;
-  if (needs_refit()) throw InvalidArgument("growth() of a tree whose bounds were updated; call refit() first");
+  if (needs_refit()) throw NeedsRefit("growth() of a tree whose bounds were updated; call refit() first");
   return kernel::in_float_environment([&] {
     const double now = kernel::surface(*parts_);
     return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;

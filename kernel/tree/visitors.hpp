@@ -1,4 +1,4 @@
-/// What becomes of the leaves that a walk finds: counts, lists of indices, lists of runs; and what is left out.
+/// What becomes of the leaves that a walk finds: counts, lists of indices, lists of leaf ranges; and what is left out.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,7 @@ class IndexList {
     }
   }
   /// Whole words.
-  void run(std::size_t first, std::size_t size) {
+  void range(std::size_t first, std::size_t size) {
     for (std::size_t word = first; word != first + size; word += fanout) {
       if (Index* const out = output_.room()) {
         indices_.copy(word, fanout, out);
@@ -55,32 +55,32 @@ class FoundList {
 
   void expect(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) { output_.add_word(first, bits); }
-  void run(std::size_t first, std::size_t size) { output_.add_run(first, size); }
+  void range(std::size_t first, std::size_t size) { output_.add_range(first, size); }
 
  private:
   FoundOutput<Index>& output_;
 };
 
-/// Leaves as runs, each as long as can be.
+/// Leaves as ranges, each as long as can be.
 template <class Index, class Output>
-class RunList {
+class LeafRangeList {
  public:
-  RunList(const LeafIndices<Index>& /*indices*/, Output& output) noexcept : output_(output) {}
+  LeafRangeList(const LeafIndices<Index>& /*indices*/, Output& output) noexcept : output_(output) {}
 
   void expect(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) {
     while (bits != 0) {
       const int start = std::countr_zero(bits);
       const int size = std::countr_one(bits >> start);
-      run(first + static_cast<std::size_t>(start), static_cast<std::size_t>(size));
+      range(first + static_cast<std::size_t>(start), static_cast<std::size_t>(size));
       if (start + size == 64) return;
       bits &= ~std::uint64_t{0} << (start + size);
     }
   }
-  void run(std::size_t first, std::size_t size) {
-    // The end is remembered here: a span may have had no room for the run.
+  void range(std::size_t first, std::size_t size) {
+    // The end is remembered here: a span may have had no room for the range.
     if (first == end_ && end_ != 0) {
-      if (TreeRunOf<Index>* const last = output_.last()) last->size += static_cast<Index>(size);
+      if (LeafRangeOf<Index>* const last = output_.last()) last->size += static_cast<Index>(size);
     } else {
       output_.push({static_cast<Index>(first), static_cast<Index>(size)});
     }
@@ -92,6 +92,21 @@ class RunList {
   std::size_t end_ = 0;
 };
 
+/// Visitor that counts what overlaps and what is inside.
+class ClassCounter {
+ public:
+  void expect(std::size_t /*first*/) const noexcept {}
+  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t inside) noexcept {
+    counts_.overlap += static_cast<std::size_t>(std::popcount(kept & ~inside));
+    counts_.inside += static_cast<std::size_t>(std::popcount(inside));
+  }
+  void range(std::size_t /*first*/, std::size_t size) noexcept { counts_.inside += size; }
+  [[nodiscard]] const KeptCounts& counts() const noexcept { return counts_; }
+
+ private:
+  KeptCounts counts_{};
+};
+
 /// Visitor that counts what is kept.
 class Counter {
  public:
@@ -99,7 +114,7 @@ class Counter {
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     count_ += static_cast<std::size_t>(std::popcount(kept));
   }
-  void run(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
+  void range(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
  private:
@@ -114,7 +129,7 @@ class KeptLister {
 
   [[gnu::always_inline]] void expect(std::size_t first) const noexcept { kept_.expect(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
-  void run(std::size_t first, std::size_t size) { kept_.run(first, size); }
+  void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
 
  private:
   List kept_;
@@ -131,7 +146,7 @@ class ClassLister {
     overlap_.bits(first, kept & ~inside);
     inside_.bits(first, inside);
   }
-  void run(std::size_t first, std::size_t size) { inside_.run(first, size); }
+  void range(std::size_t first, std::size_t size) { inside_.range(first, size); }
 
  private:
   List overlap_;
@@ -152,11 +167,11 @@ class Filter {
     const std::uint64_t left = kept & ~excluded(first, kept);
     if (left != 0) visitor_.word(first, left, inside & left);
   }
-  void run(std::size_t first, std::size_t size) {
+  void range(std::size_t first, std::size_t size) {
     for (std::size_t w = first; w != first + size; w += 64) {
       const std::uint64_t left = ~excluded(w, ~std::uint64_t{0});
       if (left == ~std::uint64_t{0}) {
-        visitor_.run(w, 64);
+        visitor_.range(w, 64);
       } else if (left != 0) {
         visitor_.word(w, left, left);
       }

@@ -2,7 +2,7 @@
 ///
 /// Entries that are not outside name the words to test one level down, some at once: the memory of each is on its way
 /// from when it is named, since a walk takes as long as what it reads. An entry that is inside, and has nothing empty
-/// below, accepts its leaves as one run.
+/// below, accepts its leaves as one range.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ enum class Question : std::uint8_t { kept, kept_and_inside };
 /// Gives a visitor everything that the shaft keeps, in tree order:
 ///   visitor.expect(first): leaves first … first + 63 will be tested
 ///   visitor.word(first, kept, inside): leaves first … first + 63, some of which are kept; inside is 0 for
-///   Question::kept visitor.run(first, size): leaves that are all inside
+///   Question::kept visitor.range(first, size): leaves that are all inside, whole words
 template <class Bound, class Visitor>
 class Walk {
  public:
@@ -63,7 +63,7 @@ class Walk {
   /// Words tested at once: of leaves they fill the first-level cache and not much of the second.
   static constexpr std::size_t batch = 32;
 
-  /// For Question::kept a run only saves time, so only nodes with many kept children are tested for inside.
+  /// For Question::kept a range only saves time, so only nodes with many kept children are tested for inside.
   static constexpr unsigned many_kept = 48;
 
   /// Fetches a word of entries of level `k`.
@@ -90,12 +90,12 @@ class Walk {
     std::size_t belows = 0;
     const std::uint64_t* const gaps = parts_.gap_words(k);
     for (std::size_t i = 0; i != words; ++i) {
-      const std::uint64_t runs = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
+      const std::uint64_t whole = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
       const std::uint32_t first = word[i] * static_cast<std::uint32_t>(fanout);
       for (std::uint64_t left = kept[i]; left != 0; left &= left - 1) {
         const std::uint64_t lowest = left & -left;
         const std::uint32_t entry = first + static_cast<std::uint32_t>(std::countr_zero(left));
-        if ((runs & lowest) == 0) {
+        if ((whole & lowest) == 0) {
           fetch(k - 1, entry);
           below[belows++] = entry;
           if (belows < batch) continue;
@@ -105,7 +105,7 @@ class Walk {
           visit(k - 1, below, belows);
           belows = 0;
           const std::size_t leaves = std::size_t{1} << 6 * k;
-          visitor_.run(entry * leaves, leaves);
+          visitor_.range(entry * leaves, leaves);
         }
       }
     }

@@ -84,6 +84,9 @@ class EveryCall {
     } else if constexpr (std::is_same_v<T, Sphere>) {
       for (const float x : value.centre) note(words, x);
       note(words, value.radius);
+    } else if constexpr (std::is_same_v<T, KeptCounts>) {
+      words.push_back(value.overlap);
+      words.push_back(value.inside);
     } else if constexpr (requires { value.first; }) {
       words.push_back(value.first);
       words.push_back(value.size);
@@ -284,19 +287,22 @@ class EveryCall {
     add("count in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
       for (const CompiledShaft& shaft : shafts_) note(words, count(shaft, tree, {.own = candidates_}));
     });
-    add("cull of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+    add("count_classified in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      for (const CompiledShaft& shaft : shafts_) note(words, count_classified(shaft, tree));
+    });
+    add("list of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
       std::vector<std::uint32_t> kept(tree.size());
-      std::vector<TreeRun> runs(tree.size());
+      std::vector<LeafRange> ranges(tree.size());
       for (const CompiledShaft& shaft : shafts_) {
-        note(words, std::span(kept).first(cull(shaft, tree, std::span(kept))));
-        note(words, std::span(runs).first(cull(shaft, tree, std::span(runs))));
+        note(words, std::span(kept).first(list(shaft, tree, std::span(kept))));
+        note(words, std::span(ranges).first(list(shaft, tree, std::span(ranges))));
       }
     });
-    add("classify of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+    add("list_classified of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
       std::vector<std::uint32_t> overlap(tree.size());
       std::vector<std::uint32_t> inside(tree.size());
       for (const CompiledShaft& shaft : shafts_) {
-        const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
+        const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
         note(words, std::span(overlap).first(counts.overlap));
         note(words, std::span(inside).first(counts.inside));
       }
@@ -306,23 +312,31 @@ class EveryCall {
       count_many(shafts_, tree, counts);
       note(words, counts);
     });
+    add("count_classified_many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<KeptCounts> counts(shafts_.size());
+      count_classified_many(shafts_, tree, counts);
+      note(words, counts);
+    });
     add("list_many of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
       IndexLists overlap;
       IndexLists inside;
       list_many(shafts_, tree, overlap);
       note(words, overlap.indices);
-      list_many(shafts_, tree, overlap, inside);
+      list_classified_many(shafts_, tree, overlap, inside);
       note(words, overlap.indices);
       note(words, inside.indices);
-      RunLists runs;
-      list_many(shafts_, tree, runs);
-      note(words, runs.runs);
+      LeafRangeLists ranges;
+      list_many(shafts_, tree, ranges);
+      note(words, ranges.ranges);
     });
-    add("cull_each of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
-      cull_each(shafts_, tree, [&](const ShaftAnswers& answers) { note(words, answers.overlap); });
+    add("for_each_kept of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      for_each_kept(shafts_, tree, [&](const KeptRanges& answers) { note(words, answers.kept); });
     });
-    add("classify_each of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
-      classify_each(shafts_, tree, [&](const ShaftAnswers& answers) { note(words, answers.inside); });
+    add("for_each_classified of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      for_each_classified(shafts_, tree, [&](const ClassifiedRanges& answers) {
+        note(words, answers.overlap);
+        note(words, answers.inside);
+      });
     });
   }
 

@@ -76,7 +76,7 @@ TEST(FloatState, IsTheCallersOwnInItsCallbacks) {
       const auto see = [&](const auto& /*answers*/) { seen.push_back(_mm_getcsr() & control_bits); };
       with_threads(3, [&] {
         cull_tiles(shafts, boxes.view(), see);
-        classify_each(shafts, tree, see);
+        for_each_classified(shafts, tree, see);
       });
     }
     ASSERT_GT(seen.size(), shafts.size());

@@ -25,10 +25,10 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
                           const std::vector<Bound>& bounds, const char* when) {
   const FlatAnswers flat(shaft, bounds);
   Indices kept(bounds.size());
-  kept.resize(cull(shaft, tree, std::span(kept)));
-  std::vector<TreeRun> overlap(bounds.size());
-  std::vector<TreeRun> inside(bounds.size());
-  const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
+  kept.resize(list(shaft, tree, std::span(kept)));
+  std::vector<LeafRange> overlap(bounds.size());
+  std::vector<LeafRange> inside(bounds.size());
+  const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
   if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&

@@ -23,31 +23,32 @@ void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector
   EXPECT_EQ(count(shaft, tree), kept.size());
 
   std::vector<Index> indices(bounds.size());
-  indices.resize(cull(shaft, tree, std::span(indices)));
+  indices.resize(list(shaft, tree, std::span(indices)));
   EXPECT_EQ(sorted(indices), kept);
 
-  std::vector<TreeRunOf<Index>> runs(bounds.size());
-  runs.resize(cull(shaft, tree, std::span(runs)));
-  EXPECT_EQ(sorted(runs, tree.order()), kept);
-  EXPECT_TRUE(are_maximal(runs));
+  std::vector<LeafRangeOf<Index>> ranges(bounds.size());
+  ranges.resize(list(shaft, tree, std::span(ranges)));
+  EXPECT_EQ(sorted(ranges, tree.order()), kept);
+  EXPECT_TRUE(are_maximal(ranges));
 
   std::vector<Index> overlap(bounds.size());
   std::vector<Index> inside(bounds.size());
-  const KeptCounts counts = classify(shaft, tree, std::span(overlap), std::span(inside));
+  const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
+  EXPECT_EQ(count_classified(shaft, tree), counts);
   EXPECT_EQ(sorted(overlap), flat.overlap);
   EXPECT_EQ(sorted(inside), flat.inside);
 
-  std::vector<TreeRunOf<Index>> overlap_runs(bounds.size());
-  std::vector<TreeRunOf<Index>> inside_runs(bounds.size());
-  const KeptCounts run_counts = classify(shaft, tree, std::span(overlap_runs), std::span(inside_runs));
-  overlap_runs.resize(run_counts.overlap);
-  inside_runs.resize(run_counts.inside);
-  EXPECT_EQ(sorted(overlap_runs, tree.order()), flat.overlap);
-  EXPECT_EQ(sorted(inside_runs, tree.order()), flat.inside);
-  EXPECT_TRUE(are_maximal(overlap_runs));
-  EXPECT_TRUE(are_maximal(inside_runs));
+  std::vector<LeafRangeOf<Index>> overlap_ranges(bounds.size());
+  std::vector<LeafRangeOf<Index>> inside_ranges(bounds.size());
+  const KeptCounts range_counts = list_classified(shaft, tree, std::span(overlap_ranges), std::span(inside_ranges));
+  overlap_ranges.resize(range_counts.overlap);
+  inside_ranges.resize(range_counts.inside);
+  EXPECT_EQ(sorted(overlap_ranges, tree.order()), flat.overlap);
+  EXPECT_EQ(sorted(inside_ranges, tree.order()), flat.inside);
+  EXPECT_TRUE(are_maximal(overlap_ranges));
+  EXPECT_TRUE(are_maximal(inside_ranges));
 }
 
 template <class Bound, class Index = std::uint32_t>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -114,9 +115,17 @@ TEST(TreeErrors, QueriesOfAnUpdatedTreeAskForARefit) {
     BoxTree tree{std::span<const Box>(boxes(count))};
     const std::vector<std::uint32_t> indices = {3};
     tree.update(indices, std::span<const Box>(boxes(1)));
-    EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(shaft(), tree)); }),
+    const auto refusal_of = [](const auto& call) {
+      try {
+        call();
+      } catch (const NeedsRefit& error) {
+        return std::string(error.what());
+      }
+      return std::string("nothing was thrown");
+    };
+    EXPECT_THAT(refusal_of([&] { static_cast<void>(shaftcull::count(shaft(), tree)); }),
                 HasSubstr("call refit() first"));
-    EXPECT_THAT(message_of([&] { static_cast<void>(tree.growth()); }), HasSubstr("call refit() first"));
+    EXPECT_THAT(refusal_of([&] { static_cast<void>(tree.growth()); }), HasSubstr("call refit() first"));
     tree.refit();
     EXPECT_NO_THROW(static_cast<void>(shaftcull::count(shaft(), tree)));
   }
@@ -130,7 +139,7 @@ TEST(TreeErrors, ShaftsMustAnswerWhatIsAsked) {
   const std::vector<CompiledShaft> shafts = {shaft(), no_inside};
   IndexLists overlap;
   IndexLists inside;
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, overlap, inside); }),
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, overlap, inside); }),
               HasSubstr("shaft 1 was formed without inside"));
   const SphereTree spheres;
   EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(no_spheres, spheres)); }),
@@ -148,13 +157,19 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }),
               HasSubstr("excluding.mask has 1 word; the bits of 100 bounds take 2"));
   counts.resize(3);
-  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("room for 3 counts; 2 shafts"));
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }),
+              HasSubstr("kept_counts has room for 3 counts; 2 shafts"));
+  std::vector<KeptCounts> classified(1);
+  EXPECT_THAT(message_of([&] { count_classified_many(shafts, tree, classified); }),
+              HasSubstr("counts has room for 1 count; 2 shafts"));
 }
 
 TEST(TreeErrors, AnEmptyCallbackIsRefused) {
   const BoxTree tree{std::span<const Box>(boxes(100))};
-  EXPECT_THAT(message_of([&] { cull_each({&shaft(), 1}, tree, ShaftCallback()); }), HasSubstr("callback is empty"));
-  EXPECT_THAT(message_of([&] { classify_each({&shaft(), 1}, tree, nullptr); }), HasSubstr("callback is empty"));
+  const std::function<void(const KeptRanges&)> empty;
+  EXPECT_THAT(message_of([&] { for_each_kept({&shaft(), 1}, tree, empty); }), HasSubstr("callback is empty"));
+  void (*const null)(const ClassifiedRanges&) = nullptr;
+  EXPECT_THAT(message_of([&] { for_each_classified({&shaft(), 1}, tree, null); }), HasSubstr("callback is empty"));
 }
 
 TEST(TreeErrors, CandidatesMustExistAndFit) {

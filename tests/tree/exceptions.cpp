@@ -42,15 +42,15 @@ TYPED_TEST(TreeExceptions, OneFromACallbackEndsTheCallAndLeavesTheTree) {
     for (const int last : {1, 2, 100, 200}) {
       for (const bool classifies : {false, true}) {
         int calls = 0;
-        const auto callback = [&](const ShaftAnswersOf<IndexOf<TypeParam>>&) {
+        const auto callback = [&](const auto& /*answers*/) {
           if (++calls == last) throw std::domain_error("from the callback");
         };
         with_threads(threads, [&] {
           try {
             if (classifies) {
-              classify_each(shafts, tree, callback);
+              for_each_classified(shafts, tree, callback);
             } else {
-              cull_each(shafts, tree, callback);
+              for_each_kept(shafts, tree, callback);
             }
             ADD_FAILURE() << "nothing was thrown";
           } catch (const std::domain_error& error) {
@@ -73,7 +73,7 @@ TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
   with_threads(4, [&] {
     const auto ask_from_tasks = [&] {
       kernel::parallel_for(16, 1, [&](std::size_t task, std::size_t) {
-        cull_each(shafts, tree, [&](const ShaftAnswersOf<IndexOf<TypeParam>>& answers) {
+        for_each_kept(shafts, tree, [&](const auto& answers) {
           if (task == 7 && answers.shaft == 30) throw std::domain_error("from a task");
         });
       });

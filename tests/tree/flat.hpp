@@ -56,23 +56,23 @@ Indices sorted(const List& indices) {
   return all;
 }
 
-/// The indices that runs stand for, ascending.
-template <class Runs, class Index>
-Indices sorted(const Runs& runs, std::span<const Index> order) {
+/// The indices that leaf ranges stand for, ascending.
+template <class Ranges, class Index>
+Indices sorted(const Ranges& ranges, std::span<const Index> order) {
   Indices all;
-  for (const TreeRunOf<Index>& run : runs) {
-    for (Index p = run.first; p != run.first + run.size; ++p) all.push_back(narrow(order[p]));
+  for (const LeafRangeOf<Index>& range : ranges) {
+    for (Index p = range.first; p != range.first + range.size; ++p) all.push_back(narrow(order[p]));
   }
   std::sort(all.begin(), all.end());
   return all;
 }
 
-/// Whether runs ascend and no two of them could be one.
-template <class Runs>
-bool are_maximal(const Runs& runs) {
-  for (std::size_t r = 0; r != runs.size(); ++r) {
-    if (runs[r].size == 0) return false;
-    if (r != 0 && runs[r].first <= runs[r - 1].first + runs[r - 1].size) return false;
+/// Whether leaf ranges ascend and no two of them could be one.
+template <class Ranges>
+bool are_maximal(const Ranges& ranges) {
+  for (std::size_t r = 0; r != ranges.size(); ++r) {
+    if (ranges[r].size == 0) return false;
+    if (r != 0 && ranges[r].first <= ranges[r - 1].first + ranges[r - 1].size) return false;
   }
   return true;
 }

@@ -24,7 +24,7 @@ class TreeFrames : public testing::Test {
     const std::vector<CompiledShaft> shafts = shafts_for(random, 8);
     IndexListsOf<IndexOf<Tree>> overlap;
     IndexListsOf<IndexOf<Tree>> inside;
-    list_many(shafts, tree, overlap, inside);
+    list_classified_many(shafts, tree, overlap, inside);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       const FlatAnswers flat(shafts[s], bounds);
       EXPECT_EQ(sorted(overlap[s]), flat.overlap) << "seed " << seed << ", shaft " << s;
@@ -109,8 +109,9 @@ TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
   for (const bool is_empty : {false, true, false}) {
     tree.update(index, std::vector<Box>{is_empty ? empty_box : Box{{0, 0, 0}, {1, 1, 1}}});
     tree.refit();
-    EXPECT_EQ(classify(everything, tree, std::span<TreeRun>(), std::span<TreeRun>()).inside, is_empty ? 2U : 1U);
-    EXPECT_EQ(classify(everything, tree, std::span<std::uint32_t>(), std::span<std::uint32_t>()),
+    EXPECT_EQ(list_classified(everything, tree, std::span<LeafRange>(), std::span<LeafRange>()).inside,
+              is_empty ? 2U : 1U);
+    EXPECT_EQ(list_classified(everything, tree, std::span<std::uint32_t>(), std::span<std::uint32_t>()),
               (KeptCounts{0, is_empty ? 599999U : 600000U}));
   }
 }

@@ -39,57 +39,61 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
     with_threads(threads, [&] {
       std::vector<std::uint64_t> counts(this->shafts_.size(), 99);
       count_many(this->shafts_, this->tree_, counts);
+      std::vector<KeptCounts> classified(this->shafts_.size(), KeptCounts{99, 99});
+      count_classified_many(this->shafts_, this->tree_, classified);
       IndexListsOf<Index> kept;
       IndexListsOf<Index> overlap;
       IndexListsOf<Index> inside;
-      RunListsOf<Index> kept_runs;
-      RunListsOf<Index> overlap_runs;
-      RunListsOf<Index> inside_runs;
+      LeafRangeListsOf<Index> kept_ranges;
+      LeafRangeListsOf<Index> overlap_ranges;
+      LeafRangeListsOf<Index> inside_ranges;
       for (int again = 0; again != 2; ++again) {  // into used memory
         list_many(this->shafts_, this->tree_, kept);
-        list_many(this->shafts_, this->tree_, overlap, inside);
-        list_many(this->shafts_, this->tree_, kept_runs);
-        list_many(this->shafts_, this->tree_, overlap_runs, inside_runs);
+        list_classified_many(this->shafts_, this->tree_, overlap, inside);
+        list_many(this->shafts_, this->tree_, kept_ranges);
+        list_classified_many(this->shafts_, this->tree_, overlap_ranges, inside_ranges);
       }
       ASSERT_EQ(kept.size(), this->shafts_.size());
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         SCOPED_TRACE("shaft " + std::to_string(s) + ", " + std::to_string(threads) + " threads");
         std::vector<Index> one(this->bounds_.size());
-        one.resize(cull(this->shafts_[s], this->tree_, std::span(one)));
+        one.resize(list(this->shafts_[s], this->tree_, std::span(one)));
         EXPECT_EQ(counts[s], one.size());
+        EXPECT_EQ(classified[s], (KeptCounts{overlap[s].size(), inside[s].size()}));
         EXPECT_EQ(std::vector<Index>(kept[s].begin(), kept[s].end()), one);
         const FlatAnswers flat(this->shafts_[s], this->bounds_);
         EXPECT_EQ(sorted(kept[s]), flat.kept());
         EXPECT_EQ(sorted(overlap[s]), flat.overlap);
         EXPECT_EQ(sorted(inside[s]), flat.inside);
-        EXPECT_EQ(sorted(kept_runs[s], this->tree_.order()), flat.kept());
-        EXPECT_EQ(sorted(overlap_runs[s], this->tree_.order()), flat.overlap);
-        EXPECT_EQ(sorted(inside_runs[s], this->tree_.order()), flat.inside);
+        EXPECT_EQ(sorted(kept_ranges[s], this->tree_.order()), flat.kept());
+        EXPECT_EQ(sorted(overlap_ranges[s], this->tree_.order()), flat.overlap);
+        EXPECT_EQ(sorted(inside_ranges[s], this->tree_.order()), flat.inside);
       }
     });
   }
 }
 
-TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRunsOfEachShaft) {
+TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRangesOfEachShaft) {
   using Index = IndexOf<TypeParam>;
-  RunListsOf<Index> kept;
-  RunListsOf<Index> overlap;
-  RunListsOf<Index> inside;
+  LeafRangeListsOf<Index> kept;
+  LeafRangeListsOf<Index> overlap;
+  LeafRangeListsOf<Index> inside;
   list_many(this->shafts_, this->tree_, kept);
-  list_many(this->shafts_, this->tree_, overlap, inside);
-  using Runs = std::vector<TreeRunOf<Index>>;
-  const auto vector_of = [](std::span<const TreeRunOf<Index>> runs) { return Runs(runs.begin(), runs.end()); };
+  list_classified_many(this->shafts_, this->tree_, overlap, inside);
+  using Ranges = std::vector<LeafRangeOf<Index>>;
+  const auto vector_of = [](std::span<const LeafRangeOf<Index>> ranges) {
+    return Ranges(ranges.begin(), ranges.end());
+  };
   for (const int threads : thread_counts) {
     with_threads(threads, [&] {
       std::size_t next = 0;
-      cull_each(this->shafts_, this->tree_, [&](const ShaftAnswersOf<Index>& answers) {
+      for_each_kept(this->shafts_, this->tree_, [&](const KeptRangesOf<Index>& answers) {
         EXPECT_EQ(answers.shaft, next++);
-        EXPECT_EQ(vector_of(answers.overlap), vector_of(kept[answers.shaft]));
-        EXPECT_TRUE(answers.inside.empty());
+        EXPECT_EQ(vector_of(answers.kept), vector_of(kept[answers.shaft]));
       });
       EXPECT_EQ(next, this->shafts_.size());
       next = 0;
-      classify_each(this->shafts_, this->tree_, [&](const ShaftAnswersOf<Index>& answers) {
+      for_each_classified(this->shafts_, this->tree_, [&](const ClassifiedRangesOf<Index>& answers) {
         EXPECT_EQ(answers.shaft, next++);
         EXPECT_EQ(vector_of(answers.overlap), vector_of(overlap[answers.shaft]));
         EXPECT_EQ(vector_of(answers.inside), vector_of(inside[answers.shaft]));
@@ -99,14 +103,14 @@ TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRunsOfEachShaft) {
   }
 }
 
-TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheRun) {
+TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheCall) {
   using Index = IndexOf<TypeParam>;
   std::size_t calls = 0;
-  EXPECT_THROW(cull_each(this->shafts_, this->tree_,
-                         [&](const ShaftAnswersOf<Index>& answers) {
-                           ++calls;
-                           if (answers.shaft == 7) throw std::domain_error("enough");
-                         }),
+  EXPECT_THROW(for_each_kept(this->shafts_, this->tree_,
+                             [&](const KeptRangesOf<Index>& answers) {
+                               ++calls;
+                               if (answers.shaft == 7) throw std::domain_error("enough");
+                             }),
                std::domain_error);
   EXPECT_EQ(calls, 8U);
 }
@@ -133,12 +137,14 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
       IndexListsOf<Index> kept;
       IndexListsOf<Index> overlap;
       IndexListsOf<Index> inside;
-      RunListsOf<Index> runs;
+      LeafRangeListsOf<Index> ranges;
       std::vector<std::uint64_t> counts(this->shafts_.size());
       list_many(this->shafts_, this->tree_, kept, excluding);
-      list_many(this->shafts_, this->tree_, overlap, inside, excluding);
-      list_many(this->shafts_, this->tree_, runs, excluding);
+      list_classified_many(this->shafts_, this->tree_, overlap, inside, excluding);
+      list_many(this->shafts_, this->tree_, ranges, excluding);
       count_many(this->shafts_, this->tree_, counts, excluding);
+      std::vector<KeptCounts> classified(this->shafts_.size());
+      count_classified_many(this->shafts_, this->tree_, classified, excluding);
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         FlatAnswers flat(this->shafts_[s], this->bounds_);
         const std::span<const Index> own_of_shaft = std::span(own).subspan(3 * s, 3);
@@ -151,9 +157,10 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
         EXPECT_EQ(sorted(kept[s]), flat.kept());
         EXPECT_EQ(sorted(overlap[s]), flat.overlap);
         EXPECT_EQ(sorted(inside[s]), flat.inside);
-        EXPECT_EQ(sorted(runs[s], this->tree_.order()), flat.kept());
-        EXPECT_TRUE(are_maximal(runs[s]));
+        EXPECT_EQ(sorted(ranges[s], this->tree_.order()), flat.kept());
+        EXPECT_TRUE(are_maximal(ranges[s]));
         EXPECT_EQ(counts[s], flat.kept().size());
+        EXPECT_EQ(classified[s], (KeptCounts{flat.overlap.size(), flat.inside.size()}));
       }
     }
   }
@@ -180,20 +187,20 @@ TYPED_TEST(TreeMany, WhatDoesNotFitIsCountedAndNotWritten) {
   using Index = IndexOf<TypeParam>;
   for (const CompiledShaft& shaft : this->shafts_) {
     std::vector<Index> all(this->bounds_.size());
-    all.resize(cull(shaft, this->tree_, std::span(all)));
-    std::vector<TreeRunOf<Index>> all_runs(this->bounds_.size());
-    all_runs.resize(cull(shaft, this->tree_, std::span(all_runs)));
+    all.resize(list(shaft, this->tree_, std::span(all)));
+    std::vector<LeafRangeOf<Index>> all_ranges(this->bounds_.size());
+    all_ranges.resize(list(shaft, this->tree_, std::span(all_ranges)));
     for (const std::size_t room : {std::size_t{0}, all.size() / 2, all.size()}) {
       std::vector<Index> some(room + 1, 12345);
-      EXPECT_EQ(cull(shaft, this->tree_, std::span(some).first(room)), all.size());
+      EXPECT_EQ(list(shaft, this->tree_, std::span(some).first(room)), all.size());
       EXPECT_EQ(some.back(), 12345U);
       EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all.begin()));
     }
-    const std::size_t room = all_runs.size() / 2;
-    std::vector<TreeRunOf<Index>> some(room + 1, TreeRunOf<Index>{1, 0});
-    EXPECT_EQ(cull(shaft, this->tree_, std::span(some).first(room)), all_runs.size());
-    EXPECT_EQ(some.back(), (TreeRunOf<Index>{1, 0}));
-    EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all_runs.begin()));
+    const std::size_t room = all_ranges.size() / 2;
+    std::vector<LeafRangeOf<Index>> some(room + 1, LeafRangeOf<Index>{1, 0});
+    EXPECT_EQ(list(shaft, this->tree_, std::span(some).first(room)), all_ranges.size());
+    EXPECT_EQ(some.back(), (LeafRangeOf<Index>{1, 0}));
+    EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all_ranges.begin()));
   }
 }
 

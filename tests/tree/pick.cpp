@@ -106,7 +106,7 @@ TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
         const std::vector<TypeParam> those = those_of(order, 64 * w, bits);
         expected.insert(expected.end(), those.begin(), those.end());
         if (w % 50 != 40 || w + 64 > whole) continue;
-        found.add_run(64 * (w + 1), 64 * 3);
+        found.add_range(64 * (w + 1), 64 * 3);
         expected.insert(expected.end(), order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 1)),
                         order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 4)));
       }

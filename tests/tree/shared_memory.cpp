@@ -111,15 +111,19 @@ TYPED_TEST(TreeSharedMemory, OutputsOfAQueryMustNotBeWhatItLeavesOutNorOneAnothe
   const auto shares = [](const char* one, const char* other) {
     return AllOf(HasSubstr(one), HasSubstr(other), HasSubstr("share memory"));
   };
-  EXPECT_THAT(message_of([&] { cull(this->shaft_, tree, all, {.own = all.subspan(199, 1)}); }),
-              shares("cull: kept", "excluding.own"));
-  EXPECT_THAT(message_of([&] { classify(this->shaft_, tree, all.first(100), all.subspan(99)); }),
-              shares("classify: overlap", "inside"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(list(this->shaft_, tree, all, {.own = all.subspan(199, 1)})); }),
+              shares("list: kept", "excluding.own"));
   EXPECT_THAT(
-      message_of([&] { classify(this->shaft_, tree, all.first(100), all.subspan(100), {.own = all.subspan(100, 2)}); }),
-      shares("classify: inside", "excluding.own"));
+      message_of([&] { static_cast<void>(list_classified(this->shaft_, tree, all.first(100), all.subspan(99))); }),
+      shares("list_classified: overlap", "inside"));
+  EXPECT_THAT(message_of([&] {
+                static_cast<void>(list_classified(this->shaft_, tree, all.first(100), all.subspan(100),
+                                                  {.own = all.subspan(100, 2)}));
+              }),
+              shares("list_classified: inside", "excluding.own"));
   EXPECT_EQ(memory, untouched);
-  EXPECT_NO_THROW(classify(this->shaft_, tree, all.first(90), all.subspan(90, 90), {.own = all.subspan(180)}));
+  EXPECT_NO_THROW(static_cast<void>(
+      list_classified(this->shaft_, tree, all.first(90), all.subspan(90, 90), {.own = all.subspan(180)})));
 
   std::vector<std::uint64_t> mask(words_for(this->count));
   EXPECT_THAT(message_of([&] {
@@ -140,17 +144,17 @@ TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {
     EXPECT_EQ(lists.indices, (std::vector<Index>{11, 12}));
     EXPECT_EQ(others.indices, (std::vector<Index>{13}));
   };
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, lists); }),
-              HasSubstr("list_many: overlap and inside share memory"));
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, lists); }),
+              HasSubstr("list_classified_many: overlap and inside share memory"));
   expect_unchanged();
   EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = lists.indices}); }),
               HasSubstr("list_many: kept and excluding.own share memory"));
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, others, {.own = others.indices}); }),
-              HasSubstr("list_many: inside and excluding.own share memory"));
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, others, {.own = others.indices}); }),
+              HasSubstr("list_classified_many: inside and excluding.own share memory"));
   expect_unchanged();
-  RunListsOf<Index> runs;
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, runs, runs); }),
-              HasSubstr("list_many: overlap and inside share memory"));
+  LeafRangeListsOf<Index> ranges;
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, ranges, ranges); }),
+              HasSubstr("list_classified_many: overlap and inside share memory"));
 }
 
 TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginningOnly) {
@@ -206,8 +210,7 @@ TYPED_TEST(TreeSharedMemory, IndicesLeftOutMustExist) {
   EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = own}); }), refusal);
   std::vector<std::uint64_t> counts(2);
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = own}); }), refusal);
-  EXPECT_THAT(message_of([&] { cull_each(shafts, tree, [](const ShaftAnswersOf<Index>&) { FAIL(); }, {.own = own}); }),
-              refusal);
+  EXPECT_THAT(message_of([&] { for_each_kept(shafts, tree, [](const auto&) { FAIL(); }, {.own = own}); }), refusal);
   own[1] = 0;
   EXPECT_NO_THROW(list_many(shafts, tree, lists, {.own = own}));
 }

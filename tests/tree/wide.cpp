@@ -84,17 +84,17 @@ void reach_far(TreeLevels<Box>& tree, std::size_t entry, std::size_t k) {
 
 TEST(WideTree, AWalkReachesAllBounds) {
   if (has_shadow_memory) GTEST_SKIP() << "a sanitizer's shadow of all this does not share pages";
-  using Run = TreeRunOf<std::uint64_t>;
+  using Range = LeafRangeOf<std::uint64_t>;
   TreeLevels<Box> tree;
   try {
     tree = origins();
   } catch (const std::bad_alloc&) {
     GTEST_SKIP() << "no room for half a terabyte of addresses";
   }
-  const std::vector<Run> overlap = {
+  const std::vector<Range> overlap = {
       {7, 1}, {(std::uint64_t{1} << 32U) - 1, 2}, {(std::uint64_t{1} << 33U) + 331, 1}, {size - 1, 1}};
-  for (const Run& run : overlap) {
-    for (std::size_t leaf = run.first; leaf != run.first + run.size; ++leaf) {
+  for (const Range& range : overlap) {
+    for (std::size_t leaf = range.first; leaf != range.first + range.size; ++leaf) {
       for (std::size_t s = 0; s != 6; ++s) tree.leaves.row(s)[leaf] = s == 0 ? 3 : 5;  // half outside
       reach_far(tree, leaf, 1);
     }
@@ -103,23 +103,23 @@ TEST(WideTree, AWalkReachesAllBounds) {
   const std::size_t inside_node = (std::size_t{3} << 32U) >> 12U;
   for (std::size_t s = 0; s != 6; ++s) tree.node_rows(2, inside_node)[s][0] = 5;
   reach_far(tree, inside_node, 3);
-  const std::vector<Run> inside = {{std::uint64_t{3} << 32U, 4096}};
+  const std::vector<Range> inside = {{std::uint64_t{3} << 32U, 4096}};
 
   const CompiledShaft shaft = compile(Shaft({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}}));
   for (const Isa isa : available_isas()) {
     select_isa(isa);
-    using Output = kernel::GrowingOutput<Run>;
-    using List = kernel::RunList<std::uint64_t, Output>;
+    using Output = kernel::GrowingOutput<Range>;
+    using List = kernel::LeafRangeList<std::uint64_t, Output>;
     Output overlaps;
     Output insides;
     const kernel::LeafIndices<std::uint64_t> unknown({}, true,
-                                                     kernel::active_kernels());  // runs are of leaves, not of indices
+                                                     kernel::active_kernels());  // ranges are of leaves, not of indices
     kernel::ClassLister<List> lister(List(unknown, overlaps), List(unknown, insides));
     kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), shaft,
                                                  kernel::Question::kept_and_inside, lister)
         .run();
-    EXPECT_EQ(std::vector<Run>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
-    EXPECT_EQ(std::vector<Run>(insides.data(), insides.data() + insides.count()), inside) << name(isa);
+    EXPECT_EQ(std::vector<Range>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
+    EXPECT_EQ(std::vector<Range>(insides.data(), insides.data() + insides.count()), inside) << name(isa);
   }
 }
 
