@@ -5,10 +5,10 @@
 
 namespace shaftcull {
 
-/// As many as asked for; under AddressSanitizer a third. What it looks for does not take many cases, and takes long.
+/// As many as asked for; under AddressSanitizer a sixth. What it looks for does not take many cases, and takes long.
 constexpr std::uint64_t random_cases(std::uint64_t cases) {
 #if defined(__SANITIZE_ADDRESS__)
-  return (cases + 2) / 3;
+  return (cases + 5) / 6;
 #else
   return cases;
 #endif
