@@ -6,7 +6,7 @@ file(GLOB_RECURSE sources ${KERNEL}/*.hpp ${KERNEL}/*.cpp)
 if(NOT sources)
   message(FATAL_ERROR "no sources in ${KERNEL}")
 endif()
-list(REMOVE_ITEM sources ${KERNEL}/dispatch/baseline.hpp)  # which is there to ask
+list(REMOVE_ITEM sources ${KERNEL}/simd/baseline.hpp)  # which is there to ask
 foreach(source IN LISTS sources)
   file(STRINGS ${source} asks REGEX "^ *# *(if|elif).*__(AVX|FMA|F16C|BMI|LZCNT|POPCNT|SSE3|SSSE3|SSE4)")
   if(asks)

@@ -6,7 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "dispatch/built_sets.hpp"
+#include "dispatch/active_kernels.hpp"
+#include "kernels/built_sets.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
 

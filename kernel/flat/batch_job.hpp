@@ -6,6 +6,7 @@
 #include <span>
 #include <type_traits>
 
+#include "dispatch/active_kernels.hpp"
 #include "flat/grid_group.hpp"
 #include "flat/tiling.hpp"
 #include "kernels/set_bits.hpp"

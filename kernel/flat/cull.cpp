@@ -1,5 +1,6 @@
 #include "shaftcull/cull.hpp"
 
+#include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"

@@ -7,10 +7,10 @@
 
 #include "flat/batch_job.hpp"
 #include "kernels/set_bits.hpp"
-#include "parallel/list_memory.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/many.hpp"
+#include "support/list_memory.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {

@@ -6,13 +6,14 @@
 #include <string>
 #include <tuple>
 
+#include "dispatch/active_kernels.hpp"
 #include "flat/tiling.hpp"
 #include "kernels/table.hpp"
-#include "parallel/list_memory.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
+#include "support/list_memory.hpp"
 #include "support/prefetch.hpp"
 #include "support/text.hpp"
 

@@ -189,7 +189,4 @@ struct Kernels {
   [[nodiscard]] Unite* unite(const SphereView& /*spheres*/) const noexcept { return unite_spheres; }
 };
 
-/// The kernels of active_isa().
-[[nodiscard]] const Kernels& active_kernels() noexcept;
-
 }  // namespace shaftcull::kernel

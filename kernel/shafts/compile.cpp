@@ -1,4 +1,5 @@
 #include "compiled/joining_planes.hpp"
+#include "dispatch/active_kernels.hpp"
 #include "formation/join.hpp"
 #include "formation/rule.hpp"
 #include "kernels/forming/added_planes.hpp"

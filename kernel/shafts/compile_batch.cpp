@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "dispatch/active_kernels.hpp"
 #include "formation/usable_plane.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"

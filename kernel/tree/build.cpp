@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "dispatch/active_kernels.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
 #include "tree/write_leaves.hpp"

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "simd/word_writer.hpp"
 #include "tree/size_class.hpp"
 #include "tree/source.hpp"
-#include "tree/word_writer.hpp"
 
 namespace shaftcull::kernel {
 namespace {

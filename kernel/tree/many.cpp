@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "flat/tiling.hpp"
-#include "parallel/list_memory.hpp"
 #include "parallel/parallel.hpp"
+#include "support/list_memory.hpp"
 #include "tree/query.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {

@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
 #include "support/float_environment.hpp"
 #include "tree/build.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
 #include "support/text.hpp"

@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "flat/tiling.hpp"
+#include "simd/word_writer.hpp"
 #include "tree/parts.hpp"
 #include "tree/source.hpp"
-#include "tree/word_writer.hpp"
 
 namespace shaftcull::kernel {
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cull/agreement.hpp"
+#include "dispatch/active_kernels.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/table.hpp"

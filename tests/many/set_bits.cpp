@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dispatch/active_kernels.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/set_bits.hpp"
 #include "oracle/random.hpp"

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "dispatch/active_kernels.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/table.hpp"
 #include "oracle/random.hpp"

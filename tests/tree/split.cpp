@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "dispatch/active_kernels.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/table.hpp"

@@ -9,6 +9,7 @@
 #include <new>
 #include <vector>
 
+#include "dispatch/active_kernels.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/query.hpp"

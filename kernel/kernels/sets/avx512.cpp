@@ -1,5 +1,5 @@
 #include "simd/x86/avx512.hpp"
-#include "dispatch/built_sets.hpp"
+#include "kernels/built_sets.hpp"
 #include "kernels/table_of.hpp"
 
 constinit const shaftcull::kernel::Kernels shaftcull::kernel::avx512_kernels =

@@ -1,6 +1,6 @@
-#include "dispatch/baseline.hpp"
+#include "simd/baseline.hpp"
 #ifndef SHAFTCULL_COMPILED_FOR_AVX2
-#include "dispatch/built_sets.hpp"
+#include "kernels/built_sets.hpp"
 #include "kernels/table_of.hpp"
 #include "simd/x86/sse4_2.hpp"
 

@@ -1,8 +1,8 @@
 /// The one place that knows which instruction sets this build has kernels for.
 #pragma once
 
-#include "dispatch/baseline.hpp"
 #include "kernels/table.hpp"
+#include "simd/baseline.hpp"
 
 namespace shaftcull::kernel {
 
