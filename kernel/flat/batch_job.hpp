@@ -59,7 +59,7 @@ class Job {
 
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
-  void test(Run block, Run group, Rows kept, Rows inside = {}) const {
+  void test(IndexRange block, IndexRange group, Rows kept, Rows inside = {}) const {
     GroupOnGrid this_group;
     if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size), block.size);
     const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
@@ -91,7 +91,8 @@ class Job {
     group.form(kernels_.grid, shafts, bounds, is_sphere);
   }
 
-  void test_tile_in_floats(const View& tile, std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+  void test_tile_in_floats(const View& tile, std::size_t first, IndexRange group, Rows kept,
+                           Rows inside) const noexcept {
     if constexpr (is_sphere) {
       if (form_ != Form::planes && group.size >= fewest_for_boxes())
         return test_boxed_tile(tile, first, group, kept, inside);
@@ -99,8 +100,8 @@ class Job {
     test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, kept, inside);
   }
 
-  void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, Run group, Rows kept,
-                 Rows inside) const noexcept {
+  void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, IndexRange group,
+                 Rows kept, Rows inside) const noexcept {
     for (std::size_t s = 0; s != group.size; ++s) {
       fetch_share_of_next(first + count, count, s, group.size);
       kernel(shafts_[group.first + s], stream, count, kept.at(s), inside.at(s));
@@ -108,7 +109,7 @@ class Job {
   }
 
   // Apart from each other, so that the memory of one is not on the stack of the other.
-  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, Run group, Rows kept,
+  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, IndexRange group, Rows kept,
                                          Rows inside) const noexcept {
     alignas(64) float box[6][float_tile_bounds];
     float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
@@ -118,8 +119,8 @@ class Job {
     test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
   }
 
-  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first, Run group,
-                                           Rows kept, Rows inside, CacheLine* room) const noexcept {
+  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first,
+                                           IndexRange group, Rows kept, Rows inside, CacheLine* room) const noexcept {
     const std::size_t row = words_for(tile.count) * 64;
     auto* const snapped = reinterpret_cast<std::int16_t*>(room);
     auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
@@ -130,8 +131,8 @@ class Job {
     } else {
       kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
     }
-    for (std::size_t b = 0; b != pieces(group.size, batch_shafts); ++b) {
-      test_batch_on_grid(on_grid, piece(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept,
+    for (std::size_t b = 0; b != chunk_count(group.size, batch_shafts); ++b) {
+      test_batch_on_grid(on_grid, chunk_at(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept,
                          inside);
     }
   }
@@ -145,9 +146,10 @@ class Job {
   static constexpr std::size_t lines_a_word =
       (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
 
-  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, Run batch, const View& tile,
+  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch, const View& tile,
                                                  const std::int16_t* const* grid, UndecidedWord* undecided,
-                                                 std::size_t first, Run group, Rows kept, Rows inside) const noexcept {
+                                                 std::size_t first, IndexRange group, Rows kept,
+                                                 Rows inside) const noexcept {
     const CompiledShaft* shaft[batch_shafts];
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];

@@ -10,8 +10,8 @@ template <class View>
 void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t* inside) {
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::Run block = cut.block(b);
-    const kernel::Run group = cut.group(g);
+    const kernel::IndexRange block = cut.block(b);
+    const kernel::IndexRange group = cut.group(g);
     const kernel::Rows all_kept{kept, job.row_words()};
     const kernel::Rows all_inside{inside, job.row_words()};
     job.test(block, group, all_kept.from(group.first * job.row_words() + block.first / 64),

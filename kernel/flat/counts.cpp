@@ -18,8 +18,8 @@ void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
   const kernel::SetBits& set_bits = job.set_bits();
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::Run block = cut.block(b);
-    const kernel::Run group = cut.group(g);
+    const kernel::IndexRange block = cut.block(b);
+    const kernel::IndexRange group = cut.group(g);
     const std::size_t words = words_for(block.size);
     kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
     std::uint64_t* const kept = bits.get();

@@ -94,16 +94,16 @@ void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::
   packed.count = candidates.size();
   for (std::size_t s = 0; s != rows_of<View>; ++s) packed.stream[s] = memory.row(s);
   constexpr std::size_t block = 16384;
-  kernel::parallel_for(kernel::pieces(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
-    const kernel::Run task = kernel::piece(candidates.size(), block, b);
+  kernel::parallel_for(kernel::chunk_count(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
+    const kernel::IndexRange task = kernel::chunk_at(candidates.size(), block, b);
     std::array<float*, rows_of<View>> row;
     for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory.row(s) + task.first;
     collect(view, candidates, task.first, task.size, row);
   });
   list_many(shafts, packed, lists);
   kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
-  kernel::parallel_for(kernel::pieces(lists.indices.size(), block), 1, [&](std::size_t b, std::size_t) {
-    const kernel::Run task = kernel::piece(lists.indices.size(), block, b);
+  kernel::parallel_for(kernel::chunk_count(lists.indices.size(), block), 1, [&](std::size_t b, std::size_t) {
+    const kernel::IndexRange task = kernel::chunk_at(lists.indices.size(), block, b);
     for (std::size_t i = task.first; i != task.end(); ++i) lists.indices[i] = candidates[lists.indices[i]];
   });
   in_progress.complete();

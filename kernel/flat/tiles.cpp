@@ -26,15 +26,15 @@ void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, Ti
   const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(slots * slot_words);
 
   const auto work = [&](std::size_t task, std::size_t slot) {
-    const kernel::Run block = cut.block(task / cut.groups());
-    const kernel::Run group = cut.group(task % cut.groups());
+    const kernel::IndexRange block = cut.block(task / cut.groups());
+    const kernel::IndexRange group = cut.group(task % cut.groups());
     const std::size_t words = words_for(block.size);
     std::uint64_t* const kept = memory.get() + slot * slot_words;
     job.test(block, group, {kept, words}, {inside ? kept + kernel::task_words : nullptr, words});
   };
   const auto deliver = [&](std::size_t task, std::size_t slot) {
-    const kernel::Run block = cut.block(task / cut.groups());
-    const kernel::Run group = cut.group(task % cut.groups());
+    const kernel::IndexRange block = cut.block(task / cut.groups());
+    const kernel::IndexRange group = cut.group(task % cut.groups());
     const std::size_t words = words_for(block.size);
     const std::uint64_t* const kept = memory.get() + slot * slot_words;
     for (std::size_t tile = 0; tile < block.size; tile += kernel::tile_bounds) {

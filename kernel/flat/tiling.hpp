@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "support/index_range.hpp"
+
 namespace shaftcull::kernel {
 
 /// Bounds in a tile: 24 KiB of boxes on a grid (kernel/kernels/grid/forming.hpp), so that these and the shafts tested
@@ -28,28 +30,11 @@ inline constexpr std::size_t most_task_tiles = 64;
 /// Most words of one kind of bits that a task produces.
 inline constexpr std::size_t task_words = task_tiles_times_shafts * tile_words;
 
-/// A run of positions [first, first + size).
-struct Run {
-  std::size_t first;
-  std::size_t size;
-  [[nodiscard]] std::size_t end() const noexcept { return first + size; }
-};
-
-/// The piece `i` of `whole` positions cut into pieces of `length`, the last one shorter.
-[[nodiscard]] constexpr Run piece(std::size_t whole, std::size_t length, std::size_t i) noexcept {
-  return {i * length, std::min(length, whole - i * length)};
-}
-
-/// How many pieces of `length` that makes.
-[[nodiscard]] constexpr std::size_t pieces(std::size_t whole, std::size_t length) noexcept {
-  return whole / length + (whole % length != 0);
-}
-
 /// Bounds in each of a block's tiles, the last one shorter: at most `most`, and as even as whole words allow, since a
 /// tile of few bounds costs nearly as much as one of many.
 [[nodiscard]] constexpr std::size_t even_tile(std::size_t bounds, std::size_t most) noexcept {
-  const std::size_t tiles = std::max<std::size_t>(pieces(bounds, most), 1);
-  return std::max<std::size_t>(64 * pieces(pieces(bounds, 64), tiles), 64);
+  const std::size_t tiles = std::max<std::size_t>(chunk_count(bounds, most), 1);
+  return std::max<std::size_t>(64 * chunk_count(chunk_count(bounds, 64), tiles), 64);
 }
 
 /// Tasks in rows and columns, each a block of tiles × a group of shafts.
@@ -65,14 +50,16 @@ class Cut {
     return shafts > group_shafts ? Cut{bounds, shafts, 1} : free(bounds, shafts);
   }
 
-  [[nodiscard]] constexpr std::size_t blocks() const noexcept { return pieces(bounds_, block_bounds()); }
-  [[nodiscard]] constexpr std::size_t groups() const noexcept { return pieces(shafts_, group_shafts); }
+  [[nodiscard]] constexpr std::size_t blocks() const noexcept { return chunk_count(bounds_, block_bounds()); }
+  [[nodiscard]] constexpr std::size_t groups() const noexcept { return chunk_count(shafts_, group_shafts); }
   [[nodiscard]] constexpr std::size_t block_bounds() const noexcept { return block_tiles_ * tile_bounds; }
 
   /// The bounds of block `i`.
-  [[nodiscard]] constexpr Run block(std::size_t i) const noexcept { return piece(bounds_, block_bounds(), i); }
+  [[nodiscard]] constexpr IndexRange block(std::size_t i) const noexcept {
+    return chunk_at(bounds_, block_bounds(), i);
+  }
   /// The shafts of group `i`.
-  [[nodiscard]] constexpr Run group(std::size_t i) const noexcept { return piece(shafts_, group_shafts, i); }
+  [[nodiscard]] constexpr IndexRange group(std::size_t i) const noexcept { return chunk_at(shafts_, group_shafts, i); }
 
  private:
   constexpr Cut(std::size_t bounds, std::size_t shafts, std::size_t block_tiles) noexcept

@@ -63,8 +63,8 @@ TreeParts<Bound, Index> build_in(const Workshop<Bound, Index>& workshop, const S
   parts.order.resize(parts.size);
   write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(workshop.records());
-  parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, kernels, parts.order.data(), piece(parts.size, source_block, b), all);
+  parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
+    write_leaves(parts, kernels, parts.order.data(), chunk_at(parts.size, source_block, b), all);
   });
   fit_upper(parts, kernels);
   parts.surface_when_built = surface(parts);
@@ -86,8 +86,8 @@ template <class Bound, class Index>
 TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts) {
   // Bounds are put back into the user's order, so that nothing depends on where they are now.
   const Workshop<Bound, Index> workshop(parts.size);
-  parallel_for(pieces(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
-    const Run block = piece(parts.size, source_block, b);
+  parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
+    const IndexRange block = chunk_at(parts.size, source_block, b);
     const auto row = parts.leaf_rows();
     for (std::size_t p = block.first; p != block.end(); ++p) {
       if (p + fetched_records < block.end()) {

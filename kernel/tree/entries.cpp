@@ -104,8 +104,8 @@ class Chunk {
 /// Writes the record and the entry of every bound in the user's order and counts classes; returns whether all bounds
 /// are legal.
 template <class Bound, class Index, class Source>
-bool write_in_order(const Source& source, const Run& run, float node_size, const Workshop<Bound, Index>& workshop,
-                    std::array<std::size_t, size_classes>& counts) noexcept {
+bool write_in_order(const Source& source, const IndexRange& run, float node_size,
+                    const Workshop<Bound, Index>& workshop, std::array<std::size_t, size_classes>& counts) noexcept {
   const EntryStreams<Index> entries = workshop.entries();
   const WordWriter writer(workshop.bytes());
   bool is_legal = true;
@@ -121,7 +121,7 @@ bool write_in_order(const Source& source, const Run& run, float node_size, const
 
 /// Writes entries where those of their class go next.
 template <class Bound, class Index>
-void write_by_class(const Workshop<Bound, Index>& workshop, const Run& run, float node_size,
+void write_by_class(const Workshop<Bound, Index>& workshop, const IndexRange& run, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
   const EntryStreams<Index> entries = workshop.entries();
   for (std::size_t i = run.first; i != run.end(); ++i) {
@@ -140,11 +140,11 @@ template <class Bound, class Index, class Source>
 ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& workshop) {
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
-  const std::size_t blocks = pieces(count, source_block);
+  const std::size_t blocks = chunk_count(count, source_block);
   std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
   std::atomic<bool> all_legal = true;
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    if (write_in_order(source, piece(count, source_block, b), node_size, workshop, places[b])) return;
+    if (write_in_order(source, chunk_at(count, source_block, b), node_size, workshop, places[b])) return;
     all_legal.store(false, std::memory_order_relaxed);
   });
   if (!all_legal.load(std::memory_order_relaxed)) require_legal<Bound>(source);
@@ -161,7 +161,7 @@ ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& wo
   if (one_class) return class_first;  // they are in order already
 
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    write_by_class(workshop, piece(count, source_block, b), node_size, places[b]);
+    write_by_class(workshop, chunk_at(count, source_block, b), node_size, places[b]);
   });
   return class_first;
 }

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cmath>
 
-#include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
+#include "support/index_range.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
@@ -78,8 +78,8 @@ template <class Bound>
 void fit_all(TreeLevels<Bound>& parts, const Kernels& kernels) {
   if (parts.levels > 1) {
     const std::size_t entries = parts.level[1].entries;
-    parallel_for(pieces(entries, task_entries), 1, [&](std::size_t t, std::size_t) {
-      const Run task = piece(entries, task_entries, t);
+    parallel_for(chunk_count(entries, task_entries), 1, [&](std::size_t t, std::size_t) {
+      const IndexRange task = chunk_at(entries, task_entries, t);
       for (std::size_t first = task.first; first < task.end(); first += fanout) {
         fit_words(parts, kernels, 1, first, std::min(fanout, entries - first));
       }

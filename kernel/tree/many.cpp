@@ -3,18 +3,18 @@
 #include <type_traits>
 #include <utility>
 
-#include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
+#include "support/index_range.hpp"
 #include "support/list_memory.hpp"
 #include "tree/query.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
-using kernel::piece;
-using kernel::pieces;
+using kernel::chunk_at;
+using kernel::chunk_count;
+using kernel::IndexRange;
 using kernel::Question;
-using kernel::Run;
 
 /// Shafts in a task: some ten to hundreds of microseconds.
 constexpr std::size_t task_shafts = 16;
@@ -63,7 +63,7 @@ class Pieces {
 
   Pieces(std::size_t shafts, Lists& lists)
       : shafts_(shafts),
-        piece_(pieces(shafts, task_shafts)),
+        piece_(chunk_count(shafts, task_shafts)),
         lists_(lists),
         in_progress_(lists.offsets, items_of(lists)) {
     lists.offsets.assign(shafts + 1, 0);
@@ -76,7 +76,7 @@ class Pieces {
   void put_together(const kernel::LeafIndices<Index>& indices) {
     std::uint64_t before = 0;
     for (std::size_t t = 0; t != piece_.size(); ++t) {
-      const Run task = piece(shafts_, task_shafts, t);
+      const IndexRange task = chunk_at(shafts_, task_shafts, t);
       for (std::size_t s = task.first; s != task.end(); ++s) lists_.offsets[s + 1] += before;
       before = lists_.offsets[task.end()];
     }
@@ -110,8 +110,8 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
   require_apart(query, "list_many", "kept", kept);
   Pieces<Lists> all(shafts.size(), kept);
-  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
-    const Run task = piece(shafts.size(), task_shafts, t);
+  kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
       kernel::KeptLister lister(list_of(query.indices(), all[t]));
       query.walk(s, lister);
@@ -131,8 +131,8 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
   require_apart(query, "list_classified_many", "inside", inside);
   Pieces<Lists> overlaps(shafts.size(), overlap);
   Pieces<Lists> insides(shafts.size(), inside);
-  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
-    const Run task = piece(shafts.size(), task_shafts, t);
+  kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
       kernel::ClassLister lister(list_of(query.indices(), overlaps[t]), list_of(query.indices(), insides[t]));
       query.walk(s, lister);
@@ -186,8 +186,8 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, I
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
   kernel::require_counts("kept_counts", kept_counts, shafts.size());
   query.require_apart("count_many", "kept_counts", kernel::bytes_of(kept_counts));
-  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
-    const Run task = piece(shafts.size(), task_shafts, t);
+  kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
       kernel::Counter counter;
       query.walk(s, counter);
@@ -202,8 +202,8 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTr
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
   kernel::require_counts("counts", counts, shafts.size());
   query.require_apart("count_classified_many", "counts", kernel::bytes_of(counts));
-  kernel::parallel_for(pieces(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
-    const Run task = piece(shafts.size(), task_shafts, t);
+  kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
       kernel::ClassCounter counter;
       query.walk(s, counter);

@@ -8,11 +8,11 @@
 #include <span>
 #include <string>
 
-#include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
 #include "support/arguments.hpp"
+#include "support/index_range.hpp"
 #include "support/overlap.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
@@ -115,9 +115,9 @@ template <class Bound, class Source>
 void require_legal(const Source& source) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::atomic<std::size_t> first_bad = none;
-  const std::size_t blocks = pieces(source.count(), source_block);
+  const std::size_t blocks = chunk_count(source.count(), source_block);
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    const Run block = piece(source.count(), source_block, b);
+    const IndexRange block = chunk_at(source.count(), source_block, b);
     const std::size_t bad = first_illegal(source, block.first, block.end());
     if (bad == block.end()) return;
     std::size_t before = first_bad.load(std::memory_order_relaxed);

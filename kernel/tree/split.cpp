@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
+#include "support/index_range.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -41,10 +41,10 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
   const Bracket bracket = kernels.bracket(entries.data(), count, rank, room.data());
   const float* const key = entries[bracket.axis];
   float* const some = room[bracket.axis];  // what a chunk has within the bracket is where the chunk is
-  const std::size_t chunks = pieces(count, chunk_entries);
+  const std::size_t chunks = chunk_count(count, chunk_entries);
   std::vector<Collected> found(chunks);
   parallel_for_nested(chunks, 1, [&](std::size_t c, std::size_t) {
-    const Run chunk = piece(count, chunk_entries, c);
+    const IndexRange chunk = chunk_at(count, chunk_entries, c);
     found[c] = kernels.collect(key + chunk.first, chunk.size, bracket, some + chunk.first);
   });
   std::size_t below = 0;
@@ -53,7 +53,7 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
   std::vector<float> between;
   between.reserve(all_between);
   for (std::size_t c = 0; c != chunks; ++c) {
-    const float* const here = some + piece(count, chunk_entries, c).first;
+    const float* const here = some + chunk_at(count, chunk_entries, c).first;
     between.insert(between.end(), here, here + found[c].between);
     below += found[c].below;
   }
@@ -66,7 +66,7 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
     pivot.key = kernels.pivot(key, count, rank);
   }
   parallel_for_nested(chunks, 1, [&](std::size_t c, std::size_t) {
-    const Run chunk = piece(count, chunk_entries, c);
+    const IndexRange chunk = chunk_at(count, chunk_entries, c);
     if (is_between) {
       pivot.tally[c] = kernels.tally(some + chunk.first, found[c].between, pivot.key);
       pivot.tally[c].less += found[c].below;
@@ -114,12 +114,12 @@ Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Ker
     places.push_back(next);
     next.less += tally.less;
     next.equal += equal;
-    next.larger += piece(part.size(), chunk_entries, c).size - tally.less - equal;
+    next.larger += chunk_at(part.size(), chunk_entries, c).size - tally.less - equal;
   }
 
   parallel_for_nested(places.size(), 1, [&](std::size_t c, std::size_t) {
-    const std::size_t first = part.first + piece(part.size(), chunk_entries, c).first;
-    const std::size_t size = piece(part.size(), chunk_entries, c).size;
+    const std::size_t first = part.first + chunk_at(part.size(), chunk_entries, c).first;
+    const std::size_t size = chunk_at(part.size(), chunk_entries, c).size;
     const EntryStreams<Index> chunk = moved_by<Index>(*part.entries, first);
     const EntryStreams<Index> less = moved_by<Index>(*part.room, places[c].less);
     const EntryStreams<Index> equal = moved_by<Index>(*part.room, places[c].equal);

@@ -45,8 +45,8 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   require_legal<Bound>(source);
   const Kernels& kernels = active_kernels();
   parts.mark_all_dirty();
-  parallel_for(pieces(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, kernels, parts.order.data(), piece(parts.size, block_leaves, b), source);
+  parallel_for(chunk_count(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
+    write_leaves(parts, kernels, parts.order.data(), chunk_at(parts.size, block_leaves, b), source);
   });
   fit_upper(parts, kernels);
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "flat/tiling.hpp"
 #include "simd/word_writer.hpp"
+#include "support/index_range.hpp"
 #include "tree/parts.hpp"
 #include "tree/source.hpp"
 
@@ -20,7 +20,7 @@ inline constexpr std::size_t fetched_leaves = 64;
 /// Written one leaf at a time, every leaf would write as many cache lines as there are streams, and keep the next one
 /// waiting for them.
 template <class Bound, class Index, class Source>
-void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, const Run& run,
+void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, const IndexRange& run,
                   const Source& source) noexcept {
   constexpr std::size_t rows = rows_of<Bound>;
   const auto row = parts.leaf_rows();
