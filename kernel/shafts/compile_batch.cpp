@@ -61,9 +61,12 @@ void require_memory(const BoxView& a, const BoxView& b, std::span<const Compiled
 }
 
 void require_indices(std::span<const IndexPair> pairs, std::size_t a_count, std::size_t b_count) {
-  bool all_exist = true;
-  for (const IndexPair& pair : pairs) all_exist &= (pair.a < a_count) & (pair.b < b_count);
-  if (all_exist) return;
+  // A difference below 0 leaves the sign in what all differences have, which takes no comparison a pair.
+  const auto last_a = static_cast<std::int64_t>(a_count) - 1;
+  const auto last_b = static_cast<std::int64_t>(b_count) - 1;
+  std::int64_t differences = 0;
+  for (const IndexPair& pair : pairs) differences |= (last_a - pair.a) | (last_b - pair.b);
+  if (differences >= 0) return;
   for (std::size_t i = 0; i != pairs.size(); ++i) {
     const auto require = [&](const char* name, std::size_t index, std::size_t count) {
       if (index < count) return;
@@ -82,7 +85,8 @@ void require_pairs(const kernel::Kernels& kernels, const BoxView& a, const BoxVi
   const auto all_finite = [&](const BoxView& boxes) {
     return boxes.count <= pairs.size() && kernels.all_finite(boxes.stream.data(), boxes.count);
   };
-  if (all_finite(a) && all_finite(b)) return;
+  const bool same_view = a.stream == b.stream && a.count == b.count;
+  if (all_finite(a) && (same_view || all_finite(b))) return;
   GatheredBoxes gathered;
   for (std::size_t first = 0; first < pairs.size(); first += chunk) {
     const auto some = pairs.subspan(first, std::min(chunk, pairs.size() - first));
