@@ -84,7 +84,8 @@ void declare_sizes(Suite& suite, const std::shared_ptr<Small>& small, Isa isa, c
               },
               {.brief = true});
     if (count == word_boxes) continue;
-    suite.add_target(name_of(count), name_of(word_boxes), 1 / (count < word_boxes ? most_of_fewer : most_of_one_more));
+    suite.add_time_ratio_target(name_of(count), name_of(word_boxes),
+                                count < word_boxes ? most_of_fewer : most_of_one_more);
   }
 }
 
@@ -115,7 +116,6 @@ void declare_small(Suite& suite, const Workload& workload) {
     declare_sizes(suite, small, isa, "refine_many", run_refine_many);
   }
   suite.note("small/… counts calls, not tests: a call's whole cost");
-  suite.note("targets of small/… are ratios of speeds: 0.77 is 1.3 × the time of a full word");
 }
 
 }  // namespace shaftcull::bench

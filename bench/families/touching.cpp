@@ -129,8 +129,8 @@ void declare_scene(Suite& suite, const std::string& name, std::uint32_t seed, Ma
       state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(shafts * bounds));
     });
     if (name != "exact/touching/boxes") {
-      suite.add_target(name + "/" + std::string(shaftcull::name(isa)),
-                       "exact/touching/boxes/" + std::string(shaftcull::name(isa)), 1.0 / 3);
+      suite.add_time_ratio_target(name + "/" + std::string(shaftcull::name(isa)),
+                                  "exact/touching/boxes/" + std::string(shaftcull::name(isa)), 3);
     }
   }
 }

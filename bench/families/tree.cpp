@@ -136,8 +136,8 @@ void declare_reach(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
     add("tree/reach_100", behind_scene);
     add("tree/reach_1e30", far_away);
     if (isa < Isa::avx2) continue;
-    suite.add_target(fmt::format("tree/reach_1e30/{}", name(isa)), fmt::format("tree/reach_100/{}", name(isa)),
-                     1 / 1.3);
+    suite.add_time_ratio_target(fmt::format("tree/reach_1e30/{}", name(isa)),
+                                fmt::format("tree/reach_100/{}", name(isa)), 1.3);
   }
 }
 
@@ -152,7 +152,7 @@ void declare_sizes(Suite& suite) {
     suite.add(fmt::format("tree/size/{}", count), "",
               [=](benchmark::State& state) { query_tree(state, scene->tree(), *swept); }, {.brief = true});
   }
-  suite.add_target(fmt::format("tree/size/{}", most), fmt::format("tree/size/{}", least), 0.25);
+  suite.add_time_ratio_target(fmt::format("tree/size/{}", most), fmt::format("tree/size/{}", least), 4);
 }
 
 void declare_build(Suite& suite, const std::shared_ptr<TreeScene>& scene) {

@@ -25,7 +25,11 @@ void Suite::add(const std::string& name, const std::string& paper, std::function
 }
 
 void Suite::add_target(const std::string& measured, const std::string& against, double ratio) {
-  targets_.push_back({measured, against, ratio, Target::Kind::ratio});
+  targets_.push_back({measured, against, ratio, Target::Kind::speed_ratio});
+}
+
+void Suite::add_time_ratio_target(const std::string& measured, const std::string& against, double ratio) {
+  targets_.push_back({measured, against, ratio, Target::Kind::time_ratio});
 }
 
 void Suite::add_time_target(const std::string& measured, double nanoseconds) {

@@ -22,13 +22,16 @@ struct Entry {
 /// A figure to be reached, from one run.
 struct Target {
   enum class Kind {
-    ratio,        ///< the speed of `measured` over that of `against`; at least `figure`
+    speed_ratio,  ///< the speed of `measured` over that of `against`; at least `figure`
+    time_ratio,   ///< the time of an item of `measured` over that of one of `against`; at most `figure`
     nanoseconds,  ///< the time that one item of `measured` takes; at most `figure`
   };
   std::string measured;
-  std::string against;  ///< empty for a time
+  std::string against;  ///< empty for nanoseconds
   double figure;
   Kind kind;
+
+  [[nodiscard]] bool at_most() const noexcept { return kind != Kind::speed_ratio; }
 };
 
 /// `path` cannot be faster than `by` allows, because an item of it takes `units` items of `by`.
@@ -56,7 +59,10 @@ class Suite {
   /// `body` sets items_per_second of its state by state.SetItemsProcessed().
   void add(const std::string& name, const std::string& paper, std::function<void(benchmark::State&)> body,
            RunOptions options = {});
+  /// Of speeds: `measured` at least `ratio` times that of `against`.
   void add_target(const std::string& measured, const std::string& against, double ratio);
+  /// Of times: an item of `measured` at most `ratio` times that of one of `against`.
+  void add_time_ratio_target(const std::string& measured, const std::string& against, double ratio);
   void add_time_target(const std::string& measured, double nanoseconds);
   void limit(const std::string& path, const std::string& by, double units, const std::string& what);
   /// Something that the reader of the table should know.

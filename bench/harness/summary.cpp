@@ -74,13 +74,13 @@ ordered_json reach_of(const Suite& suite, const Results& results) {
   ordered_json reach = ordered_json::array();
   for (const Target& target : suite.targets()) {
     const std::optional<double> figure = measured_figure(target, results);
-    const bool ratio = target.kind == Target::Kind::ratio;
+    const bool ratio = target.kind != Target::Kind::nanoseconds;
     reach.push_back({{"row", target.measured},
                      {"against", ratio ? ordered_json(target.against) : ordered_json(nullptr)},
                      {"value", number_or_null(figure)},
                      {"target", target.figure},
                      {"unit", ratio ? "x" : "ns"},
-                     {"bound", ratio ? "least" : "most"},
+                     {"bound", target.at_most() ? "most" : "least"},
                      {"met", figure.has_value() && is_met(target, *figure)}});
   }
   return reach;

@@ -98,7 +98,9 @@ void print_targets(const Suite& suite, const Results& results) {
   for (const Target& target : suite.targets()) {
     const std::optional<double> figure = measured_figure(target, results);
     const char* const verdict = !figure ? "not measured" : is_met(target, *figure) ? "met" : "MISSED";
-    const std::string meaning = target.kind == Target::Kind::ratio ? "× " + target.against : "at most";
+    const std::string meaning = target.kind == Target::Kind::speed_ratio  ? "× " + target.against
+                                : target.kind == Target::Kind::time_ratio ? "at most, × the time of " + target.against
+                                                                          : "at most";
     fmt::print("{:<34}{}{}   {} ({})\n", target.measured, cell(figure ? figure_text(target, *figure) : "–", 12),
                cell(figure_text(target, target.figure), 12), verdict, meaning);
   }

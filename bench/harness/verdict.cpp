@@ -5,14 +5,15 @@
 namespace shaftcull::bench {
 
 std::optional<double> measured_figure(const Target& target, const Results& results) {
-  if (target.kind == Target::Kind::ratio) return results.ratio(target.measured, target.against);
+  if (target.kind == Target::Kind::speed_ratio) return results.ratio(target.measured, target.against);
+  if (target.kind == Target::Kind::time_ratio) return results.ratio(target.against, target.measured);
   const std::optional<double> speed = results.per_second(target.measured);
   if (!speed || *speed <= 0) return std::nullopt;
   return 1e9 / *speed;
 }
 
 bool is_met(const Target& target, double figure) {
-  return target.kind == Target::Kind::ratio ? figure >= target.figure : figure <= target.figure;
+  return target.at_most() ? figure <= target.figure : figure >= target.figure;
 }
 
 std::vector<PathLimits> limits_of_paths(const Suite& suite, const Results& results) {

@@ -80,7 +80,8 @@ std::string load_note(const BenchSummary& summary) {
 
 std::string reach_table(const BenchSummary& summary) {
   std::string text = fmt::format(
-      "<section><h2>Figures and targets</h2>\n<p>Speeds against each other within this run, and times of one call. "
+      "<section><h2>Figures and targets</h2>\n<p>Speeds against each other within this run (≥), or times (≤), and "
+      "times of one call. "
       "Targets are for a machine that does nothing else: on a busy one figures are worse than the library, so measure "
       "again "
       "when it is idle before you read much into one below its target.{}</p>\n"
