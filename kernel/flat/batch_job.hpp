@@ -201,20 +201,28 @@ class Job {
     }
   }
 
+  /// Whether the bounds take more than a second-level cache holds.
+  [[nodiscard]] bool is_beyond_caches() const noexcept {
+    constexpr std::size_t bytes_a_bound = sizeof bounds_.stream / sizeof bounds_.stream[0] * sizeof(float);
+    return bounds_.count > (std::size_t{1} << 21) / bytes_a_bound;
+  }
+
   /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into
   /// the second-level cache, while the tile before it is tested: otherwise the first shaft of each group waits for
-  /// memory. Few shafts read a tile about as fast as it comes, and the processor's own fetching does better. Inlined,
-  /// as fetch_to_second_level() is.
+  /// memory. Four shafts or fewer read a tile about as fast as it comes, and the processor's own fetching does better;
+  /// for less than eight it does so, too, where a view may be in a cache. Inlined, as fetch_to_second_level() is.
   [[gnu::always_inline]] void fetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
                                                   std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
-    if (shares < fewest_that_fetch) return;
+    if (shares < (is_beyond_caches() ? fewest_that_fetch_from_memory : fewest_that_fetch)) return;
     const std::size_t lines = std::min(count, bounds_.count - next) / line;
     for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
       for (const float* stream : bounds_.stream) fetch_to_second_level(stream + next + l * line, line);
     }
   }
+
   static constexpr std::size_t fewest_that_fetch = 8;
+  static constexpr std::size_t fewest_that_fetch_from_memory = 5;
 
   std::span<const CompiledShaft> shafts_;
   View bounds_;
