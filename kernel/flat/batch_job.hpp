@@ -64,7 +64,10 @@ class Job {
     if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size), block.size);
     const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
     const bool in_large_tiles = on_grid.exists() || group.size == 1;  // one shaft reads a tile once
-    const std::size_t tile_size = even_tile(block.size, in_large_tiles ? tile_bounds : float_tile_bounds);
+    const bool in_one_tile = on_grid.exists() && block.size <= most_tile_bounds;
+    const std::size_t tile_size = even_tile(block.size, in_one_tile      ? most_tile_bounds
+                                                        : in_large_tiles ? tile_bounds
+                                                                         : float_tile_bounds);
     TaskRoom<CacheLine, 64> room(on_grid.exists() ? words_for(tile_size) * lines_a_word : 0);
     for (std::size_t first = block.first; first < block.end(); first += tile_size) {
       const View tile = bounds_.slice(first, std::min(tile_size, block.end() - first));
@@ -81,6 +84,7 @@ class Job {
 
  private:
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
+  static_assert(most_tile_bounds <= most_block_words * word_bits);
 
   /// Shafts that pay for making boxes around spheres: in vectors more than without, where there is no grid either.
   [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }

@@ -14,6 +14,10 @@ namespace shaftcull::kernel {
 inline constexpr std::size_t tile_bounds = 2048;
 inline constexpr std::size_t tile_words = tile_bounds / 64;
 
+/// Bounds that are still one tile on a grid, 30 KiB, if there are no more: two tiles of half as many cost a shaft twice
+/// what it does once a tile.
+inline constexpr std::size_t most_tile_bounds = 2560;
+
 /// Bounds in a tile that several shafts test in floats: 24 KiB of boxes.
 inline constexpr std::size_t float_tile_bounds = 1024;
 

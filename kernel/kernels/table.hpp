@@ -132,7 +132,7 @@ struct GridKernels {
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,
                      std::int16_t* const* grid) noexcept;
 
-  /// What the grid says of `words` words of bounds, at most block_words. Writes their kept bits, 0 only for bounds that
+  /// What the grid says of `words` words of bounds, at most most_block_words. Writes their kept bits, 0 only for bounds that
   /// are certainly outside, and lists the words that hold bounds too close to call, with `shaft` as their shaft's
   /// number, at `undecided`, where there must be room for all. Returns how many it lists.
   std::size_t (*look)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
@@ -143,7 +143,7 @@ struct GridKernels {
   void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
                  const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept;
 
-  /// What comes after that, for `count` bounds, at most block_bounds: added planes, spheres, and inside bits unless
+  /// What comes after that, for `count` bounds, at most most_block_words words of them: added planes, spheres, and inside bits unless
   /// `inside` is null.
   using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;

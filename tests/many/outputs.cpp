@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 
 /// Counts of bounds on either side of words, of tiles and of blocks of tiles.
-constexpr std::size_t bound_counts[] = {0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 5000};
+constexpr std::size_t bound_counts[] = {0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 2560, 2561, 5000};
 constexpr std::size_t shaft_counts[] = {0, 1, 63, 64, 65, 200};
 
 /// Calls check(shafts, view, expected) for every count of shafts and of bounds, on every number of threads.
@@ -191,6 +191,36 @@ void expect_every_misalignment(const Columns& memory) {
 TEST(Outputs, EveryMisalignmentOfTilesGivesTheSameAnswers) {
   expect_every_misalignment(BoxColumns(random_boxes(87, 2048 + 100)));
   expect_every_misalignment(SphereColumns(random_spheres(88, 2048 + 100)));
+}
+
+TEST(Outputs, TheLargestTileOnAGridMayKeepAQuarterOfItsBounds) {
+  // As many as later stages collect, and one more, which they do not.
+  const std::vector<CompiledShaft> shafts(8, random_shafts(89, 1).front());
+  const Vec3 met = shafts.front().a.lo;
+  for (const std::size_t kept_count : {640U, 641U}) {
+    SCOPED_TRACE(kept_count);
+    std::vector<Box> boxes;
+    std::vector<Sphere> spheres;
+    for (std::size_t i = 0; i != 2560; ++i) {
+      const bool keeps = i % 4 == 0 || (i == 1 && kept_count == 641);
+      const Vec3 centre = keeps ? met : Vec3{1000, 1000, 1000};
+      boxes.push_back({centre, centre});
+      spheres.push_back({centre, 0.0F});
+    }
+    const auto expect_agreement = [&](const auto& memory) {
+      const ExpectedRows expected(shafts, memory.view());
+      std::uint64_t bits = 0;
+      for (const std::uint64_t word : expected.kept) bits += static_cast<std::uint64_t>(std::popcount(word));
+      ASSERT_EQ(bits, shafts.size() * kept_count);
+      std::vector<std::uint64_t> kept(expected.kept.size(), sentinel);
+      std::vector<std::uint64_t> all_inside(expected.inside.size(), sentinel);
+      classify_many(shafts, memory.view(), kept, all_inside);
+      EXPECT_EQ(kept, expected.kept);
+      EXPECT_EQ(all_inside, expected.inside);
+    };
+    expect_agreement(BoxColumns(boxes));
+    expect_agreement(SphereColumns(spheres));
+  }
 }
 
 TEST(Outputs, ManyTasksAgreeWithCull) {

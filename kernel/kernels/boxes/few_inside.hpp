@@ -76,7 +76,7 @@ template <class L>
                                                     const float* const* stream, std::size_t words,
                                                     const Positions<L>& positions, std::uint64_t* inside) noexcept {
   using EightFloats = typename L::EightFloats;
-  std::uint64_t undecided[block_words];
+  std::uint64_t undecided[most_block_words];
   for (std::size_t w = 0; w < words; ++w) inside[w] = undecided[w] = 0;
   for (unsigned k = 0; k < positions.count(); ++k) {
     const unsigned i = positions[k];

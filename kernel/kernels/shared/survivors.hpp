@@ -15,7 +15,7 @@ inline constexpr unsigned dense_share = 4;  // one in four
 template <class L>
 class Positions {
  public:
-  static constexpr unsigned most = block_words * word_bits / dense_share;
+  static constexpr unsigned most = most_block_words * word_bits / dense_share;
 
   /// Of the bits of `words` words, of which at most `most` are set.
   Positions(const std::uint64_t* bits, std::size_t words) noexcept {

@@ -19,6 +19,9 @@ inline constexpr unsigned word_bits = 64;
 inline constexpr std::size_t block_words = 32;
 inline constexpr std::size_t block_bounds = block_words * word_bits;
 
+/// Words in the largest block that stages are handed: a tile on the grid.
+inline constexpr std::size_t most_block_words = 40;
+
 /// Bits 0 … count − 1, fewer than 64. Always inlined, as words_of(): one copy for all instruction sets would be that of
 /// any.
 [[gnu::always_inline]] constexpr std::uint64_t first_bits(unsigned count) noexcept {
