@@ -1,4 +1,4 @@
-/// Writes the seed corpus: `fuzz_seeds FOLDER` makes one file for each kind of input that fuzzing should start from.
+/// Writes the seed corpus: `test_fuzz_seeds FOLDER` makes one file for each kind of input that fuzzing should start from.
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -121,7 +121,7 @@ void write_found(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
   if (argc != 2 || !std::filesystem::is_directory(argv[1])) {
-    std::fprintf(stderr, "usage: fuzz_seeds FOLDER   writes the seed corpus into a folder that exists\n");
+    std::fprintf(stderr, "usage: test_fuzz_seeds FOLDER   writes the seed corpus into a folder that exists\n");
     return 2;
   }
   write_families(argv[1]);

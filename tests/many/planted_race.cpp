@@ -1,6 +1,6 @@
 /// Two races of the kind that ThreadSanitizer must still find for all that handover.hpp and cmake/tsan.suppressions
-/// tell it: `planted_race loop` and `planted_race pipeline`. In CTest only in the preset tsan, where a run without a
-/// report fails.
+/// tell it: `test_planted_race loop` and `test_planted_race pipeline`. In CTest only in the preset tsan, where a run
+/// without a report fails.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   const bool in_loop = argc == 2 && std::strcmp(argv[1], "loop") == 0;
   const bool in_pipeline = argc == 2 && std::strcmp(argv[1], "pipeline") == 0;
   if (!in_loop && !in_pipeline) {
-    std::fprintf(stderr, "usage: planted_race loop|pipeline\n");
+    std::fprintf(stderr, "usage: test_planted_race loop|pipeline\n");
     return 2;
   }
   std::size_t result = 0;
