@@ -5,7 +5,7 @@
 
 namespace shaftcull {
 
-/// As many as asked for; under AddressSanitizer a sixth. What it looks for does not take many cases, and takes long.
+/// As many as asked for; under AddressSanitizer a sixth, since each takes several times as long there.
 constexpr std::uint64_t random_cases(std::uint64_t cases) {
 #if defined(__SANITIZE_ADDRESS__)
   return (cases + 5) / 6;

@@ -1,7 +1,7 @@
 /// exact/…: what exact answers cost, on AVX2, against the same kernel without its filter.
 ///
 /// Each setting is measured twice on the same bounds and shafts, in tiles that stay in the L1 cache:
-/// exact/SETTING/exact as the library ships it, exact/SETTING/unfiltered with rounded arithmetic taken at its word.
+/// exact/SETTING/exact as the library ships it, exact/SETTING/unfiltered believes rounded arithmetic.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -9,8 +9,7 @@
 
 namespace shaftcull::bench {
 
-/// Writes one bit for each box of `words` whole words, on AVX2. The shaft's slab form is taken as fused, whatever it
-/// is.
+/// Writes one bit for each box of `words` whole words, on AVX2. The shaft is tested as if its slab form were fused.
 void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words,
                           std::uint64_t* kept) noexcept;
 

@@ -27,7 +27,7 @@ struct Workload {
   std::vector<Box> b;
 
   static constexpr std::size_t records = 32768;   ///< 768 KiB of boxes
-  static constexpr std::size_t pairs = 8192;      ///< too many for a branch predictor to learn by heart
+  static constexpr std::size_t pairs = 8192;      ///< too many for a branch predictor to remember
   static constexpr std::size_t test_shafts = 64;  ///< the first of the pairs, tested against all bounds
 };
 

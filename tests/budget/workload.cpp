@@ -1,7 +1,7 @@
 /// A fixed workload, whose instructions `valgrind --tool=callgrind` counts: what check.cmake compares with the budget.
 ///
 /// Prints a line "path items" for each path in the order in which it runs them, and makes callgrind dump the cost of
-/// each. Under anything but valgrind it does the same work, and nobody counts.
+/// each. Without valgrind it does the same work, and nothing is counted.
 #include <valgrind/callgrind.h>
 
 #include <algorithm>

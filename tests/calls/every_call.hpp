@@ -96,7 +96,7 @@ class EveryCall {
       words.push_back(static_cast<std::uint64_t>(value));
     }
   }
-  /// The answers of a shaft to a few boxes stand for what it holds.
+  /// Notes what a shaft holds by its answers for a few boxes: members that are not in use may hold anything.
   static void note_shaft(AnswerWords& words, const CompiledShaft& shaft, const BoxView& boxes) {
     std::vector<std::uint64_t> kept(words_for(boxes.count));
     std::vector<std::uint64_t> inside(kept.size());

@@ -75,7 +75,7 @@ class PaintedStack {
   void* memory_;
 };
 
-/// What a sanitizer or a build without optimisation takes is more, and promised to nobody.
+/// Sanitizers and builds without optimisation take more of the stack. Nothing is promised for them.
 constexpr bool is_measurable() {
 #if defined(__OPTIMIZE__)
   return !has_shadow_memory;

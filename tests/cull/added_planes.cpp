@@ -38,7 +38,7 @@ TEST(AddedPlanes, BoxesAtThePlaneGetTheExactSign) {
   }
 }
 
-TEST(AddedPlanes, BoxesFarFromTheOrigin) {
+TEST(AddedPlanes, BoxesFarFromTheOriginAreAnsweredExactly) {
   constexpr std::uint64_t seed = 46;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -51,7 +51,7 @@ TEST(AddedPlanes, BoxesFarFromTheOrigin) {
   }
 }
 
-TEST(AddedPlanes, SpheresFarFromTheOrigin) {
+TEST(AddedPlanes, SpheresFarFromTheOriginAreAnsweredExactly) {
   constexpr std::uint64_t seed = 47;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -65,7 +65,7 @@ TEST(AddedPlanes, SpheresFarFromTheOrigin) {
   }
 }
 
-TEST(AddedPlanes, GridAlignedBoxes) {
+TEST(AddedPlanes, GridAlignedBoxesAreAnsweredExactly) {
   constexpr std::uint64_t seed = 42;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
@@ -91,7 +91,7 @@ TEST(AddedPlanes, SpheresAtThePlaneGetTheExactSign) {
   }
 }
 
-TEST(AddedPlanes, GridAlignedSpheres) {
+TEST(AddedPlanes, GridAlignedSpheresAreAnsweredExactly) {
   constexpr std::uint64_t seed = 44;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);

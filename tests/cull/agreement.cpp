@@ -52,7 +52,7 @@ std::vector<Answer> all_answers(const ShaftInput& input, const std::vector<Bound
   return answers;
 }
 
-/// Answers on a grid whose steps double that often, of bounds so far apart.
+/// The answers of tests on a grid. Its steps double `doublings` times, and bounds are `apart` places apart.
 template <class Bound>
 std::vector<Answer> all_on_grid(const ShaftInput& input, const std::vector<Bound>& bounds, unsigned doublings,
                                 std::size_t apart) {

@@ -54,15 +54,15 @@ void expect_batch_of(std::uint64_t seed, const MakeBox& box) {
   expect_batch(a, b);
 }
 
-TEST(CompileBatch, RandomPairs) {
+TEST(CompileBatch, RandomPairsCompileAsTheirShaftsDo) {
   expect_batch_of(71, [](Random& random) { return random.box(-5, 5, 0.2F, 1.0F); });
 }
 
-TEST(CompileBatch, GridAlignedPairsWithFacesInCommon) {
+TEST(CompileBatch, GridAlignedPairsWithFacesInCommonCompileAsTheirShaftsDo) {
   expect_batch_of(72, [](Random& random) { return random.grid_box(-2, 2); });
 }
 
-TEST(CompileBatch, SweepsThatEndFarBeyondTheScene) {
+TEST(CompileBatch, SweepsThatEndFarBeyondTheSceneCompileAsTheirShaftsDo) {
   Random random(77);
   std::vector<Box> a;
   std::vector<Box> b;
@@ -74,7 +74,7 @@ TEST(CompileBatch, SweepsThatEndFarBeyondTheScene) {
   expect_batch(a, b);
 }
 
-TEST(CompileBatch, EveryColouringOfTheFaces) {
+TEST(CompileBatch, EveryColouringOfTheFacesCompilesAsItsShaftDoes) {
   std::vector<Box> a;
   std::vector<Box> b;
   for (unsigned colouring = 0; colouring != colourings; ++colouring) {
@@ -85,11 +85,11 @@ TEST(CompileBatch, EveryColouringOfTheFaces) {
   expect_batch(a, b);
 }
 
-TEST(CompileBatch, PairsFarFromTheOrigin) {
+TEST(CompileBatch, PairsFarFromTheOriginCompileAsTheirShaftsDo) {
   expect_batch_of(73, [](Random& random) { return random.box(1e6F, 1e6F + 10, 0.2F, 1.0F); });
 }
 
-TEST(CompileBatch, PairsOfEveryMagnitude) {
+TEST(CompileBatch, PairsOfEveryMagnitudeCompileAsTheirShaftsDo) {
   expect_batch_of(74, [](Random& random) {
     return Random::sorted({random.wild(), random.wild(), random.wild()}, {random.wild(), random.wild(), random.wild()});
   });
@@ -149,13 +149,13 @@ TEST(CompileBatch, PlanesOfBothBoxesAreAddedInTheirOrder) {
   }
 }
 
-TEST(CompileBatch, PlanesOfEveryMagnitude) {
+TEST(CompileBatch, PlanesOfEveryMagnitudeAreAddedAsToAShaft) {
   Random random(102);
   const Patches a(random, 1003, 1, true);
   expect_planes(a, Patches(random, 1003, 1, true));
 }
 
-TEST(CompileBatch, PlanesForEveryCount) {
+TEST(CompileBatch, PlanesAreAddedForEveryCount) {
   Random random(103);
   for (std::size_t count = 0; count != 70; ++count) {
     const Patches a(random, count, 1, false);
@@ -163,7 +163,7 @@ TEST(CompileBatch, PlanesForEveryCount) {
   }
 }
 
-TEST(CompileBatch, IndexPairsOfOneViewAndOfTwo) {
+TEST(CompileBatch, IndexPairsOfOneViewAndOfTwoCompileAsTheirShaftsDo) {
   Random random(104);
   const Patches a(random, 50, 2, false);
   const Patches other(random, 70, 1, false);

@@ -33,31 +33,31 @@ auto many(std::size_t count, const MakeBox& make) {
   };
 }
 
-TEST(ExactBoxes, RandomBoxes) {
+TEST(ExactBoxes, RandomBoxesAreAnsweredExactly) {
   check(1, 200, random_shaft, many(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
 }
 
-TEST(ExactBoxes, BoxesThatTouchOrNearlyTouch) { check(2, 250, random_shaft, many(64, touching_box)); }
+TEST(ExactBoxes, BoxesThatTouchOrNearlyTouchAreAnsweredExactly) { check(2, 250, random_shaft, many(64, touching_box)); }
 
-TEST(ExactBoxes, BoxesThatTouchLongShafts) {
+TEST(ExactBoxes, BoxesThatTouchLongShaftsAreAnsweredExactly) {
   check(
       11, 80, [](Random& random) { return long_shaft(random); }, many(64, touching_box));
   check(
       12, 80, [](Random& random) { return long_shaft(random, true); }, many(64, touching_box));
 }
 
-TEST(ExactBoxes, GridAlignedBoxes) {
+TEST(ExactBoxes, GridAlignedBoxesAreAnsweredExactly) {
   check(
       3, 250, [](Random& random) { return grid_shaft(random); },
       many(64, [](Random& random, const ShaftInput&) { return random.grid_box(0, 8); }));
 }
 
-TEST(ExactBoxes, DegenerateShafts) {
+TEST(ExactBoxes, DegenerateShaftsAnswerExactly) {
   check(4, 200, degenerate_shaft, many(32, touching_box));
   check(5, 100, degenerate_shaft, many(32, [](Random& random, const ShaftInput&) { return random_box(random); }));
 }
 
-TEST(ExactBoxes, ShaftsFarFromTheOrigin) {
+TEST(ExactBoxes, ShaftsFarFromTheOriginAnswerExactly) {
   for (const float distance : {1e3F, 1e4F, 1e5F, 1e7F}) {
     check(
         6, 60, [distance](Random& random) { return distant_shaft(random, distance); },
@@ -67,10 +67,10 @@ TEST(ExactBoxes, ShaftsFarFromTheOrigin) {
   }
 }
 
-TEST(ExactBoxes, NearlyEqualFaces) { check(7, 150, nearly_equal_shaft, many(32, touching_box)); }
+TEST(ExactBoxes, ShaftsOfNearlyEqualFacesAnswerExactly) { check(7, 150, nearly_equal_shaft, many(32, touching_box)); }
 
-TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38) {
-  // One scale for the whole scene, then scales mixed without mercy.
+TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
+  // First one scale for the whole scene, then a scale of its own for each coordinate.
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 126}) {
     const int most = std::min(exponent + 6, 127);
     check(
@@ -85,12 +85,12 @@ TEST(ExactBoxes, EveryMagnitudeFromDenormalsTo1e38) {
       }));
 }
 
-TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaft) {
+TEST(ExactBoxes, BoxesOfAnySizeAroundAnOrdinaryShaftAreAnsweredExactly) {
   check(13, 100, random_shaft, many(64, [](Random& random, const ShaftInput&) { return boundless_box(random); }));
 }
 
 /// Most of them in the relative form.
-TEST(ExactBoxes, SweepsThatEndFarBeyondTheScene) {
+TEST(ExactBoxes, SweepsThatEndFarBeyondTheSceneAnswerExactly) {
   check(14, 250, far_sweep_shaft, many(64, touching_far_sweep));
   check(15, 100, far_sweep_shaft, many(64, [](Random& random, const ShaftInput&) { return random_box(random); }));
   check(16, 60, far_sweep_shaft, many(32, [](Random& random, const ShaftInput& of) {
@@ -98,7 +98,7 @@ TEST(ExactBoxes, SweepsThatEndFarBeyondTheScene) {
         }));
 }
 
-TEST(ExactBoxes, EveryColouringOfTheFaces) {
+TEST(ExactBoxes, EveryColouringOfTheFacesAnswersExactly) {
   constexpr std::uint64_t seed = 10;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);

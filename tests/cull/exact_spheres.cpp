@@ -37,11 +37,11 @@ Sphere near_sphere(Random& random, const ShaftInput& input, const oracle::QuickH
   return touching_sphere(random, hull, random_centre(random, input));
 }
 
-TEST(ExactSpheres, RandomSpheres) { check(21, 150, 64, random_shaft, random); }
+TEST(ExactSpheres, RandomSpheresAreAnsweredExactly) { check(21, 150, 64, random_shaft, random); }
 
-TEST(ExactSpheres, SpheresThatTouchOrNearlyTouch) { check(22, 150, 64, random_shaft, near_sphere); }
+TEST(ExactSpheres, SpheresThatTouchOrNearlyTouchAreAnsweredExactly) { check(22, 150, 64, random_shaft, near_sphere); }
 
-TEST(ExactSpheres, GridAlignedSpheres) {
+TEST(ExactSpheres, GridAlignedSpheresAreAnsweredExactly) {
   check(
       23, 150, 64, [](Random& random) { return grid_shaft(random); },
       [](Random& random, const ShaftInput&, const oracle::QuickHull&) {
@@ -49,7 +49,7 @@ TEST(ExactSpheres, GridAlignedSpheres) {
       });
 }
 
-TEST(ExactSpheres, DegenerateShafts) {
+TEST(ExactSpheres, DegenerateShaftsAnswerExactly) {
   check(24, 150, 24, degenerate_shaft, near_sphere);
   check(25, 60, 24, degenerate_shaft, [](Random& random, const ShaftInput& of, const oracle::QuickHull&) {
     // Centres on the shaft's own corners, where every distance is 0.
@@ -57,7 +57,7 @@ TEST(ExactSpheres, DegenerateShafts) {
   });
 }
 
-TEST(ExactSpheres, ShaftsFarFromTheOrigin) {
+TEST(ExactSpheres, ShaftsFarFromTheOriginAnswerExactly) {
   for (const float distance : {1e3F, 1e4F, 1e5F, 1e7F}) {
     const auto input = [distance](Random& random) { return distant_shaft(random, distance); };
     check(26, 40, 24, input, random);
@@ -65,14 +65,14 @@ TEST(ExactSpheres, ShaftsFarFromTheOrigin) {
   }
 }
 
-TEST(ExactSpheres, RadiiAsSmallAsRoundingErrors) {
+TEST(ExactSpheres, RadiiAsSmallAsRoundingErrorsAreAnsweredExactly) {
   check(
       32, 400, 32, [](Random& random) { return long_shaft(random); }, tiny_sphere);
   check(
       33, 200, 32, [](Random& random) { return long_shaft(random, true); }, tiny_sphere);
 }
 
-TEST(ExactSpheres, SpheresOnJoiningPlanes) {
+TEST(ExactSpheres, SpheresOnJoiningPlanesAreAnsweredExactly) {
   // Errors without multiply-add that add up to more than a tenth of what is allowed for them, which random seldom
   // throw.
   expect_exact(
@@ -86,7 +86,7 @@ TEST(ExactSpheres, SpheresOnJoiningPlanes) {
 }
 
 // A distance that is less than the radius by so little that it is rounded to it, in doubles too.
-TEST(ExactSpheres, ASphereAsFarFromAFaceAsItsRadiusButForADenormal) {
+TEST(ExactSpheres, ASphereAsFarFromAFaceAsItsRadiusButForADenormalIsAnsweredExactly) {
   const Box box{{0x1p-140F, -4, -4}, {4, 4, 4}};
   const Box ends_at_zero{{0, -4, -4}, {4, 4, 4}};
   const Sphere sphere{{1, 0, 0}, 1};
@@ -97,7 +97,7 @@ TEST(ExactSpheres, ASphereAsFarFromAFaceAsItsRadiusButForADenormal) {
 }
 
 // Whole numbers, of which exact answers need no expansions, at any magnitude that floats have.
-TEST(ExactSpheres, SpheresAndPointsThatTouchOnAGrid) {
+TEST(ExactSpheres, SpheresAndPointsThatTouchOnAGridAreAnsweredExactly) {
   for (const int exponent : {-149, -130, -60, 0, 60, 121}) {
     const auto input = [exponent](Random& random) { return pythagorean_shaft(random, exponent); };
     check(38, 60, 64, input, [exponent](Random& random, const ShaftInput&, const oracle::QuickHull&) {
@@ -110,7 +110,7 @@ TEST(ExactSpheres, SpheresAndPointsThatTouchOnAGrid) {
 }
 
 // Decimal fractions: none of them is a float, and what would touch is off by the last bits.
-TEST(ExactSpheres, SpheresAndPointsOnAGridOfTenths) {
+TEST(ExactSpheres, SpheresAndPointsOnAGridOfTenthsAreAnsweredExactly) {
   const auto tenths = [](const Box& box) {
     Box scaled = box;
     for (std::size_t k = 0; k != 3; ++k) {
@@ -131,9 +131,9 @@ TEST(ExactSpheres, SpheresAndPointsOnAGridOfTenths) {
   });
 }
 
-TEST(ExactSpheres, NearlyEqualFaces) { check(31, 100, 24, nearly_equal_shaft, near_sphere); }
+TEST(ExactSpheres, ShaftsOfNearlyEqualFacesAnswerExactly) { check(31, 100, 24, nearly_equal_shaft, near_sphere); }
 
-TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {
+TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
   for (const int exponent : {-149, -140, -126, -100, -64, 64, 100, 122}) {
     const auto wild = [exponent](Random& random) { return random.wild(exponent, exponent + 4); };
     check(
@@ -151,7 +151,7 @@ TEST(ExactSpheres, EveryMagnitudeFromDenormalsTo1e38) {
 
 // Squares of slopes overflowed, and what they should have bounded was taken for nothing: in both forms, or with rounded
 // multiply-adds only.
-TEST(ExactSpheres, SpheresBesideHugeShafts) {
+TEST(ExactSpheres, SpheresBesideHugeShaftsAreAnsweredExactly) {
   const Box point{{0, 0x1p+73F, 0}, {0, 0x1p+73F, 0}};
   const Box end{{0x1.9fdf8cp+68F, -0x1p+73F, 0}, {0x1.9fdf8cp+68F, -0x1p+73F, 0}};
   const Sphere sphere{{-0x1.3b2c48p+59F, 0x1.ff1124p+72F, 0}, 0x1p+60F};
@@ -162,9 +162,11 @@ TEST(ExactSpheres, SpheresBesideHugeShafts) {
   check(37, 100, 64, huge_shaft, sphere_beside_huge);
 }
 
-TEST(ExactSpheres, SpheresOfAnySizeAroundAnOrdinaryShaft) { check(36, 60, 32, random_shaft, boundless_sphere); }
+TEST(ExactSpheres, SpheresOfAnySizeAroundAnOrdinaryShaftAreAnsweredExactly) {
+  check(36, 60, 32, random_shaft, boundless_sphere);
+}
 
-TEST(ExactSpheres, EveryColouringOfTheFaces) {
+TEST(ExactSpheres, EveryColouringOfTheFacesAnswersExactly) {
   constexpr std::uint64_t seed = 30;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);

@@ -44,48 +44,50 @@ void expect_pairs(std::uint64_t seed, const MakeShaft& input, int pairs = 2000) 
   for (int i = 0; i != pairs && !testing::Test::HasFailure(); ++i) expect_pair(input(random));
 }
 
-TEST(CompilePair, RandomBoxes) { expect_pairs(81, random_shaft); }
+TEST(CompilePair, RandomBoxesCompileAsTheirShaftDoes) { expect_pairs(81, random_shaft); }
 
-TEST(CompilePair, BoxesOnAGrid) {
+TEST(CompilePair, BoxesOnAGridCompileAsTheirShaftDoes) {
   expect_pairs(82, [](Random& random) { return grid_shaft(random, 3); });
 }
 
-TEST(CompilePair, EqualContainedTouchingFlatBoxesAndPoints) { expect_pairs(83, degenerate_shaft); }
+TEST(CompilePair, EqualContainedTouchingFlatBoxesAndPointsCompileAsTheirShaftDoes) {
+  expect_pairs(83, degenerate_shaft);
+}
 
-TEST(CompilePair, FacesThatNearlyCoincide) { expect_pairs(84, nearly_equal_shaft); }
+TEST(CompilePair, FacesThatNearlyCoincideCompileAsTheirShaftDoes) { expect_pairs(84, nearly_equal_shaft); }
 
-TEST(CompilePair, BoxesFarFromTheOrigin) {
+TEST(CompilePair, BoxesFarFromTheOriginCompileAsTheirShaftDoes) {
   expect_pairs(85, [](Random& random) { return distant_shaft(random, std::exp2(random.uniform(5, 25))); });
 }
 
-TEST(CompilePair, CoordinatesOfEveryMagnitude) {
+TEST(CompilePair, CoordinatesOfEveryMagnitudeCompileAsTheirShaftDoes) {
   expect_pairs(86, [](Random& random) { return wild_shaft(random); });
 }
 
-TEST(CompilePair, DenormalCoordinates) {
+TEST(CompilePair, DenormalCoordinatesCompileAsTheirShaftDoes) {
   expect_pairs(87, [](Random& random) { return wild_shaft(random, -149, -127); });
 }
 
-TEST(CompilePair, HugeCoordinates) {
+TEST(CompilePair, HugeCoordinatesCompileAsTheirShaftDoes) {
   expect_pairs(88, huge_shaft);
   expect_pairs(89, [](Random& random) { return wild_shaft(random, 120, 127); });
 }
 
-TEST(CompilePair, SweepsThatEndFarBeyondTheScene) { expect_pairs(93, far_sweep_shaft); }
+TEST(CompilePair, SweepsThatEndFarBeyondTheSceneCompileAsTheirShaftDoes) { expect_pairs(93, far_sweep_shaft); }
 
 /// Around the limits between the fused, the difference and the exact form.
-TEST(CompilePair, MagnitudesAroundTheLimitsOfForms) {
+TEST(CompilePair, MagnitudesAroundTheLimitsOfFormsCompileAsTheirShaftDoes) {
   for (const int exponent : {-126, -61, -60, 19, 20, 59, 60, 124, 125, 126}) {
     expect_pairs(
         90, [&](Random& random) { return wild_shaft(random, exponent - 1, exponent + 1); }, 300);
   }
 }
 
-TEST(CompilePair, EveryColouringOfTheFaces) {
+TEST(CompilePair, EveryColouringOfTheFacesCompilesAsItsShaftDoes) {
   for (unsigned colouring = 0; colouring != colourings; ++colouring) expect_pair(coloured_shaft(colouring));
 }
 
-TEST(CompilePair, ZerosOfBothSigns) {
+TEST(CompilePair, ZerosOfBothSignsCompileAsTheirShaftDoes) {
   expect_pairs(91, [](Random& random) {
     const auto zero = [&] { return random.one_in(2) ? 0.0F : -0.0F; };
     ShaftInput input = grid_shaft(random, 1);

@@ -37,7 +37,7 @@ struct Case {
   static Case read(std::span<const std::uint8_t> bytes);
 };
 
-/// Bits of byte 1, for those who write inputs.
+/// Bits of byte 1, to write inputs with.
 inline constexpr std::uint8_t sort_corners = 4;
 inline constexpr std::uint8_t derive_bounds = 8;
 inline constexpr std::uint8_t fill_word = 16;

@@ -20,7 +20,7 @@ class Fault : public std::logic_error {
 /// * both forms, cull() and contain() agree on bounds that are legal or have a NaN;
 /// * what is inside is kept, and nothing with a NaN is inside.
 /// With a draw, it picks the one instruction set that is compared with the scalar one, and one case in four for a whole
-/// tile: who has millions of inputs gains more by other inputs than by the same one again.
+/// tile. Over millions of inputs, a new input finds more than one more comparison of the same input does.
 void check_answers(const Case& it, std::optional<unsigned> draw = std::nullopt);
 
 /// Throws Fault unless the answers for the first bounds of either kind are those of exact arithmetic. Slow.

@@ -81,7 +81,7 @@ TEST_F(ManyErrors, AShaftThatDoesNotAnswerIsNamedBeforeAnythingIsWritten) {
   EXPECT_NO_THROW(cull_many(shafts_, boxes_.view(), rows_));
 }
 
-TEST_F(ManyErrors, EverySinkRefusesSpheresForAShaftWithoutThem) {
+TEST_F(ManyErrors, EveryOutputRefusesSpheresForAShaftWithoutThem) {
   ShaftOptions no_spheres;
   no_spheres.spheres = false;
   last_shaft(no_spheres);

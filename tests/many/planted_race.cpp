@@ -1,6 +1,6 @@
-/// Two races of the kind that ThreadSanitizer must still find for all that handover.hpp and cmake/tsan.suppressions
-/// tell it: `test_planted_race loop` and `test_planted_race pipeline`. In CTest only in the preset tsan, where a run
-/// without a report fails.
+/// Two races that ThreadSanitizer must find although kernel/parallel/thread_sanitizer.hpp and cmake/tsan.suppressions
+/// tell it what to pass over: `test_planted_race loop` and `test_planted_race pipeline`. CTest has them in the preset
+/// tsan only. A run without a report fails.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>

@@ -1,5 +1,5 @@
-/// A few bounds asked of a shaft as many are of many: in a whole tile, by a group of shafts around it, so that it is
-/// tested on a grid (kernel/kernels/grid/forming.hpp).
+/// The answers of one shaft for a few bounds, tested on a grid (kernel/kernels/grid/forming.hpp). The library does so
+/// for many shafts and bounds only, so the bounds are put into a whole tile, and the shaft into a group of shafts.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace shaftcull {
 
-/// What it takes to be tested on a grid; cull/agreement.cpp and cull/grid_shafts.cpp see to it that the kernels agree.
+/// As many bounds and shafts are tested on a grid; cull/agreement.cpp and cull/grid_shafts.cpp check that they are.
 inline constexpr std::size_t bounds_on_grid = 2048;
 inline constexpr std::size_t shafts_on_grid = 8;
 
 /// As classify() gives them.
 struct GridAnswers {
   std::vector<std::uint64_t> kept;
-  std::vector<std::uint64_t> inside;  ///< empty if nobody asked
+  std::vector<std::uint64_t> inside;  ///< empty if it was not asked for
 };
 
 /// A box around both boxes of a shaft, larger by 2^doublings than it must be.

@@ -1,4 +1,4 @@
-/// Two trees, one asked while the other is updated: the pattern of query.hpp's users who do not want to wait.
+/// Two trees, one asked while the other is updated, so that queries never wait for an update.
 #include <gtest/gtest.h>
 
 #include <thread>

@@ -1,4 +1,4 @@
-/// Picking indices of leaves by bits: every instruction set, and no touch of anything else.
+/// Picking indices of leaves by bits: on every instruction set, and nothing else is read or written.
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -97,7 +97,7 @@ TYPED_TEST(TreeSharedMemory, AnotherTreesLeavesAndTheTreesOwnOrderMayBeRead) {
   TypeParam tree = this->random_tree();
   const std::vector<Bound> before = this->leaves_of(tree);
   const TypeParam copy = tree;
-  tree.update(tree.order(), copy.leaves());  // bound order()[p] becomes leaf p, which it is
+  tree.update(tree.order(), copy.leaves());  // bound order()[p] gets the value of leaf p, which it has already
   tree.refit();
   EXPECT_EQ(this->leaves_of(tree), before);
 }

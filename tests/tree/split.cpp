@@ -1,4 +1,4 @@
-/// Halving entries: the kernel under tree order.
+/// Halving entries: the kernel that makes tree order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -240,7 +240,7 @@ TEST(SplitEntries, LargestPartsAreHalvedByAllThreads) {
   }
 }
 
-TEST(SplitEntries, ACutBetweenTwoOfFewValues) {
+TEST(SplitEntries, ACutBetweenTwoOfFewValuesIsThatOfSorting) {
   for (const std::size_t count : {640U, 9600U, 70400U}) {
     const std::size_t step = count / 32;  // so many have the same key, and every float between two keys is one too
     Entries entries(count);
@@ -257,7 +257,7 @@ TEST(SplitEntries, ACutBetweenTwoOfFewValues) {
   }
 }
 
-TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
+TEST(SplitEntries, ASampleThatIsNotLikeTheRestDoesNoHarm) {
   for (const float off : {1e8F, -1e8F}) {
     for (const std::size_t count : {4000U, 20000U, 70000U}) {
       const std::size_t step = count <= 4096 ? 16 : 64;
@@ -271,7 +271,7 @@ TEST(SplitEntries, ASampleThatIsNotLikeTheRest) {
   }
 }
 
-TEST(SplitEntries, AxisThatIsSpreadOutMost) {
+TEST(SplitEntries, TheAxisThatIsSpreadOutMostIsHalved) {
   Random random(5300);
   for (std::size_t axis = 0; axis != 3; ++axis) {
     Entries entries(300);

@@ -56,7 +56,7 @@ using kernel::TreeLevels;
 
 constexpr std::size_t size = (std::size_t{1} << 34U) + 999;
 
-/// A tree of boxes all of which are the origin, as memory that nobody wrote to says.
+/// A tree whose boxes are all the point at the origin: memory that nobody has written to reads as zeros.
 TreeLevels<Box> origins() {
   TreeLevels<Box> tree;
   tree.size = size;

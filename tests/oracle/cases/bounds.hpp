@@ -70,8 +70,8 @@ inline Box touching_box(Random& random, const ShaftInput& input) {
   return box;
 }
 
-/// The box of a far_sweep_shaft() as it is 2⁻¹⁰ to 2⁷ from where it starts, relatively to its longest way: any
-/// touching_box() of that.
+/// A touching_box() of a far_sweep_shaft() that is cut short: the sweep ends 2⁻¹⁰ to 2⁷ from where it starts, so that
+/// boxes touch it near its start.
 inline Box touching_far_sweep(Random& random, const ShaftInput& input) {
   const auto reach = [](const Box& box) {
     double largest = 0;
