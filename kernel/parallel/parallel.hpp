@@ -102,13 +102,13 @@ void apart_from_caller(const Start& start) {
 /// besides.
 template <class Body, class... How>
 void run_loop(std::size_t rows, std::size_t columns, const Body& body, How&... how) {
-  Handover started;
-  Handover finished;
-  started.give();
-  const TakeAtEnd all_finished(finished);
+  HappensBefore started;
+  HappensBefore finished;
+  started.release();
+  const AcquireAtEnd all_finished(finished);
   const auto work_on = [&](const auto& range) {
-    started.take();
-    const GiveAtEnd one_finished(finished);
+    started.acquire();
+    const ReleaseAtEnd one_finished(finished);
     in_float_environment([&] {
       for (std::size_t row = range.rows().begin(); row != range.rows().end(); ++row) {
         for (std::size_t column = range.cols().begin(); column != range.cols().end(); ++column) body(row, column);
@@ -137,21 +137,21 @@ void parallel_for_nested(std::size_t rows, std::size_t columns, const Body& body
 /// A slot, less than `slots`, belongs to i alone from its work to its delivery. Apart from the caller's tasks.
 template <class Work, class Deliver>
 void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, const Deliver& deliver) {
-  Handover started;
-  Handover finished;
-  Handover entered;
-  Handover delivered;
-  Handovers worked(slots);
-  Handovers emptied(slots);
-  started.give();
-  const TakeAtEnd all_finished(finished);
+  HappensBefore started;
+  HappensBefore finished;
+  HappensBefore entered;
+  HappensBefore delivered;
+  HappensBeforeSlots worked(slots);
+  HappensBeforeSlots emptied(slots);
+  started.release();
+  const AcquireAtEnd all_finished(finished);
   // At most `slots` items are under way, and they leave in order: so i % slots is free when i enters.
   std::size_t next = 0;
   const auto enter = [&](tbb::flow_control& flow) -> std::size_t {
-    started.take();
-    entered.take();
-    const GiveAtEnd one_finished(finished);
-    const GiveAtEnd one_entered(entered);
+    started.acquire();
+    entered.acquire();
+    const ReleaseAtEnd one_finished(finished);
+    const ReleaseAtEnd one_entered(entered);
     if (next == count) {
       flow.stop();
       return 0;
@@ -159,21 +159,21 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
     return next++;
   };
   const auto work_on = [&](std::size_t i) {
-    started.take();
-    emptied[i % slots].take();
-    const GiveAtEnd one_finished(finished);
+    started.acquire();
+    emptied[i % slots].acquire();
+    const ReleaseAtEnd one_finished(finished);
     in_float_environment([&] { work(i, i % slots); });
-    worked[i % slots].give();
+    worked[i % slots].release();
     return i;
   };
   const auto hand_out = [&](std::size_t i) {
-    started.take();
-    worked[i % slots].take();
-    delivered.take();
-    const GiveAtEnd one_finished(finished);
+    started.acquire();
+    worked[i % slots].acquire();
+    delivered.acquire();
+    const ReleaseAtEnd one_finished(finished);
     deliver(i, i % slots);
-    delivered.give();
-    emptied[i % slots].give();
+    delivered.release();
+    emptied[i % slots].release();
   };
   const auto stages = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, enter) &
                       tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work_on) &

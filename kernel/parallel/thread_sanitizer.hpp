@@ -1,8 +1,8 @@
-/// What oneTBB promises about the order of things, said to ThreadSanitizer, which cannot see it: the libtbb.so of
-/// distributions is not built for it, so every task would seem to race with the call that waits for it.
+/// Tells ThreadSanitizer in which order oneTBB runs things. It cannot see that: the libtbb.so of distributions is not
+/// built for it, so every task would seem to race with the call that waits for it.
 ///
 /// Only promises of oneTBB's documentation are repeated, so a race between two tasks is still found (docs/testing.md).
-/// In any other build all of this is nothing.
+/// In any other build these classes do nothing.
 #pragma once
 
 #include <cstddef>
@@ -23,58 +23,58 @@
 
 namespace shaftcull::kernel {
 
-/// What a thread did before give() is over when another returns from take().
-class Handover {
+/// What a thread did before release() has happened when another thread returns from acquire().
+class HappensBefore {
  public:
 #ifdef SHAFTCULL_THREAD_SANITIZER
-  void give() noexcept { __tsan_release(&address_); }
-  void take() noexcept { __tsan_acquire(&address_); }
+  void release() noexcept { __tsan_release(&address_); }
+  void acquire() noexcept { __tsan_acquire(&address_); }
 
  private:
   char address_ = 0;
 #else
-  void give() noexcept {}
-  void take() noexcept {}
+  void release() noexcept {}
+  void acquire() noexcept {}
 #endif
 };
 
 /// One for each of some slots.
-class Handovers {
+class HappensBeforeSlots {
  public:
 #ifdef SHAFTCULL_THREAD_SANITIZER
-  explicit Handovers(std::size_t slots) : each_(slots) {}
-  [[nodiscard]] Handover& operator[](std::size_t slot) noexcept { return each_[slot]; }
+  explicit HappensBeforeSlots(std::size_t slots) : each_(slots) {}
+  [[nodiscard]] HappensBefore& operator[](std::size_t slot) noexcept { return each_[slot]; }
 
  private:
-  std::vector<Handover> each_;
+  std::vector<HappensBefore> each_;
 #else
-  explicit Handovers(std::size_t /*slots*/) noexcept {}
-  [[nodiscard]] Handover operator[](std::size_t /*slot*/) const noexcept { return {}; }
+  explicit HappensBeforeSlots(std::size_t /*slots*/) noexcept {}
+  [[nodiscard]] HappensBefore operator[](std::size_t /*slot*/) const noexcept { return {}; }
 #endif
 };
 
-/// Gives at the end of the scope, be it by an exception.
-class GiveAtEnd {
+/// Releases at the end of the scope, be it by an exception.
+class ReleaseAtEnd {
  public:
-  explicit GiveAtEnd(Handover& handover) noexcept : handover_(handover) {}
-  ~GiveAtEnd() { handover_.give(); }
-  GiveAtEnd(const GiveAtEnd&) = delete;
-  GiveAtEnd& operator=(const GiveAtEnd&) = delete;
+  explicit ReleaseAtEnd(HappensBefore& order) noexcept : order_(order) {}
+  ~ReleaseAtEnd() { order_.release(); }
+  ReleaseAtEnd(const ReleaseAtEnd&) = delete;
+  ReleaseAtEnd& operator=(const ReleaseAtEnd&) = delete;
 
  private:
-  Handover& handover_;
+  HappensBefore& order_;
 };
 
-/// Takes at the end of the scope, be it by an exception.
-class TakeAtEnd {
+/// Acquires at the end of the scope, be it by an exception.
+class AcquireAtEnd {
  public:
-  explicit TakeAtEnd(Handover& handover) noexcept : handover_(handover) {}
-  ~TakeAtEnd() { handover_.take(); }
-  TakeAtEnd(const TakeAtEnd&) = delete;
-  TakeAtEnd& operator=(const TakeAtEnd&) = delete;
+  explicit AcquireAtEnd(HappensBefore& order) noexcept : order_(order) {}
+  ~AcquireAtEnd() { order_.acquire(); }
+  AcquireAtEnd(const AcquireAtEnd&) = delete;
+  AcquireAtEnd& operator=(const AcquireAtEnd&) = delete;
 
  private:
-  Handover& handover_;
+  HappensBefore& order_;
 };
 
 }  // namespace shaftcull::kernel
