@@ -1,7 +1,7 @@
 # The libraries that this project needs, found once for all folders.
 include(${CMAKE_CURRENT_LIST_DIR}/dependency.cmake)
 
-# Kernels in vectors are there for 64-bit x86, by g++ and clang; other builds have the scalar ones alone, which need no xsimd.
+# Instruction sets of their own have 64-bit x86, by g++ and clang; other builds have the portable sets alone, which need no xsimd.
 set(shaftcull_has_vectors FALSE)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8
    AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")

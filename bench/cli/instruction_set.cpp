@@ -11,7 +11,9 @@
 namespace shaftcull::cli {
 
 void InstructionSet::add_option(CLI::App& subcommand) {
-  subcommand.add_option("--isa", name_, "Instruction set: scalar, sse4_2, avx2 or avx512 (default: the best there is)")
+  subcommand
+      .add_option("--isa", name_,
+                  "Instruction set: scalar, portable128, sse4_2, avx2 or avx512 (default: the best there is)")
       ->type_name("NAME");
 }
 

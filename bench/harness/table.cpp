@@ -14,7 +14,7 @@
 namespace shaftcull::bench {
 namespace {
 
-constexpr std::array<const char*, 4> instruction_sets{"scalar", "sse4_2", "avx2", "avx512"};
+constexpr std::array<const char*, 5> instruction_sets{"scalar", "portable128", "sse4_2", "avx2", "avx512"};
 
 /// 5.1 G, 103 M: three digits and a prefix.
 std::string speed_text(double per_second) {

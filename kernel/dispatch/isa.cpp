@@ -1,52 +1,71 @@
 #include "shaftcull/isa.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 
 #include "dispatch/active_kernels.hpp"
-#include "kernels/built_sets.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull {
+namespace kernel {
+
+#define SHAFTCULL_BUILT(set, features) \
+  namespace set {                      \
+  extern const Kernels* const kernels; \
+  }
+#define SHAFTCULL_NOT_BUILT(set)
+#include "dispatch/instruction_sets.inc"
+#undef SHAFTCULL_BUILT
+#undef SHAFTCULL_NOT_BUILT
+
+}  // namespace kernel
+
 namespace {
 
-constexpr std::array<std::string_view, 4> names = {"scalar", "sse4_2", "avx2", "avx512"};
+/// What is known of an instruction set.
+struct InstructionSet {
+  Isa isa;
+  std::string_view name;
+  const kernel::Kernels* const* kernels;  ///< null if this build has none; they may be, too (simd/baseline.hpp)
+  bool (*machine_runs)() noexcept;  ///< whether the processor has the instructions and the operating system saves the
+                                    ///< registers
+};
 
-/// Whether the processor has the instructions and the operating system saves the registers.
-bool machine_runs(Isa isa) noexcept {
-  switch (isa) {
-    case Isa::scalar:
-      return true;
-#ifdef __x86_64__
-    case Isa::sse4_2:
-      return __builtin_cpu_supports("sse4.2");
-    case Isa::avx2:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-             __builtin_cpu_supports("bmi2");
-    case Isa::avx512:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-             __builtin_cpu_supports("avx512vl") && machine_runs(Isa::avx2);
-#endif
-    default:
-      return false;
+/// All there are, the better ones later.
+constexpr InstructionSet sets[] = {
+#define SHAFTCULL_BUILT(set, features) \
+  {Isa::set, #set, &kernel::set::kernels, []() noexcept -> bool { return features; }},
+#define SHAFTCULL_NOT_BUILT(set) {Isa::set, #set, nullptr, []() noexcept { return false; }},
+#include "dispatch/instruction_sets.inc"
+#undef SHAFTCULL_BUILT
+#undef SHAFTCULL_NOT_BUILT
+};
+
+constexpr bool are_numbered_in_order() {
+  for (std::size_t i = 0; i != std::size(sets); ++i) {
+    if (sets[i].isa != static_cast<Isa>(i)) return false;
   }
+  return true;
+}
+static_assert(are_numbered_in_order(), "kernel/CMakeLists.txt lists instruction sets in the order of Isa");
+
+const kernel::Kernels* kernels_of(Isa isa) noexcept {
+  const InstructionSet& set = sets[static_cast<std::size_t>(isa)];
+  return set.kernels == nullptr ? nullptr : *set.kernels;
 }
 
-bool available(Isa isa) noexcept { return kernel::kernels_of(isa) != nullptr && machine_runs(isa); }
+bool available(const InstructionSet& set) noexcept { return kernels_of(set.isa) != nullptr && set.machine_runs(); }
+bool available(Isa isa) noexcept { return available(sets[static_cast<std::size_t>(isa)]); }
 
 std::string list_of_available() {
   std::string list;
   for (const Isa isa : available_isas()) list += (list.empty() ? "" : ", ") + std::string(name(isa));
   return list;
 }
-
-/// All there are, the better ones later.
-constexpr Isa all_isas[] = {Isa::scalar, Isa::sse4_2, Isa::avx2, Isa::avx512};
 
 /// What SHAFTCULL_ISA says, or nothing.
 std::string_view asked_for() noexcept {
@@ -59,7 +78,7 @@ Isa initial_isa() noexcept {
   const std::optional<Isa> wanted = isa_from_name(asked_for());
   if (wanted && available(*wanted)) return *wanted;
   Isa best = Isa::scalar;
-  for (const Isa isa : all_isas) best = available(isa) ? isa : best;
+  for (const InstructionSet& set : sets) best = available(set) ? set.isa : best;
   return best;
 }
 
@@ -72,21 +91,21 @@ constinit std::atomic<int> chosen = not_chosen;
 
 std::string_view name(Isa isa) noexcept {
   const auto i = static_cast<std::size_t>(isa);
-  return i < names.size() ? names[i] : "unknown";
+  return i < std::size(sets) ? sets[i].name : "unknown";
 }
 
 std::optional<Isa> isa_from_name(std::string_view text) noexcept {
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (const InstructionSet& set : sets) {
     const auto same = [](char a, char b) { return a == lower(b); };
-    if (std::equal(names[i].begin(), names[i].end(), text.begin(), text.end(), same)) return static_cast<Isa>(i);
+    if (std::equal(set.name.begin(), set.name.end(), text.begin(), text.end(), same)) return set.isa;
   }
   return std::nullopt;
 }
 
 std::vector<Isa> available_isas() {
   std::vector<Isa> isas;
-  for (const Isa isa : all_isas) {
-    if (available(isa)) isas.push_back(isa);
+  for (const InstructionSet& set : sets) {
+    if (available(set)) isas.push_back(set.isa);
   }
   return isas;
 }
@@ -113,7 +132,7 @@ IsaChoice isa_choice() {
 }
 
 void select_isa(Isa isa) {
-  if (static_cast<std::size_t>(isa) >= names.size()) {
+  if (static_cast<std::size_t>(isa) >= std::size(sets)) {
     throw InvalidArgument("there is no instruction set number " + std::to_string(static_cast<int>(isa)) +
                           "; this machine has " + list_of_available());
   }

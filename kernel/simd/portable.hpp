@@ -190,13 +190,15 @@ struct PortableFloats {
   }
   static void store(float* p, Vector a) noexcept { __builtin_memcpy(p, &a, sizeof a); }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
-    Vector a;
+    Vector a{};
     for (unsigned i = 0; i < width; ++i) a[i] = p[index[i]];
     return a;
   }
   static void load_columns(const float* const (&rows)[width], Vector (&columns)[4]) noexcept {
     for (unsigned c = 0; c < 4; ++c) {
-      for (unsigned i = 0; i < width; ++i) columns[c][i] = rows[i][c];
+      Vector column{};
+      for (unsigned i = 0; i < width; ++i) column[i] = rows[i][c];
+      columns[c] = column;
     }
   }
   static void transpose(const Vector (&columns)[8], typename EightFloats::Vector (&things)[width]) noexcept {
@@ -246,7 +248,7 @@ struct PortableFloats {
     std::uint64_t bits_;
   };
 
-  static Vector all(float a) noexcept { return Vector{} + a; }
+  static Vector all(float a) noexcept { return a - Vector{}; }  // not plus, which would make 0 of −0
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
@@ -316,7 +318,7 @@ struct PortableFloats {
   static Mask integers(Vector a) noexcept { return __builtin_bit_cast(Mask, a); }
   static Vector floats(Mask a) noexcept { return __builtin_bit_cast(Vector, a); }
   static Mask numbers() noexcept {  // 0, 1, 2, …
-    Mask lane;
+    Mask lane{};
     for (unsigned i = 0; i < width; ++i) lane[i] = static_cast<std::int32_t>(i);
     return lane;
   }
@@ -404,7 +406,7 @@ struct PortableIntegers16 {
   static Vector choose(Vector mask, Vector a, Vector b) noexcept { return (a & mask) | (b & ~mask); }
   /// Bit i is lane i, each −1 or 0.
   static std::uint64_t bits(Vector mask) noexcept {
-    Bits bit;
+    Bits bit{};
     for (unsigned i = 0; i < width; ++i) bit[i] = static_cast<std::uint16_t>(1U << i);
     const Bits its_own = bits_of(mask) & bit;
     std::uint64_t four[width / 4];

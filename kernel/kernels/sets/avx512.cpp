@@ -1,6 +1,9 @@
 #include "simd/x86/avx512.hpp"
-#include "kernels/built_sets.hpp"
 #include "kernels/table_of.hpp"
 
-constinit const shaftcull::kernel::Kernels shaftcull::kernel::avx512_kernels =
-    kernels_for<avx512::Floats, avx512::FormationFloats>;
+namespace shaftcull::kernel::avx512 {
+
+extern const Kernels* const kernels;
+constinit const Kernels* const kernels = &kernels_for<Floats, FormationFloats>;
+
+}  // namespace shaftcull::kernel::avx512

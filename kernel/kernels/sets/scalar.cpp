@@ -1,5 +1,9 @@
 #include "simd/scalar.hpp"
-#include "kernels/built_sets.hpp"
 #include "kernels/table_of.hpp"
 
-constinit const shaftcull::kernel::Kernels shaftcull::kernel::scalar_kernels = kernels_for<scalar::Floats>;
+namespace shaftcull::kernel::scalar {
+
+extern const Kernels* const kernels;
+constinit const Kernels* const kernels = &kernels_for<Floats>;
+
+}  // namespace shaftcull::kernel::scalar
