@@ -9,7 +9,6 @@
 #include "dispatch/active_kernels.hpp"
 #include "flat/grid_group.hpp"
 #include "flat/tiling.hpp"
-#include "kernels/set_bits.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
 #include "parallel/task_memory.hpp"
@@ -53,7 +52,7 @@ class Job {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] const SetBits& set_bits() const noexcept { return set_bits_of(kernels_); }
+  [[nodiscard]] const SetBits& set_bits() const noexcept { return kernels_.set_bits; }
   [[nodiscard]] std::size_t bounds() const noexcept { return bounds_.count; }
   [[nodiscard]] std::size_t row_words() const noexcept { return words_for(bounds_.count); }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "flat/batch_job.hpp"
-#include "kernels/set_bits.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/many.hpp"

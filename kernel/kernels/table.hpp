@@ -102,6 +102,19 @@ struct SplitKernels {
                float* const* less, float* const* equal, float* const* larger) noexcept;
 };
 
+/// Positions that SetBits::write() may scribble on past the last one it is asked for.
+inline constexpr std::size_t set_bits_slack = 16;
+
+/// Words of bits as a count and as a list of positions.
+struct SetBits {
+  /// Number of set bits in `count` words.
+  std::size_t (*count)(const std::uint64_t* words, std::size_t count) noexcept;
+
+  /// Writes 64 w + i for every set bit i of every word w, ascending. `set` is how many there are, and `out` must have
+  /// room for that and set_bits_slack more. Not for more than 2²⁶ words.
+  void (*write)(const std::uint64_t* words, std::size_t count, std::size_t set, std::uint32_t* out) noexcept;
+};
+
 struct GridFrame;
 struct GridShaft;
 
@@ -132,8 +145,8 @@ struct GridKernels {
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,
                      std::int16_t* const* grid) noexcept;
 
-  /// What the grid says of `words` words of bounds, at most most_block_words. Writes their kept bits, 0 only for bounds that
-  /// are certainly outside, and lists the words that hold bounds too close to call, with `shaft` as their shaft's
+  /// What the grid says of `words` words of bounds, at most most_block_words. Writes their kept bits, 0 only for bounds
+  /// that are certainly outside, and lists the words that hold bounds too close to call, with `shaft` as their shaft's
   /// number, at `undecided`, where there must be room for all. Returns how many it lists.
   std::size_t (*look)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                       std::uint32_t shaft, UndecidedWord* undecided) noexcept;
@@ -143,8 +156,8 @@ struct GridKernels {
   void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
                  const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept;
 
-  /// What comes after that, for `count` bounds, at most most_block_words words of them: added planes, spheres, and inside bits unless
-  /// `inside` is null.
+  /// What comes after that, for `count` bounds, at most most_block_words words of them: added planes, spheres, and
+  /// inside bits unless `inside` is null.
   using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;
   Settle* settle_boxes;
@@ -176,6 +189,7 @@ struct Kernels {
   Unite* unite_spheres;
   SplitKernels split;       ///< four streams
   SplitKernels split_wide;  ///< five
+  SetBits set_bits;
 
   [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {
     return form == Form::planes ? boxes_planes : boxes_slab;

@@ -8,6 +8,7 @@
 #include "kernels/forming/added_planes.hpp"
 #include "kernels/forming/pair.hpp"
 #include "kernels/grid/testing.hpp"
+#include "kernels/set_bits.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/spheres/boxes_around.hpp"
@@ -297,6 +298,7 @@ inline constexpr Kernels kernels_for = {
     .unite_spheres = unite_spheres<L>,
     .split = split_kernels<L, 4>,
     .split_wide = split_kernels<L, 5>,
+    .set_bits = {count_set_bits<L>, write_set_bits<L>},
 };
 
 }  // namespace shaftcull::kernel

@@ -8,7 +8,7 @@
 
 #include "dispatch/active_kernels.hpp"
 #include "instruction_sets.hpp"
-#include "kernels/set_bits.hpp"
+#include "kernels/table.hpp"
 #include "oracle/random.hpp"
 
 namespace shaftcull {
@@ -18,7 +18,7 @@ TEST(SetBits, AreCountedAndListedInOrder) {
   constexpr std::uint32_t untouched = 0xffffffff;
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    const kernel::SetBits& set_bits = kernel::set_bits_of(kernel::active_kernels());
+    const kernel::SetBits& set_bits = kernel::active_kernels().set_bits;
     Random random(111);
     for (const unsigned percent : {0U, 1U, 2U, 4U, 9U, 30U, 70U, 99U, 100U}) {
       for (std::size_t count = 0; count != 70; ++count) {
