@@ -8,7 +8,7 @@ if(NOT sources)
 endif()
 list(REMOVE_ITEM sources ${KERNEL}/simd/baseline.hpp)  # which is there to ask
 foreach(source IN LISTS sources)
-  file(STRINGS ${source} asks REGEX "^ *# *(if|elif).*__(AVX|FMA|F16C|BMI|LZCNT|POPCNT|SSE3|SSSE3|SSE4)")
+  file(STRINGS ${source} asks REGEX "^ *# *(if|elif).*__(ARM_|AVX|FMA|F16C|BMI|LZCNT|POPCNT|SSE3|SSSE3|SSE4)")
   if(asks)
     message(SEND_ERROR "${source} asks what the compiler may use: ${asks}")
   endif()
