@@ -9,12 +9,12 @@
 
 namespace shaftcull {
 
-/// The message of the InvalidArgument that `call` throws; fails the test if it throws none.
-template <class Call>
+/// The message of the error that `call` throws; fails the test if it throws none.
+template <class Error = InvalidArgument, class Call>
 std::string message_of(const Call& call) {
   try {
     call();
-  } catch (const InvalidArgument& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   ADD_FAILURE() << "nothing was thrown";

@@ -106,7 +106,7 @@ TYPED_TEST(TreeExceptions, AnUpdateThatDidNotEndAsksForARefit) {
       }
     }
     EXPECT_TRUE(tree.needs_refit());
-    EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(shafts[0], tree)); }),
+    EXPECT_THAT(message_of<NeedsRefit>([&] { static_cast<void>(shaftcull::count(shafts[0], tree)); }),
                 testing::HasSubstr("call refit() first"));
     TypeParam copy = tree;
     TypeParam updated = tree;
