@@ -23,7 +23,7 @@ struct ReportOptions {
 
 void write(const std::string& path, const std::string& page) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code ignored;  // writing tells
+  std::error_code ignored;  // a missing folder shows when the file is opened
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
   std::ofstream file(path, std::ios::binary);
   file << page;

@@ -148,7 +148,7 @@ class OverlappedFrameLoop final : public FrameLoop {
   std::optional<std::size_t> made_;  ///< the frame that can be asked about
 };
 
-/// What a run is told by, and what may end it.
+/// What tells the user how far a run is, and what lets him end it.
 struct Console {
   Progress progress;
   InterruptWatch interrupt;

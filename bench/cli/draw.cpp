@@ -108,7 +108,7 @@ class Picture {
     Box cell{};
     set(cell, slice.across, x, cell_width_ / 2);
     set(cell, slice.up, y, half_height);
-    // Flat, or every cell of a flat shaft would stick out of it.
+    // A cell has no thickness: with one, no cell could be inside a flat shaft.
     set(cell, slice.through, cut, 0);
     switch (classify(compiled_, cell)) {
       case Answer::inside:

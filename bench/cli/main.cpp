@@ -62,10 +62,11 @@ int finish_output(int code) {
   return complain(fmt::format("standard output cannot be written{}", why), exit_failure);
 }
 
-/// A file that the program opens must not become its standard output because that was closed.
+/// Opens standard streams that the program was started without. Otherwise the first file that it opens would get the
+/// number of one of them, and be written to as standard output.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // Opened the wrong way round, so that using it fails, as it did when it was closed.
+    // Opened for the wrong direction, so that using it fails, as using a closed one does.
     if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
 }

@@ -63,8 +63,8 @@ TestsUntil tests_until(std::span<const JoiningPlane> planes, std::span<const Joi
 }  // namespace
 
 std::size_t PlaneCount::add(const Box& a, const Box& b, std::span<const Box> boxes) {
-  // All orders hold the same planes, so a bound meets them once, and each order then tells how soon it would have
-  // known.
+  // All orders hold the same planes, so a bound is tested once against each. What an order costs is then how many
+  // planes it looks at until the first that decides.
   const Shaft unsorted(a, b, {.order = PlaneOrder::unsorted});
   std::array<TestsUntil, plane_orders.size()> tests;
   for (std::size_t order = 0; order < plane_orders.size(); ++order) {

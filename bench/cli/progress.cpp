@@ -41,7 +41,7 @@ void Progress::clear() {
 }
 
 void Progress::write(std::string_view text) {
-  // A run goes on where nobody can be told how far it is.
+  // A run goes on even if its progress cannot be written.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), file_));
   std::fflush(file_);
 }

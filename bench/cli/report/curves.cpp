@@ -30,7 +30,7 @@ std::vector<Point> points_of(const BenchSummary& summary, const std::string& pre
   return points;
 }
 
-/// Keeps what is a curve at all.
+/// Adds a curve, unless it has fewer than two points.
 void add(std::vector<Curve>& curves, Curve curve) {
   if (curve.points.size() >= 2) curves.push_back(std::move(curve));
 }
