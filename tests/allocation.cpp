@@ -132,6 +132,9 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
   std::vector<std::uint32_t> inside(bound_count);
   std::vector<LeafRange> ranges(bound_count);
   const std::vector<std::uint32_t> own = {1, 2};
+  std::vector<std::uint64_t> bits(words_for(bound_count));
+  std::vector<std::uint64_t> other_bits(bits.size());
+  (void)refine(shafts_[0], boxes, own, kept);  // the first one looks up the leaves of indices
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
@@ -142,7 +145,12 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
                   (void)list(shaft, spheres, std::span(ranges));
                   (void)list_classified(shaft, boxes, std::span(kept), std::span(inside));
                   (void)list_classified(shaft, spheres, std::span(kept), std::span(inside), {.own = own});
-                  refine(shaft, boxes.leaves(), own, kept);
+                  (void)refine(shaft, boxes.leaves(), own, kept);
+                  (void)refine(shaft, boxes, own, kept);
+                  cull(shaft, boxes, bits);
+                  classify(shaft, spheres, bits, other_bits, {.own = own});
+                  contained(shaft, spheres, bits);
+                  (void)any(shaft, boxes);
                 }
               }),
               0U)

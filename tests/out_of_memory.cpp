@@ -215,7 +215,22 @@ TYPED_TEST(TreeOutOfMemory, AnUpdateOfSomeThatFailsLeavesTheTreeAndWorksTheNextT
     tree.refit();
     this->expect_flat_answers(tree, updated);
   };
-  EXPECT_EQ(fail_each_allocation([&] { return this->tree_; }, update, check), 2U);
+  EXPECT_EQ(fail_each_allocation([&] { return this->tree_; }, update, check), 3U);
+}
+
+TYPED_TEST(TreeOutOfMemory, TheFirstRefineThatFailsLeavesTheTreeAndWorksTheNextTime) {
+  using Index = IndexOf<TypeParam>;
+  std::vector<Index> expected(this->some_.size());
+  expected.resize(refine(this->shafts_[0], TypeParam(this->tree_), this->some_, expected));
+  const auto refine_some = [&](const TypeParam& tree) {
+    std::vector<Index> kept = this->some_;
+    return refine(this->shafts_[0], tree, kept, kept);
+  };
+  const std::size_t its_own = 1;
+  EXPECT_EQ(fail_each_allocation([&] { return this->tree_; },
+                                 [&](const TypeParam& tree) { static_cast<void>(refine_some(tree)); },
+                                 [&](const TypeParam& tree) { EXPECT_EQ(refine_some(tree), expected.size()); }),
+            2U + its_own);
 }
 
 TYPED_TEST(TreeOutOfMemory, ARefitThatFailsIsStillNeeded) {
@@ -323,6 +338,8 @@ TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
     refine_many(this->shafts_, this->tree_.leaves(), this->tree_.order(), lists);
   };
   expect_lists_or_none(indices, refine);
+  expect_lists_or_none(indices,
+                       [&](auto& lists) { refine_many(this->shafts_, this->tree_, this->tree_.order(), lists); });
 
   const auto fail_both = [&](const auto& before) {
     const auto list_both = [&](auto& lists) {

@@ -1,7 +1,8 @@
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
 /// *Verbs* are those of views (cull.hpp, many.hpp). Bounds and indices are of the tree's kind, and a vector or an array
-/// passes for a span of them. Lists are in tree order (BoundsTree::order()), which depends on nothing but the bounds,
+/// passes for a span of them. Bits are by the user's index: bit i % 64 of word i / 64 is the bound with index i, and
+/// all words are written. Lists are in tree order (BoundsTree::order()), which depends on nothing but the bounds,
 /// by index, that the tree was last built or rebuilt from: not on threads, instruction sets, or what happened before.
 ///
 /// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`, `{.mask =
@@ -58,7 +59,31 @@ using Excluding = ExcludingOf<std::uint32_t>;
 
 // One shaft.
 
-/// How many bounds the shaft keeps (which are not outside).
+/// Culls: sets the bit of every bound that the shaft keeps (which is not outside). `kept` has exactly
+/// words_for(tree.size()) words. O(size() / 64) for the words, and then as every query: a scan writes the bits of a
+/// shaft that keeps much of what there is faster than a tree.
+template <class Bound, BoundIndex Index>
+void cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<std::uint64_t> kept,
+          const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// Classifies: `kept` as in cull(), and in `inside` the bits of bounds that are fully inside the shaft. Both have
+/// exactly words_for(tree.size()) words.
+template <class Bound, BoundIndex Index>
+void classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<std::uint64_t> kept,
+              std::span<std::uint64_t> inside, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// Sets the bits of bounds that are fully inside: the only question that a shaft formed for inside alone answers.
+/// `inside` has exactly words_for(tree.size()) words.
+template <class Bound, BoundIndex Index>
+void contained(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<std::uint64_t> inside,
+               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// Whether the shaft keeps any bound. Stops at the first one that it finds.
+template <class Bound, BoundIndex Index>
+[[nodiscard]] bool any(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                       const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// How many bounds the shaft keeps.
 template <class Bound, BoundIndex Index>
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
@@ -93,7 +118,27 @@ template <class Bound, BoundIndex Index>
                                          const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 // Many shafts, in parallel, as many.hpp says. Results do not depend on the number of threads. If memory runs out
-// (std::bad_alloc), counts are unspecified, and lists are as they were or empty.
+// (std::bad_alloc), bits and counts are unspecified, and lists are as they were or empty.
+
+/// Row s of the bits (words_for(tree.size()) words, rows one behind the other) gets what cull(shafts[s], …) gives, or
+/// classify() or contained(). There are exactly as many rows as shafts.
+template <class Bound, BoundIndex Index>
+void cull_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+               std::span<std::uint64_t> kept_rows, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+template <class Bound, BoundIndex Index>
+void classify_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                   std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
+                   const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+template <class Bound, BoundIndex Index>
+void contained_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                    std::span<std::uint64_t> inside_rows,
+                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// One bit a shaft: bit s % 64 of word s / 64 of `any` is set iff shafts[s] keeps any bound; bits past the last shaft
+/// are zero. `any` has exactly words_for(shafts.size()) words.
+template <class Bound, BoundIndex Index>
+void any_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::span<std::uint64_t> any,
+              const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
 template <class Bound, BoundIndex Index>

@@ -13,23 +13,33 @@
 #include "shaftcull/export.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/results.hpp"
 #include "shaftcull/streams.hpp"
+#include "shaftcull/tree.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Writes those of `candidates` that the shaft keeps, in their order, and returns how many there are. Candidates
-/// are positions in the view; for BoundsTree::leaves() these are leaves. `kept` needs room for all of them. It may
-/// begin where `candidates` begins, which overwrites them; else the two must not share memory. Throws InvalidArgument
-/// for a candidate not below the view's count, for too little room, for spans that overlap otherwise, or as cull()
-/// does. O(candidates.size()); no allocation; safe to call from many threads.
-std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> candidates,
-                   std::span<std::uint32_t> kept);
-std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> candidates,
-                   std::span<std::uint64_t> kept);
-std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
-                   std::span<std::uint32_t> kept);
-std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> candidates,
-                   std::span<std::uint64_t> kept);
+/// Writes those of `candidates` that the shaft keeps, in their order, and returns how many there are; what does not fit
+/// is counted and not written (results.hpp). Candidates are positions in the view, or the user's indices in a tree.
+/// `kept` may begin where `candidates` begins, which overwrites them; else the two must not share memory.
+///
+/// Throws InvalidArgument for a candidate not below the number of bounds, for spans that overlap otherwise, or as
+/// cull() does, and NeedsRefit for a tree that needs a refit; nothing is written then. O(candidates.size()); safe to
+/// call from many threads; at most 64 KiB of the stack. Nothing is allocated, but for a tree that was never updated by
+/// index nor refined: its first such call looks up the leaf of every index, O(tree.size()), and keeps that, so it may
+/// throw std::bad_alloc.
+[[nodiscard]] std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
+                                 std::span<const std::uint32_t> candidates, std::span<std::uint32_t> kept);
+[[nodiscard]] std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
+                                 std::span<const std::uint64_t> candidates, std::span<std::uint64_t> kept);
+[[nodiscard]] std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
+                                 std::span<const std::uint32_t> candidates, std::span<std::uint32_t> kept);
+[[nodiscard]] std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
+                                 std::span<const std::uint64_t> candidates, std::span<std::uint64_t> kept);
+template <class Bound, BoundIndex Index>
+[[nodiscard]] std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                 std::type_identity_t<std::span<const Index>> candidates,
+                                 std::type_identity_t<std::span<Index>> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
 /// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`;
@@ -40,6 +50,9 @@ void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
+template <class Bound, BoundIndex Index>
+void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 
 }  // namespace shaftcull

@@ -15,6 +15,7 @@
 namespace shaftcull::kernel {
 template <class Bound, class Index>
 struct TreeParts;
+struct TreeAccess;
 }  // namespace shaftcull::kernel
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -31,11 +32,12 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
 /// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes; an Index a bound more
-/// from the first update by index on. With indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷;
-/// InvalidArgument for more.
+/// from the first update by index or refine() on. With indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64
+/// at most 2³⁷; InvalidArgument for more.
 ///
-/// Bounds are checked as in packing: a NaN, lo > hi (but for the empty box), a negative radius or a centre
-/// that is not finite throws BadBound, which names the first bad one.
+/// Bounds come from views and streams, from records of all kinds, and from arrays. They are checked as in packing: a
+/// NaN, lo > hi (but for the empty box), a negative radius or half extent, or a centre of a sphere that is not finite
+/// throws BadBound, which names the first bad one.
 ///
 /// A call that throws leaves the tree as it was, std::bad_alloc included, but for this: update() of all bounds and
 /// refit() allocate nothing themselves, and if oneTBB cannot start their tasks, needs_refit() is true afterwards. After
@@ -60,6 +62,8 @@ class BoundsTree {
   explicit BoundsTree(const View& bounds);
   explicit BoundsTree(const Records& bounds);
   explicit BoundsTree(std::span<const Bound> bounds);
+  /// Trees of boxes only. Corners that are not floats are rounded outwards.
+  explicit BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>;
   BoundsTree(const BoundsTree& other);
   BoundsTree& operator=(const BoundsTree& other);
   BoundsTree(BoundsTree&& other) noexcept;
@@ -71,6 +75,9 @@ class BoundsTree {
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// The bounds in tree order. Valid until the tree is assigned to, moved from, rebuilt or destroyed; sees updates.
   [[nodiscard]] View leaves() const noexcept;
+  /// The box around all bounds: the smallest around boxes, and around spheres within rounding. The empty box if there
+  /// are none. O(1). Throws NeedsRefit if needs_refit().
+  [[nodiscard]] Box box() const;
   /// order()[p] is the user's index of leaf p. Valid as leaves().
   [[nodiscard]] std::span<const Index> order() const noexcept;
 
@@ -80,6 +87,7 @@ class BoundsTree {
   void update(const View& all);
   void update(const Records& all);
   void update(std::span<const Bound> all);
+  void update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box>;
 
   /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw NeedsRefit
   /// until refit() is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for
@@ -88,6 +96,7 @@ class BoundsTree {
   void update(std::span<const Index> indices, const View& bounds);
   void update(std::span<const Index> indices, const Records& bounds);
   void update(std::span<const Index> indices, std::span<const Bound> bounds);
+  void update(std::span<const Index> indices, const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>;
 
   /// Fits the nodes to bounds updated since the last refit: those above them if they are few, else all in one pass.
   void refit();
@@ -110,10 +119,8 @@ class BoundsTree {
   /// fast. With other indices, a rebuild() may find another order.
   void renumber() noexcept;
 
-  /// The tree's own format.
-  [[nodiscard]] const kernel::TreeParts<Bound, Index>* parts() const noexcept { return parts_.get(); }
-
  private:
+  friend kernel::TreeAccess;
   std::unique_ptr<kernel::TreeParts<Bound, Index>> parts_;
 };
 

@@ -57,6 +57,11 @@ void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
                         counted(shafts, "shaft") + " need one each");
 }
 
+void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
+  throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; one bit for each of " +
+                        counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts)));
+}
+
 void refuse_shared_memory(const char* call, const char* one, const char* other) {
   throw InvalidArgument(std::string(call) + ": " + one + " and " + other +
                         " share memory; what is written needs memory of its own");

@@ -26,6 +26,7 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
+[[noreturn]] void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts);
 [[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
 [[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
 
@@ -86,6 +87,13 @@ void require_counts(const char* what, std::span<Count> counts, std::size_t shaft
   if (counts.size() != shafts) [[unlikely]]
     refuse_counts(what, counts.size(), shafts);
   require_memory(what, counts, "counts");
+}
+
+/// The span called `what` has exactly the words of one bit a shaft.
+inline void require_shaft_bits(const char* what, std::span<const std::uint64_t> words, std::size_t shafts) {
+  if (words.size() != words_for(shafts)) [[unlikely]]
+    refuse_shaft_bits(what, words.size(), shafts);
+  require_memory(what, words, "words");
 }
 
 /// What `call` writes, and what else it writes or reads, share no memory. `one` and `other` are their names.

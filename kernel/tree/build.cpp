@@ -109,6 +109,8 @@ template TreeParts<Sphere, std::uint64_t> rebuild(const TreeParts<Sphere, std::u
 
 template TreeParts<Box, std::uint32_t> build(const ViewSource<Box>& source);
 template TreeParts<Box, std::uint32_t> build(const RecordSource<Box>& source);
+template TreeParts<Box, std::uint32_t> build(const CentreExtentSource& source);
+template TreeParts<Box, std::uint64_t> build(const CentreExtentSource& source);
 template TreeParts<Sphere, std::uint32_t> build(const ViewSource<Sphere>& source);
 template TreeParts<Sphere, std::uint32_t> build(const RecordSource<Sphere>& source);
 template TreeParts<Box, std::uint64_t> build(const ViewSource<Box>& source);

@@ -47,6 +47,9 @@ class Chunk {
       for (std::size_t i = 0; i != count; ++i) put(i, placement(at(i).row));
       for (std::size_t i = 0; i != count; ++i) is_legal_ &= ReaderOf<Bound>::is_legal(at(i).row);
     }
+    if constexpr (!shows_faults_when_packed<Source>) {
+      is_legal_ = is_legal_ && first_illegal(source, first, first + count) == first + count;
+    }
   }
 
   [[nodiscard]] bool is_legal() const noexcept { return is_legal_; }
@@ -168,6 +171,8 @@ ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& wo
 
 template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box, std::uint32_t>& workshop);
 template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box, std::uint32_t>& workshop);
+template ClassBounds write_entries(const CentreExtentSource& source, const Workshop<Box, std::uint32_t>& workshop);
+template ClassBounds write_entries(const CentreExtentSource& source, const Workshop<Box, std::uint64_t>& workshop);
 template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere, std::uint32_t>& workshop);
 template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere, std::uint32_t>& workshop);
 template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box, std::uint64_t>& workshop);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "parallel/parallel.hpp"
 #include "support/index_range.hpp"
@@ -117,6 +118,36 @@ void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
 }
 
 template <class Bound>
+Box box_around(const TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  Box all{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  if (parts.levels == 0) return all;
+  // Boxes around the words of the highest level.
+  float box[6][top_words];
+  float* const out[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+  const std::size_t top = parts.levels - 1;
+  const std::size_t words = parts.level[top].words();
+  if (top == 0) {
+    const auto rows = parts.leaf_rows();
+    const float* in[rows_of<Bound>];
+    std::copy(rows.begin(), rows.end(), in);
+    kernels.unite(ViewOf<Bound>{})(in, words, out);
+  } else {
+    const auto rows = parts.node_rows(top);
+    const float* in[6];
+    std::copy(rows.begin(), rows.end(), in);
+    kernels.unite_boxes(in, words, out);
+  }
+  for (std::size_t w = 0; w != words; ++w) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      all.lo[k] = std::min(all.lo[k], box[k][w]);
+      all.hi[k] = std::max(all.hi[k], box[k + 3][w]);
+    }
+  }
+  return all;
+}
+
+template <class Bound>
 double surface(const TreeLevels<Bound>& parts) {
   if (parts.levels < 2) return 0;
   double sum = 0;
@@ -141,6 +172,8 @@ template void fit_all(TreeLevels<Box>& parts, const Kernels& kernels);
 template void fit_all(TreeLevels<Sphere>& parts, const Kernels& kernels);
 template void fit_dirty(TreeLevels<Box>& parts, const Kernels& kernels) noexcept;
 template void fit_dirty(TreeLevels<Sphere>& parts, const Kernels& kernels) noexcept;
+template Box box_around(const TreeLevels<Box>& parts, const Kernels& kernels) noexcept;
+template Box box_around(const TreeLevels<Sphere>& parts, const Kernels& kernels) noexcept;
 template double surface(const TreeLevels<Box>& parts);
 template double surface(const TreeLevels<Sphere>& parts);
 

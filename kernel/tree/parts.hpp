@@ -1,15 +1,18 @@
 /// What a bounds tree is made of: streams of leaves and of nodes, and nothing that points from one to the other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "kernels/table.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "tree/leaf_places.hpp"
 
 namespace shaftcull::kernel {
 
@@ -37,6 +40,28 @@ struct TreeLevel {
 template <class Bound>
 inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(ViewOf<Bound>::stream)>;
 
+/// Memory of streams that is copied with what it holds.
+class TreeStreams : public StreamMemory {
+ public:
+  using StreamMemory::StreamMemory;
+  TreeStreams() noexcept = default;
+  TreeStreams(StreamMemory&& memory) noexcept : StreamMemory(std::move(memory)) {}
+  TreeStreams(const TreeStreams& other) : StreamMemory(other.rows(), other.row_length()) {
+    std::copy_n(other.row(0), bytes() / sizeof(float), row(0));
+  }
+  TreeStreams(TreeStreams&& other) noexcept = default;
+  TreeStreams& operator=(TreeStreams other) noexcept {
+    StreamMemory::operator=(std::move(other));
+    return *this;
+  }
+  ~TreeStreams() = default;
+
+ private:
+  [[nodiscard]] std::size_t rows() const noexcept {
+    return row_length() == 0 ? 0 : bytes() / sizeof(float) / row_length();
+  }
+};
+
 /// Bounds in tree order and the nodes above them: all that a walk reads.
 template <class Bound>
 struct TreeLevels {
@@ -44,8 +69,8 @@ struct TreeLevels {
   std::array<TreeLevel, most_levels> level;
   std::size_t levels = 0;  ///< 0 for an empty tree
 
-  StreamMemory leaves;  ///< bounds in tree order; padding that is outside of everything
-  StreamMemory nodes;   ///< boxes of all levels above the leaves; padding is empty boxes
+  TreeStreams leaves;  ///< bounds in tree order; padding that is outside of everything
+  TreeStreams nodes;   ///< boxes of all levels above the leaves; padding is empty boxes
 
   /// Bit i of word first / 64 + i / 64 of a level: something below entry i is empty, or padding, so that it is outside
   /// even where the box of the entry is inside.
@@ -86,7 +111,7 @@ struct TreeLevels {
 template <class Bound, class Index>
 struct TreeParts : TreeLevels<Bound> {
   std::vector<Index> order;  ///< leaf → the user's index
-  std::vector<Index> place;  ///< the user's index → leaf; empty until somebody updates by index
+  LeafPlaces<Index> places;  ///< the user's index → leaf
 };
 
 /// Lays out the levels over `size` bounds and gets the memory for them; nothing is written but padding.
@@ -115,6 +140,10 @@ void fit_upper(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
 /// Fits the nodes above dirty words of leaves, and leaves none dirty. O(nodes fitted + size / 64²).
 template <class Bound>
 void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
+
+/// The box around all bounds; the empty box if there are none.
+template <class Bound>
+Box box_around(const TreeLevels<Bound>& parts, const Kernels& kernels) noexcept;
 
 /// Summed surface of the boxes of level 1; infinite ones are left out.
 template <class Bound>

@@ -12,7 +12,7 @@
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
-#include "tree/parts.hpp"
+#include "tree/access.hpp"
 #include "tree/visitors.hpp"
 #include "tree/walk.hpp"
 
@@ -25,7 +25,7 @@ class Query {
   Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Question question,
         const ExcludingOf<Index>& excluding)
       : shafts_(shafts),
-        parts_(tree.parts() == nullptr ? empty_ : *tree.parts()),
+        parts_(TreeAccess::parts(tree) == nullptr ? empty_ : *TreeAccess::parts(tree)),
         kernels_(active_kernels()),
         question_(question),
         own_(excluding.own),
@@ -34,7 +34,8 @@ class Query {
     if (parts_.dirty_words != 0) throw NeedsRefit("query of a tree whose bounds were updated; call refit() first");
     require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      require_answers(shafts[s], true, question == Question::kept_and_inside, std::is_same_v<Bound, Sphere>, s);
+      require_answers(shafts[s], question != Question::inside, question != Question::kept,
+                      std::is_same_v<Bound, Sphere>, s);
     }
     if (own_per_shaft_ * shafts.size() != own_.size()) {
       throw InvalidArgument("excluding.own has " + counted_indices(own_.size()) + ", which is not a multiple of the " +
@@ -48,6 +49,8 @@ class Query {
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
+  [[nodiscard]] std::size_t size() const noexcept { return parts_.size; }
+  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(parts_.size); }
   [[nodiscard]] LeafIndices<Index> indices() const noexcept {
     return {parts_.order, parts_.is_worth_fetching(), kernels_};
   }

@@ -70,12 +70,12 @@ class ViewSource {
   ViewOf<Bound> view_;
 };
 
-/// Records.
-template <class Bound>
+/// Records, as their reader reads them.
+template <class Bound, class Records = RecordsOf<Bound>, class Reader = ReaderOf<Bound>>
 class RecordSource {
  public:
   static constexpr std::size_t rows = rows_of<Bound>;
-  explicit RecordSource(const RecordsOf<Bound>& records)
+  explicit RecordSource(const Records& records)
       : reader_(records), start_(start_of(records)), stride_(records.stride) {}
 
   [[nodiscard]] std::size_t count() const noexcept { return reader_.count(); }
@@ -101,11 +101,20 @@ class RecordSource {
   static const char* start_of(const SphereRecords& records) noexcept {
     return static_cast<const char*>(records.centre);
   }
+  static const char* start_of(const CentreExtentRecords& records) noexcept {
+    return static_cast<const char*>(records.centre);
+  }
 
-  ReaderOf<Bound> reader_;
+  Reader reader_;
   const char* start_;
   std::size_t stride_;
 };
+using CentreExtentSource = RecordSource<Box, CentreExtentRecords, CentreExtentReader>;
+
+/// Whether a source's bound is legal if, and only if, it is legal as it is packed. A box with a small negative half
+/// extent is packed as a point.
+template <class Source>
+inline constexpr bool shows_faults_when_packed = !std::is_same_v<Source, CentreExtentSource>;
 
 /// Bounds that a task looks at.
 inline constexpr std::size_t source_block = 16384;

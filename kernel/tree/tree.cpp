@@ -33,28 +33,9 @@ std::unique_ptr<kernel::TreeParts<Bound, Index>> built_from(const Source& source
       [&] { return std::make_unique<kernel::TreeParts<Bound, Index>>(kernel::build<Bound, Index>(source)); });
 }
 
-StreamMemory copy_of(const StreamMemory& memory, std::size_t rows) {
-  StreamMemory copy(rows, memory.row_length());
-  for (std::size_t r = 0; r != rows; ++r) std::copy(memory.row(r), memory.row(r) + memory.row_length(), copy.row(r));
-  return copy;
-}
-
 template <class Bound, BoundIndex Index>
 std::unique_ptr<kernel::TreeParts<Bound, Index>> copy_of(const kernel::TreeParts<Bound, Index>* parts) {
-  if (parts == nullptr) return nullptr;
-  auto copy = std::make_unique<kernel::TreeParts<Bound, Index>>();
-  copy->size = parts->size;
-  copy->level = parts->level;
-  copy->levels = parts->levels;
-  copy->leaves = copy_of(parts->leaves, kernel::rows_of<Bound>);
-  copy->nodes = copy_of(parts->nodes, 6);
-  copy->gaps = parts->gaps;
-  copy->order = parts->order;
-  copy->place = parts->place;
-  copy->dirty = parts->dirty;
-  copy->dirty_words = parts->dirty_words;
-  copy->surface_when_built = parts->surface_when_built;
-  return copy;
+  return parts == nullptr ? nullptr : std::make_unique<kernel::TreeParts<Bound, Index>>(*parts);
 }
 
 /// Parts to update: those of an empty tree are made when needed.
@@ -84,6 +65,9 @@ BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound, BoundIndex Index>
+BoundsTree<Bound, Index>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>
+    : parts_(built_from<Bound, Index>(kernel::CentreExtentSource(few_enough<Index>(bounds)))) {}
+template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_.get())) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(const BoundsTree& other) {
@@ -101,7 +85,7 @@ std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
   return sizeof *parts_ + parts_->leaves.bytes() + parts_->nodes.bytes() +
          sizeof(std::uint64_t) * (parts_->gaps.capacity() + parts_->dirty.capacity()) +
-         sizeof(Index) * (parts_->order.capacity() + parts_->place.capacity());
+         sizeof(Index) * parts_->order.capacity() + parts_->places.bytes();
 }
 
 template <class Bound, BoundIndex Index>
@@ -111,6 +95,14 @@ auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
   for (std::size_t s = 0; s != kernel::rows_of<Bound>; ++s) view.stream[s] = parts_->leaves.row(s);
   view.count = parts_->size;
   return view;
+}
+
+template <class Bound, BoundIndex Index>
+Box BoundsTree<Bound, Index>::box() const {
+  static const kernel::TreeParts<Bound, Index> empty;
+  if (needs_refit()) throw NeedsRefit("box() of a tree whose bounds were updated; call refit() first");
+  return kernel::in_float_environment(
+      [&] { return kernel::box_around<Bound>(parts_ ? *parts_ : empty, kernel::active_kernels()); });
 }
 
 template <class Bound, BoundIndex Index>
@@ -133,6 +125,11 @@ void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
 }
 
 template <class Bound, BoundIndex Index>
+void BoundsTree<Bound, Index>::update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box> {
+  kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::CentreExtentSource(all)); });
+}
+
+template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const View& bounds) {
   kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::ViewSource<Bound>(bounds)); });
 }
@@ -143,6 +140,12 @@ void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const Reco
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<const Bound> bounds) {
   update(indices, records(bounds));
+}
+
+template <class Bound, BoundIndex Index>
+void BoundsTree<Bound, Index>::update(std::span<const Index> indices,
+                                      const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> {
+  kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::CentreExtentSource(bounds)); });
 }
 
 template <class Bound, BoundIndex Index>
@@ -183,7 +186,7 @@ template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::renumber() noexcept {
   if (!parts_) return;
   std::iota(parts_->order.begin(), parts_->order.end(), Index{0});
-  std::iota(parts_->place.begin(), parts_->place.end(), Index{0});
+  parts_->places.renumber();
 }
 
 template class BoundsTree<Box>;

@@ -29,13 +29,6 @@ void require_other_memory(const TreeLevels<Bound>& parts, const Source& source) 
   }
 }
 
-template <class Bound, class Index>
-void require_places(TreeParts<Bound, Index>& parts) {
-  if (!parts.place.empty() || parts.size == 0) return;
-  parts.place.resize(parts.size);
-  for (std::size_t p = 0; p != parts.size; ++p) parts.place[parts.order[p]] = static_cast<Index>(p);
-}
-
 }  // namespace
 
 template <class Bound, class Index, class Source>
@@ -61,12 +54,12 @@ void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices,
   require_other_memory(parts, source);
   require_legal<Bound>(source);
   if (indices.empty()) return;
-  require_places(parts);
+  const Index* const place = parts.places.of(parts.order);
   parts.dirty.resize(words_for(words_for(parts.size)));
   // Nothing from here on throws.
   const auto row = parts.leaf_rows();
   for (std::size_t i = 0; i != indices.size(); ++i) {
-    const std::size_t p = parts.place[indices[i]];
+    const std::size_t p = place[indices[i]];
     float bound[Source::rows];
     source.read(i, bound);
     for (std::size_t s = 0; s != Source::rows; ++s) row[s][p] = bound[s];
@@ -79,6 +72,8 @@ void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices,
 
 template void update_all(TreeParts<Box, std::uint32_t>& parts, const ViewSource<Box>& source);
 template void update_all(TreeParts<Box, std::uint32_t>& parts, const RecordSource<Box>& source);
+template void update_all(TreeParts<Box, std::uint32_t>& parts, const CentreExtentSource& source);
+template void update_all(TreeParts<Box, std::uint64_t>& parts, const CentreExtentSource& source);
 template void update_all(TreeParts<Sphere, std::uint32_t>& parts, const ViewSource<Sphere>& source);
 template void update_all(TreeParts<Sphere, std::uint32_t>& parts, const RecordSource<Sphere>& source);
 template void update_all(TreeParts<Box, std::uint64_t>& parts, const ViewSource<Box>& source);
@@ -89,6 +84,10 @@ template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const 
                           const ViewSource<Box>& source);
 template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
                           const RecordSource<Box>& source);
+template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
+                          const CentreExtentSource& source);
+template void update_some(TreeParts<Box, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
+                          const CentreExtentSource& source);
 template void update_some(TreeParts<Sphere, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
                           const ViewSource<Sphere>& source);
 template void update_some(TreeParts<Sphere, std::uint32_t>& parts, std::span<const std::uint32_t> indices,

@@ -1,4 +1,5 @@
-/// What becomes of the leaves that a walk finds: counts, lists of indices, lists of leaf ranges; and what is left out.
+/// What becomes of the leaves that a walk finds: bits, counts, lists of indices, lists of leaf ranges; and what is left
+/// out.
 #pragma once
 
 #include <bit>
@@ -92,6 +93,42 @@ class LeafRangeList {
   std::size_t end_ = 0;
 };
 
+/// Leaves as bits by the user's index, which are all zero at first.
+template <class Index>
+class IndexBits {
+ public:
+  IndexBits(const LeafIndices<Index>& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
+
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
+  void bits(std::size_t first, std::uint64_t bits) noexcept {
+    for (; bits != 0; bits &= bits - 1) set(first + static_cast<std::size_t>(std::countr_zero(bits)));
+  }
+  void range(std::size_t first, std::size_t size) noexcept {
+    for (std::size_t leaf = first; leaf != first + size; ++leaf) set(leaf);
+  }
+
+ private:
+  void set(std::size_t leaf) noexcept {
+    const Index index = indices_[leaf];
+    words_[index / 64] |= std::uint64_t{1} << index % 64;
+  }
+
+  LeafIndices<Index> indices_;
+  std::uint64_t* words_;
+};
+
+/// Visitor that sees whether anything is kept, and then ends the walk.
+class Finder {
+ public:
+  void expect(std::size_t /*first*/) const noexcept {}
+  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept { found_ |= kept != 0; }
+  void range(std::size_t /*first*/, std::size_t size) noexcept { found_ |= size != 0; }
+  [[nodiscard]] bool is_done() const noexcept { return found_; }
+
+ private:
+  bool found_ = false;
+};
+
 /// Visitor that counts what overlaps and what is inside.
 class ClassCounter {
  public:
@@ -135,6 +172,41 @@ class KeptLister {
   List kept_;
 };
 
+/// Visitor that lists what is inside.
+template <class List>
+class InsideLister {
+ public:
+  explicit InsideLister(const List& inside) noexcept : inside_(inside) {}
+
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { inside_.expect(first); }
+  void word(std::size_t first, std::uint64_t /*kept*/, std::uint64_t inside) { inside_.bits(first, inside); }
+  void range(std::size_t first, std::size_t size) { inside_.range(first, size); }
+
+ private:
+  List inside_;
+};
+
+/// Visitor that lists what is kept and, once more, what of that is inside.
+template <class List>
+class KeptAndInsideLister {
+ public:
+  KeptAndInsideLister(const List& kept, const List& inside) noexcept : kept_(kept), inside_(inside) {}
+
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { kept_.expect(first); }
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
+    kept_.bits(first, kept);
+    inside_.bits(first, inside);
+  }
+  void range(std::size_t first, std::size_t size) {
+    kept_.range(first, size);
+    inside_.range(first, size);
+  }
+
+ private:
+  List kept_;
+  List inside_;
+};
+
 /// Visitor that lists what overlaps and what is inside.
 template <class List>
 class ClassLister {
@@ -156,6 +228,8 @@ class ClassLister {
 /// Visitor in front of another that leaves bounds out.
 template <class Index, class Visitor>
 class Filter {
+  static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
+
  public:
   /// `own` and `mask` as in ExcludingOf, for one shaft.
   Filter(const LeafIndices<Index>& indices, std::span<const Index> own, std::span<const std::uint64_t> mask,
@@ -175,8 +249,12 @@ class Filter {
       } else if (left != 0) {
         visitor_.word(w, left, left);
       }
+      if constexpr (may_end_early) {
+        if (is_done()) return;
+      }
     }
   }
+  [[nodiscard]] bool is_done() const noexcept requires may_end_early { return visitor_.is_done(); }
 
  private:
   /// Bits of the word of leaves from `first` on that are left out, of those in `asked`.

@@ -19,13 +19,17 @@
 
 namespace shaftcull::kernel {
 
-/// What a walk is asked.
-enum class Question : std::uint8_t { kept, kept_and_inside };
+/// What a walk is asked. For Question::inside alone a visitor is told, all the same, what is kept.
+enum class Question : std::uint8_t { kept, kept_and_inside, inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
-///   visitor.expect(first): leaves first … first + 63 will be tested
-///   visitor.word(first, kept, inside): leaves first … first + 63, some of which are kept; inside is 0 for
-///   Question::kept visitor.range(first, size): leaves that are all inside, whole words
+///
+///     visitor.expect(first)              leaves first … first + 63 will be tested
+///     visitor.word(first, kept, inside)  leaves first … first + 63, some of which are kept; inside is 0 for
+///                                        Question::kept
+///     visitor.range(first, size)         leaves that are all inside, whole words
+///
+/// A visitor may also have visitor.is_done(), which says that it has seen enough: the walk ends there.
 template <class Bound, class Visitor>
 class Walk {
  public:
@@ -38,7 +42,7 @@ class Walk {
         question_(question),
         visitor_(visitor),
         shaft_(&shaft) {
-    const bool needs_planes = question == Question::kept_and_inside ||
+    const bool needs_planes = question != Question::kept ||
                               (std::is_same_v<Bound, Sphere> && shaft.slab_form != CompiledShaft::SlabForm::fused);
     if (needs_planes && !shaft.has_planes()) {
       completed_ = shaft;
@@ -60,8 +64,11 @@ class Walk {
   }
 
  private:
-  /// Words tested at once: of leaves they fill the first-level cache and not much of the second.
-  static constexpr std::size_t batch = 32;
+  static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
+
+  /// Words tested at once: of leaves they fill the first-level cache and not much of the second. A walk that may end
+  /// early tests few: those tested in vain cost more than a call of the kernel for each.
+  static constexpr std::size_t batch = may_end_early ? 4 : 32;
 
   /// For Question::kept a range only saves time, so only nodes with many kept children are tested for inside.
   static constexpr unsigned many_kept = 48;
@@ -76,6 +83,11 @@ class Walk {
     } else {
       for (const float* const row : parts_.node_rows(k, first)) fetch_to_second_level(row, fanout);
     }
+  }
+
+  [[nodiscard]] bool is_done() const noexcept {
+    if constexpr (may_end_early) return visitor_.is_done();
+    return false;
   }
 
   void visit(std::size_t k, const std::uint32_t* word, std::size_t words) {
@@ -101,11 +113,14 @@ class Walk {
           if (belows < batch) continue;
           visit(k - 1, below, belows);
           belows = 0;
+          if (is_done()) return;
         } else {
           visit(k - 1, below, belows);
           belows = 0;
+          if (is_done()) return;
           const std::size_t leaves = std::size_t{1} << 6 * k;
           visitor_.range(entry * leaves, leaves);
+          if (is_done()) return;
         }
       }
     }
@@ -115,10 +130,12 @@ class Walk {
   void visit_leaves(const std::uint32_t* word, std::size_t words) {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
-    const bool both = question_ == Question::kept_and_inside;
+    const bool both = question_ != Question::kept;
     test_leaves_(*shaft_, leaf_, word, words, kept, both ? inside : nullptr, 1);
     for (std::size_t i = 0; i != words; ++i) {
-      if (kept[i] != 0) visitor_.word(std::size_t{word[i]} * fanout, kept[i], both ? inside[i] : 0);
+      if (kept[i] == 0) continue;
+      visitor_.word(std::size_t{word[i]} * fanout, kept[i], both ? inside[i] : 0);
+      if (is_done()) return;
     }
   }
 

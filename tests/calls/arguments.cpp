@@ -51,7 +51,7 @@ class Arguments : public testing::Test {
     ask([&] { list_many(shafts_, view, lists); });
     ask([&] { cull_tiles(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
     ask([&] { classify_tiles(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
-    ask([&] { refine(shafts_[0], view, std::span<const std::uint32_t>(candidates), kept); });
+    ask([&] { static_cast<void>(refine(shafts_[0], view, std::span<const std::uint32_t>(candidates), kept)); });
     ask([&] { refine_many(shafts_, view, candidates, lists); });
     ask([&] { BoundsTree<Bound>{view}; });
     ask([&] { tree.update(view); });
@@ -121,6 +121,15 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, null_rows); }),
               HasSubstr("inside_rows is null"));
   EXPECT_THAT(message_of([&] { count_many(shafts_, boxes_.view(), null_counts); }), HasSubstr("kept_counts is null"));
+  const BoxTree tree(boxes_.view());
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], tree, null_row); }), HasSubstr("kept is null"));
+  EXPECT_THAT(message_of([&] { classify(shafts_[0], tree, row, null_row); }), HasSubstr("inside is null"));
+  EXPECT_THAT(message_of([&] { contained(shafts_[0], tree, null_row); }), HasSubstr("inside is null"));
+  EXPECT_THAT(message_of([&] { cull_many(shafts_, tree, null_rows); }), HasSubstr("kept_rows is null"));
+  EXPECT_THAT(message_of([&] { classify_many(shafts_, tree, kept_, null_rows); }), HasSubstr("inside_rows is null"));
+  EXPECT_THAT(message_of([&] { contained_many(shafts_, tree, null_rows); }), HasSubstr("inside_rows is null"));
+  EXPECT_THAT(message_of([&] { count_many(shafts_, tree, null_counts); }), HasSubstr("kept_counts is null"));
+  EXPECT_THAT(message_of([&] { any_many(shafts_, tree, null_row.first(1)); }), HasSubstr("any is null"));
   EXPECT_EQ(kept_, untouched_);
   const std::span<CompiledShaft> null_shafts(static_cast<CompiledShaft*>(nullptr), count);
   EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes_.view(), null_shafts); }), HasSubstr("out is null"));
@@ -135,8 +144,14 @@ TEST_F(Arguments, NullInputsAreRefused) {
   EXPECT_THAT(message_of([&] { count_many(null_shafts, tree, counts); }), HasSubstr("shafts is null"));
   const std::span<const std::uint32_t> null_candidates(static_cast<const std::uint32_t*>(nullptr), 3);
   std::vector<std::uint32_t> kept(3);
-  EXPECT_THAT(message_of([&] { refine(shafts_[0], boxes_.view(), null_candidates, kept); }),
+  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shafts_[0], boxes_.view(), null_candidates, kept)); }),
               HasSubstr("candidates is null"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shafts_[0], tree, null_candidates, kept)); }),
+              HasSubstr("candidates is null"));
+  EXPECT_THAT(message_of([&] {
+                BoxTree{CentreExtentRecords{nullptr, nullptr, sizeof(Box), 5}};
+              }),
+              AllOf(HasSubstr("CentreExtentRecords::centre is null"), HasSubstr("5 records")));
   EXPECT_THAT(message_of([&] { BoxStream{std::span<const Box>(static_cast<const Box*>(nullptr), 5)}; }),
               AllOf(HasSubstr("MinMaxRecords::lo is null"), HasSubstr("5 records")));
   EXPECT_THAT(message_of([&] { SphereStream{std::span<const Sphere>(static_cast<const Sphere*>(nullptr), 5)}; }),

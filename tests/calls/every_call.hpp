@@ -162,9 +162,12 @@ class EveryCall {
     for (int i = 0; i != 70; ++i) {
       for (const float x : {0.1F, 0.3F, 1e-40F, 0.7F, 1e-30F, 3.3F}) centres_.push_back(x * static_cast<float>(i));
     }
-    add("BoxStream of centres", false, [this](AnswerWords& words) {
+    add("BoxStream and BoxTree of centres", false, [this](AnswerWords& words) {
       const BoxStream stream(CentreExtentRecords{centres_.data(), centres_.data() + 3, 6 * sizeof(float), 70});
       for (std::size_t i = 0; i != stream.size(); ++i) note(words, stream[i]);
+      BoxTree tree(CentreExtentRecords{centres_.data(), centres_.data() + 3, 6 * sizeof(float), 70});
+      tree.update(CentreExtentRecords{centres_.data(), centres_.data() + 3, 6 * sizeof(float), 70});
+      for (std::size_t i = 0; i != tree.size(); ++i) note(words, tree.leaves()[i]);
     });
     add("SphereStream", false, [this](AnswerWords& words) {
       SphereStream stream(spheres_);
@@ -283,6 +286,46 @@ class EveryCall {
       moved.rebuild();
       moved.renumber();
       note_tree(words, moved);
+    });
+    add("box of a tree" + of, false, [=, &tree](AnswerWords& words) { note(words, tree.box()); });
+    add("cull, contained, classify of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint64_t> kept(words_for(tree.size()));
+      std::vector<std::uint64_t> inside(kept.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        cull(shaft, tree, kept, {.own = candidates_});
+        contained(shaft, tree, inside);
+        note(words, kept);
+        note(words, inside);
+        classify(shaft, tree, kept, inside);
+        note(words, kept);
+        note(words, inside);
+      }
+    });
+    add("cull_many, contained_many, classify_many of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint64_t> kept(shafts_.size() * words_for(tree.size()));
+      std::vector<std::uint64_t> inside(kept.size());
+      cull_many(shafts_, tree, kept);
+      contained_many(shafts_, tree, inside);
+      note(words, kept);
+      note(words, inside);
+      classify_many(shafts_, tree, kept, inside);
+      note(words, kept);
+      note(words, inside);
+    });
+    add("any, any_many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      for (const CompiledShaft& shaft : shafts_) note(words, any(shaft, tree));
+      std::vector<std::uint64_t> found(words_for(shafts_.size()));
+      any_many(shafts_, tree, found);
+      note(words, found);
+    });
+    add("refine, refine_many of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint32_t> kept(candidates_.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, std::span(kept).first(refine(shaft, tree, candidates_, kept)));
+      }
+      IndexLists lists;
+      refine_many(shafts_, BoundsTree<Bound>(tree), candidates_, lists);  // looks up the leaves of indices
+      note(words, lists.indices);
     });
     add("count in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
       for (const CompiledShaft& shaft : shafts_) note(words, count(shaft, tree, {.own = candidates_}));

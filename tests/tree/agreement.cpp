@@ -21,6 +21,20 @@ void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector
   const FlatAnswers flat(shaft, bounds);
   const Indices kept = flat.kept();
   EXPECT_EQ(count(shaft, tree), kept.size());
+  EXPECT_EQ(any(shaft, tree), !kept.empty());
+
+  // All words are written, whatever they were before.
+  const std::vector<std::uint64_t> kept_bits = bits_of(kept, bounds.size());
+  const std::vector<std::uint64_t> inside_bits = bits_of(flat.inside, bounds.size());
+  std::vector<std::uint64_t> some(kept_bits.size(), 0x5555);
+  std::vector<std::uint64_t> others(kept_bits.size(), 0x5555);
+  cull(shaft, tree, some);
+  EXPECT_EQ(some, kept_bits);
+  contained(shaft, tree, others);
+  EXPECT_EQ(others, inside_bits);
+  classify(shaft, tree, others, some);
+  EXPECT_EQ(others, kept_bits);
+  EXPECT_EQ(some, inside_bits);
 
   std::vector<Index> indices(bounds.size());
   indices.resize(list(shaft, tree, std::span(indices)));
@@ -64,6 +78,29 @@ void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std
                   << (sizeof(Index) == 8 ? ", std::uint64_t" : "") << ">(" << seed << ", shape " << text(shape) << ", "
                   << count << ", " << shaft_count << ')';
     return;
+  }
+}
+
+/// Shafts formed for inside alone answer what those formed for everything say of inside.
+template <class Bound>
+void expect_contained_as_flat(std::uint64_t seed, Shape shape) {
+  Random random(seed);
+  const std::vector<Bound> bounds = scene<Bound>(random, shape, 700);
+  const BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
+  for (const int size : {1, 3, 6}) {
+    const auto extent = static_cast<float>(size);
+    const Box a = random.box(-4, 4, extent, extent);
+    const Box b = random.box(-4, 4, extent, extent);
+    std::vector<std::uint64_t> inside(words_for(bounds.size()), 0x5555);
+    contained(compile(Shaft(a, b, {.outside = false})), tree, inside);
+    EXPECT_EQ(inside, bits_of(FlatAnswers(compile(Shaft(a, b)), bounds).inside, bounds.size())) << text(shape);
+  }
+}
+
+TEST(TreeAgreement, HoldsForShaftsFormedForInsideAlone) {
+  for (const Shape shape : shapes) {
+    expect_contained_as_flat<Box>(600, shape);
+    expect_contained_as_flat<Sphere>(601, shape);
   }
 }
 

@@ -164,6 +164,42 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
               HasSubstr("counts has room for 1 count; 2 shafts"));
 }
 
+TEST(TreeErrors, BitsMustFit) {
+  const BoxTree tree{std::span<const Box>(boxes(100))};
+  const std::vector<CompiledShaft> shafts(2, shaft());
+  const std::vector<std::uint64_t> untouched(4, 7);
+  std::vector<std::uint64_t> words = untouched;
+  const std::span<std::uint64_t> all(words);
+  EXPECT_THAT(message_of([&] { cull(shaft(), tree, all.first(1)); }),
+              HasSubstr("kept has 1 word; the answers of 100 bounds take 2"));
+  EXPECT_THAT(message_of([&] { classify(shaft(), tree, all.first(2), all.first(3)); }),
+              HasSubstr("inside has 3 words; the answers of 100 bounds take 2"));
+  EXPECT_THAT(message_of([&] { classify(shaft(), tree, all.first(2), all.subspan(1, 2)); }),
+              HasSubstr("classify: kept and inside share memory"));
+  EXPECT_THAT(message_of([&] { contained(shaft(), tree, all.first(1)); }), HasSubstr("inside has 1 word"));
+  EXPECT_THAT(message_of([&] { cull_many(shafts, tree, all.first(3)); }), HasSubstr("kept_rows has 3 words"));
+  EXPECT_THAT(message_of([&] { classify_many(shafts, tree, all, all); }),
+              HasSubstr("classify_many: kept_rows and inside_rows share memory"));
+  EXPECT_THAT(message_of([&] { contained_many(shafts, tree, all.first(3)); }), HasSubstr("inside_rows has 3 words"));
+  EXPECT_THAT(message_of([&] { any_many(shafts, tree, all.first(2)); }),
+              HasSubstr("any has 2 words; one bit for each of 2 shafts takes 1"));
+  EXPECT_THAT(message_of([&] { cull(shaft(), tree, all.first(2), {.mask = all.subspan(1, 2)}); }),
+              HasSubstr("cull: kept and excluding.mask share memory"));
+  EXPECT_THAT(message_of([&] { any_many(shafts, tree, all.first(1), {.mask = all.first(2)}); }),
+              HasSubstr("any_many: any and excluding.mask share memory"));
+  const CompiledShaft no_outside = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.outside = false}));
+  EXPECT_THAT(message_of([&] { cull(no_outside, tree, all.first(2)); }), HasSubstr("formed without outside"));
+  EXPECT_EQ(words, untouched);
+}
+
+TEST(TreeErrors, NoOutputsAreUnambiguous) {
+  cull(shaft(), BoxTree(), {});
+  classify(shaft(), BoxTree(), {}, {});
+  contained(shaft(), BoxTree(), {});
+  cull_many({}, BoxTree(), {});
+  any_many({}, BoxTree(), {});
+}
+
 TEST(TreeErrors, AnEmptyCallbackIsRefused) {
   const BoxTree tree{std::span<const Box>(boxes(100))};
   const std::function<void(const KeptRanges&)> empty;
@@ -176,15 +212,20 @@ TEST(TreeErrors, CandidatesMustExistAndFit) {
   const auto memory = columns(boxes(100));
   std::vector<std::uint32_t> candidates = {4, 99, 100};
   std::vector<std::uint32_t> kept(3);
-  EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("candidates[2] = 100"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shaft(), memory.view(), candidates, kept)); }),
+              HasSubstr("candidates[2] = 100"));
   IndexLists lists;
   EXPECT_THAT(message_of([&] {
                 refine_many({&shaft(), 1}, memory.view(), candidates, lists);
               }),
               HasSubstr("candidates[2] = 100"));
-  candidates.pop_back();
-  kept.resize(1);
-  EXPECT_THAT(message_of([&] { refine(shaft(), memory.view(), candidates, kept); }), HasSubstr("room for 1 index; "));
+  const BoxTree tree(memory.view());
+  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shaft(), tree, candidates, kept)); }),
+              HasSubstr("candidates[2] = 100"));
+  EXPECT_THAT(message_of([&] {
+                refine_many({&shaft(), 1}, tree, candidates, lists);
+              }),
+              HasSubstr("candidates[2] = 100"));
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 #include "parallel/parallel.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
+#include "tree/access.hpp"
 #include "tree/flat.hpp"
 #include "tree/kinds.hpp"
-#include "tree/parts.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull {
@@ -93,7 +93,7 @@ TYPED_TEST(TreeExceptions, AnUpdateThatDidNotEndAsksForARefit) {
     std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, count);
     const std::vector<Bound> news = scene<Bound>(random, Shape::uniform, count);
     TypeParam tree{std::span<const Bound>(bounds)};
-    auto& parts = const_cast<std::remove_const_t<std::remove_pointer_t<decltype(tree.parts())>>&>(*tree.parts());
+    auto& parts = *kernel::TreeAccess::parts(tree);
     parts.mark_all_dirty();
     const auto row = parts.leaf_rows();
     for (std::size_t p = 0; p < count; p += 3) {

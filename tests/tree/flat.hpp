@@ -39,6 +39,13 @@ struct FlatAnswers {
   }
 };
 
+/// The bits of ascending indices of `bounds` bounds.
+inline std::vector<std::uint64_t> bits_of(const Indices& indices, std::size_t bounds) {
+  std::vector<std::uint64_t> bits(words_for(bounds));
+  for (const std::uint32_t index : indices) bits[index / 64] |= std::uint64_t{1} << index % 64;
+  return bits;
+}
+
 /// An index of 32 or 64 bits as one of 32; throws if it is not.
 template <class Index>
 std::uint32_t narrow(Index index) {

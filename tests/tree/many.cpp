@@ -73,6 +73,42 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
   }
 }
 
+TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
+  const std::size_t row = words_for(this->bounds_.size());
+  // More than a word of shafts for any_many(), the last of which keep nothing.
+  std::vector<CompiledShaft> shafts = this->shafts_;
+  while (shafts.size() != 130) shafts.push_back(compile(Shaft({{90, 0, 0}, {91, 1, 1}}, {{99, 0, 0}, {99, 1, 1}})));
+  std::vector<std::uint64_t> expected_any(3);
+  for (std::size_t s = 0; s != shafts.size(); ++s) {
+    expected_any[s / 64] |= std::uint64_t{count(shafts[s], this->tree_) != 0} << s % 64;
+  }
+  for (const int threads : thread_counts) {
+    with_threads(threads, [&] {
+      std::vector<std::uint64_t> kept(shafts.size() * row, 99);
+      std::vector<std::uint64_t> both(kept.size(), 99);
+      std::vector<std::uint64_t> inside(kept.size(), 99);
+      std::vector<std::uint64_t> contained_alone(kept.size(), 99);
+      std::vector<std::uint64_t> found(3, 99);
+      cull_many(shafts, this->tree_, kept);
+      classify_many(shafts, this->tree_, both, inside);
+      contained_many(shafts, this->tree_, contained_alone);
+      any_many(shafts, this->tree_, found);
+      EXPECT_EQ(found, expected_any);
+      EXPECT_EQ(kept == both, true);
+      EXPECT_EQ(inside == contained_alone, true);
+      for (std::size_t s = 0; s != shafts.size(); ++s) {
+        const FlatAnswers flat(shafts[s], this->bounds_);
+        const auto row_of = [&](const std::vector<std::uint64_t>& rows) {
+          return std::vector<std::uint64_t>(rows.begin() + static_cast<std::ptrdiff_t>(s * row),
+                                            rows.begin() + static_cast<std::ptrdiff_t>((s + 1) * row));
+        };
+        ASSERT_EQ(row_of(kept), bits_of(flat.kept(), this->bounds_.size())) << "shaft " << s;
+        ASSERT_EQ(row_of(inside), bits_of(flat.inside, this->bounds_.size())) << "shaft " << s;
+      }
+    });
+  }
+}
+
 TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRangesOfEachShaft) {
   using Index = IndexOf<TypeParam>;
   LeafRangeListsOf<Index> kept;
@@ -145,6 +181,12 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
       count_many(this->shafts_, this->tree_, counts, excluding);
       std::vector<KeptCounts> classified(this->shafts_.size());
       count_classified_many(this->shafts_, this->tree_, classified, excluding);
+      const std::size_t row = words_for(this->bounds_.size());
+      std::vector<std::uint64_t> kept_bits(this->shafts_.size() * row);
+      std::vector<std::uint64_t> inside_bits(kept_bits.size());
+      std::vector<std::uint64_t> found(1);
+      classify_many(this->shafts_, this->tree_, kept_bits, inside_bits, excluding);
+      any_many(this->shafts_, this->tree_, found, excluding);
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         FlatAnswers flat(this->shafts_[s], this->bounds_);
         const std::span<const Index> own_of_shaft = std::span(own).subspan(3 * s, 3);
@@ -161,6 +203,13 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
         EXPECT_TRUE(are_maximal(ranges[s]));
         EXPECT_EQ(counts[s], flat.kept().size());
         EXPECT_EQ(classified[s], (KeptCounts{flat.overlap.size(), flat.inside.size()}));
+        const auto first = static_cast<std::ptrdiff_t>(s * row);
+        const auto end = first + static_cast<std::ptrdiff_t>(row);
+        EXPECT_EQ(std::vector(kept_bits.begin() + first, kept_bits.begin() + end),
+                  bits_of(flat.kept(), this->bounds_.size()));
+        EXPECT_EQ(std::vector(inside_bits.begin() + first, inside_bits.begin() + end),
+                  bits_of(flat.inside, this->bounds_.size()));
+        EXPECT_EQ((found[0] >> s & 1) != 0, !flat.kept().empty());
       }
     }
   }

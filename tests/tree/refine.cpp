@@ -8,6 +8,7 @@
 #include "shaftcull/query.hpp"
 #include "shaftcull/refine.hpp"
 #include "tree/flat.hpp"
+#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 
 namespace shaftcull {
@@ -81,11 +82,71 @@ TYPED_TEST(Refine, CandidatesKeepTheirOrderAndMayRepeat) {
   EXPECT_EQ(kept, candidates);
 }
 
+template <class Tree>
+class TreeRefine : public testing::Test {};
+TYPED_TEST_SUITE(TreeRefine, TreeKinds);
+
+TYPED_TEST(TreeRefine, CandidatesAreTheUsersIndicesWhateverTheOrderOfTheTree) {
+  using Bound = BoundOf<TypeParam>;
+  using Index = IndexOf<TypeParam>;
+  Random random(93);
+  std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
+  TypeParam tree{std::span<const Bound>(bounds)};
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 9);
+  std::vector<Index> candidates;
+  for (int i = 0; i != 3000; ++i) candidates.push_back(random.below(5000));  // in no order, some twice
+  const auto expect_flat_answers = [&](const char* when) {
+    const auto memory = columns(bounds);
+    IndexListsOf<Index> lists;
+    refine_many(shafts, tree, candidates, lists);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      std::vector<Index> right(candidates.size());
+      right.resize(refine(shafts[s], memory.view(), candidates, right));
+      std::vector<Index> kept(candidates.size());
+      kept.resize(refine(shafts[s], tree, candidates, kept));
+      EXPECT_EQ(kept, right) << when;
+      std::vector<Index> in_place = candidates;
+      in_place.resize(refine(shafts[s], tree, in_place, in_place));
+      EXPECT_EQ(in_place, right) << when;
+      EXPECT_EQ(std::vector<Index>(lists[s].begin(), lists[s].end()), right) << when;
+    }
+  };
+  expect_flat_answers("as built");
+  const std::vector<Index> moved = {4999, 0, 2500};
+  const std::vector<Bound> values = scene<Bound>(random, Shape::clustered, moved.size());
+  tree.update(moved, std::span<const Bound>(values));
+  for (std::size_t i = 0; i != moved.size(); ++i) bounds[moved[i]] = values[i];
+  EXPECT_THROW(static_cast<void>(refine(shafts[0], tree, candidates, candidates)), NeedsRefit);
+  tree.refit();
+  expect_flat_answers("updated by index");
+  tree.rebuild();
+  expect_flat_answers("rebuilt");
+}
+
+TYPED_TEST(Refine, WhatDoesNotFitIsCountedAndNotWritten) {
+  Random random(94);
+  const auto bounds = scene<TypeParam>(random, Shape::uniform, 100);
+  const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  const Indices candidates = {70, 3, 99, 0};
+  const auto memory = columns(bounds);
+  for (std::size_t room = 0; room != 4; ++room) {
+    Indices kept(5, 12345);
+    Indices right(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(room));
+    right.resize(5, 12345);
+    EXPECT_EQ(refine(everything, memory.view(), candidates, std::span(kept).first(room)), 4U);
+    EXPECT_EQ(kept, right);
+    EXPECT_EQ(refine(everything, tree, candidates, std::span(kept).first(room)), 4U);
+    EXPECT_EQ(kept, right);
+  }
+}
+
 TYPED_TEST(Refine, NoCandidatesGiveNothing) {
   const auto bounds = std::vector<TypeParam>();
   const CompiledShaft shaft = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
   Indices none;
   EXPECT_EQ(refine(shaft, columns(bounds).view(), none, none), 0U);
+  EXPECT_EQ(refine(shaft, BoundsTree<TypeParam>(), none, none), 0U);
   IndexLists lists;
   refine_many({&shaft, 1}, columns(bounds).view(), none, lists);
   EXPECT_TRUE(lists[0].empty());

@@ -1,0 +1,238 @@
+#include "shaftcull/refine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+#include <tuple>
+
+#include "dispatch/active_kernels.hpp"
+#include "kernels/table.hpp"
+
+#include "parallel/parallel.hpp"
+#include "shaftcull/error.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
+#include "support/index_range.hpp"
+#include "support/list_memory.hpp"
+#include "support/prefetch.hpp"
+#include "tree/access.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+template <class View>
+inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>;
+
+/// Candidates ahead of the one collected whose bounds are fetched, and for trees those whose leaves are looked up.
+constexpr std::size_t fetched_bounds = 16;
+constexpr std::size_t fetched_places = 32;
+
+/// Where candidates are in a view: at themselves.
+struct InView {
+  template <class Index>
+  [[nodiscard]] Index operator()(Index candidate) const noexcept {
+    return candidate;
+  }
+  template <class Index>
+  void fetch(Index /*candidate*/) const noexcept {}
+};
+
+/// Where candidates are among the leaves of a tree.
+template <class Index>
+struct InTree {
+  const Index* place;
+
+  [[nodiscard]] Index operator()(Index candidate) const noexcept { return place[candidate]; }
+  [[gnu::always_inline]] void fetch(Index candidate) const noexcept {
+    kernel::fetch_to_second_level(place + candidate, 1);
+  }
+};
+
+/// Copies the bounds of candidates [first, first + size) side by side.
+template <class View, class Index, class Position>
+void collect(const View& view, std::span<const Index> candidates, const Position& position, std::size_t first,
+             std::size_t size, const std::array<float*, rows_of<View>>& row) noexcept {
+  for (std::size_t i = 0; i != size; ++i) {
+    if (first + i + fetched_places < candidates.size()) position.fetch(candidates[first + i + fetched_places]);
+    if (first + i + fetched_bounds < candidates.size()) {
+      const std::size_t soon = position(candidates[first + i + fetched_bounds]);
+      for (const float* stream : view.stream) kernel::fetch_to_second_level(stream + soon, 1);
+    }
+    const std::size_t at = position(candidates[first + i]);
+    for (std::size_t s = 0; s != row.size(); ++s) row[s][i] = view.stream[s][at];
+  }
+}
+
+/// Checks what is asked of one shaft, but for the view or tree.
+template <class Index>
+void require_refinable(const CompiledShaft& shaft, bool spheres, std::size_t count, std::span<const Index> candidates,
+                       std::span<const Index> kept) {
+  kernel::require_answers(shaft, true, false, spheres, 0);
+  kernel::require_below("candidates", candidates, count);
+  kernel::require_memory("kept", kept, "indices");
+  if (kept.data() != candidates.data()) {  // the same beginning is fine: see below
+    kernel::require_apart("refine", "kept", kernel::bytes_of(kept.first(std::min(kept.size(), candidates.size()))),
+                          "candidates", kernel::bytes_of(candidates));
+  }
+}
+
+template <class View, class Index, class Position>
+std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
+                        const Position& position, std::span<Index> kept) {
+  kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);  // for all blocks
+  CompiledShaft ready = shaft;                                                    // planes once, not block by block
+  if constexpr (std::is_same_v<View, SphereView>) complete(ready);
+  const kernel::FloatEnvironment environment;
+  constexpr std::size_t block = 1024;
+  float memory[rows_of<View>][block];
+  std::array<float*, rows_of<View>> row;
+  for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory[s];
+  View some;
+  for (std::size_t s = 0; s != row.size(); ++s) some.stream[s] = memory[s];
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < candidates.size(); first += block) {
+    some.count = std::min(block, candidates.size() - first);
+    collect(view, candidates, position, first, some.count, row);
+    std::uint64_t bits[block / 64];
+    test(ready, some.stream.data(), some.count, bits, nullptr);
+    for (std::size_t w = 0; w != words_for(some.count); ++w) {
+      for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
+        // Never ahead of what is read, so `kept` may be the candidates' own memory.
+        const Index candidate = candidates[first + w * 64 + static_cast<std::size_t>(std::countr_zero(left))];
+        if (count < kept.size()) kept[count] = candidate;
+        ++count;
+      }
+    }
+  }
+  return count;
+}
+
+template <class Index>
+void require_apart(std::span<const Index> candidates, const IndexListsOf<Index>& lists) {
+  const auto bytes = kernel::bytes_of(candidates);
+  kernel::require_apart("refine_many", "lists", kernel::bytes_of(lists.indices), "candidates", bytes);
+  kernel::require_apart("refine_many", "lists", kernel::bytes_of(lists.offsets), "candidates", bytes);
+}
+
+template <class View, class Index, class Position>
+void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
+                  const Position& position, IndexListsOf<Index>& lists) {
+  const StreamMemory memory(rows_of<View>, words_for(candidates.size()) * 64);
+  View packed;
+  packed.count = candidates.size();
+  for (std::size_t s = 0; s != rows_of<View>; ++s) packed.stream[s] = memory.row(s);
+  constexpr std::size_t block = 16384;
+  kernel::parallel_for(kernel::chunk_count(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
+    const kernel::IndexRange task = kernel::chunk_at(candidates.size(), block, b);
+    std::array<float*, rows_of<View>> row;
+    for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory.row(s) + task.first;
+    collect(view, candidates, position, task.first, task.size, row);
+  });
+  list_many(shafts, packed, lists);
+  kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
+  kernel::parallel_for(kernel::chunk_count(lists.indices.size(), block), 1, [&](std::size_t b, std::size_t) {
+    const kernel::IndexRange task = kernel::chunk_at(lists.indices.size(), block, b);
+    for (std::size_t i = task.first; i != task.end(); ++i) lists.indices[i] = candidates[lists.indices[i]];
+  });
+  in_progress.complete();
+}
+
+template <class View, class Index>
+std::size_t refine_view(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
+                        std::span<Index> kept) {
+  kernel::require_view(view);
+  require_refinable<Index>(shaft, std::is_same_v<View, SphereView>, view.count, candidates, kept);
+  return refine_list(shaft, view, candidates, InView(), kept);
+}
+
+template <class View, class Index>
+void refine_view_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
+                       IndexListsOf<Index>& lists) {
+  kernel::require_view(view);
+  kernel::require_below("candidates", candidates, view.count);
+  require_apart(candidates, lists);
+  refine_lists(shafts, view, candidates, InView(), lists);
+}
+
+/// Where the bounds of a tree are, which must not need a refit: nobody may ask for its bounds then, as with all
+/// queries.
+template <class Bound, class Index>
+InTree<Index> places_of(const BoundsTree<Bound, Index>& tree) {
+  const kernel::TreeParts<Bound, Index>* const parts = kernel::TreeAccess::parts(tree);
+  return {parts == nullptr ? nullptr : parts->places.of(parts->order)};
+}
+
+template <class Bound, class Index>
+void require_refitted(const BoundsTree<Bound, Index>& tree) {
+  if (tree.needs_refit()) throw NeedsRefit("refine of a tree whose bounds were updated; call refit() first");
+}
+
+}  // namespace
+
+std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> candidates,
+                   std::span<std::uint32_t> kept) {
+  return refine_view(shaft, boxes, candidates, kept);
+}
+std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> candidates,
+                   std::span<std::uint64_t> kept) {
+  return refine_view(shaft, boxes, candidates, kept);
+}
+std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
+                   std::span<std::uint32_t> kept) {
+  return refine_view(shaft, spheres, candidates, kept);
+}
+std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> candidates,
+                   std::span<std::uint64_t> kept) {
+  return refine_view(shaft, spheres, candidates, kept);
+}
+
+template <BoundIndex Index>
+void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
+  refine_view_lists(shafts, boxes, candidates, lists);
+}
+template <BoundIndex Index>
+void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
+  refine_view_lists(shafts, spheres, candidates, lists);
+}
+
+template void refine_many(std::span<const CompiledShaft>, const BoxView&, std::span<const std::uint32_t>,
+                          IndexListsOf<std::uint32_t>&);
+template void refine_many(std::span<const CompiledShaft>, const BoxView&, std::span<const std::uint64_t>,
+                          IndexListsOf<std::uint64_t>&);
+template void refine_many(std::span<const CompiledShaft>, const SphereView&, std::span<const std::uint32_t>,
+                          IndexListsOf<std::uint32_t>&);
+template void refine_many(std::span<const CompiledShaft>, const SphereView&, std::span<const std::uint64_t>,
+                          IndexListsOf<std::uint64_t>&);
+
+template <class Bound, BoundIndex Index>
+std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                   std::type_identity_t<std::span<const Index>> candidates,
+                   std::type_identity_t<std::span<Index>> kept) {
+  require_refitted(tree);
+  require_refinable<Index>(shaft, std::is_same_v<Bound, Sphere>, tree.size(), candidates, kept);
+  return refine_list(shaft, tree.leaves(), candidates, places_of(tree), kept);
+}
+template <class Bound, BoundIndex Index>
+void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
+  require_refitted(tree);
+  kernel::require_below("candidates", candidates, tree.size());
+  require_apart(candidates, lists);
+  refine_lists(shafts, tree.leaves(), candidates, places_of(tree), lists);
+}
+
+#define SHAFTCULL_REFINE(Bound, Index)                                                                               \
+  template std::size_t refine(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<const Index>,         \
+                              std::span<Index>);                                                                     \
+  template void refine_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<const Index>, \
+                            IndexListsOf<Index>&);
+SHAFTCULL_REFINE(Box, std::uint32_t)
+SHAFTCULL_REFINE(Sphere, std::uint32_t)
+SHAFTCULL_REFINE(Box, std::uint64_t)
+SHAFTCULL_REFINE(Sphere, std::uint64_t)
+#undef SHAFTCULL_REFINE
+
+}  // namespace shaftcull

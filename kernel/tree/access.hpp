@@ -1,0 +1,20 @@
+/// The kernel's way to what a bounds tree is made of.
+#pragma once
+
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+
+struct TreeAccess {
+  /// Null for a tree that was never given any bounds.
+  template <class Bound, class Index>
+  [[nodiscard]] static const TreeParts<Bound, Index>* parts(const BoundsTree<Bound, Index>& tree) noexcept {
+    return tree.parts_.get();
+  }
+  template <class Bound, class Index>
+  [[nodiscard]] static TreeParts<Bound, Index>* parts(BoundsTree<Bound, Index>& tree) noexcept {
+    return tree.parts_.get();
+  }
+};
+
+}  // namespace shaftcull::kernel

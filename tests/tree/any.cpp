@@ -1,0 +1,86 @@
+/// A walk that looks for any bound ends at the first one.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "dispatch/active_kernels.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
+#include "tree/access.hpp"
+#include "tree/flat.hpp"
+#include "tree/scenes.hpp"
+#include "tree/visitors.hpp"
+#include "tree/walk.hpp"
+
+namespace shaftcull {
+namespace {
+
+std::size_t words_tested = 0;
+kernel::TestListedWords* real_test = nullptr;
+
+void count_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
+                 std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
+  words_tested += words;
+  real_test(shaft, stream, word, words, kept, inside, least_kept);
+}
+
+/// Words of leaves and nodes that a walk with this visitor tests.
+template <class Visitor>
+std::size_t words_tested_by(Visitor& visitor, const BoxTree& tree, const CompiledShaft& shaft) {
+  kernel::Kernels kernels = kernel::active_kernels();
+  real_test = kernels.listed_boxes;
+  kernels.listed_boxes = count_words;
+  words_tested = 0;
+  kernel::Walk<Box, Visitor>(*kernel::TreeAccess::parts(tree), kernels, shaft, kernel::Question::kept, visitor).run();
+  return words_tested;
+}
+
+TEST(TreeAny, EndsAtTheFirstBoundThatIsKept) {
+  Random random(91);
+  const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 300000);
+  const BoxTree tree{std::span<const Box>(boxes)};
+  // Reaches all boxes; thin, so that no node is inside and walks go down to the leaves.
+  const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
+  kernel::Counter counter;
+  const std::size_t all = words_tested_by(counter, tree, shaft);
+  kernel::Finder finder;
+  const std::size_t few = words_tested_by(finder, tree, shaft);
+  EXPECT_GT(counter.count(), 1000U);
+  EXPECT_TRUE(finder.is_done());
+  EXPECT_GT(all, 100U);
+  EXPECT_LE(few, 20U) << "of " << all;
+}
+
+TEST(TreeAny, EndsAtANodeThatIsInside) {
+  const std::vector<Box> boxes(300000, Box{{0, 0, 0}, {1, 1, 1}});
+  const BoxTree tree{std::span<const Box>(boxes)};
+  kernel::Finder finder;
+  EXPECT_LE(words_tested_by(finder, tree, compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}))), 2U);
+  EXPECT_TRUE(finder.is_done());
+}
+
+TEST(TreeAny, LooksOnWhereWhatItFindsIsLeftOut) {
+  const std::vector<Box> boxes(5000, Box{{0, 0, 0}, {1, 1, 1}});
+  const BoxTree tree{std::span<const Box>(boxes)};
+  const CompiledShaft shaft = compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}));
+  std::vector<std::uint64_t> mask(words_for(boxes.size()), ~std::uint64_t{0});
+  EXPECT_TRUE(any(shaft, tree));
+  EXPECT_FALSE(any(shaft, tree, {.mask = mask}));
+  for (const std::uint32_t index : {0U, 63U, 64U, 4095U, 4999U}) {
+    mask[index / 64] &= ~(std::uint64_t{1} << index % 64);
+    EXPECT_TRUE(any(shaft, tree, {.mask = mask}));
+    const std::vector<std::uint32_t> own = {index};
+    EXPECT_FALSE(any(shaft, tree, {.own = own, .mask = mask}));
+    mask[index / 64] = ~std::uint64_t{0};
+  }
+}
+
+TEST(TreeAny, FindsNothingInAnEmptyTree) {
+  const CompiledShaft shaft = compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}));
+  EXPECT_FALSE(any(shaft, BoxTree()));
+  EXPECT_FALSE(any(shaft, SphereTree()));
+}
+
+}  // namespace
+}  // namespace shaftcull
