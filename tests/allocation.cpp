@@ -62,6 +62,7 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
   const SphereColumns spheres(spheres_);
   std::vector<std::uint64_t> kept(words_for(bound_count));
   std::vector<std::uint64_t> inside(kept.size());
+  std::vector<std::uint32_t> listed(bound_count);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
@@ -72,10 +73,17 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                     classify(shaft, boxes.view(), kept, inside, form);
                     classify(shaft, spheres.view(), kept, inside, form);
                   }
-                  contain(shaft, boxes.view(), inside);
-                  contain(shaft, spheres.view(), inside);
+                  contained(shaft, boxes.view(), inside);
+                  contained(shaft, spheres.view(), inside);
                   (void)classify(shaft, boxes_[0]);
                   (void)classify(shaft, spheres_[0]);
+                  (void)cull(shaft, boxes_[0]);
+                  (void)cull(shaft, spheres_[0]);
+                  (void)count(shaft, boxes.view());
+                  (void)count_classified(shaft, spheres.view());
+                  (void)any(shaft, spheres.view());
+                  (void)list(shaft, boxes.view(), listed);
+                  (void)list_classified(shaft, boxes.view(), listed, std::span<std::uint32_t>());
                 }
               }),
               0U)
@@ -180,12 +188,16 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   std::vector<std::uint64_t> kept(shafts_.size() * words_for(bound_count));
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint64_t> counts(shafts_.size());
+  std::vector<KeptCounts> classified(shafts_.size());
   const auto calls = [&] {
     for (const Form form : {Form::slab, Form::planes}) {
       const auto ask = [&](const auto& view) {
         cull_many(shafts_, view, kept, form);
         classify_many(shafts_, view, kept, inside, form);
         count_many(shafts_, view, counts, form);
+        count_classified_many(shafts_, view, classified, form);
+        any_many(shafts_, view, std::span(counts).first(1), form);
+        contained_many(shafts_, view, inside);
       };
       ask(boxes.view());
       ask(spheres.view());

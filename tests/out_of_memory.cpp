@@ -327,6 +327,24 @@ void expect_lists_or_none(const Lists& before, const Call& call) {
             1U);
 }
 
+/// Likewise for call(overlap, inside), which fills two lists.
+template <class Lists, class Call>
+void expect_both_lists_or_none(const Lists& before, const Call& call) {
+  auto expected = std::pair(before, before);
+  call(expected.first, expected.second);
+  EXPECT_GT(expected.first.offsets.back(), 0U);
+  EXPECT_GT(fail_each_allocation([&] { return std::pair(before, before); },
+                                 [&](auto& lists) { call(lists.first, lists.second); },
+                                 [&](auto& lists) {
+                                   EXPECT_EQ(are_as_before_or_empty(lists.first, before), true);
+                                   EXPECT_EQ(are_as_before_or_empty(lists.second, before), true);
+                                   call(lists.first, lists.second);
+                                   EXPECT_EQ(are_equal(lists.first, expected.first), true);
+                                   EXPECT_EQ(are_equal(lists.second, expected.second), true);
+                                 }),
+            1U);
+}
+
 TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   using Index = IndexOf<TypeParam>;
   const IndexListsOf<Index> indices{{0, 1}, {5}};
@@ -341,24 +359,11 @@ TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   expect_lists_or_none(indices,
                        [&](auto& lists) { refine_many(this->shafts_, this->tree_, this->tree_.order(), lists); });
 
-  const auto fail_both = [&](const auto& before) {
-    const auto list_both = [&](auto& lists) {
-      list_classified_many(this->shafts_, this->tree_, lists.first, lists.second);
-    };
-    auto expected = std::pair(before, before);
-    list_both(expected);
-    EXPECT_GT(fail_each_allocation([&] { return std::pair(before, before); }, list_both,
-                                   [&](auto& lists) {
-                                     EXPECT_EQ(are_as_before_or_empty(lists.first, before), true);
-                                     EXPECT_EQ(are_as_before_or_empty(lists.second, before), true);
-                                     list_both(lists);
-                                     EXPECT_EQ(are_equal(lists.first, expected.first), true);
-                                     EXPECT_EQ(are_equal(lists.second, expected.second), true);
-                                   }),
-              1U);
+  const auto list_both = [&](auto& overlap, auto& inside) {
+    list_classified_many(this->shafts_, this->tree_, overlap, inside);
   };
-  fail_both(indices);
-  fail_both(ranges);
+  expect_both_lists_or_none(indices, list_both);
+  expect_both_lists_or_none(ranges, list_both);
 }
 
 template <class Index>
@@ -373,6 +378,8 @@ TYPED_TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
   const IndexListsOf<TypeParam> before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, spheres.view(), lists); });
+  expect_both_lists_or_none(
+      before, [&](auto& overlap, auto& inside) { list_classified_many(shafts, boxes.view(), overlap, inside); });
 }
 
 /// Makes `call`, which hands answers to a callback, fail at every allocation: those that were handed out are the first
@@ -415,8 +422,8 @@ TEST(TilesOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {
   const auto sizes_in = [](std::vector<std::size_t>& sizes) {
     return [&sizes](const TileAnswers& answers) { sizes.push_back(answers.first + answers.kept.size()); };
   };
-  expect_first_answers([&](auto& sizes) { cull_tiles(shafts, boxes.view(), sizes_in(sizes)); });
-  expect_first_answers([&](auto& sizes) { classify_tiles(shafts, boxes.view(), sizes_in(sizes)); });
+  expect_first_answers([&](auto& sizes) { for_each_tile(shafts, boxes.view(), sizes_in(sizes)); });
+  expect_first_answers([&](auto& sizes) { for_each_classified_tile(shafts, boxes.view(), sizes_in(sizes)); });
 }
 
 }  // namespace

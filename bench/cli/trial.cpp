@@ -194,8 +194,8 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
   };
   compare(on_grid.kept, kept_, question("kept"));
   compare(on_grid.inside, inside_, question("inside"));
-  contain(shaft, view, inside);
-  compare(inside, inside_, [=] { return fmt::format("contain, {}, {}", how, name(active_isa())); });
+  contained(shaft, view, inside);
+  compare(inside, inside_, [=] { return fmt::format("contained, {}, {}", how, name(active_isa())); });
 }
 
 void Trial::ask(std::span<Trial> trials) {

@@ -2,6 +2,8 @@
 ///
 /// small/one_shaft_64_boxes is the whole cost of cull() for a full word of boxes. small/n/N, small/list_many/N and
 /// small/refine_many/N are calls for N boxes, just below and above a word too: fewer bounds must not cost more.
+/// small/one_box/cull and small/one_box/classify are the calls that take a Box instead of a view, for the boxes of
+/// small/n/1.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -48,6 +50,19 @@ void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
         cull(shaft, small.boxes.slice(p * word_boxes, count), std::span(kept).first(words_for(count)));
         benchmark::DoNotOptimize(kept);
       }
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * pieces));
+}
+
+/// Asks every shaft about the first box of every piece, one box a call.
+template <class Ask>
+void run_one_box(benchmark::State& state, const Small& small, const Ask& ask) {
+  std::vector<Box> boxes;
+  for (std::size_t p = 0; p < pieces; ++p) boxes.push_back(small.boxes[p * word_boxes]);
+  for (auto _ : state) {
+    for (const CompiledShaft& shaft : small.shafts) {
+      for (const Box& box : boxes) benchmark::DoNotOptimize(ask(shaft, box));
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * pieces));
@@ -112,6 +127,19 @@ void declare_small(Suite& suite, const Workload& workload) {
     if (isa > available.back()) continue;
     declare_sizes(suite, small, isa, "n",
                   [](benchmark::State& state, Small& some, std::size_t count) { run_cull(state, some, count); });
+    suite.add(fmt::format("small/one_box/cull/{}", name(isa)), "",
+              [=](benchmark::State& state) {
+                select_isa(isa);
+                run_one_box(state, *small, [](const CompiledShaft& shaft, const Box& box) { return cull(shaft, box); });
+              },
+              {.brief = true});
+    suite.add(fmt::format("small/one_box/classify/{}", name(isa)), "",
+              [=](benchmark::State& state) {
+                select_isa(isa);
+                run_one_box(state, *small,
+                            [](const CompiledShaft& shaft, const Box& box) { return classify(shaft, box); });
+              },
+              {.brief = true});
     declare_sizes(suite, small, isa, "list_many", run_list_many);
     declare_sizes(suite, small, isa, "refine_many", run_refine_many);
   }

@@ -19,7 +19,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// later.
 ///
 /// The members are the kernels' own format: read them out of interest, do not depend on them.
-/// Arrays are plain so that kernels touch no inline function of the standard library (kernel/kernels/README.md).
+/// Arrays are plain so that kernels touch no inline function of the standard library.
 ///
 /// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
 /// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single

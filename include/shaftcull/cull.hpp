@@ -1,60 +1,109 @@
-/// One shaft against many bounds.
+/// One shaft against many bounds, or against one.
 ///
 /// Answers are exact. For all finite floats, degenerate and huge ones included, and on every instruction set the same
 /// bits: a box is outside, overlapping or inside as in real arithmetic for the floats given, and touching is not
 /// outside; a corner is beyond an added plane by the real sign of n·p − d; a sphere is outside iff its centre is
 /// farther than its radius from the shaft, and inside iff every face is at least that far away. A bound with a NaN is
-/// never inside. Both forms agree, whatever floating-point mode the caller runs in. docs/exactness.md has the proof.
-/// many.hpp, query.hpp and refine.hpp promise the same.
+/// never inside. Both forms agree, whatever floating-point mode the caller runs in. many.hpp, query.hpp and refine.hpp
+/// promise the same.
+///
+/// Each verb has one meaning everywhere: cull() and classify() give bits, count() numbers, list() indices, any() a
+/// bool; each has a twin for many shafts (many.hpp). All take a view of boxes or spheres, or a stream.
 ///
 /// Floating-point modes and flags of the calling thread are as they were when a call returns: it rounds to nearest and
 /// keeps denormals whatever the caller does, and raises no flag. Every call of the library takes at most 64 KiB of the
 /// stack in an optimised build, so that small threads and fibers may make it.
+///
+/// Every call of this header is O(count) and single-threaded, allocates nothing, and is safe to make from many threads.
+/// Each throws InvalidArgument if the shaft was never formed or formed without the answer asked for, if a stream or
+/// span is null that is not empty, if `form` is none of Form, or for what it says itself. Nothing is written then.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
+#include "shaftcull/results.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Which form of the shaft decides *outside*. Answers are the same; speed is not.
 enum class Form : std::uint8_t {
-  fastest,  ///< slab, by measurement (see docs/measurements.md)
+  fastest,  ///< what measured fastest: slab
   slab,     ///< the shaft as a moving box
   planes,   ///< the paper's planes with near corners
 };
 
 /// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft. Bits past
-/// bounds.count in the last word are zero.
-///
-/// `kept` must have exactly words_for(bounds.count) words, else InvalidArgument; likewise if the shaft was never formed
-/// or formed without the answer asked for, if a stream or span is null that is not empty, or if `form` is none of Form.
-/// Nothing is written then. O(count); no allocation; safe to call from many threads.
+/// bounds.count in the last word are zero. `kept` must have exactly words_for(bounds.count) words.
 void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form = Form::fastest);
 void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
           Form form = Form::fastest);
 
 /// Classifies: `kept` as in cull(), and bit i of `inside` set iff bound i is fully inside the shaft (and of
 /// every added plane). The three answers are outside = not kept, inside, and overlap = kept and not inside.
-/// Inside is always decided by planes. Sizes, errors and guarantees as cull(), for both spans, and InvalidArgument if
-/// they share memory.
+/// Inside is always decided by planes. Both spans have words_for(bounds.count) words and share no memory.
 void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form = Form::fastest);
 void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form = Form::fastest);
 
 /// Sets bit i of `inside` as classify() does, without deciding which of the others are outside: the only question that
-/// a shaft formed for inside alone answers. Sizes, errors and guarantees as cull().
-void contain(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside);
-void contain(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
+/// a shaft formed for inside alone answers. `inside` has words_for(bounds.count) words.
+void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside);
+void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
 
-/// The answer for a single bound.
+/// How many bounds the shaft keeps.
+[[nodiscard]] std::size_t count(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
+[[nodiscard]] std::size_t count(const CompiledShaft& shaft, const SphereView& spheres, Form form = Form::fastest);
+
+/// How many bounds overlap the shaft, and how many are inside.
+[[nodiscard]] KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
+[[nodiscard]] KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres,
+                                          Form form = Form::fastest);
+
+/// Writes the indices of the bounds that the shaft keeps, ascending, and returns how many there are; results.hpp says
+/// what happens if they do not fit. Throws InvalidArgument if there are more bounds than 32-bit indices can tell apart.
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept,
+                               Form form = Form::fastest);
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
+                               Form form = Form::fastest);
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept,
+                               Form form = Form::fastest);
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
+                               Form form = Form::fastest);
+
+/// As list(), but bounds that overlap and bounds inside apart. The two spans share no memory.
+[[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
+                                         std::span<std::uint32_t> overlap, std::span<std::uint32_t> inside,
+                                         Form form = Form::fastest);
+[[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
+                                         std::span<std::uint64_t> overlap, std::span<std::uint64_t> inside,
+                                         Form form = Form::fastest);
+[[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
+                                         std::span<std::uint32_t> overlap, std::span<std::uint32_t> inside,
+                                         Form form = Form::fastest);
+[[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
+                                         std::span<std::uint64_t> overlap, std::span<std::uint64_t> inside,
+                                         Form form = Form::fastest);
+
+/// Whether the shaft keeps any bound. Looks at bounds from the first on, in chunks of 512 at first and of 16,384 at
+/// most, and stops after the first chunk of which one is kept.
+[[nodiscard]] bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
+[[nodiscard]] bool any(const CompiledShaft& shaft, const SphereView& spheres, Form form = Form::fastest);
+
+/// What a shaft says of one bound.
 enum class Answer : std::uint8_t { outside, overlap, inside };
 
+/// Whether the shaft keeps this one bound. Some 10 ns for a box with AVX2: a loop over a few bounds that lie about in
+/// memory need not make a view of them first. Of many, cull() of a view takes a hundredth of that for each.
+[[nodiscard]] bool cull(const CompiledShaft& shaft, const Box& box);
+[[nodiscard]] bool cull(const CompiledShaft& shaft, const Sphere& sphere);
+
+/// Which of the three answers the shaft has for this one bound.
 [[nodiscard]] Answer classify(const CompiledShaft& shaft, const Box& box);
 [[nodiscard]] Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
 

@@ -1,8 +1,11 @@
 /// Many shafts against many bounds, in parallel.
 ///
-/// Work is cut into tiles: a run of bounds small enough for the cache, against a group of shafts. The cut depends only
-/// on the sizes, never on the number of threads, and so do all results and their order. Calls run on oneTBB inside the
-/// caller's task_arena (in a build without oneTBB, serially), and are safe to make from many threads.
+/// Each verb means for every shaft what it means for one in cull.hpp; all take a view of boxes or spheres, or a stream.
+///
+/// Work is cut into tiles: bounds few enough for the cache, against a group of shafts. The cut depends only on the
+/// sizes, never on the number of threads, and so do all results and their order. Calls run on oneTBB inside the
+/// caller's task_arena (in a build without oneTBB, serially), and are safe to make from many threads. They take
+/// O(shafts · bounds), and allocate what they say.
 ///
 /// All parallel calls of the library, those of tree.hpp, query.hpp and refine.hpp too, may be made from within tasks of
 /// the caller's own. Each has a task_group_context of its own: it is completed even where the caller's group is
@@ -15,7 +18,7 @@
 /// A child of fork() has none of oneTBB's threads: it may make calls of one shaft, and parallel ones after it has begun
 /// another program.
 ///
-/// Errors are those of cull() and classify(), found before anything is written.
+/// Errors are those of cull.hpp, found before anything is written.
 ///
 /// If memory runs out (std::bad_alloc) or a callback throws, the call ends by that exception when its tasks have ended.
 /// Lists are then as they were or empty, bits and counts are unspecified, and everything else is as it was.
@@ -31,12 +34,13 @@
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/index.hpp"
+#include "shaftcull/results.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Bits: row s (words_for(bounds.count) words, rows one behind the other) gets what cull(shafts[s], …) gives.
-/// No allocation into anything but oneTBB's own task memory.
+/// Allocates nothing but oneTBB's own task memory, as all calls do that write bits or numbers.
 void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
                Form form = Form::fastest);
 void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
@@ -48,11 +52,30 @@ void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, 
 void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
                    std::span<std::uint64_t> inside_rows, Form form = Form::fastest);
 
+/// Bits of those inside alone, as contained().
+void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> inside_rows);
+void contained_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                    std::span<std::uint64_t> inside_rows);
+
 /// Counts: kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
 void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_counts,
                 Form form = Form::fastest);
 void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
                 Form form = Form::fastest);
+
+/// Counts of both kinds: counts[s] becomes what count_classified(shafts[s], …) returns. One for each shaft.
+void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<KeptCounts> counts,
+                           Form form = Form::fastest);
+void count_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                           std::span<KeptCounts> counts, Form form = Form::fastest);
+
+/// One bit a shaft: bit s of `any` (word s / 64, bit s % 64) is set iff shafts[s] keeps any bound; bits past the last
+/// shaft are zero. `any` has words_for(shafts.size()) words. A shaft that has kept one is not tested with later tiles
+/// of bounds, so that time depends on where bounds are and, a little, on threads; bits do not.
+void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> any,
+              Form form = Form::fastest);
+void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> any,
+              Form form = Form::fastest);
 
 /// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
 template <BoundIndex Index>
@@ -76,6 +99,14 @@ template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
                Form form = Form::fastest);
 
+/// Lists bounds that overlap and bounds inside apart. As list_many(), and InvalidArgument if both are the same lists.
+template <BoundIndex Index>
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& overlap,
+                          IndexListsOf<Index>& inside, Form form = Form::fastest);
+template <BoundIndex Index>
+void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                          IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside, Form form = Form::fastest);
+
 /// What one shaft answers for one tile of bounds, [first, first + count); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.
 struct TileAnswers {
@@ -83,21 +114,23 @@ struct TileAnswers {
   std::size_t first;
   std::size_t count;
   std::span<const std::uint64_t> kept;    ///< bit i is bound first + i
-  std::span<const std::uint64_t> inside;  ///< likewise; empty for cull_tiles()
+  std::span<const std::uint64_t> inside;  ///< likewise; empty for for_each_tile()
 };
 
-/// Called once for every tile and shaft, one call at a time, ordered by tile and then by shaft. An exception ends the
-/// run and reaches the caller; tiles after it are not delivered.
 using TileCallback = FunctionRef<void(const TileAnswers&)>;
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
-                Form form = Form::fastest);
-void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
-                Form form = Form::fastest);
-void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
-                    Form form = Form::fastest);
-void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
-                    Form form = Form::fastest);
+/// Calls back once for every tile and shaft, one call at a time, ordered by tile and then by shaft; with bits of both
+/// kinds for for_each_classified_tile(). An exception ends the call and reaches the caller; tiles after it are not
+/// delivered. Throws InvalidArgument if the callback is empty. Allocates some tiles' bits for each thread.
+
+void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
+                   Form form = Form::fastest);
+void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
+                   Form form = Form::fastest);
+void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
+                              Form form = Form::fastest);
+void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
+                              Form form = Form::fastest);
 
 /// How many threads a call from here would use (1 in a build without oneTBB).
 [[nodiscard]] int concurrency() noexcept;

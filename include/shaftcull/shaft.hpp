@@ -37,7 +37,7 @@ struct ShaftOptions {
   Formation formation = Formation::table729;
   PlaneOrder order = PlaneOrder::unsorted;
   bool outside = true;  ///< cull() may be called
-  bool inside = true;   ///< contain() and, with outside, classify() may be called
+  bool inside = true;   ///< contained() and, with outside, classify() may be called
   bool spheres = true;  ///< spheres may be tested; joining planes then get unit normals
 };
 

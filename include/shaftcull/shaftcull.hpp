@@ -1,4 +1,4 @@
-/// Everything: two boxes → Shaft → CompiledShaft → cull / classify against views → bits, counts, lists.
+/// Everything: two boxes → Shaft → CompiledShaft; bounds → streams or trees; both → bits, numbers, lists, callbacks.
 #pragma once
 
 #include "shaftcull/bounds.hpp"
@@ -7,10 +7,12 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
+#include "shaftcull/records.hpp"
 #include "shaftcull/refine.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/shaft.hpp"

@@ -119,24 +119,28 @@ class BoxStream {
   explicit BoxStream(std::span<const Box> boxes);
   explicit BoxStream(const MinMaxRecords& boxes);
   explicit BoxStream(const CentreExtentRecords& boxes);
+  explicit BoxStream(const BoxView& boxes);
   BoxStream(const BoxStream& other);
   BoxStream& operator=(const BoxStream& other);
   BoxStream(BoxStream&& other) noexcept;
   BoxStream& operator=(BoxStream&& other) noexcept;
   ~BoxStream() = default;
 
-  /// Replaces the boxes [first, first + records.count) in place, without allocation; O(records.count).
-  /// Throws InvalidArgument if the range does not lie within size() or the records lie in the stream's own memory,
+  /// Replaces the boxes from `first` on, as many as are given, in place and without allocation; O(their count).
+  /// Throws InvalidArgument if that range does not lie within size() or what is given lies in the stream's own memory,
   /// BadBound as above.
   void update(std::size_t first, std::span<const Box> boxes);
   void update(std::size_t first, const MinMaxRecords& boxes);
   void update(std::size_t first, const CentreExtentRecords& boxes);
+  void update(std::size_t first, const BoxView& boxes);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   /// Bytes that the stream holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
   /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
   [[nodiscard]] BoxView view() const noexcept;
+  /// So that a stream goes where a view goes.
+  operator BoxView() const noexcept { return view(); }  // NOLINT(google-explicit-constructor)
   [[nodiscard]] Box operator[](std::size_t i) const noexcept { return view()[i]; }
 
  private:
@@ -153,6 +157,7 @@ class SphereStream {
   explicit SphereStream(std::size_t count);
   explicit SphereStream(std::span<const Sphere> spheres);
   explicit SphereStream(const SphereRecords& spheres);
+  explicit SphereStream(const SphereView& spheres);
   SphereStream(const SphereStream& other);
   SphereStream& operator=(const SphereStream& other);
   SphereStream(SphereStream&& other) noexcept;
@@ -162,10 +167,12 @@ class SphereStream {
   /// As BoxStream::update.
   void update(std::size_t first, std::span<const Sphere> spheres);
   void update(std::size_t first, const SphereRecords& spheres);
+  void update(std::size_t first, const SphereView& spheres);
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
   [[nodiscard]] SphereView view() const noexcept;
+  operator SphereView() const noexcept { return view(); }  // NOLINT(google-explicit-constructor)
   [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view()[i]; }
 
  private:

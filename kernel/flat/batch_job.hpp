@@ -36,18 +36,27 @@ struct Rows {
   }
 };
 
+/// The bits that a call wants.
+enum class Bits : std::uint8_t { kept, kept_and_inside, inside };
+
+/// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
+template <class View>
+void require_askable(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form) {
+  require_memory("shafts", shafts, "shafts");
+  require_form(form);
+  require_view(bounds);
+  for (std::size_t s = 0; s != shafts.size(); ++s) {
+    require_answers(shafts[s], bits != Bits::inside, bits != Bits::kept, std::is_same_v<View, SphereView>, s);
+  }
+}
+
 template <class View>
 class Job {
  public:
-  /// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
-  Job(std::span<const CompiledShaft> shafts, const View& bounds, bool inside, Form form)
+  /// Throws InvalidArgument as require_askable(). Inside bits alone are for Form::planes, which has no grid.
+  Job(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
       : shafts_(shafts), bounds_(bounds), kernels_(active_kernels()), form_(form) {
-    require_memory("shafts", shafts, "shafts");
-    require_form(form);
-    require_view(bounds);
-    for (std::size_t s = 0; s != shafts.size(); ++s) {
-      require_answers(shafts[s], true, inside, is_sphere, s);
-    }
+    require_askable(shafts, bounds, bits, form);
     if (shafts.size() <= group_shafts) form_on_grid(only_group_, shafts, bounds.count);
   }
 

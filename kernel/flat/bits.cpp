@@ -1,4 +1,4 @@
-/// cull_many() and classify_many(): every task writes its words straight into the user's rows.
+/// cull_many(), classify_many() and contained_many(): every task writes its words straight into the user's rows.
 #include "flat/batch_job.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/many.hpp"
@@ -21,7 +21,7 @@ void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t
 
 template <class View>
 void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept, Form form) {
-  const kernel::Job<View> job(shafts, bounds, false, form);
+  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   write_bits(job, kept.data(), nullptr);
 }
@@ -29,11 +29,18 @@ void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::s
 template <class View>
 void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept,
                    std::span<std::uint64_t> inside, Form form) {
-  const kernel::Job<View> job(shafts, bounds, true, form);
+  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
   kernel::require_apart("classify_many", "kept_rows", kernel::bytes_of(kept), "inside_rows", kernel::bytes_of(inside));
   write_bits(job, kept.data(), inside.data());
+}
+
+template <class View>
+void contained_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> inside) {
+  const kernel::Job<View> job(shafts, bounds, kernel::Bits::inside, Form::planes);
+  kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
+  write_bits(job, nullptr, inside.data());
 }
 
 }  // namespace
@@ -56,6 +63,15 @@ void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, 
 void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
                    std::span<std::uint64_t> inside_rows, Form form) {
   classify_rows(shafts, spheres, kept_rows, inside_rows, form);
+}
+
+void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> inside_rows) {
+  contained_rows(shafts, boxes, inside_rows);
+}
+
+void contained_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                    std::span<std::uint64_t> inside_rows) {
+  contained_rows(shafts, spheres, inside_rows);
 }
 
 }  // namespace shaftcull

@@ -1,4 +1,4 @@
-/// count_many(): a task counts its own bits and adds the counts to the user's at the end.
+/// count_many() and count_classified_many(): a task counts its own bits and adds the counts to the user's at the end.
 #include <algorithm>
 #include <atomic>
 
@@ -12,7 +12,7 @@ namespace {
 
 template <class View>
 void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> counts, Form form) {
-  const kernel::Job<View> job(shafts, bounds, false, form);
+  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_counts("kept_counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
@@ -32,6 +32,31 @@ void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::
   });
 }
 
+template <class View>
+void count_classes(std::span<const CompiledShaft> shafts, const View& bounds, std::span<KeptCounts> counts, Form form) {
+  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
+  kernel::require_counts("counts", counts, shafts.size());
+  std::fill(counts.begin(), counts.end(), KeptCounts{});
+  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
+  const kernel::SetBits& set_bits = job.set_bits();
+  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = cut.block(b);
+    const kernel::IndexRange group = cut.group(g);
+    const std::size_t words = words_for(block.size);
+    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(2 * group.size * words);
+    std::uint64_t* const kept = bits.get();
+    std::uint64_t* const inside = kept + group.size * words;
+    job.test(block, group, {kept, words}, {inside, words});
+    for (std::size_t s = 0; s != group.size; ++s) {
+      const std::uint64_t insides = set_bits.count(inside + s * words, words);
+      const std::uint64_t overlaps = set_bits.count(kept + s * words, words) - insides;  // what is inside is kept
+      KeptCounts& sums = counts[group.first + s];
+      std::atomic_ref(sums.overlap).fetch_add(overlaps, std::memory_order_relaxed);
+      std::atomic_ref(sums.inside).fetch_add(insides, std::memory_order_relaxed);
+    }
+  });
+}
+
 }  // namespace
 
 void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_counts,
@@ -42,6 +67,16 @@ void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std
 void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
                 Form form) {
   count_rows(shafts, spheres, kept_counts, form);
+}
+
+void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<KeptCounts> counts,
+                           Form form) {
+  count_classes(shafts, boxes, counts, form);
+}
+
+void count_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                           std::span<KeptCounts> counts, Form form) {
+  count_classes(shafts, spheres, counts, form);
 }
 
 }  // namespace shaftcull

@@ -37,7 +37,7 @@ void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::
 }
 
 template <class View>
-void contain_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> inside) {
+void contained_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> inside) {
   kernel::require_answers(shaft, false, true, is_sphere(view), 0);
   kernel::require_view(view);
   kernel::require_words("inside", inside, view.count);
@@ -46,9 +46,30 @@ void contain_view(const CompiledShaft& shaft, const View& view, std::span<std::u
   kernel::active_kernels().test(view, Form::planes)(shaft, view.stream.data(), view.count, nullptr, inside.data());
 }
 
-Answer answer_of(std::uint64_t kept, std::uint64_t inside) noexcept {
-  if (kept == 0) return Answer::outside;
-  return inside == 0 ? Answer::overlap : Answer::inside;
+/// Streams of one.
+BoxView view_of(const Box& box) noexcept {
+  return {{&box.lo[0], &box.lo[1], &box.lo[2], &box.hi[0], &box.hi[1], &box.hi[2]}, 1};
+}
+SphereView view_of(const Sphere& sphere) noexcept {
+  return {{&sphere.centre[0], &sphere.centre[1], &sphere.centre[2], &sphere.radius}, 1};
+}
+
+template <class Bound>
+bool cull_one(const CompiledShaft& shaft, const Bound& bound) {
+  const auto view = view_of(bound);
+  kernel::require_answers(shaft, true, false, is_sphere(view), 0);
+  std::uint64_t kept = 0;
+  const kernel::FloatEnvironment environment;
+  kernel::active_kernels().test(view, Form::fastest)(shaft, view.stream.data(), 1, &kept, nullptr);
+  return kept != 0;
+}
+
+template <class Bound>
+Answer classify_one(const CompiledShaft& shaft, const Bound& bound) {
+  const auto view = view_of(bound);
+  kernel::require_answers(shaft, true, true, is_sphere(view), 0);
+  const kernel::FloatEnvironment environment;
+  return kernel::active_kernels().classify_one(view)(shaft, view.stream.data());
 }
 
 }  // namespace
@@ -71,28 +92,20 @@ void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<s
   classify_view(shaft, spheres, kept, inside, form);
 }
 
-void contain(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside) {
-  contain_view(shaft, boxes, inside);
+void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside) {
+  contained_view(shaft, boxes, inside);
 }
 
-void contain(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside) {
-  contain_view(shaft, spheres, inside);
+void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside) {
+  contained_view(shaft, spheres, inside);
 }
 
-Answer classify(const CompiledShaft& shaft, const Box& box) {
-  const BoxView view{{&box.lo[0], &box.lo[1], &box.lo[2], &box.hi[0], &box.hi[1], &box.hi[2]}, 1};
-  std::uint64_t kept = 0;
-  std::uint64_t inside = 0;
-  classify(shaft, view, {&kept, 1}, {&inside, 1});
-  return answer_of(kept, inside);
-}
+bool cull(const CompiledShaft& shaft, const Box& box) { return cull_one(shaft, box); }
 
-Answer classify(const CompiledShaft& shaft, const Sphere& sphere) {
-  const SphereView view{{&sphere.centre[0], &sphere.centre[1], &sphere.centre[2], &sphere.radius}, 1};
-  std::uint64_t kept = 0;
-  std::uint64_t inside = 0;
-  classify(shaft, view, {&kept, 1}, {&inside, 1});
-  return answer_of(kept, inside);
-}
+bool cull(const CompiledShaft& shaft, const Sphere& sphere) { return cull_one(shaft, sphere); }
+
+Answer classify(const CompiledShaft& shaft, const Box& box) { return classify_one(shaft, box); }
+
+Answer classify(const CompiledShaft& shaft, const Sphere& sphere) { return classify_one(shaft, sphere); }
 
 }  // namespace shaftcull

@@ -1,7 +1,8 @@
-/// list_many(): one pass over the bounds. Tasks list what they keep in memory of their own, and once
-/// all counts are known the pieces are copied to their places.
+/// list_many() and list_classified_many(): one pass over the bounds. Tasks list what they keep in memory of their own,
+/// and once all counts are known the pieces are copied to their places.
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -31,74 +32,124 @@ void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t s
   }
 }
 
-template <class View, class Index>
-void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& lists, Form form) {
-  const kernel::Job<View> job(shafts, bounds, false, form);
-  if constexpr (sizeof(Index) < sizeof(bounds.count)) {
-    constexpr std::uint64_t last_index = std::numeric_limits<Index>::max();
-    if (bounds.count > last_index + 1) {
-      throw InvalidArgument("list_many() got " + std::to_string(bounds.count) + " bounds, but 32-bit indices reach " +
-                            std::to_string(last_index) + "; use IndexListsOf<std::uint64_t>");
-    }
-  }
+/// Lists bounds of one kind, those kept, or of two: those that overlap and those inside.
+template <class View, class Index, std::size_t kinds>
+void list_rows(std::span<const CompiledShaft> shafts, const View& bounds,
+               const std::array<IndexListsOf<Index>*, kinds>& lists, const char* call, Form form) {
+  const kernel::Job<View> job(shafts, bounds, kinds == 2 ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
+  kernel::require_reach<Index>(call, bounds.count);
 
   const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
-  std::vector<Piece> pieces(cut.blocks() * cut.groups());
-  std::vector<std::uint64_t> places(cut.blocks() * job.shafts());  // counts at first
+  std::array<std::vector<Piece>, kinds> pieces;
+  std::array<std::vector<std::uint64_t>, kinds> places;  // counts at first
+  for (std::size_t kind = 0; kind != kinds; ++kind) {
+    pieces[kind].resize(cut.blocks() * cut.groups());
+    places[kind].resize(cut.blocks() * job.shafts());
+  }
   const kernel::SetBits& set_bits = job.set_bits();
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
     const kernel::IndexRange block = cut.block(b);
     const kernel::IndexRange group = cut.group(g);
     const std::size_t words = words_for(block.size);
-    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
-    std::uint64_t* const kept = bits.get();
-    job.test(block, group, {kept, words});
-    std::uint64_t* const counts = places.data() + b * job.shafts() + group.first;
-    std::size_t total = 0;
-    for (std::size_t s = 0; s != group.size; ++s) total += counts[s] = set_bits.count(kept + s * words, words);
-    if (total == 0) return;
-    Piece piece(total + kernel::set_bits_slack);
-    std::uint32_t* out = piece.get();
-    for (std::size_t s = 0; s != group.size; ++s) {
-      set_bits.write(kept + s * words, words, counts[s], out);
-      out += counts[s];
+    const std::size_t kind_words = group.size * words;
+    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> room(kinds * kind_words);
+    std::uint64_t* const kept = room.get();
+    if constexpr (kinds == 2) {
+      std::uint64_t* const inside = kept + kind_words;
+      job.test(block, group, {kept, words}, {inside, words});
+      for (std::size_t w = 0; w != kind_words; ++w) kept[w] &= ~inside[w];
+    } else {
+      job.test(block, group, {kept, words});
     }
-    pieces[b * cut.groups() + g] = std::move(piece);
+    for (std::size_t kind = 0; kind != kinds; ++kind) {
+      const std::uint64_t* const bits = kept + kind * kind_words;
+      std::uint64_t* const counts = places[kind].data() + b * job.shafts() + group.first;
+      std::size_t total = 0;
+      for (std::size_t s = 0; s != group.size; ++s) total += counts[s] = set_bits.count(bits + s * words, words);
+      if (total == 0) continue;
+      Piece piece(total + kernel::set_bits_slack);
+      std::uint32_t* out = piece.get();
+      for (std::size_t s = 0; s != group.size; ++s) {
+        set_bits.write(bits + s * words, words, counts[s], out);
+        out += counts[s];
+      }
+      pieces[kind][b * cut.groups() + g] = std::move(piece);
+    }
   });
 
-  kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
-  place(places, cut.blocks(), job.shafts(), lists.offsets);
-  in_progress.resize_items(lists.offsets.back());
+  using InProgress = kernel::IncompleteLists<Index>;
+  auto in_progress = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
+    return std::array<InProgress, kinds>{InProgress(lists[kind]->offsets, lists[kind]->indices)...};
+  }
+  (std::make_index_sequence<kinds>());
+  for (std::size_t kind = 0; kind != kinds; ++kind) {
+    place(places[kind], cut.blocks(), job.shafts(), lists[kind]->offsets);
+    in_progress[kind].resize_items(lists[kind]->offsets.back());
+  }
   kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const Piece piece = std::move(pieces[b * cut.groups() + g]);
-    const std::uint32_t* from = piece.get();
-    const std::uint64_t* const here = places.data() + b * job.shafts();
-    const std::uint64_t* const next = b + 1 == cut.blocks() ? lists.offsets.data() + 1 : here + job.shafts();
-    for (std::size_t s = cut.group(g).first; s != cut.group(g).end(); ++s) {
-      const auto size = static_cast<std::size_t>(next[s] - here[s]);
-      std::transform(from, from + size, lists.indices.data() + here[s],
-                     [first = static_cast<Index>(cut.block(b).first)](std::uint32_t i) { return first + i; });
-      from += size;
+    for (std::size_t kind = 0; kind != kinds; ++kind) {
+      const Piece piece = std::move(pieces[kind][b * cut.groups() + g]);
+      const std::uint32_t* from = piece.get();
+      const std::uint64_t* const here = places[kind].data() + b * job.shafts();
+      const std::uint64_t* const next = b + 1 == cut.blocks() ? lists[kind]->offsets.data() + 1 : here + job.shafts();
+      for (std::size_t s = cut.group(g).first; s != cut.group(g).end(); ++s) {
+        const auto size = static_cast<std::size_t>(next[s] - here[s]);
+        std::transform(from, from + size, lists[kind]->indices.data() + here[s],
+                       [first = static_cast<Index>(cut.block(b).first)](std::uint32_t i) { return first + i; });
+        from += size;
+      }
     }
   });
-  in_progress.complete();
+  for (InProgress& each : in_progress) each.complete();
+}
+
+template <class View, class Index>
+void list_kept(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& lists, Form form) {
+  list_rows<View, Index, 1>(shafts, bounds, {&lists}, "list_many()", form);
+}
+
+template <class View, class Index>
+void list_classes(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& overlap,
+                  IndexListsOf<Index>& inside, Form form) {
+  if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
+  list_rows<View, Index, 2>(shafts, bounds, {&overlap, &inside}, "list_classified_many()", form);
 }
 
 }  // namespace
 
 template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists, Form form) {
-  list_rows(shafts, boxes, lists, form);
+  list_kept(shafts, boxes, lists, form);
 }
 template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
                Form form) {
-  list_rows(shafts, spheres, lists, form);
+  list_kept(shafts, spheres, lists, form);
+}
+
+template <BoundIndex Index>
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& overlap,
+                          IndexListsOf<Index>& inside, Form form) {
+  list_classes(shafts, boxes, overlap, inside, form);
+}
+template <BoundIndex Index>
+void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                          IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside, Form form) {
+  list_classes(shafts, spheres, overlap, inside, form);
 }
 
 template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&, Form);
 template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&, Form);
 template void list_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint32_t>&, Form);
 template void list_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint64_t>&, Form);
+
+template void list_classified_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&,
+                                   IndexListsOf<std::uint32_t>&, Form);
+template void list_classified_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&,
+                                   IndexListsOf<std::uint64_t>&, Form);
+template void list_classified_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint32_t>&,
+                                   IndexListsOf<std::uint32_t>&, Form);
+template void list_classified_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint64_t>&,
+                                   IndexListsOf<std::uint64_t>&, Form);
 
 }  // namespace shaftcull

@@ -1,4 +1,4 @@
-/// cull_tiles() and classify_tiles(): tasks work in parallel, their answers leave in order.
+/// for_each_tile() and for_each_classified_tile(): tasks work in parallel, their answers leave in order.
 #include <algorithm>
 #include <memory>
 
@@ -15,7 +15,7 @@ constexpr std::size_t tasks_per_thread = 4;
 template <class View>
 void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, TileCallback callback, bool inside,
                    Form form) {
-  const kernel::Job<View> job(shafts, bounds, inside, form);
+  const kernel::Job<View> job(shafts, bounds, inside ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
   if (!callback) throw InvalidArgument("the tile callback is empty; pass something that can be called");
   const kernel::Cut cut = kernel::Cut::ordered(job.bounds(), job.shafts());
   const std::size_t tasks = cut.blocks() * cut.groups();
@@ -53,20 +53,21 @@ void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, Ti
 
 }  // namespace
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback, Form form) {
+void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback, Form form) {
   deliver_tiles(shafts, boxes, callback, false, form);
 }
 
-void cull_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback, Form form) {
+void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback, Form form) {
   deliver_tiles(shafts, spheres, callback, false, form);
 }
 
-void classify_tiles(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback, Form form) {
+void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
+                              Form form) {
   deliver_tiles(shafts, boxes, callback, true, form);
 }
 
-void classify_tiles(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
-                    Form form) {
+void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
+                              Form form) {
   deliver_tiles(shafts, spheres, callback, true, form);
 }
 

@@ -17,6 +17,10 @@ namespace shaftcull::kernel {
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
+/// What the shaft says of a single bound, in streams of one. The shaft must answer everything; pending planes are
+/// completed on the fly, if the bound is not outside.
+using ClassifyOne = Answer(const CompiledShaft& shaft, const float* const* stream) noexcept;
+
 /// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make
 /// anew. A last word that they do not fill is filled up by boxes that are outside of everything.
 using BoxSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
@@ -174,6 +178,8 @@ struct Kernels {
   Test* spheres_slab;
   Test* spheres_planes;
   Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
+  ClassifyOne* classify_box;
+  ClassifyOne* classify_sphere;
   BoxSpheres* box_spheres;
   GridKernels grid;
   CompilePair* compile_pair;
@@ -197,6 +203,8 @@ struct Kernels {
   [[nodiscard]] Test* test(const SphereView& /*spheres*/, Form form) const noexcept {
     return form == Form::planes ? spheres_planes : spheres_slab;
   }
+  [[nodiscard]] ClassifyOne* classify_one(const BoxView& /*box*/) const noexcept { return classify_box; }
+  [[nodiscard]] ClassifyOne* classify_one(const SphereView& /*sphere*/) const noexcept { return classify_sphere; }
   [[nodiscard]] TestListedWords* listed(const BoxView& /*boxes*/) const noexcept { return listed_boxes; }
   [[nodiscard]] TestListedWords* listed(const SphereView& /*spheres*/) const noexcept { return listed_spheres; }
   [[nodiscard]] Unite* unite(const BoxView& /*boxes*/) const noexcept { return unite_boxes; }

@@ -226,6 +226,21 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
   }
 }
 
+/// The test of a single bound, as Kernels has it.
+template <class L, class Stages>
+Answer classify_single(const CompiledShaft& shaft, const float* const* stream) noexcept {
+  std::uint64_t kept = 0;
+  {
+    const Ready<L> ready(shaft, Stages::cull_needs_planes(shaft));
+    Stages::cull(ready.shaft(), stream, 1, &kept);
+  }
+  if (kept == 0) return Answer::outside;
+  const Ready<L> ready(shaft, true);
+  std::uint64_t inside = 0;
+  Stages::contain(ready.shaft(), stream, 1, &kept, &inside);
+  return inside == 0 ? Answer::overlap : Answer::inside;
+}
+
 /// As GridKernels has it.
 template <class L, class Stages>
 void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
@@ -283,6 +298,8 @@ inline constexpr Kernels kernels_for = {
     .spheres_slab = test_bounds<L, UnboxedSphereStages<L>>,
     .spheres_planes = test_bounds<L, SphereStages<L>>,
     .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
+    .classify_box = classify_single<L, BoxStages<L, Form::slab>>,
+    .classify_sphere = classify_single<L, UnboxedSphereStages<L>>,
     .box_spheres = box_spheres<L>,
     .grid = grid_kernels<L>(),
     .compile_pair = compile_pair<FormationLanes>,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "streams/records.hpp"
+#include "streams/view_reader.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
@@ -113,7 +114,7 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
                           std::to_string(size));
   }
   if (reader.overlaps(bytes_of(memory.row(0), Reader::rows * memory.row_length()))) {
-    refuse_shared_memory("update", "the records", "the stream");
+    refuse_shared_memory("update", "what is packed", "the stream");
   }
   in_float_environment([&] {
     require_legal(reader);
@@ -124,6 +125,14 @@ void pack_all(const Reader& reader, std::size_t first, std::size_t size, const S
 }
 
 }  // namespace
+
+void pack(const BoxView& boxes, std::size_t first, std::size_t size, const StreamMemory& memory) {
+  pack_all(ViewReader<BoxView>(boxes), first, size, memory);
+}
+
+void pack(const SphereView& spheres, std::size_t first, std::size_t size, const StreamMemory& memory) {
+  pack_all(ViewReader<SphereView>(spheres), first, size, memory);
+}
 
 void pack(const MinMaxRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
   pack_all(MinMaxReader(records), first, size, memory);

@@ -10,6 +10,8 @@ namespace shaftcull::kernel {
 
 /// Replaces the bounds [first, first + records.count) of a stream of `size` bounds in `memory`.
 /// Throws InvalidArgument if the range does not fit or memory is null, BadBound for the first illegal record.
+void pack(const BoxView& boxes, std::size_t first, std::size_t size, const StreamMemory& memory);
+void pack(const SphereView& spheres, std::size_t first, std::size_t size, const StreamMemory& memory);
 void pack(const MinMaxRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory);
 void pack(const CentreExtentRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory);
 void pack(const SphereRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory);

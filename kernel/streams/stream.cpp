@@ -64,6 +64,11 @@ BoxStream::BoxStream(const CentreExtentRecords& boxes) : memory_(box_memory(boxe
   update(0, boxes);
 }
 
+BoxStream::BoxStream(const BoxView& boxes) : memory_(box_memory(boxes.count)), size_(boxes.count) {
+  fill_from(memory_, size_, empty_box);
+  update(0, boxes);
+}
+
 BoxStream::BoxStream(const BoxStream& other) : memory_(copy_of(other.memory_, 6)), size_(other.size_) {}
 
 BoxStream& BoxStream::operator=(const BoxStream& other) {
@@ -89,6 +94,8 @@ void BoxStream::update(std::size_t first, const CentreExtentRecords& boxes) {
   kernel::pack(boxes, first, size_, memory_);
 }
 
+void BoxStream::update(std::size_t first, const BoxView& boxes) { kernel::pack(boxes, first, size_, memory_); }
+
 BoxView BoxStream::view() const noexcept {
   BoxView view;
   view.count = size_;
@@ -103,6 +110,11 @@ SphereStream::SphereStream(std::size_t count) : memory_(sphere_memory(count)), s
 SphereStream::SphereStream(std::span<const Sphere> spheres) : SphereStream(records(spheres)) {}
 
 SphereStream::SphereStream(const SphereRecords& spheres) : memory_(sphere_memory(spheres.count)), size_(spheres.count) {
+  fill_from(memory_, size_, empty_sphere);
+  update(0, spheres);
+}
+
+SphereStream::SphereStream(const SphereView& spheres) : memory_(sphere_memory(spheres.count)), size_(spheres.count) {
   fill_from(memory_, size_, empty_sphere);
   update(0, spheres);
 }
@@ -127,6 +139,10 @@ SphereStream& SphereStream::operator=(SphereStream&& other) noexcept {
 void SphereStream::update(std::size_t first, std::span<const Sphere> spheres) { update(first, records(spheres)); }
 
 void SphereStream::update(std::size_t first, const SphereRecords& spheres) {
+  kernel::pack(spheres, first, size_, memory_);
+}
+
+void SphereStream::update(std::size_t first, const SphereView& spheres) {
   kernel::pack(spheres, first, size_, memory_);
 }
 

@@ -62,6 +62,11 @@ void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
                         counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts)));
 }
 
+void refuse_reach(const char* call, std::size_t bounds) {
+  throw InvalidArgument(std::string(call) + " got " + std::to_string(bounds) + " bounds, but 32-bit indices reach " +
+                        std::to_string(std::numeric_limits<std::uint32_t>::max()) + "; use 64-bit ones");
+}
+
 void refuse_shared_memory(const char* call, const char* one, const char* other) {
   throw InvalidArgument(std::string(call) + ": " + one + " and " + other +
                         " share memory; what is written needs memory of its own");

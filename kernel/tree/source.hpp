@@ -1,7 +1,6 @@
 /// Where bounds come from: the user's views and records, read one at a time and checked as in packing.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -11,9 +10,8 @@
 #include "parallel/parallel.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
-#include "support/arguments.hpp"
+#include "streams/view_reader.hpp"
 #include "support/index_range.hpp"
-#include "support/overlap.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
@@ -21,54 +19,11 @@ namespace shaftcull::kernel {
 
 /// The reader of records of a kind of bound.
 template <class Bound>
-using ReaderOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxReader, SphereReader>;
+using ReaderOf = RecordReaderOf<ViewOf<Bound>>;
 
-/// Separate streams. Same shape as the readers of records, plus fetch().
+/// Separate streams.
 template <class Bound>
-class ViewSource {
- public:
-  static constexpr std::size_t rows = rows_of<Bound>;
-  explicit ViewSource(const ViewOf<Bound>& view) : view_(view) { require_view(view); }
-
-  [[nodiscard]] std::size_t count() const noexcept { return view_.count; }
-  void read(std::size_t i, float (&bound)[rows]) const noexcept {
-    for (std::size_t s = 0; s != rows; ++s) bound[s] = view_.stream[s][i];
-  }
-  [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
-    for (std::size_t s = 0; s != rows; ++s) fetch_to_second_level(view_.stream[s] + i, 1);
-  }
-  template <class Which>
-  void read_four(Which which, float* const* row) const noexcept {
-    for (std::size_t s = 0; s != rows; ++s) {
-      for (std::size_t i = 0; i != 4; ++i) row[s][i] = view_.stream[s][which[i]];
-    }
-  }
-  [[nodiscard]] bool is_legal(std::size_t i) const noexcept {
-    float bound[rows];
-    read(i, bound);
-    return ReaderOf<Bound>::is_legal(bound);
-  }
-  [[nodiscard]] bool are_clearly_legal(std::size_t first, std::size_t end) const noexcept {
-    unsigned others = 0;
-    for (std::size_t i = first; i != end; ++i) {
-      float bound[rows];
-      read(i, bound);
-      others |= ReaderOf<Bound>::is_clearly_legal(bound) ? 0U : 1U;
-    }
-    return others == 0;
-  }
-  [[nodiscard]] bool overlaps(std::span<const std::byte> memory) const noexcept {
-    return std::any_of(view_.stream.begin(), view_.stream.end(),
-                       [&](const float* stream) { return overlap(memory, bytes_of(stream, view_.count)); });
-  }
-  [[nodiscard]] std::string fault(std::size_t i) const {
-    const Bound bound = view_[i];
-    return ReaderOf<Bound>(records({&bound, 1})).fault(0);
-  }
-
- private:
-  ViewOf<Bound> view_;
-};
+using ViewSource = ViewReader<ViewOf<Bound>>;
 
 /// Records, as their reader reads them.
 template <class Bound, class Records = RecordsOf<Bound>, class Reader = ReaderOf<Bound>>

@@ -35,8 +35,11 @@ class Arguments : public testing::Test {
     const std::span<std::uint64_t> inside_row(inside_.data(), 2);
     const std::vector<std::uint32_t> candidates = {1, 2};
     std::vector<std::uint32_t> kept(2);
+    std::vector<std::uint32_t> inside(2);
     std::vector<std::uint64_t> counts(shafts_.size());
+    std::vector<KeptCounts> classified(shafts_.size());
     IndexLists lists;
+    IndexLists insides;
     using Bound = std::conditional_t<std::is_same_v<View, BoxView>, Box, Sphere>;
     const BoundsTree<Bound> whole{std::span<const Bound>(std::vector<Bound>(count))};
     BoundsTree<Bound> tree(whole);
@@ -44,14 +47,23 @@ class Arguments : public testing::Test {
     const auto ask = [&](const auto& call) { messages.push_back(message_of(call)); };
     ask([&] { cull(shafts_[0], view, row); });
     ask([&] { classify(shafts_[0], view, row, inside_row); });
-    ask([&] { contain(shafts_[0], view, inside_row); });
+    ask([&] { contained(shafts_[0], view, inside_row); });
+    ask([&] { (void)shaftcull::count(shafts_[0], view); });
+    ask([&] { (void)count_classified(shafts_[0], view); });
+    ask([&] { (void)list(shafts_[0], view, kept); });
+    ask([&] { (void)list_classified(shafts_[0], view, kept, inside); });
+    ask([&] { (void)any(shafts_[0], view); });
     ask([&] { cull_many(shafts_, view, kept_); });
     ask([&] { classify_many(shafts_, view, kept_, inside_); });
+    ask([&] { contained_many(shafts_, view, inside_); });
     ask([&] { count_many(shafts_, view, counts); });
+    ask([&] { count_classified_many(shafts_, view, classified); });
+    ask([&] { any_many(shafts_, view, std::span(kept_).first(1)); });
     ask([&] { list_many(shafts_, view, lists); });
-    ask([&] { cull_tiles(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
-    ask([&] { classify_tiles(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
-    ask([&] { static_cast<void>(refine(shafts_[0], view, std::span<const std::uint32_t>(candidates), kept)); });
+    ask([&] { list_classified_many(shafts_, view, lists, insides); });
+    ask([&] { for_each_tile(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
+    ask([&] { for_each_classified_tile(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
+    ask([&] { (void)refine(shafts_[0], view, std::span<const std::uint32_t>(candidates), kept); });
     ask([&] { refine_many(shafts_, view, candidates, lists); });
     ask([&] { BoundsTree<Bound>{view}; });
     ask([&] { tree.update(view); });
@@ -78,7 +90,7 @@ TEST_F(Arguments, ANullStreamIsRefusedByEveryCallAndNamed) {
 
 TEST_F(Arguments, NullStreamsOfAnEmptyViewAreLegal) {
   cull(shafts_[0], BoxView(), {});
-  contain(shafts_[0], SphereView(), {});
+  contained(shafts_[0], SphereView(), {});
   cull_many(shafts_, BoxView(), {});
   compile_batch(BoxView(), BoxView(), {});
   IndexLists lists;
@@ -116,7 +128,7 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_.view(), null_row); }),
               HasSubstr("kept is null; it must point to the first of 2 words"));
   EXPECT_THAT(message_of([&] { classify(shafts_[0], boxes_.view(), row, null_row); }), HasSubstr("inside is null"));
-  EXPECT_THAT(message_of([&] { contain(shafts_[0], spheres_.view(), null_row); }), HasSubstr("inside is null"));
+  EXPECT_THAT(message_of([&] { contained(shafts_[0], spheres_.view(), null_row); }), HasSubstr("inside is null"));
   EXPECT_THAT(message_of([&] { cull_many(shafts_, boxes_.view(), null_rows); }), HasSubstr("kept_rows is null"));
   EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, null_rows); }),
               HasSubstr("inside_rows is null"));
@@ -130,6 +142,20 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   EXPECT_THAT(message_of([&] { contained_many(shafts_, tree, null_rows); }), HasSubstr("inside_rows is null"));
   EXPECT_THAT(message_of([&] { count_many(shafts_, tree, null_counts); }), HasSubstr("kept_counts is null"));
   EXPECT_THAT(message_of([&] { any_many(shafts_, tree, null_row.first(1)); }), HasSubstr("any is null"));
+  EXPECT_THAT(message_of([&] { contained_many(shafts_, boxes_, null_rows); }), HasSubstr("inside_rows is null"));
+  const std::span<KeptCounts> null_classified(static_cast<KeptCounts*>(nullptr), 4);
+  EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, null_classified); }),
+              HasSubstr("counts is null"));
+  const std::span<std::uint64_t> null_bits(static_cast<std::uint64_t*>(nullptr), 1);
+  EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, null_bits); }), HasSubstr("any is null"));
+  const std::span<std::uint32_t> null_list(static_cast<std::uint32_t*>(nullptr), 2);
+  std::vector<std::uint32_t> list_of_two = {7, 7};
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, null_list); }), HasSubstr("kept is null"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], boxes_, null_list, list_of_two); }),
+              HasSubstr("overlap is null"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], spheres_, list_of_two, null_list); }),
+              HasSubstr("inside is null"));
+  EXPECT_EQ(list_of_two, (std::vector<std::uint32_t>{7, 7}));
   EXPECT_EQ(kept_, untouched_);
   const std::span<CompiledShaft> null_shafts(static_cast<CompiledShaft*>(nullptr), count);
   EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes_.view(), null_shafts); }), HasSubstr("out is null"));
@@ -144,7 +170,7 @@ TEST_F(Arguments, NullInputsAreRefused) {
   EXPECT_THAT(message_of([&] { count_many(null_shafts, tree, counts); }), HasSubstr("shafts is null"));
   const std::span<const std::uint32_t> null_candidates(static_cast<const std::uint32_t*>(nullptr), 3);
   std::vector<std::uint32_t> kept(3);
-  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shafts_[0], boxes_.view(), null_candidates, kept)); }),
+  EXPECT_THAT(message_of([&] { (void)refine(shafts_[0], boxes_.view(), null_candidates, kept); }),
               HasSubstr("candidates is null"));
   EXPECT_THAT(message_of([&] { static_cast<void>(refine(shafts_[0], tree, null_candidates, kept)); }),
               HasSubstr("candidates is null"));
@@ -170,12 +196,75 @@ TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
   EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, inside_, form); }), names_it);
   EXPECT_THAT(message_of([&] { count_many(shafts_, boxes_.view(), counts, form); }), names_it);
   EXPECT_THAT(message_of([&] { list_many(shafts_, boxes_.view(), lists, form); }), names_it);
+  std::vector<std::uint32_t> indices(2);
+  std::vector<KeptCounts> classified(4);
+  IndexLists insides;
+  EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], boxes_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { (void)count_classified(shafts_[0], spheres_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { (void)any(shafts_[0], boxes_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, indices, form); }), names_it);
+  EXPECT_THAT(
+      message_of([&] { (void)list_classified(shafts_[0], boxes_, indices, std::span(indices).first(0), form); }),
+      names_it);
+  EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, classified, form); }), names_it);
+  EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, std::span(kept_).first(1), form); }), names_it);
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts_, boxes_, lists, insides, form); }), names_it);
   EXPECT_THAT(message_of([&] {
-                cull_tiles(
+                for_each_tile(
                     shafts_, boxes_.view(), [](const TileAnswers&) {}, form);
               }),
               names_it);
   EXPECT_EQ(kept_, untouched_);
+}
+
+TEST_F(Arguments, NumbersForEachShaftNeedASpanOfTheirOwnSize) {
+  std::vector<KeptCounts> three(3, KeptCounts{7, 7});
+  EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, three); }),
+              HasSubstr("counts has room for 3 counts; 4 shafts need one each"));
+  EXPECT_EQ(three, std::vector<KeptCounts>(3, KeptCounts{7, 7}));
+  EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, kept_); }),
+              HasSubstr("any has 8 words; one bit for each of 4 shafts takes 1"));
+  EXPECT_THAT(message_of([&] { contained_many(shafts_, boxes_, std::span(inside_).first(7)); }),
+              HasSubstr("inside_rows has 7 words"));
+  EXPECT_EQ(kept_, untouched_);
+  EXPECT_EQ(inside_, untouched_);
+}
+
+TEST_F(Arguments, ListsThatShareMemoryAreRefused) {
+  std::vector<std::uint32_t> both(9, 7);
+  EXPECT_THAT(
+      message_of([&] { (void)list_classified(shafts_[0], boxes_, std::span(both).first(5), std::span(both).last(5)); }),
+      HasSubstr("list_classified: overlap and inside share memory"));
+  EXPECT_EQ(both, std::vector<std::uint32_t>(9, 7));
+  IndexLists lists{{0, 1}, {5}};
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts_, spheres_, lists, lists); }),
+              HasSubstr("list_classified_many: overlap and inside share memory"));
+  EXPECT_EQ(lists.indices, std::vector<std::uint32_t>{5});
+}
+
+TEST_F(Arguments, ListsOfMoreBoundsThanIndicesReachAreRefused) {
+  BoxView boxes = boxes_;
+  boxes.count = (std::size_t{1} << 32U) + 1;  // never read
+  std::vector<std::uint32_t> kept(1, 7);
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes, kept); }),
+              HasSubstr("list() got 4294967297 bounds, but 32-bit indices reach 4294967295; use 64-bit ones"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], boxes, kept, std::span(kept).first(0)); }),
+              HasSubstr("list_classified() got 4294967297 bounds"));
+  IndexLists lists;
+  IndexLists insides;
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts_, boxes, lists, insides); }),
+              HasSubstr("list_classified_many() got 4294967297 bounds"));
+  EXPECT_EQ(kept.front(), 7U);
+}
+
+TEST_F(Arguments, InsideAloneIsAnsweredByShaftsFormedForItAlone) {
+  ShaftOptions options;
+  options.outside = false;
+  const std::vector<CompiledShaft> shafts(2, compile(Shaft(boxes_[0], boxes_[1], options)));
+  EXPECT_NO_THROW(contained_many(shafts, boxes_, std::span(inside_).first(4)));
+  EXPECT_THAT(message_of([&] { (void)any(shafts[0], boxes_); }), HasSubstr("formed without outside"));
+  EXPECT_THAT(message_of([&] { (void)cull(shafts[0], boxes_[0]); }), HasSubstr("formed without outside"));
+  EXPECT_THAT(message_of([&] { (void)classify(shafts[0], spheres_[0]); }), HasSubstr("formed without outside"));
 }
 
 TEST_F(Arguments, OptionsThatAreNoEnumeratorsAreRefused) {

@@ -199,6 +199,28 @@ class EveryCall {
           note(words, inside);
         }
       });
+      add("count, any" + how, true, [=, this](AnswerWords& words) {
+        for (const CompiledShaft& shaft : shafts_) {
+          note(words, count(shaft, view, form));
+          note(words, count_classified(shaft, view, form));
+          note(words, any(shaft, view, form));
+        }
+      });
+      add("list" + how, true, [=, this](AnswerWords& words) {
+        std::vector<std::uint32_t> kept(view.count);
+        for (const CompiledShaft& shaft : shafts_) {
+          note(words, std::span(kept).first(list(shaft, view, kept, form)));
+        }
+      });
+      add("list_classified" + how, true, [=, this](AnswerWords& words) {
+        std::vector<std::uint64_t> overlap(view.count);
+        std::vector<std::uint64_t> inside(view.count);
+        for (const CompiledShaft& shaft : shafts_) {
+          const KeptCounts counts = list_classified(shaft, view, overlap, inside, form);
+          note(words, std::span(overlap).first(counts.overlap));
+          note(words, std::span(inside).first(counts.inside));
+        }
+      });
       for (const std::size_t some : {std::size_t{3}, shafts_.size()}) {
         const std::size_t count = std::min(some, shafts_.size());
         const std::string many = how + ", " + std::to_string(count) + " shafts";
@@ -220,31 +242,56 @@ class EveryCall {
           count_many(asked(), view, counts, form);
           note(words, counts);
         });
+        add("count_classified_many" + many, true, [=](AnswerWords& words) {
+          std::vector<KeptCounts> counts(count);
+          count_classified_many(asked(), view, counts, form);
+          note(words, counts);
+        });
+        add("any_many" + many, true, [=](AnswerWords& words) {
+          std::vector<std::uint64_t> bits(words_for(count));
+          any_many(asked(), view, bits, form);
+          note(words, bits);
+        });
         add("list_many" + many, true, [=](AnswerWords& words) {
           IndexLists lists;
           list_many(asked(), view, lists, form);
           note(words, lists.offsets);
           note(words, lists.indices);
         });
-        add("cull_tiles" + many, true, [=](AnswerWords& words) {
-          cull_tiles(
+        add("list_classified_many" + many, true, [=](AnswerWords& words) {
+          IndexLists overlap;
+          IndexLists inside;
+          list_classified_many(asked(), view, overlap, inside, form);
+          note(words, overlap.indices);
+          note(words, inside.indices);
+        });
+        add("for_each_tile" + many, true, [=](AnswerWords& words) {
+          for_each_tile(
               asked(), view, [&](const TileAnswers& answers) { note(words, answers.kept); }, form);
         });
-        add("classify_tiles" + many, true, [=](AnswerWords& words) {
-          classify_tiles(
+        add("for_each_classified_tile" + many, true, [=](AnswerWords& words) {
+          for_each_classified_tile(
               asked(), view, [&](const TileAnswers& answers) { note(words, answers.inside); }, form);
         });
       }
     }
-    add("contain" + of, true, [=, this](AnswerWords& words) {
+    add("contained" + of, true, [=, this](AnswerWords& words) {
       std::vector<std::uint64_t> inside(words_a_row);
       for (const CompiledShaft& shaft : shafts_) {
-        contain(shaft, view, inside);
+        contained(shaft, view, inside);
         note(words, inside);
       }
     });
+    add("contained_many" + of, true, [=, this](AnswerWords& words) {
+      std::vector<std::uint64_t> inside(shafts_.size() * words_a_row);
+      contained_many(shafts_, view, inside);
+      note(words, inside);
+    });
     add("classify one" + of, true, [=, this, &bounds](AnswerWords& words) {
       for (const CompiledShaft& shaft : shafts_) note(words, static_cast<unsigned>(classify(shaft, bounds[1])));
+    });
+    add("cull one" + of, true, [=, this, &bounds](AnswerWords& words) {
+      for (const CompiledShaft& shaft : shafts_) note(words, cull(shaft, bounds[1]));
     });
     add("refine" + of, true, [=, this](AnswerWords& words) {
       std::vector<std::uint32_t> kept(candidates_.size());

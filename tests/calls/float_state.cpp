@@ -75,7 +75,7 @@ TEST(FloatState, IsTheCallersOwnInItsCallbacks) {
       const InMode in(mode);
       const auto see = [&](const auto& /*answers*/) { seen.push_back(_mm_getcsr() & control_bits); };
       with_threads(3, [&] {
-        cull_tiles(shafts, boxes.view(), see);
+        for_each_tile(shafts, boxes.view(), see);
         for_each_classified(shafts, tree, see);
       });
     }

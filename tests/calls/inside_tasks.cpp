@@ -83,7 +83,7 @@ TEST(InsideTasks, AThreadThatWaitsInsideACallTakesNoOtherTaskOfTheCaller) {
   });
   arena.execute([&] {
     is_in_call = true;
-    cull_tiles(shafts, boxes.view(), [&](const TileAnswers& tile) {
+    for_each_tile(shafts, boxes.view(), [&](const TileAnswers& tile) {
       if (std::this_thread::get_id() == caller) {
         // Time for another thread to come and help.
         if (tile.shaft == 0 && !waits_in_callback) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -109,7 +109,7 @@ TEST(InsideTasks, AnExceptionOfACallbackReachesTheCallerAndLeavesItsGroupAlone) 
     int caught = 0;
     group.run([&] {
       try {
-        cull_tiles(shafts, boxes.view(), [](const TileAnswers& tile) {
+        for_each_tile(shafts, boxes.view(), [](const TileAnswers& tile) {
           if (tile.shaft == 5) throw std::runtime_error("enough");
         });
       } catch (const std::runtime_error&) {

@@ -45,7 +45,7 @@ std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds
       cull(each, bounds, kept, form);
       note(kept);
     }
-    contain(each, bounds, inside);
+    contained(each, bounds, inside);
     note(inside);
     const GridAnswers on_grid = grid_answers(each, bounds, doublings);
     note(on_grid.kept);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "columns.hpp"
@@ -130,15 +131,57 @@ TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
   }
 }
 
+/// A single bound gets the answer of a view, from a shaft that has its planes and from one whose planes are pending.
+template <class Bound>
+void expect_single(const ShaftInput& asked, const std::vector<Bound>& bounds) {
+  const std::vector<Answer> right = answers(asked, bounds, Form::fastest);
+  Shaft formed(asked.a, asked.b);
+  for (const Plane& plane : asked.added) formed.add_plane(plane);
+  std::vector<CompiledShaft> shafts = {compile(formed)};
+  if (asked.added.empty()) shafts.push_back(compile(asked.a, asked.b));
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const CompiledShaft& shaft : shafts) {
+      for (std::size_t i = 0; i != bounds.size(); ++i) {
+        ASSERT_EQ(classify(shaft, bounds[i]), right[i]) << source_text(bounds[i]) << ", " << name(isa);
+        ASSERT_EQ(cull(shaft, bounds[i]), right[i] != Answer::outside) << source_text(bounds[i]) << ", " << name(isa);
+      }
+    }
+  }
+}
+
 TEST(Views, ASingleBoundAnswersLikeAView) {
-  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
-  const std::vector<Box> boxes = some_boxes();
-  const std::vector<Sphere> spheres = some_spheres();
-  const std::vector<Answer> of_boxes = answers(input, boxes, Form::fastest);
-  const std::vector<Answer> of_spheres = answers(input, spheres, Form::fastest);
-  for (std::size_t i = 0; i != most_bounds; ++i) {
-    EXPECT_EQ(classify(shaft, boxes[i]), of_boxes[i]) << source_text(boxes[i]);
-    EXPECT_EQ(classify(shaft, spheres[i]), of_spheres[i]) << source_text(spheres[i]);
+  const Box box = {{-1, -1, -1}, {1, 1, 1}};
+  const ShaftInput inputs[] = {
+      input,
+      {input.a, input.b, {{{1, 2, 3}, 1}, {{-1, 0, 0}, 0.5F}}},
+      {box, box, {}},                                                         // every face is purple
+      {{{-3e38F, -2, -2}, {-1, 2, 2}}, {{0, -1, -3}, {2, 1, 1}}, {}},         // too large for floats
+      {{{1e6F, 1e6F, 1e6F}, {1e6F, 1e6F, 1e6F}}, {{0, 0, 0}, {1, 1, 1}}, {}}  // far apart
+  };
+  std::vector<Box> boxes = some_boxes();
+  std::vector<Sphere> spheres = some_spheres();
+  Random random(53);
+  for (std::size_t i = 0; i != most_bounds; ++i) {  // many that touch
+    boxes.push_back(random.grid_box(-2, 2));
+    spheres.push_back({{random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)}, random.integer(0, 1)});
+  }
+  for (const ShaftInput& each : inputs) {
+    expect_single(each, boxes);
+    expect_single(each, spheres);
+  }
+}
+
+TEST(Views, AnEmptyBoundIsOutsideAndOneWithNanIsNot) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const CompiledShaft shaft = compile(input.a, input.b);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_FALSE(cull(shaft, Box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}));
+    EXPECT_FALSE(cull(shaft, Sphere{{0, 0, 0}, -1}));
+    EXPECT_EQ(classify(shaft, Box{{nan, nan, nan}, {nan, nan, nan}}), Answer::overlap);
+    EXPECT_TRUE(cull(shaft, Box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
   }
 }
 

@@ -194,8 +194,8 @@ class Comparison {
     classify(shaft, memory_.view(), kept_.unwritten(), inside_.unwritten(), form);
     return {kept_.read(), inside_.read()};
   }
-  Words contained(const CompiledShaft& shaft) {
-    contain(shaft, memory_.view(), inside_.unwritten());
+  Words contained_by(const CompiledShaft& shaft) {
+    contained(shaft, memory_.view(), inside_.unwritten());
     return inside_.read();
   }
 
@@ -206,8 +206,8 @@ class Comparison {
       answers.inside = both->second;
     }
     answers.culled = unless_refused([&] { return culled(shaft, form); });
-    // contain() knows no forms.
-    answers.contained = form == Form::slab ? unless_refused([&] { return contained(shaft); }) : slab_.contained;
+    // contained() knows no forms.
+    answers.contained = form == Form::slab ? unless_refused([&] { return contained_by(shaft); }) : slab_.contained;
     return answers;
   }
 
@@ -221,7 +221,7 @@ class Comparison {
     } else if (scalar.culled) {
       require_equal(culled(shaft, form), *scalar.culled, "cull()", isa, form);
     } else if (scalar.contained) {
-      require_equal(contained(shaft), *scalar.contained, "contain()", isa, form);
+      require_equal(contained_by(shaft), *scalar.contained, "contained()", isa, form);
     }
   }
 
@@ -251,7 +251,7 @@ class Comparison {
       if (answers.inside && bit(*answers.inside, i) && !bit(*answers.kept, i)) fail_at(i, "inside but not kept");
       if (answers.contained && bit(*answers.contained, i) && has_nan(bounds_[i])) fail_at(i, "NaN inside");
       if (answers.inside && is_specified(bounds_[i]) && bit(*answers.inside, i) != bit(*answers.contained, i)) {
-        fail_at(i, "classify() and contain() differ about inside");
+        fail_at(i, "classify() and contained() differ about inside");
       }
     }
     const std::size_t rest = bounds_.size() % 64;

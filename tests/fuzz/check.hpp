@@ -17,7 +17,7 @@ class Fault : public std::logic_error {
 /// Packs, forms, compiles and tests, and throws Fault unless
 /// * packing and formation refuse exactly what the headers say, and pack exactly what they are given;
 /// * every instruction set gives the answers of the scalar one;
-/// * both forms, cull() and contain() agree on bounds that are legal or have a NaN;
+/// * both forms, cull() and contained() agree on bounds that are legal or have a NaN;
 /// * what is inside is kept, and nothing with a NaN is inside.
 /// With a draw, it picks the one instruction set that is compared with the scalar one, and one case in four for a whole
 /// tile. Over millions of inputs, a new input finds more than one more comparison of the same input does.

@@ -76,7 +76,7 @@ TEST_F(ManyErrors, AShaftThatDoesNotAnswerIsNamedBeforeAnythingIsWritten) {
   outside_only.inside = false;
   last_shaft(outside_only);
   EXPECT_THAT(refusal([&] { classify_many(shafts_, boxes_.view(), rows_, inside_); }), HasSubstr("2"));
-  EXPECT_THROW(classify_tiles(shafts_, boxes_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
+  EXPECT_THROW(for_each_classified_tile(shafts_, boxes_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
   EXPECT_EQ(rows_, std::vector<std::uint64_t>(15, 7));
   EXPECT_NO_THROW(cull_many(shafts_, boxes_.view(), rows_));
 }
@@ -91,7 +91,7 @@ TEST_F(ManyErrors, EveryOutputRefusesSpheresForAShaftWithoutThem) {
   EXPECT_THROW(classify_many(shafts_, spheres_.view(), rows_, inside_), InvalidArgument);
   EXPECT_THROW(count_many(shafts_, spheres_.view(), counts), InvalidArgument);
   EXPECT_THROW(list_many(shafts_, spheres_.view(), lists), InvalidArgument);
-  EXPECT_THROW(cull_tiles(shafts_, spheres_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
+  EXPECT_THROW(for_each_tile(shafts_, spheres_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
   EXPECT_EQ(counts, std::vector<std::uint64_t>(3, 7));
   EXPECT_EQ(lists.indices, std::vector<std::uint32_t>{5});
 }
@@ -101,19 +101,19 @@ TEST_F(ManyErrors, ListsOfMoreBoundsThanIndicesReachAreRefused) {
   view.count = (std::size_t{1} << 32U) + 1;  // never read
   IndexLists lists;
   EXPECT_THAT(refusal([&] { list_many(shafts_, view, lists); }),
-              HasSubstr("4294967297 bounds, but 32-bit indices reach 4294967295; use IndexListsOf<std::uint64_t>"));
+              HasSubstr("4294967297 bounds, but 32-bit indices reach 4294967295; use 64-bit ones"));
 }
 
 TEST_F(ManyErrors, AnEmptyCallbackIsRefused) {
   const std::function<void(const TileAnswers&)> empty;
-  EXPECT_THROW(cull_tiles(shafts_, boxes_.view(), empty), InvalidArgument);
+  EXPECT_THROW(for_each_tile(shafts_, boxes_.view(), empty), InvalidArgument);
 }
 
 TEST(ManyCalls, NoShaftsOrNoBoundsCallNothingBack) {
   const BoxColumns boxes(random_boxes(94, 10));
   const std::vector<CompiledShaft> shafts = random_shafts(95, 2);
-  cull_tiles({}, boxes.view(), [](const TileAnswers&) { FAIL(); });
-  classify_tiles(shafts, BoxView{}, [](const TileAnswers&) { FAIL(); });
+  for_each_tile({}, boxes.view(), [](const TileAnswers&) { FAIL(); });
+  for_each_classified_tile(shafts, BoxView{}, [](const TileAnswers&) { FAIL(); });
   IndexLists lists;
   list_many(shafts, BoxView{}, lists);
   EXPECT_EQ(lists.offsets, std::vector<std::uint64_t>(3, 0));
@@ -130,7 +130,7 @@ TEST(ManyCalls, AnExceptionFromACallbackEndsTheRunAndReachesTheCaller) {
       int calls = 0;
       with_threads(threads, [&] {
         try {
-          cull_tiles(shafts, boxes.view(), [&](const TileAnswers&) {
+          for_each_tile(shafts, boxes.view(), [&](const TileAnswers&) {
             if (++calls == last) throw std::domain_error("from the callback");
           });
           ADD_FAILURE() << "nothing was thrown";
@@ -148,7 +148,7 @@ TEST(ManyCalls, CallbacksComeOneAtATime) {
   const std::vector<CompiledShaft> shafts = random_shafts(99, 8);
   std::atomic<int> inside = 0;
   with_threads(5, [&] {
-    cull_tiles(shafts, boxes.view(), [&](const TileAnswers&) {
+    for_each_tile(shafts, boxes.view(), [&](const TileAnswers&) {
       EXPECT_EQ(++inside, 1);
       std::this_thread::yield();
       --inside;
@@ -177,7 +177,7 @@ TEST(ManyCalls, WorkRunsInsideTheCallersArena) {
   for (const int threads : {1, 3}) {
     with_threads(threads, [&] {
       EXPECT_EQ(concurrency(), threads);
-      cull_tiles(shafts, boxes.view(), [threads](const TileAnswers&) {
+      for_each_tile(shafts, boxes.view(), [threads](const TileAnswers&) {
         EXPECT_EQ(tbb::this_task_arena::max_concurrency(), threads);
         EXPECT_LT(tbb::this_task_arena::current_thread_index(), threads);
       });
@@ -190,7 +190,8 @@ TEST(ManyCalls, AnArenaOfOneThreadIsTheCallersOwn) {
   const std::vector<CompiledShaft> shafts = random_shafts(105, 8);
   const std::thread::id caller = std::this_thread::get_id();
   tbb::task_arena(1).execute([&] {
-    cull_tiles(shafts, boxes.view(), [caller](const TileAnswers&) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+    for_each_tile(shafts, boxes.view(),
+                  [caller](const TileAnswers&) { EXPECT_EQ(std::this_thread::get_id(), caller); });
   });
 }
 

@@ -85,6 +85,68 @@ TEST(Outputs, CountManyCountsTheBitsOfEachRow) {
   });
 }
 
+TEST(Outputs, ContainedManyWritesTheInsideRowsThatClassifyGives) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+    std::vector<std::uint64_t> inside(expected.inside.size(), sentinel);
+    contained_many(shafts, view, inside);
+    EXPECT_EQ(inside, expected.inside);
+  });
+}
+
+TEST(Outputs, CountClassifiedManyCountsWhatOneShaftCounts) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows&) {
+    std::vector<KeptCounts> counts(shafts.size(), KeptCounts{sentinel, sentinel});
+    count_classified_many(shafts, view, counts);
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      EXPECT_EQ(counts[s], count_classified(shafts[s], view)) << "shaft " << s;
+    }
+  });
+}
+
+TEST(Outputs, AnyManySetsABitForEachShaftThatKeepsAny) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows&) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      std::vector<std::uint64_t> bits(words_for(shafts.size()), sentinel);
+      any_many(shafts, view, bits, form);
+      for (std::size_t s = 0; s != 64 * bits.size(); ++s) {
+        const bool keeps = s < shafts.size() && any(shafts[s], view);
+        EXPECT_EQ(bits[s / 64] >> s % 64 & 1U, keeps ? 1U : 0U) << "shaft " << s;
+      }
+    }
+  });
+}
+
+TEST(Outputs, AnyManyFindsWhatOnlyTheLastTaskSees) {
+  BoxStream boxes(400000);  // empty ones, which no shaft keeps
+  std::vector<CompiledShaft> shafts = random_shafts(89, 70);
+  const Box far{{100, 100, 100}, {101, 101, 101}};
+  shafts[66] = compile(far, far);
+  boxes.update(boxes.size() - 1, std::vector<Box>{far});
+  for (const int threads : thread_counts) {
+    std::vector<std::uint64_t> bits(2, sentinel);
+    with_threads(threads, [&] { any_many(shafts, boxes, bits); });
+    EXPECT_EQ(bits, (std::vector<std::uint64_t>{0, 4})) << threads << " threads";
+  }
+}
+
+TEST(Outputs, ListClassifiedManyListsWhatOneShaftLists) {
+  IndexListsOf<std::uint64_t> overlap;
+  IndexListsOf<std::uint64_t> inside;
+  for_boxes_and_spheres([&](const auto& shafts, const auto& view, const ExpectedRows&) {
+    list_classified_many(shafts, view, overlap, inside);
+    ASSERT_EQ(overlap.size(), shafts.size());
+    ASSERT_EQ(inside.size(), shafts.size());
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      const KeptCounts counts = count_classified(shafts[s], view);
+      std::vector<std::uint64_t> right_overlap(counts.overlap);
+      std::vector<std::uint64_t> right_inside(counts.inside);
+      ASSERT_EQ(list_classified(shafts[s], view, right_overlap, right_inside), counts);
+      EXPECT_TRUE(std::ranges::equal(overlap[s], right_overlap)) << "shaft " << s;
+      EXPECT_TRUE(std::ranges::equal(inside[s], right_inside)) << "shaft " << s;
+    }
+  });
+}
+
 TEST(Outputs, ListManyListsTheSetBitsOfEachRowAscending) {
   IndexLists lists;  // used again and again, so that what it held before must not matter
   for_boxes_and_spheres([&lists](const auto& shafts, const auto& view, const ExpectedRows& expected) {
@@ -156,18 +218,18 @@ class Collector {
   std::vector<std::uint64_t> inside_;
 };
 
-TEST(Outputs, CullTilesDeliversEveryTileOrderedByTileAndThenByShaft) {
+TEST(Outputs, ForEachTileDeliversEveryTileOrderedByTileAndThenByShaft) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     Collector collector(shafts.size(), view.count, false);
-    cull_tiles(shafts, view, std::ref(collector));
+    for_each_tile(shafts, view, std::ref(collector));
     collector.expect(expected);
   });
 }
 
-TEST(Outputs, ClassifyTilesDeliversEveryTileOrderedByTileAndThenByShaft) {
+TEST(Outputs, ForEachClassifiedTileDeliversEveryTileOrderedByTileAndThenByShaft) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     Collector collector(shafts.size(), view.count, true);
-    classify_tiles(shafts, view, std::ref(collector));
+    for_each_classified_tile(shafts, view, std::ref(collector));
     collector.expect(expected);
   });
 }
@@ -235,7 +297,7 @@ TEST(Outputs, ManyTasksAgreeWithCull) {
         cull_many(shafts, memory.view(), rows);
         EXPECT_EQ(rows, expected.kept);
         Collector collector(shafts.size(), memory.view().count, true);
-        classify_tiles(shafts, memory.view(), std::ref(collector));
+        for_each_classified_tile(shafts, memory.view(), std::ref(collector));
         collector.expect(expected);
         std::vector<std::uint64_t> counts(shafts.size());
         count_many(shafts, memory.view(), counts);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <string>
@@ -113,6 +114,9 @@ struct Part {
   std::vector<std::uint64_t> counts;
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint32_t> indices;
+  std::vector<KeptCounts> classified;
+  std::vector<std::uint32_t> overlaps;
+  std::vector<std::uint32_t> insides;
 
   Part(const Expected& expected, std::size_t first_shaft, std::size_t shafts, std::size_t bounds) {
     for (std::size_t s = first_shaft; s != first_shaft + shafts; ++s) {
@@ -124,6 +128,11 @@ struct Part {
       indices.insert(indices.end(), row.begin(), row.end());
       counts.push_back(row.size());
       offsets.push_back(indices.size());
+      const std::vector<std::uint32_t> inside_of_row = indices_of(inside_row);
+      insides.insert(insides.end(), inside_of_row.begin(), inside_of_row.end());
+      std::set_difference(row.begin(), row.end(), inside_of_row.begin(), inside_of_row.end(),
+                          std::back_inserter(overlaps));
+      classified.push_back({row.size() - inside_of_row.size(), inside_of_row.size()});
     }
   }
 };
@@ -141,10 +150,21 @@ void expect_one(const CompiledShaft& shaft, const View& view, const Part& right)
     classify(shaft, view, kept, inside, form);
     ASSERT_EQ(kept, right.kept) << "classify";
     ASSERT_EQ(inside, right.inside) << "classify";
+    ASSERT_EQ(count(shaft, view, form), right.counts[0]) << "count";
+    ASSERT_EQ(count_classified(shaft, view, form), right.classified[0]) << "count_classified";
+    ASSERT_EQ(any(shaft, view, form), right.counts[0] != 0) << "any";
+    std::vector<std::uint32_t> indices(right.counts[0]);
+    ASSERT_EQ(list(shaft, view, indices, form), right.counts[0]) << "list";
+    ASSERT_EQ(indices, right.indices) << "list";
+    std::vector<std::uint32_t> overlap(right.classified[0].overlap);
+    indices.resize(right.classified[0].inside);
+    ASSERT_EQ(list_classified(shaft, view, overlap, indices, form), right.classified[0]) << "list_classified";
+    ASSERT_EQ(overlap, right.overlaps) << "list_classified";
+    ASSERT_EQ(indices, right.insides) << "list_classified";
   }
   std::fill(inside.begin(), inside.end(), sentinel);
-  contain(shaft, view, inside);
-  ASSERT_EQ(inside, right.inside) << "contain";
+  contained(shaft, view, inside);
+  ASSERT_EQ(inside, right.inside) << "contained";
   std::vector<std::uint32_t> candidates(view.count);
   std::iota(candidates.begin(), candidates.end(), 0U);
   candidates.resize(refine(shaft, view, candidates, candidates));
@@ -168,6 +188,25 @@ void expect_many(std::span<const CompiledShaft> shafts, const View& view, const 
   list_many(shafts, view, lists);
   ASSERT_EQ(lists.offsets, right.offsets) << "list_many";
   ASSERT_EQ(lists.indices, right.indices) << "list_many";
+  IndexLists insides;
+  list_classified_many(shafts, view, lists, insides);
+  ASSERT_EQ(lists.indices, right.overlaps) << "list_classified_many";
+  ASSERT_EQ(insides.indices, right.insides) << "list_classified_many";
+  for (std::size_t s = 0; s != shafts.size(); ++s) {
+    ASSERT_EQ(lists[s].size(), right.classified[s].overlap) << "list_classified_many";
+    ASSERT_EQ(insides[s].size(), right.classified[s].inside) << "list_classified_many";
+  }
+  std::fill(inside.begin(), inside.end(), sentinel);
+  contained_many(shafts, view, inside);
+  ASSERT_EQ(inside, right.inside) << "contained_many";
+  std::vector<KeptCounts> classified(shafts.size(), KeptCounts{sentinel, sentinel});
+  count_classified_many(shafts, view, classified);
+  ASSERT_EQ(classified, right.classified) << "count_classified_many";
+  std::vector<std::uint64_t> bits(words_for(shafts.size()), sentinel);
+  any_many(shafts, view, bits);
+  for (std::size_t s = 0; s != bits.size() * 64; ++s) {
+    ASSERT_EQ(bits[s / 64] >> s % 64 & 1U, s < shafts.size() && right.counts[s] != 0 ? 1U : 0U) << "any_many " << s;
+  }
   std::vector<std::uint32_t> candidates(view.count);
   std::iota(candidates.begin(), candidates.end(), 0U);
   refine_many(shafts, view, std::span<const std::uint32_t>(candidates), lists);

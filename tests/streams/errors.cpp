@@ -157,16 +157,30 @@ TEST(UpdateErrors, NameANullPointer) {
   EXPECT_NO_THROW(SphereStream().update(0, SphereRecords{}));
 }
 
+TEST(UpdateErrors, ABadBoundOfAViewIsNamed) {
+  const float zero[3] = {0, 0, 0};
+  const float one[3] = {1, 1, -1};
+  const BoxView boxes{{zero, zero, zero, one, one, one}, 3};
+  EXPECT_THAT(message_of([&] { BoxStream{boxes}; }), HasSubstr("box 2: lo.x = 0 is above hi.x = -1"));
+  const SphereView spheres{{zero, zero, zero, one}, 3};
+  EXPECT_THAT(message_of([&] { SphereStream{spheres}; }), HasSubstr("sphere 2: radius = -1 is negative"));
+  const BoxView null{{zero, zero, nullptr, one, one, one}, 2};
+  EXPECT_THAT(message_of([&] { BoxStream{null}; }), HasSubstr("boxes.stream[2] is null"));
+  BoxStream stream(2);
+  EXPECT_THAT(message_of([&] { stream.update(1, boxes.slice(0, 2)); }), HasSubstr("update of 2 boxes from position 1"));
+}
+
 TEST(UpdateErrors, AStreamsOwnMemoryIsNoUpdateOfIt) {
   BoxStream boxes(std::vector<Box>(100, Box{{0, 0, 0}, {1, 1, 1}}));
   SphereStream spheres(std::vector<Sphere>(100, Sphere{{0, 0, 0}, 1}));
   const float* const box_row = boxes.view().stream[5];
   const float* const sphere_row = spheres.view().stream[0];
   const float others[6] = {};
-  const auto refusal = HasSubstr("update: the records and the stream share memory");
+  const auto refusal = HasSubstr("update: what is packed and the stream share memory");
   EXPECT_THAT(message_of([&] { boxes.update(0, MinMaxRecords{others, box_row, 24, 1}); }), refusal);
   EXPECT_THAT(message_of([&] { boxes.update(0, CentreExtentRecords{box_row, others, 24, 1}); }), refusal);
   EXPECT_THAT(message_of([&] { spheres.update(0, SphereRecords{others, sphere_row + 99, 24, 1}); }), refusal);
+  EXPECT_THAT(message_of([&] { boxes.update(10, boxes.view().slice(0, 1)); }), refusal);
   EXPECT_NO_THROW(spheres.update(0, SphereRecords{boxes.view().stream[0], box_row, 24, 1}));
   for (std::size_t i = 0; i != 100; ++i) EXPECT_EQ(boxes[i], (Box{{0, 0, 0}, {1, 1, 1}}));
 }

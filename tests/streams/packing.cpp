@@ -60,6 +60,36 @@ TEST(SphereStream, HoldsWhatWasPackedForEveryCount) {
   }
 }
 
+TEST(BoxStream, HoldsWhatAViewHolds) {
+  const std::vector<Box> boxes = boxes_of(131, 3);
+  const BoxStream first(boxes);
+  const BoxView view = first;
+  EXPECT_EQ(view.stream, first.view().stream);
+  EXPECT_EQ(view.count, boxes.size());
+  const BoxStream second(view.slice(5, 120));
+  EXPECT_EQ(bounds_in(second), std::vector<Box>(boxes.begin() + 5, boxes.begin() + 125));
+  EXPECT_NE(second.view().stream[0], view.stream[0] + 5) << "a stream has memory of its own";
+  EXPECT_EQ(BoxStream(BoxView()).size(), 0U);
+}
+
+TEST(SphereStream, HoldsWhatAViewHolds) {
+  const std::vector<Sphere> spheres = spheres_of(131, 4);
+  const SphereStream first(spheres);
+  const SphereView view = first;
+  EXPECT_EQ(view.stream, first.view().stream);
+  const SphereStream second(view.slice(7, 100));
+  EXPECT_EQ(bounds_in(second), std::vector<Sphere>(spheres.begin() + 7, spheres.begin() + 107));
+}
+
+TEST(BoxStream, UpdatesFromAView) {
+  const std::vector<Box> boxes = boxes_of(100, 5);
+  const BoxStream from(boxes_of(40, 6));
+  BoxStream stream(boxes);
+  stream.update(60, from);
+  EXPECT_EQ(stream[59], boxes[59]);
+  for (std::size_t i = 0; i != 40; ++i) EXPECT_EQ(stream[60 + i], from[i]) << i;
+}
+
 TEST(BoxStream, ReadsRecordsOfAnyStrideAndAlignment) {
   const std::vector<Box> boxes = boxes_of(70, 1);
   for (const std::size_t stride : {24U, 25U, 27U, 32U, 63U, 64U, 100U}) {

@@ -1,0 +1,63 @@
+/// Small helpers for making boxes and planes. All are exact or err to the safe side, whatever floating-point mode the
+/// caller runs in; none allocates; all are safe to call from many threads.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/export.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+/// The smallest box around all points; the empty box if there are none. Throws BadBound for the first point with a NaN,
+/// InvalidArgument for a null span that is not empty. O(points.size()).
+[[nodiscard]] Box box_around(std::span<const Vec3> points);
+
+/// The smallest box around both. The empty box adds nothing. Coordinates must not be NaN.
+[[nodiscard]] Box joined(const Box& a, const Box& b) noexcept;
+
+/// The box moved by a vector: the smallest box of floats that contains the exact result, so lo is rounded down and hi
+/// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite.
+///
+/// The shaft between a box and where it moves to is what the box sweeps over: Shaft(box, translated(box, travel)).
+[[nodiscard]] Box translated(const Box& box, const Vec3& by);
+
+/// The box with every face moved out by a distance, rounded outwards as in translated(). The empty box stays empty.
+/// Throws InvalidArgument if `by` is negative or not finite.
+[[nodiscard]] Box inflated(const Box& box, float by);
+
+/// Which depths in clip space are in view.
+enum class ClipDepth : std::uint8_t {
+  zero_to_one,       ///< 0 ≤ z ≤ w: Direct3D, Vulkan, Metal, and reversed depth
+  minus_one_to_one,  ///< −w ≤ z ≤ w: OpenGL
+};
+
+/// The planes of a view frustum, up to six: left, right, bottom, top, near and far, but for those that cut nothing off,
+/// as the far plane of an infinite projection does.
+struct ViewPlanes {
+  std::array<Plane, 6> plane;
+  std::size_t count;
+
+  [[nodiscard]] const Plane* begin() const noexcept { return plane.data(); }
+  [[nodiscard]] const Plane* end() const noexcept { return plane.data() + count; }
+};
+
+/// The planes of a view-projection matrix, normals outwards, ready for Shaft::add_plane(). Normals are not of unit
+/// length.
+///
+/// The matrix has 4 rows of 4 floats, row after row, and maps column vectors: a point p of the world is at
+/// matrix · (p, 1) = (x, y, z, w) in clip space, and in view if −w ≤ x ≤ w, −w ≤ y ≤ w and z is as `depth` says. The
+/// floats of a matrix that is stored column by column (glm), or maps row vectors (DirectXMath), have to be transposed.
+///
+/// Each coefficient is the sum or difference of two of the matrix, rounded to the nearest float. Throws InvalidArgument
+/// if the matrix is not finite, if a coefficient overflows, if a plane leaves nothing in view, or if `depth` is no
+/// enumerator.
+///
+/// G. Gribb and K. Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix", 2001.
+[[nodiscard]] ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth);
+
+}  // namespace shaftcull

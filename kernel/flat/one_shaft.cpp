@@ -1,0 +1,217 @@
+/// count(), list(), any() and their like for one shaft: bounds go through the kernels in chunks, whose bits stay on the
+/// stack.
+#include <algorithm>
+#include <type_traits>
+
+#include "dispatch/active_kernels.hpp"
+#include "kernels/table.hpp"
+#include "shaftcull/cull.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Most bounds in a chunk: so many that a kernel's beginning costs nothing, and few enough for bits on the stack.
+constexpr std::size_t chunk_bounds = 16384;
+/// The first chunk of a call that may end early; each has twice as many as the one before.
+constexpr std::size_t first_bounds = 512;
+
+/// One shaft's checked question about a view.
+template <class View>
+class Chunks {
+ public:
+  Chunks(const CompiledShaft& shaft, const View& bounds, bool inside, Form form)
+      : shaft_(&shaft), bounds_(bounds), kernels_(kernel::active_kernels()), form_(form), inside_(inside) {
+    constexpr bool is_sphere = std::is_same_v<View, SphereView>;
+    kernel::require_answers(shaft, true, inside, is_sphere, 0);
+    kernel::require_form(form);
+    kernel::require_view(bounds);
+    const bool needs_planes =
+        inside || form == Form::planes || (is_sphere && shaft.slab_form != CompiledShaft::SlabForm::fused);
+    if (!needs_planes || shaft.has_planes()) return;
+    completed_ = shaft;  // once, not chunk by chunk
+    complete(completed_);
+    shaft_ = &completed_;
+  }
+  Chunks(const Chunks&) = delete;
+  Chunks& operator=(const Chunks&) = delete;
+
+  [[nodiscard]] const kernel::SetBits& set_bits() const noexcept { return kernels_.set_bits; }
+
+  /// Calls visit(first, words, kept, inside) for chunk after chunk, the bits of bounds from `first` on, until it
+  /// returns false. The first chunk has `chunk` bounds at most.
+  template <class Visit>
+  void for_each(std::size_t chunk, const Visit& visit) const {
+    const kernel::FloatEnvironment environment;
+    kernel::Test* const test = kernels_.test(bounds_, form_);
+    std::uint64_t kept[words_for(chunk_bounds)];
+    std::uint64_t inside[words_for(chunk_bounds)];
+    for (std::size_t first = 0; first != bounds_.count;) {
+      const View part = bounds_.slice(first, std::min(chunk, bounds_.count - first));
+      test(*shaft_, part.stream.data(), part.count, kept, inside_ ? inside : nullptr);
+      if (!visit(first, words_for(part.count), kept, inside)) return;
+      first += part.count;
+      chunk = std::min(2 * chunk, chunk_bounds);
+    }
+  }
+
+ private:
+  const CompiledShaft* shaft_;
+  CompiledShaft completed_;
+  View bounds_;
+  const kernel::Kernels& kernels_;
+  Form form_;
+  bool inside_;
+};
+
+/// Positions of set bits, in a span that may have too little room: those that do not fit are counted.
+template <class Index>
+class Listed {
+ public:
+  Listed(const kernel::SetBits& set_bits, std::span<Index> room) noexcept : set_bits_(set_bits), room_(room) {}
+
+  /// Those of `words` words, the first bit being that of bound `first`.
+  void add(std::size_t first, const std::uint64_t* bits, std::size_t words) noexcept {
+    constexpr std::size_t most_words = 32;
+    for (std::size_t w = 0; w < words; w += most_words) {
+      const std::size_t some = std::min(most_words, words - w);
+      const std::size_t set = set_bits_.count(bits + w, some);
+      if (set != 0 && count_ < room_.size()) {
+        std::uint32_t position[most_words * 64 + kernel::set_bits_slack];
+        set_bits_.write(bits + w, some, set, position);
+        const auto from = static_cast<Index>(first + w * 64);
+        std::transform(position, position + std::min(set, room_.size() - count_), room_.data() + count_,
+                       [from](std::uint32_t i) { return static_cast<Index>(from + i); });
+      }
+      count_ += set;
+    }
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+
+ private:
+  const kernel::SetBits& set_bits_;
+  std::span<Index> room_;
+  std::size_t count_ = 0;
+};
+
+template <class View>
+std::size_t count_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
+  const Chunks<View> chunks(shaft, bounds, false, form);
+  std::size_t count = 0;
+  chunks.for_each(chunk_bounds, [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
+    count += chunks.set_bits().count(kept, words);
+    return true;
+  });
+  return count;
+}
+
+template <class View>
+KeptCounts count_classes(const CompiledShaft& shaft, const View& bounds, Form form) {
+  const Chunks<View> chunks(shaft, bounds, true, form);
+  KeptCounts counts{};
+  chunks.for_each(chunk_bounds,
+                  [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t* inside) {
+                    const std::size_t insides = chunks.set_bits().count(inside, words);
+                    counts.inside += insides;
+                    counts.overlap += chunks.set_bits().count(kept, words) - insides;  // what is inside is kept
+                    return true;
+                  });
+  return counts;
+}
+
+template <class View>
+bool any_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
+  const Chunks<View> chunks(shaft, bounds, false, form);
+  bool any = false;
+  chunks.for_each(first_bounds, [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
+    any = std::any_of(kept, kept + words, [](std::uint64_t word) { return word != 0; });
+    return !any;
+  });
+  return any;
+}
+
+template <class View, class Index>
+std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<Index> kept, Form form) {
+  const Chunks<View> chunks(shaft, bounds, false, form);
+  kernel::require_reach<Index>("list()", bounds.count);
+  kernel::require_memory("kept", kept, "indices");
+  Listed<Index> listed(chunks.set_bits(), kept);
+  chunks.for_each(chunk_bounds,
+                  [&](std::size_t first, std::size_t words, const std::uint64_t* bits, const std::uint64_t*) {
+                    listed.add(first, bits, words);
+                    return true;
+                  });
+  return listed.count();
+}
+
+template <class View, class Index>
+KeptCounts list_classes(const CompiledShaft& shaft, const View& bounds, std::span<Index> overlap,
+                        std::span<Index> inside, Form form) {
+  const Chunks<View> chunks(shaft, bounds, true, form);
+  kernel::require_reach<Index>("list_classified()", bounds.count);
+  kernel::require_memory("overlap", overlap, "indices");
+  kernel::require_memory("inside", inside, "indices");
+  kernel::require_apart("list_classified", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
+  Listed<Index> overlaps(chunks.set_bits(), overlap);
+  Listed<Index> insides(chunks.set_bits(), inside);
+  chunks.for_each(chunk_bounds,
+                  [&](std::size_t first, std::size_t words, std::uint64_t* kept, const std::uint64_t* inside_bits) {
+                    for (std::size_t w = 0; w != words; ++w) kept[w] &= ~inside_bits[w];
+                    overlaps.add(first, kept, words);
+                    insides.add(first, inside_bits, words);
+                    return true;
+                  });
+  return {overlaps.count(), insides.count()};
+}
+
+}  // namespace
+
+std::size_t count(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
+  return count_kept(shaft, boxes, form);
+}
+std::size_t count(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
+  return count_kept(shaft, spheres, form);
+}
+
+KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
+  return count_classes(shaft, boxes, form);
+}
+KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
+  return count_classes(shaft, spheres, form);
+}
+
+bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form) { return any_kept(shaft, boxes, form); }
+bool any(const CompiledShaft& shaft, const SphereView& spheres, Form form) { return any_kept(shaft, spheres, form); }
+
+std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept, Form form) {
+  return list_kept(shaft, boxes, kept, form);
+}
+std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form) {
+  return list_kept(shaft, boxes, kept, form);
+}
+std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept, Form form) {
+  return list_kept(shaft, spheres, kept, form);
+}
+std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form) {
+  return list_kept(shaft, spheres, kept, form);
+}
+
+KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> overlap,
+                           std::span<std::uint32_t> inside, Form form) {
+  return list_classes(shaft, boxes, overlap, inside, form);
+}
+KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> overlap,
+                           std::span<std::uint64_t> inside, Form form) {
+  return list_classes(shaft, boxes, overlap, inside, form);
+}
+KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> overlap,
+                           std::span<std::uint32_t> inside, Form form) {
+  return list_classes(shaft, spheres, overlap, inside, form);
+}
+KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> overlap,
+                           std::span<std::uint64_t> inside, Form form) {
+  return list_classes(shaft, spheres, overlap, inside, form);
+}
+
+}  // namespace shaftcull

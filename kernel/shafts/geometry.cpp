@@ -1,0 +1,142 @@
+#include "shaftcull/geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr Box empty{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+
+/// The smallest float not below x + y.
+float sum_rounded_up(float x, float y) noexcept {
+  const double a = x;
+  const double b = y;
+  const double sum = a + b;
+  const double part = sum - a;
+  const double error = (a - (sum - part)) + (b - part);  // sum + error = x + y (Knuth); NaN if the sum is infinite
+  const auto nearest = static_cast<float>(sum);
+  const bool is_below = nearest < sum || (nearest == sum && error > 0);
+  return is_below ? std::nextafter(nearest, infinity) : nearest;
+}
+
+float sum_rounded_down(float x, float y) noexcept { return -sum_rounded_up(-x, -y); }
+
+[[noreturn]] void refuse_infinite(const std::string& what, float value) {
+  throw InvalidArgument(what + " = " + kernel::text(value) + " is not finite");
+}
+
+/// One of the six inequalities of clip space: w_share · w + sign · (row of the matrix) is 0 or more.
+struct ClipRule {
+  const char* name;
+  float w_share;
+  std::size_t row;
+  float sign;
+};
+
+Plane plane_of(std::span<const float, 16> matrix, const ClipRule& rule) {
+  return kernel::in_float_environment([&] {
+    const auto coefficient = [&](std::size_t column) {
+      const double w = matrix[12 + column];
+      const double row = matrix[4 * rule.row + column];
+      return static_cast<float>(rule.w_share * w + rule.sign * row);
+    };
+    return Plane{{-coefficient(0), -coefficient(1), -coefficient(2)}, coefficient(3)};
+  });
+}
+
+[[noreturn]] void refuse_plane(const ClipRule& rule, const char* why) {
+  throw InvalidArgument(std::string("view_planes: the ") + rule.name + " plane " + why);
+}
+
+bool is_finite(const Plane& plane) noexcept {
+  return std::isfinite(plane.normal[0]) && std::isfinite(plane.normal[1]) && std::isfinite(plane.normal[2]) &&
+         std::isfinite(plane.offset);
+}
+
+}  // namespace
+
+Box box_around(std::span<const Vec3> points) {
+  kernel::require_memory("points", points, "points");
+  Box box = empty;
+  for (std::size_t i = 0; i != points.size(); ++i) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      const float x = points[i][k];
+      if (std::isnan(x)) {
+        throw BadBound(i, "box_around: point " + std::to_string(i) + ": " + "xyz"[k] + " is not a number");
+      }
+      box.lo[k] = std::min(box.lo[k], x);
+      box.hi[k] = std::max(box.hi[k], x);
+    }
+  }
+  return box;
+}
+
+Box joined(const Box& a, const Box& b) noexcept {
+  Box box;
+  for (std::size_t k = 0; k != 3; ++k) {
+    box.lo[k] = std::min(a.lo[k], b.lo[k]);
+    box.hi[k] = std::max(a.hi[k], b.hi[k]);
+  }
+  return box;
+}
+
+Box translated(const Box& box, const Vec3& by) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (!std::isfinite(by[k])) refuse_infinite(std::string("translated: by.") + "xyz"[k], by[k]);
+  }
+  return kernel::in_float_environment([&] {
+    Box moved;
+    for (std::size_t k = 0; k != 3; ++k) {
+      moved.lo[k] = sum_rounded_down(box.lo[k], by[k]);
+      moved.hi[k] = sum_rounded_up(box.hi[k], by[k]);
+    }
+    return moved;
+  });
+}
+
+Box inflated(const Box& box, float by) {
+  if (!std::isfinite(by)) refuse_infinite("inflated: by", by);
+  if (by < 0) throw InvalidArgument("inflated: by = " + kernel::text(by) + " is negative; it must be 0 or more");
+  return kernel::in_float_environment([&] {
+    Box larger;
+    for (std::size_t k = 0; k != 3; ++k) {
+      larger.lo[k] = sum_rounded_down(box.lo[k], -by);
+      larger.hi[k] = sum_rounded_up(box.hi[k], by);
+    }
+    return larger;
+  });
+}
+
+ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth) {
+  if (depth > ClipDepth::minus_one_to_one) {
+    throw InvalidArgument("view_planes: depth = " + std::to_string(static_cast<unsigned>(depth)) +
+                          " is neither ClipDepth::zero_to_one nor ClipDepth::minus_one_to_one");
+  }
+  for (std::size_t i = 0; i != matrix.size(); ++i) {
+    if (!std::isfinite(matrix[i])) refuse_infinite("view_planes: matrix[" + std::to_string(i) + "]", matrix[i]);
+  }
+  const float near_share = depth == ClipDepth::zero_to_one ? 0.0F : 1.0F;
+  const ClipRule rules[6] = {{"left", 1, 0, 1}, {"right", 1, 0, -1},        {"bottom", 1, 1, 1},
+                             {"top", 1, 1, -1}, {"near", near_share, 2, 1}, {"far", 1, 2, -1}};
+  ViewPlanes planes{};
+  for (const ClipRule& rule : rules) {
+    const Plane plane = plane_of(matrix, rule);
+    if (!is_finite(plane)) refuse_plane(rule, "is beyond the largest float; scale the matrix down");
+    if (plane.normal != Vec3{0, 0, 0}) {
+      planes.plane[planes.count++] = plane;
+    } else if (plane.offset < 0) {
+      refuse_plane(rule, "leaves nothing in view; is this a view-projection matrix, row after row?");
+    }
+  }
+  return planes;
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,184 @@
+/// The table of verbs in the README: every cell of it compiles with the arguments and the result that it promises, and
+/// what is marked as missing does not.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// The rows of the README's table, which the assertions below go through: the question, then the verbs of one shaft and
+/// of many on views and on trees.
+constexpr std::array<std::array<const char*, 5>, 10> table = {{
+    {"which are kept: bits", "cull", "cull_many", "cull", "cull_many"},
+    {"which are kept, which are inside: bits of both", "classify", "classify_many", "classify", "classify_many"},
+    {"which are inside: bits", "contained", "contained_many", "contained", "contained_many"},
+    {"how many are kept", "count", "count_many", "count", "count_many"},
+    {"how many overlap, how many are inside", "count_classified", "count_classified_many", "count_classified",
+     "count_classified_many"},
+    {"which are kept: indices", "list", "list_many", "list", "list_many"},
+    {"which overlap, which are inside: indices", "list_classified", "list_classified_many", "list_classified",
+     "list_classified_many"},
+    {"is any kept", "any", "any_many", "any", "any_many"},
+    {"which are kept: a callback", "", "for_each_tile", "", "for_each_kept"},
+    {"which overlap, which are inside: a callback", "", "for_each_classified_tile", "", "for_each_classified"},
+}};
+
+/// All that a user may hold, which the calls below are made with.
+struct Given {
+  const CompiledShaft& shaft;
+  const std::vector<CompiledShaft>& shafts;
+  std::vector<std::uint64_t>& words;
+  std::vector<std::uint32_t>& indices;
+  std::vector<std::uint64_t>& wide_indices;
+  std::vector<KeptCounts>& counts;
+  IndexLists& lists;
+  IndexListsOf<std::uint64_t>& wide_lists;
+};
+
+/// Callbacks.
+struct SeeTile {
+  void operator()(const TileAnswers& /*tile*/) const {}
+};
+struct SeeShaft {
+  template <class Answers>
+  void operator()(const Answers& /*answers*/) const {}
+};
+
+// One cell each: whether the call compiles for such bounds, and gives what it should.
+
+template <class Bounds>
+concept GivesBits = requires(const Bounds& bounds, Given given) {
+  { cull(given.shaft, bounds, given.words) } -> std::same_as<void>;
+  { classify(given.shaft, bounds, given.words, given.words) } -> std::same_as<void>;
+  { contained(given.shaft, bounds, given.words) } -> std::same_as<void>;
+  { cull_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+  { classify_many(given.shafts, bounds, given.words, given.words) } -> std::same_as<void>;
+  { contained_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+};
+
+template <class Bounds>
+concept GivesNumbers = requires(const Bounds& bounds, Given given) {
+  { count(given.shaft, bounds) } -> std::same_as<std::size_t>;
+  { count_classified(given.shaft, bounds) } -> std::same_as<KeptCounts>;
+  { count_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+  { count_classified_many(given.shafts, bounds, given.counts) } -> std::same_as<void>;
+};
+
+template <class Bounds>
+concept GivesLists = requires(const Bounds& bounds, Given given) {
+  { list(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
+  { list_classified(given.shaft, bounds, given.indices, given.indices) } -> std::same_as<KeptCounts>;
+  { list_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
+  { list_classified_many(given.shafts, bounds, given.lists, given.lists) } -> std::same_as<void>;
+};
+
+template <class Bounds>
+concept GivesWideLists = requires(const Bounds& bounds, Given given) {
+  { list(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
+  { list_classified(given.shaft, bounds, given.wide_indices, given.wide_indices) } -> std::same_as<KeptCounts>;
+  { list_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
+  { list_classified_many(given.shafts, bounds, given.wide_lists, given.wide_lists) } -> std::same_as<void>;
+};
+
+template <class Bounds>
+concept TellsWhetherAny = requires(const Bounds& bounds, Given given) {
+  { any(given.shaft, bounds) } -> std::same_as<bool>;
+  { any_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+};
+
+template <class Bounds>
+concept CallsBackForTiles = requires(const Bounds& bounds, Given given) {
+  { for_each_tile(given.shafts, bounds, SeeTile()) } -> std::same_as<void>;
+  { for_each_classified_tile(given.shafts, bounds, SeeTile()) } -> std::same_as<void>;
+};
+
+template <class Bounds>
+concept CallsBackForShafts = requires(const Bounds& bounds, Given given) {
+  { for_each_kept(given.shafts, bounds, SeeShaft()) } -> std::same_as<void>;
+  { for_each_classified(given.shafts, bounds, SeeShaft()) } -> std::same_as<void>;
+};
+
+/// Forms are a matter of views.
+template <class Bounds>
+concept TakesForms = requires(const Bounds& bounds, Given given) {
+  cull(given.shaft, bounds, given.words, Form::planes);
+  classify(given.shaft, bounds, given.words, given.words, Form::planes);
+  (void)count(given.shaft, bounds, Form::planes);
+  (void)count_classified(given.shaft, bounds, Form::planes);
+  (void)list(given.shaft, bounds, given.indices, Form::planes);
+  (void)list_classified(given.shaft, bounds, given.indices, given.indices, Form::planes);
+  (void)any(given.shaft, bounds, Form::planes);
+  cull_many(given.shafts, bounds, given.words, Form::planes);
+  classify_many(given.shafts, bounds, given.words, given.words, Form::planes);
+  count_many(given.shafts, bounds, given.words, Form::planes);
+  count_classified_many(given.shafts, bounds, given.counts, Form::planes);
+  list_many(given.shafts, bounds, given.lists, Form::planes);
+  list_classified_many(given.shafts, bounds, given.lists, given.lists, Form::planes);
+  any_many(given.shafts, bounds, given.words, Form::planes);
+  for_each_tile(given.shafts, bounds, SeeTile(), Form::planes);
+};
+
+template <class Bounds>
+concept AnswersAsAView = GivesBits<Bounds> && GivesNumbers<Bounds> && GivesLists<Bounds> && GivesWideLists<Bounds> &&
+    TellsWhetherAny<Bounds> && CallsBackForTiles<Bounds> && TakesForms<Bounds> && !CallsBackForShafts<Bounds>;
+
+static_assert(AnswersAsAView<BoxView>);
+static_assert(AnswersAsAView<SphereView>);
+static_assert(AnswersAsAView<BoxStream>, "a stream goes where a view goes");
+static_assert(AnswersAsAView<SphereStream>);
+
+/// Lists of trees have indices of the tree's kind.
+template <class Tree>
+concept AnswersAsATree = GivesBits<Tree> && GivesNumbers<Tree> && TellsWhetherAny<Tree> && CallsBackForShafts<Tree> &&
+                         !CallsBackForTiles<Tree> &&
+                         (GivesLists<Tree> != GivesWideLists<Tree>);
+
+static_assert(AnswersAsATree<BoxTree> && GivesLists<BoxTree> && !GivesWideLists<BoxTree>);
+static_assert(AnswersAsATree<SphereTree> && GivesLists<SphereTree>);
+static_assert(AnswersAsATree<BoundsTree<Box, std::uint64_t>> && GivesWideLists<BoundsTree<Box, std::uint64_t>>);
+
+/// One bound at a time.
+template <class Bound>
+concept IsAnsweredAlone = requires(const Bound& bound, const CompiledShaft& shaft) {
+  { cull(shaft, bound) } -> std::same_as<bool>;
+  { classify(shaft, bound) } -> std::same_as<Answer>;
+};
+static_assert(IsAnsweredAlone<Box> && IsAnsweredAlone<Sphere>);
+
+/// Streams and trees are made of whatever holds bounds.
+static_assert(std::constructible_from<BoxStream, BoxView> && std::constructible_from<SphereStream, SphereView>);
+static_assert(std::constructible_from<BoxTree, BoxView> && std::constructible_from<BoxTree, BoxStream>);
+static_assert(std::constructible_from<SphereTree, SphereStream>);
+static_assert(!std::convertible_to<BoxView, BoxStream>, "nothing is copied unseen");
+static_assert(!std::constructible_from<BoxStream, SphereView> && !std::convertible_to<BoxStream, SphereView>);
+
+std::string row_text(const std::array<const char*, 5>& row) {
+  std::string text = "| " + std::string(row[0]);
+  for (std::size_t cell = 1; cell != row.size(); ++cell) {
+    const std::string verb = row[cell];
+    text += verb.empty() ? " | –" : " | `" + verb + "`";
+  }
+  return text + " |";
+}
+
+TEST(Verbs, AreThoseOfTheTableInTheReadme) {
+  std::ifstream file(SHAFTCULL_README);
+  const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ASSERT_FALSE(readme.empty()) << "cannot read " << SHAFTCULL_README;
+  for (const auto& row : table) {
+    EXPECT_NE(readme.find(row_text(row) + "\n"), std::string::npos) << "the README lacks the row\n" << row_text(row);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

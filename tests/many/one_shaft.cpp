@@ -1,0 +1,136 @@
+/// Numbers and lists of one shaft: what cull() and classify() say, over several chunks of bounds, and whether or not
+/// the results fit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "columns.hpp"
+#include "guarded_floats.hpp"
+#include "many/workload.hpp"
+#include "shaftcull/cull.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
+
+/// More than two of the largest chunks, and no whole word at the end.
+constexpr std::size_t many_bounds = 40001;
+
+/// What the bits say.
+template <class Index>
+struct Expected {
+  std::vector<Index> kept;
+  std::vector<Index> overlap;
+  std::vector<Index> inside;
+
+  template <class View>
+  Expected(const CompiledShaft& shaft, const View& view) {
+    const ExpectedRows bits({shaft}, view);
+    for (std::size_t i = 0; i != view.count; ++i) {
+      if ((bits.kept[i / 64] >> i % 64 & 1U) == 0) continue;
+      const bool is_inside = (bits.inside[i / 64] >> i % 64 & 1U) != 0;
+      kept.push_back(static_cast<Index>(i));
+      (is_inside ? inside : overlap).push_back(static_cast<Index>(i));
+    }
+  }
+};
+
+/// A list of `results` into room for `room` of them holds the first that fit, and nothing past the room is written.
+template <class Index, class List>
+void expect_listed(const std::vector<Index>& results, std::size_t room, const List& list) {
+  SCOPED_TRACE("room for " + std::to_string(room) + " of " + std::to_string(results.size()));
+  constexpr auto unwritten = static_cast<Index>(sentinel);
+  std::vector<Index> memory(room + 64, unwritten);
+  list(std::span(memory).first(room));
+  const auto fit = static_cast<std::ptrdiff_t>(std::min(room, results.size()));
+  EXPECT_TRUE(std::equal(results.begin(), results.begin() + fit, memory.begin()));
+  const auto behind = memory.begin() + static_cast<std::ptrdiff_t>(room);
+  EXPECT_EQ(std::vector<Index>(behind, memory.end()), std::vector<Index>(64, unwritten)) << "written past the room";
+}
+
+template <class Index, class View>
+void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form form) {
+  const Expected<Index> right(shaft, view);
+  const KeptCounts counts{right.overlap.size(), right.inside.size()};
+  ASSERT_GT(counts.overlap, 10U);
+  ASSERT_GT(counts.inside, 10U);
+  EXPECT_EQ(count(shaft, view, form), right.kept.size());
+  EXPECT_EQ(count_classified(shaft, view, form), counts);
+  EXPECT_TRUE(any(shaft, view, form));
+  const std::size_t most = right.kept.size();
+  for (const std::size_t room : {std::size_t{0}, std::size_t{1}, most / 2, most - 1, most, most + 1, most + 40}) {
+    expect_listed(right.kept, room,
+                  [&](std::span<Index> kept) { EXPECT_EQ(list(shaft, view, kept, form), right.kept.size()); });
+  }
+  for (const std::size_t room : {std::size_t{0}, counts.inside / 2, counts.inside, most + 1}) {
+    expect_listed(right.inside, room, [&](std::span<Index> inside) {
+      expect_listed(right.overlap, counts.overlap - room % 7, [&](std::span<Index> overlap) {
+        EXPECT_EQ(list_classified(shaft, view, overlap, inside, form), counts);
+      });
+    });
+  }
+}
+
+template <class Bound>
+void expect_all(const std::vector<Bound>& bounds) {
+  const auto memory = columns(bounds);
+  const GuardedView guarded(memory.view());
+  const Box a{{-4, -2, -1}, {-3, 0, 1}};
+  const Box b{{2, -1, -2}, {4, 2, 2}};
+  Shaft cut(a, b);
+  cut.add_plane({{0, 1, 1}, 1});
+  for (const CompiledShaft& shaft : {compile(a, b), compile(Shaft(a, b)), compile(cut)}) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      expect_numbers_and_lists<std::uint32_t>(shaft, guarded.view(), form);
+      expect_numbers_and_lists<std::uint64_t>(shaft, guarded.view(), form);
+    }
+  }
+}
+
+TEST(OneShaft, NumbersAndListsOfBoxesSayWhatTheBitsSay) { expect_all(random_boxes(201, many_bounds)); }
+
+TEST(OneShaft, NumbersAndListsOfSpheresSayWhatTheBitsSay) { expect_all(random_spheres(202, many_bounds)); }
+
+TEST(OneShaft, AnyFindsASingleBoundWhereverItIs) {
+  const CompiledShaft shaft = compile(Box{{-1, -1, -1}, {0, 0, 0}}, Box{{0, 0, 0}, {1, 1, 1}});
+  BoxStream boxes(many_bounds);  // empty ones, which no shaft keeps
+  EXPECT_FALSE(any(shaft, boxes));
+  const std::vector<Box> kept = {{{0, 0, 0}, {1, 1, 1}}};
+  const std::vector<Box> empty = {boxes[0]};
+  for (const std::size_t at : {std::size_t{0}, std::size_t{63}, std::size_t{511}, std::size_t{512}, std::size_t{1535},
+                               std::size_t{1536}, std::size_t{32255}, std::size_t{32256}, many_bounds - 1}) {
+    boxes.update(at, kept);
+    EXPECT_TRUE(any(shaft, boxes)) << at;
+    EXPECT_FALSE(any(shaft, boxes.view().slice(0, at))) << at;
+    boxes.update(at, empty);
+  }
+  EXPECT_FALSE(any(shaft, boxes));
+}
+
+TEST(OneShaft, AnyStopsAfterTheChunkThatHoldsAKeptBound) {
+  const CompiledShaft shaft = compile(Box{{-1, -1, -1}, {0, 0, 0}}, Box{{0, 0, 0}, {1, 1, 1}});
+  const BoxColumns memory(std::vector<Box>(512, Box{{0, 0, 0}, {1, 1, 1}}));
+  const GuardedView guarded(memory.view());  // what is past the 512 boxes must not be read
+  BoxView more = guarded.view();
+  more.count = 1000000;
+  EXPECT_TRUE(any(shaft, more));
+}
+
+TEST(OneShaft, OfNoBoundsNothingIsKept) {
+  const CompiledShaft shaft = compile(Box{{-1, -1, -1}, {0, 0, 0}}, Box{{0, 0, 0}, {1, 1, 1}});
+  EXPECT_EQ(count(shaft, BoxView()), 0U);
+  EXPECT_EQ(count_classified(shaft, SphereView()), (KeptCounts{0, 0}));
+  EXPECT_FALSE(any(shaft, BoxView()));
+  EXPECT_EQ(list(shaft, SphereView(), std::span<std::uint32_t>()), 0U);
+  EXPECT_EQ(list_classified(shaft, BoxView(), std::span<std::uint64_t>(), std::span<std::uint64_t>()),
+            (KeptCounts{0, 0}));
+}
+
+}  // namespace
+}  // namespace shaftcull
