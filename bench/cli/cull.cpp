@@ -147,7 +147,7 @@ void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, Pair
   const CompiledShaft shaft = compile(Shaft(pair.from.box, pair.to.box));
   std::vector<std::uint32_t> overlap(bounds.size());
   std::vector<std::uint32_t> inside(bounds.size());
-  const KeptCounts counts = classify(shaft, bounds, std::span(overlap), std::span(inside));
+  const KeptCounts counts = list_classified(shaft, bounds, std::span(overlap), std::span(inside));
   const auto add = [&](std::span<const std::uint32_t> indices, bool is_inside) {
     for (const std::uint32_t bound : indices) {
       if (!pair.from.holds(all[bound]) && !pair.to.holds(all[bound])) pair.candidates.push_back({bound, is_inside});
