@@ -1,4 +1,5 @@
-/// Writes the seed corpus: `test_fuzz_seeds FOLDER` makes one file for each kind of input that fuzzing should start from.
+/// Writes the seed corpus: `test_fuzz_seeds FOLDER` makes one file for each kind of input that fuzzing should start
+/// from.
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
