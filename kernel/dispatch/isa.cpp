@@ -53,12 +53,9 @@ constexpr bool are_numbered_in_order() {
 }
 static_assert(are_numbered_in_order(), "kernel/CMakeLists.txt lists instruction sets in the order of Isa");
 
-const kernel::Kernels* kernels_of(Isa isa) noexcept {
-  const InstructionSet& set = sets[static_cast<std::size_t>(isa)];
-  return set.kernels == nullptr ? nullptr : *set.kernels;
+bool available(const InstructionSet& set) noexcept {
+  return set.kernels != nullptr && *set.kernels != nullptr && set.machine_runs();
 }
-
-bool available(const InstructionSet& set) noexcept { return kernels_of(set.isa) != nullptr && set.machine_runs(); }
 bool available(Isa isa) noexcept { return available(sets[static_cast<std::size_t>(isa)]); }
 
 std::string list_of_available() {
@@ -74,18 +71,29 @@ std::string_view asked_for() noexcept {
 }
 
 /// The choice of the environment if there is one that can be followed, else the best there is.
-Isa initial_isa() noexcept {
+const InstructionSet& initial_set() noexcept {
   const std::optional<Isa> wanted = isa_from_name(asked_for());
-  if (wanted && available(*wanted)) return *wanted;
-  Isa best = Isa::scalar;
-  for (const InstructionSet& set : sets) best = available(set) ? set.isa : best;
-  return best;
+  if (wanted && available(*wanted)) return sets[static_cast<std::size_t>(*wanted)];
+  const InstructionSet* best = &sets[0];
+  for (const InstructionSet& set : sets) best = available(set) ? &set : best;
+  return *best;
 }
 
 constexpr char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-constexpr int not_chosen = -1;
-constinit std::atomic<int> chosen = not_chosen;
+constinit std::atomic<const InstructionSet*> chosen = nullptr;
+
+/// Chooses if nobody has; a select_isa() that comes in between wins.
+[[gnu::noinline, gnu::cold]] const InstructionSet& chosen_first() noexcept {
+  const InstructionSet* set = nullptr;
+  const InstructionSet* const first = &initial_set();
+  return chosen.compare_exchange_strong(set, first, std::memory_order_relaxed) ? *first : *set;
+}
+
+const InstructionSet& chosen_set() noexcept {
+  const InstructionSet* const set = chosen.load(std::memory_order_relaxed);
+  return set != nullptr ? *set : chosen_first();
+}
 
 }  // namespace
 
@@ -110,15 +118,7 @@ std::vector<Isa> available_isas() {
   return isas;
 }
 
-Isa active_isa() noexcept {
-  int isa = chosen.load(std::memory_order_relaxed);
-  if (isa == not_chosen) {
-    const int first = static_cast<int>(initial_isa());
-    // A select_isa() that came in between wins.
-    isa = chosen.compare_exchange_strong(isa, first, std::memory_order_relaxed) ? first : isa;
-  }
-  return static_cast<Isa>(isa);
-}
+Isa active_isa() noexcept { return chosen_set().isa; }
 
 IsaChoice isa_choice() {
   IsaChoice choice{std::string(asked_for()), {}, active_isa()};
@@ -140,12 +140,12 @@ void select_isa(Isa isa) {
     throw InvalidArgument("instruction set " + std::string(name(isa)) + " is not available here; this machine has " +
                           list_of_available());
   }
-  chosen.store(static_cast<int>(isa), std::memory_order_relaxed);
+  chosen.store(&sets[static_cast<std::size_t>(isa)], std::memory_order_relaxed);
 }
 
 namespace kernel {
 
-const Kernels& active_kernels() noexcept { return *kernels_of(active_isa()); }
+const Kernels& active_kernels() noexcept { return **chosen_set().kernels; }
 
 }  // namespace kernel
 }  // namespace shaftcull

@@ -231,17 +231,23 @@ struct PortableFloats {
    public:
     explicit Compressor(std::uint64_t bits) noexcept : bits_(bits) {}
 
-    void store(float* p, Vector a) const noexcept { store(p, a, width); }
-    void store(float* p, Vector a, std::size_t count) const noexcept {  // as integers, since floats may be anything
+    // As integers, since floats may be anything.
+    void store(float* p, Vector a) const noexcept {
       std::uint32_t lane[width];
-      std::uint32_t packed[width] = {};
       __builtin_memcpy(lane, &a, sizeof lane);
-      unsigned end = 0;
       for (unsigned i = 0; i < width; ++i) {
-        packed[end] = lane[i];
-        end += static_cast<unsigned>(bits_ >> i & 1U);
+        __builtin_memcpy(p, &lane[i], sizeof lane[i]);
+        p += bits_ >> i & 1U;
       }
-      __builtin_memcpy(p, packed, count * sizeof(float));
+    }
+    void store(float* p, Vector a, std::size_t count) const noexcept {
+      std::uint32_t lane[width];
+      __builtin_memcpy(lane, &a, sizeof lane);
+      for (unsigned i = 0; i < width; ++i) {
+        if ((bits_ >> i & 1U) == 0 || count == 0) continue;
+        __builtin_memcpy(p++, &lane[i], sizeof lane[i]);
+        --count;
+      }
     }
 
    private:
@@ -258,8 +264,8 @@ struct PortableFloats {
     return a;
   }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
-  static Vector minimum(Vector a, Vector b) noexcept { return choose(a < b, a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return choose(a > b, a, b); }
+  static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
+  static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     using Unsigned = typename CompilerVector<std::uint32_t, width>::Type;
     return choose(__builtin_bit_cast(Unsigned, a) > __builtin_bit_cast(Unsigned, b), a, b);

@@ -1,4 +1,5 @@
-/// Every operation on vectors of 16-bit integers, on each set that has them, against a plain definition.
+/// Every operation on vectors of 16-bit integers, on each set that has them, against a plain definition: those of
+/// portable128 are the portable ones, which new sets start from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
