@@ -32,6 +32,9 @@ set(slow QuickHull.* FloatEnvironment.Answers* ExactSpheres.*Huge* ExactSpheres.
 list(JOIN slow ":" slow)
 # Guard pages are left to real processors: qemu 7.2 reads all lanes of a masked load, also those that are masked out.
 set(guarded Views.EveryCountOf*)
+shaftcull_emulated_test(core2duo portable128 isa)
+shaftcull_emulated_test(core2duo portable128 simd)
+shaftcull_emulated_test(core2duo portable128 same_bits)
 shaftcull_emulated_test(Nehalem sse4_2 isa)
 shaftcull_emulated_test(Nehalem sse4_2 same_bits)
 shaftcull_emulated_test(Nehalem sse4_2 cull --gtest_filter=-${slow})
