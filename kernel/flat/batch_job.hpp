@@ -115,7 +115,7 @@ class Job {
   void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, IndexRange group,
                  Rows kept, Rows inside) const noexcept {
     for (std::size_t s = 0; s != group.size; ++s) {
-      fetch_share_of_next(first + count, count, s, group.size);
+      prefetch_share_of_next(first + count, count, s, group.size);
       kernel(shafts_[group.first + s], stream, count, kept.at(s), inside.at(s));
     }
   }
@@ -169,8 +169,8 @@ class Job {
     std::uint32_t looked = 0;
     std::size_t listed = 0;
     for (std::size_t s = batch.first; s != batch.end(); ++s) {
-      fetch_share_of_next(first + tile.count, tile.count, s, group.size);
-      if (s + batch_shafts < group.size) fetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
+      prefetch_share_of_next(first + tile.count, tile.count, s, group.size);
+      if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
       const CompiledShaft& its_shaft = shafts_[group.first + s];
       if (!on_grid.shaft[s].exists) {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
@@ -190,8 +190,8 @@ class Job {
   }
 
   /// Fetches what a later shaft will write: rows far apart, often by a power of two, are not long in any cache.
-  [[gnu::always_inline]] static void fetch_rows(const std::uint64_t* kept, const std::uint64_t* inside,
-                                                std::size_t words) noexcept {
+  [[gnu::always_inline]] static void prefetch_rows(const std::uint64_t* kept, const std::uint64_t* inside,
+                                                   std::size_t words) noexcept {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
     for (std::size_t w = 0; w < words; w += line) {
       __builtin_prefetch(kept + w, 1);
@@ -222,14 +222,14 @@ class Job {
   /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into
   /// the second-level cache, while the tile before it is tested: otherwise the first shaft of each group waits for
   /// memory. Four shafts or fewer read a tile about as fast as it comes, and the processor's own fetching does better;
-  /// for less than eight it does so, too, where a view may be in a cache. Inlined, as fetch_to_second_level() is.
-  [[gnu::always_inline]] void fetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
-                                                  std::size_t shares) const noexcept {
+  /// for less than eight it does so, too, where a view may be in a cache. Inlined, as prefetch_to_second_level() is.
+  [[gnu::always_inline]] void prefetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
+                                                     std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
     if (shares < (is_beyond_caches() ? fewest_that_fetch_from_memory : fewest_that_fetch)) return;
     const std::size_t lines = std::min(count, bounds_.count - next) / line;
     for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
-      for (const float* stream : bounds_.stream) fetch_to_second_level(stream + next + l * line, line);
+      for (const float* stream : bounds_.stream) prefetch_to_second_level(stream + next + l * line, line);
     }
   }
 

@@ -56,14 +56,14 @@ using TestListedWords = void(const CompiledShaft& shaft, const float* const* str
 
 /// Writes from[i] for every set bit i, ascending, to `out`, and returns how many. Reads all 64 of `from`, and may
 /// scribble on all 64 of `out`.
-using Pick = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
+using CompressIndices = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
 
 /// Writes the box around each of `words` words of bounds, at most 64, to node[0 … 5]. Returns which of them hold a
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
-using Unite = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
+using NodeBounds = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
 
 /// Between which keys, coordinates on an axis, the one of a rank most likely is.
-struct Bracket {
+struct SampleBracket {
   unsigned axis;
   float from;
   float to;
@@ -76,7 +76,7 @@ struct Collected {
 };
 
 /// How many keys are less than a pivot, and how many are equal to it.
-struct Tally {
+struct KeyCounts {
   std::size_t less;
   std::size_t equal;
 };
@@ -93,17 +93,17 @@ struct SplitKernels {
   // The same in steps, for parts that many threads halve together (tree/split.cpp).
 
   /// Looks at a sample of many entries. `room` is three streams of `count` floats.
-  Bracket (*bracket)(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept;
+  SampleBracket (*bracket)(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept;
   /// Collects the keys in a bracket in `some`, which has room for all.
-  Collected (*collect)(const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept;
+  Collected (*collect)(const float* key, std::size_t count, const SampleBracket& bracket, float* some) noexcept;
   /// A limit that `rank` keys are less than; if equal ones straddle that rank, those. rank < count.
   float (*pivot)(const float* key, std::size_t count, std::size_t rank) noexcept;
   /// Counts keys.
-  Tally (*tally)(const float* key, std::size_t count, float pivot) noexcept;
+  KeyCounts (*count_keys)(const float* key, std::size_t count, float pivot) noexcept;
   /// Writes the entries whose keys are less than the pivot to `less`, those whose keys are larger to `larger`, and
   /// those whose keys equal it to `equal`; if that is null, to `larger` too. Writes nothing else.
-  void (*deal)(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally,
-               float* const* less, float* const* equal, float* const* larger) noexcept;
+  void (*scatter)(const float* const* from, std::size_t count, unsigned axis, float pivot, const KeyCounts& counts,
+                  float* const* less, float* const* equal, float* const* larger) noexcept;
 };
 
 /// Positions that SetBits::write() may scribble on past the last one it is asked for.
@@ -190,9 +190,9 @@ struct Kernels {
   AddPlanes* add_planes;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
-  Pick* pick;
-  Unite* unite_boxes;
-  Unite* unite_spheres;
+  CompressIndices* compress_indices;
+  NodeBounds* node_bounds_of_boxes;
+  NodeBounds* node_bounds_of_spheres;
   SplitKernels split;       ///< four streams
   SplitKernels split_wide;  ///< five
   SetBits set_bits;
@@ -207,8 +207,8 @@ struct Kernels {
   [[nodiscard]] ClassifyOne* classify_one(const SphereView& /*sphere*/) const noexcept { return classify_sphere; }
   [[nodiscard]] TestListedWords* listed(const BoxView& /*boxes*/) const noexcept { return listed_boxes; }
   [[nodiscard]] TestListedWords* listed(const SphereView& /*spheres*/) const noexcept { return listed_spheres; }
-  [[nodiscard]] Unite* unite(const BoxView& /*boxes*/) const noexcept { return unite_boxes; }
-  [[nodiscard]] Unite* unite(const SphereView& /*spheres*/) const noexcept { return unite_spheres; }
+  [[nodiscard]] NodeBounds* node_bounds(const BoxView& /*boxes*/) const noexcept { return node_bounds_of_boxes; }
+  [[nodiscard]] NodeBounds* node_bounds(const SphereView& /*spheres*/) const noexcept { return node_bounds_of_spheres; }
 };
 
 }  // namespace shaftcull::kernel

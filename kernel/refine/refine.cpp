@@ -25,8 +25,8 @@ template <class View>
 inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>;
 
 /// Candidates ahead of the one collected whose bounds are fetched, and for trees those whose leaves are looked up.
-constexpr std::size_t fetched_bounds = 16;
-constexpr std::size_t fetched_places = 32;
+constexpr std::size_t prefetched_bounds = 16;
+constexpr std::size_t prefetched_places = 32;
 
 /// Where candidates are in a view: at themselves.
 struct InView {
@@ -35,7 +35,7 @@ struct InView {
     return candidate;
   }
   template <class Index>
-  void fetch(Index /*candidate*/) const noexcept {}
+  void prefetch(Index /*candidate*/) const noexcept {}
 };
 
 /// Where candidates are among the leaves of a tree.
@@ -44,8 +44,8 @@ struct InTree {
   const Index* place;
 
   [[nodiscard]] Index operator()(Index candidate) const noexcept { return place[candidate]; }
-  [[gnu::always_inline]] void fetch(Index candidate) const noexcept {
-    kernel::fetch_to_second_level(place + candidate, 1);
+  [[gnu::always_inline]] void prefetch(Index candidate) const noexcept {
+    kernel::prefetch_to_second_level(place + candidate, 1);
   }
 };
 
@@ -54,10 +54,10 @@ template <class View, class Index, class Position>
 void collect(const View& view, std::span<const Index> candidates, const Position& position, std::size_t first,
              std::size_t size, const std::array<float*, rows_of<View>>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
-    if (first + i + fetched_places < candidates.size()) position.fetch(candidates[first + i + fetched_places]);
-    if (first + i + fetched_bounds < candidates.size()) {
-      const std::size_t soon = position(candidates[first + i + fetched_bounds]);
-      for (const float* stream : view.stream) kernel::fetch_to_second_level(stream + soon, 1);
+    if (first + i + prefetched_places < candidates.size()) position.prefetch(candidates[first + i + prefetched_places]);
+    if (first + i + prefetched_bounds < candidates.size()) {
+      const std::size_t soon = position(candidates[first + i + prefetched_bounds]);
+      for (const float* stream : view.stream) kernel::prefetch_to_second_level(stream + soon, 1);
     }
     const std::size_t at = position(candidates[first + i]);
     for (std::size_t s = 0; s != row.size(); ++s) row[s][i] = view.stream[s][at];

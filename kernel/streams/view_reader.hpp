@@ -19,7 +19,7 @@ namespace shaftcull::kernel {
 template <class View>
 using RecordReaderOf = std::conditional_t<std::is_same_v<View, BoxView>, MinMaxReader, SphereReader>;
 
-/// Same shape as the readers of records, plus fetch().
+/// Same shape as the readers of records, plus prefetch().
 template <class View>
 class ViewReader {
  public:
@@ -34,8 +34,8 @@ class ViewReader {
   void read(std::size_t i, float (&bound)[rows]) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) bound[s] = view_.stream[s][i];
   }
-  [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
-    for (std::size_t s = 0; s != rows; ++s) fetch_to_second_level(view_.stream[s] + i, 1);
+  [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept {
+    for (std::size_t s = 0; s != rows; ++s) prefetch_to_second_level(view_.stream[s] + i, 1);
   }
   template <class Which>
   void read_four(Which which, float* const* row) const noexcept {

@@ -10,7 +10,7 @@ namespace shaftcull::kernel {
 ///
 /// Always inlined, because a call of a function that only fetches is no call to g++ 12: it leaves it out.
 template <class Item>
-[[gnu::always_inline]] inline void fetch_to_second_level(const Item* item, std::size_t count) noexcept {
+[[gnu::always_inline]] inline void prefetch_to_second_level(const Item* item, std::size_t count) noexcept {
   constexpr std::size_t line = 64 / sizeof(Item);
   for (std::size_t i = 0; i < count; i += line) __builtin_prefetch(item + i, 0, 2);
 }

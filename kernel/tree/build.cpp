@@ -53,16 +53,16 @@ namespace {
 
 static_assert(source_block % gap_leaves == 0, "tasks that write leaves must not share a word of gaps");
 
-/// Builds a tree of the bounds of a source, which may be the workshop's own records.
+/// Builds a tree of the bounds of a source, which may be the scratch's own records.
 template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build_in(const Workshop<Bound, Index>& workshop, const Source& source) {
+TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, const Source& source) {
   const Kernels& kernels = active_kernels();
-  const ClassBounds class_first = write_entries(source, workshop);
+  const ClassBounds class_first = write_entries(source, scratch);
   TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
-  write_tree_order<Index>(workshop.entries(), workshop.spare(), class_first, kernels, parts.order.data());
-  const RecordSource<Bound> all(workshop.records());
+  write_tree_order<Index>(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
+  const RecordSource<Bound> all(scratch.records());
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     write_leaves(parts, kernels, parts.order.data(), chunk_at(parts.size, source_block, b), all);
   });
@@ -75,31 +75,31 @@ TreeParts<Bound, Index> build_in(const Workshop<Bound, Index>& workshop, const S
 
 template <class Bound, class Index, class Source>
 TreeParts<Bound, Index> build(const Source& source) {
-  return build_in(Workshop<Bound, Index>(source.count()), source);
+  return build_in(BuildScratch<Bound, Index>(source.count()), source);
 }
 
 /// Records ahead of the one written that are fetched: they are all over memory. It saves 6 ms of 51 for a million
 /// boxes.
-constexpr std::size_t fetched_records = 16;
+constexpr std::size_t prefetched_records = 16;
 
 template <class Bound, class Index>
 TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts) {
   // Bounds are put back into the user's order, so that nothing depends on where they are now.
-  const Workshop<Bound, Index> workshop(parts.size);
+  const BuildScratch<Bound, Index> scratch(parts.size);
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
     const auto row = parts.leaf_rows();
     for (std::size_t p = block.first; p != block.end(); ++p) {
-      if (p + fetched_records < block.end()) {
-        const float* const soon = workshop.record(parts.order[p + fetched_records]);
+      if (p + prefetched_records < block.end()) {
+        const float* const soon = scratch.record(parts.order[p + prefetched_records]);
         __builtin_prefetch(soon, 1);
         __builtin_prefetch(soon + row.size() - 1, 1);  // may be in the next cache line
       }
-      float* const record = workshop.record(parts.order[p]);
+      float* const record = scratch.record(parts.order[p]);
       for (std::size_t s = 0; s != row.size(); ++s) record[s] = row[s][p];
     }
   });
-  return build_in(workshop, RecordSource<Bound>(workshop.records()));
+  return build_in(scratch, RecordSource<Bound>(scratch.records()));
 }
 
 template TreeParts<Box, std::uint32_t> rebuild(const TreeParts<Box, std::uint32_t>& parts);

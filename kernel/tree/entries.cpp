@@ -108,14 +108,14 @@ class Chunk {
 /// are legal.
 template <class Bound, class Index, class Source>
 bool write_in_order(const Source& source, const IndexRange& run, float node_size,
-                    const Workshop<Bound, Index>& workshop, std::array<std::size_t, size_classes>& counts) noexcept {
-  const EntryStreams<Index> entries = workshop.entries();
-  const WordWriter writer(workshop.bytes());
+                    const BuildScratch<Bound, Index>& scratch, std::array<std::size_t, size_classes>& counts) noexcept {
+  const EntryStreams<Index> entries = scratch.entries();
+  const WordWriter writer(scratch.bytes());
   bool is_legal = true;
   for (std::size_t first = run.first; first < run.end(); first += Chunk<Bound>::most) {
     const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, run.end() - first));
     is_legal &= chunk.is_legal();
-    chunk.write_records(workshop.record(first), writer);
+    chunk.write_records(scratch.record(first), writer);
     chunk.write_entries(entries, writer);
     chunk.count_classes(node_size, counts);
   }
@@ -124,12 +124,12 @@ bool write_in_order(const Source& source, const IndexRange& run, float node_size
 
 /// Writes entries where those of their class go next.
 template <class Bound, class Index>
-void write_by_class(const Workshop<Bound, Index>& workshop, const IndexRange& run, float node_size,
+void write_by_class(const BuildScratch<Bound, Index>& scratch, const IndexRange& run, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
-  const EntryStreams<Index> entries = workshop.entries();
+  const EntryStreams<Index> entries = scratch.entries();
   for (std::size_t i = run.first; i != run.end(); ++i) {
     float bound[rows_of<Bound>];
-    std::copy_n(workshop.record(i), rows_of<Bound>, bound);
+    std::copy_n(scratch.record(i), rows_of<Bound>, bound);
     const Placement place = placement(bound);
     const std::size_t to = next[size_class(place.extent, node_size)]++;
     for (std::size_t k = 0; k != 3; ++k) entries[k][to] = place.centre[k];
@@ -140,14 +140,14 @@ void write_by_class(const Workshop<Bound, Index>& workshop, const IndexRange& ru
 }  // namespace
 
 template <class Bound, class Index, class Source>
-ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& workshop) {
+ClassBounds write_entries(const Source& source, const BuildScratch<Bound, Index>& scratch) {
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
   const std::size_t blocks = chunk_count(count, source_block);
   std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
   std::atomic<bool> all_legal = true;
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    if (write_in_order(source, chunk_at(count, source_block, b), node_size, workshop, places[b])) return;
+    if (write_in_order(source, chunk_at(count, source_block, b), node_size, scratch, places[b])) return;
     all_legal.store(false, std::memory_order_relaxed);
   });
   if (!all_legal.load(std::memory_order_relaxed)) require_legal<Bound>(source);
@@ -164,20 +164,24 @@ ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& wo
   if (one_class) return class_first;  // they are in order already
 
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    write_by_class(workshop, chunk_at(count, source_block, b), node_size, places[b]);
+    write_by_class(scratch, chunk_at(count, source_block, b), node_size, places[b]);
   });
   return class_first;
 }
 
-template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box, std::uint32_t>& workshop);
-template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box, std::uint32_t>& workshop);
-template ClassBounds write_entries(const CentreExtentSource& source, const Workshop<Box, std::uint32_t>& workshop);
-template ClassBounds write_entries(const CentreExtentSource& source, const Workshop<Box, std::uint64_t>& workshop);
-template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere, std::uint32_t>& workshop);
-template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere, std::uint32_t>& workshop);
-template ClassBounds write_entries(const ViewSource<Box>& source, const Workshop<Box, std::uint64_t>& workshop);
-template ClassBounds write_entries(const RecordSource<Box>& source, const Workshop<Box, std::uint64_t>& workshop);
-template ClassBounds write_entries(const ViewSource<Sphere>& source, const Workshop<Sphere, std::uint64_t>& workshop);
-template ClassBounds write_entries(const RecordSource<Sphere>& source, const Workshop<Sphere, std::uint64_t>& workshop);
+template ClassBounds write_entries(const ViewSource<Box>& source, const BuildScratch<Box, std::uint32_t>& scratch);
+template ClassBounds write_entries(const RecordSource<Box>& source, const BuildScratch<Box, std::uint32_t>& scratch);
+template ClassBounds write_entries(const CentreExtentSource& source, const BuildScratch<Box, std::uint32_t>& scratch);
+template ClassBounds write_entries(const CentreExtentSource& source, const BuildScratch<Box, std::uint64_t>& scratch);
+template ClassBounds write_entries(const ViewSource<Sphere>& source,
+                                   const BuildScratch<Sphere, std::uint32_t>& scratch);
+template ClassBounds write_entries(const RecordSource<Sphere>& source,
+                                   const BuildScratch<Sphere, std::uint32_t>& scratch);
+template ClassBounds write_entries(const ViewSource<Box>& source, const BuildScratch<Box, std::uint64_t>& scratch);
+template ClassBounds write_entries(const RecordSource<Box>& source, const BuildScratch<Box, std::uint64_t>& scratch);
+template ClassBounds write_entries(const ViewSource<Sphere>& source,
+                                   const BuildScratch<Sphere, std::uint64_t>& scratch);
+template ClassBounds write_entries(const RecordSource<Sphere>& source,
+                                   const BuildScratch<Sphere, std::uint64_t>& scratch);
 
 }  // namespace shaftcull::kernel

@@ -39,12 +39,12 @@ inline constexpr unsigned size_classes = 10;
 /// Entries of class c are [ClassBounds[c], ClassBounds[c + 1]).
 using ClassBounds = std::array<std::size_t, size_classes + 1>;
 
-/// What a tree is built in: entries, as much memory to move them to, and the bounds themselves as records, because tree
-/// order reads them from all over memory and a record is in one place, not in six.
+/// Scratch memory of a build: entries, as much memory to move them to, and the bounds themselves as records, because
+/// tree order reads them from all over memory and a record is in one place, not in six.
 template <class Bound, class Index>
-class Workshop {
+class BuildScratch {
  public:
-  explicit Workshop(std::size_t count)
+  explicit BuildScratch(std::size_t count)
       : count_(count),
         stride_(words_for(count) * 64 + apart),
         entries_(2 * entry_streams * stride_),
@@ -81,6 +81,6 @@ class Workshop {
 /// Writes all bounds' records and entries, these sorted by size class, and returns where each class begins. Throws
 /// BadBound for the first illegal bound.
 template <class Bound, class Index, class Source>
-ClassBounds write_entries(const Source& source, const Workshop<Bound, Index>& workshop);
+ClassBounds write_entries(const Source& source, const BuildScratch<Bound, Index>& scratch);
 
 }  // namespace shaftcull::kernel

@@ -21,12 +21,12 @@ void fit_words(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, 
     const auto rows = parts.leaf_rows(first * fanout);
     const float* in[rows_of<Bound>];
     std::copy(rows.begin(), rows.end(), in);
-    gaps = kernels.unite(ViewOf<Bound>{})(in, words, out.data());
+    gaps = kernels.node_bounds(ViewOf<Bound>{})(in, words, out.data());
   } else {
     const auto rows = parts.node_rows(k - 1, first * fanout);
     const float* in[6];
     std::copy(rows.begin(), rows.end(), in);
-    gaps = kernels.unite_boxes(in, words, out.data());
+    gaps = kernels.node_bounds_of_boxes(in, words, out.data());
     const std::uint64_t* const below = parts.gap_words(k - 1) + first;
     for (std::size_t w = 0; w != words; ++w) gaps |= std::uint64_t{below[w] != 0} << w;
   }
@@ -47,7 +47,7 @@ void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t
   const auto rows = parts.node_rows(k - 1, entry * fanout);
   const float* in[6];
   std::copy(rows.begin(), rows.end(), in);
-  const bool is_gap = kernels.unite_boxes(in, 1, parts.node_rows(k, entry).data()) != 0;
+  const bool is_gap = kernels.node_bounds_of_boxes(in, 1, parts.node_rows(k, entry).data()) != 0;
   set_gap(parts, k, entry, is_gap || parts.gap_words(k - 1)[entry] != 0);
 }
 
@@ -60,7 +60,7 @@ static_assert(task_entries % fanout == 0, "tasks must not share a word of gaps")
 template <class Bound>
 void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t entry,
                    const float* const (&leaves)[rows_of<Bound>]) noexcept {
-  const std::uint64_t gap = kernels.unite(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
+  const std::uint64_t gap = kernels.node_bounds(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
   set_gap(parts, 1, entry, gap != 0);
 }
 
@@ -131,12 +131,12 @@ Box box_around(const TreeLevels<Bound>& parts, const Kernels& kernels) noexcept 
     const auto rows = parts.leaf_rows();
     const float* in[rows_of<Bound>];
     std::copy(rows.begin(), rows.end(), in);
-    kernels.unite(ViewOf<Bound>{})(in, words, out);
+    kernels.node_bounds(ViewOf<Bound>{})(in, words, out);
   } else {
     const auto rows = parts.node_rows(top);
     const float* in[6];
     std::copy(rows.begin(), rows.end(), in);
-    kernels.unite_boxes(in, words, out);
+    kernels.node_bounds_of_boxes(in, words, out);
   }
   for (std::size_t w = 0; w != words; ++w) {
     for (std::size_t k = 0; k != 3; ++k) {

@@ -30,16 +30,16 @@ class FoundOutput {
   /// Writes their indices from `out` on, count() of them and nothing else.
   void write(const LeafIndices<Index>& indices, Index* out) const noexcept {
     const Index* const end = out + count_;
-    found_.for_each_piece([&](const Found* found, std::size_t size) {
+    found_.for_each_chunk([&](const Found* found, std::size_t size) {
       for (std::size_t i = 0; i != size; ++i) {
-        if (i + fetched_words < size) indices.fetch(found[i + fetched_words].first);
+        if (i + prefetched_words < size) indices.prefetch(found[i + prefetched_words].first);
         const auto [bits, first, range] = found[i];
         if (range != 0) {
           out = indices.copy(first, range, out);
         } else if (end - out >= static_cast<std::ptrdiff_t>(most_added)) {
-          out += indices.pick(first, bits, out);
+          out += indices.compress(first, bits, out);
         } else {
-          out += indices.pick_only(first, bits, out);  // what follows is somebody else's
+          out += indices.compress_exactly(first, bits, out);  // what follows is somebody else's
         }
       }
     });
@@ -53,9 +53,9 @@ class FoundOutput {
     Index range;  ///< size, or 0 for a word
   };
   /// Words ahead of the one written whose indices are fetched.
-  static constexpr std::size_t fetched_words = 16;
+  static constexpr std::size_t prefetched_words = 16;
 
-  PiecewiseOutput<Found> found_;
+  ChunkedOutput<Found> found_;
   std::size_t count_ = 0;
 };
 

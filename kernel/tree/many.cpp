@@ -28,7 +28,7 @@ std::vector<LeafRangeOf<Index>>& items_of(LeafRangeListsOf<Index>& lists) {
   return lists.ranges;
 }
 template <class Index>
-using LeafRanges = kernel::PiecewiseOutput<LeafRangeOf<Index>>;
+using LeafRanges = kernel::ChunkedOutput<LeafRangeOf<Index>>;
 
 template <class Index>
 kernel::FoundList<Index> list_of(const kernel::LeafIndices<Index>& /*indices*/, kernel::FoundOutput<Index>& output) {
@@ -46,7 +46,7 @@ void write(const kernel::FoundOutput<Index>& found, const kernel::LeafIndices<In
 }
 template <class Index>
 void write(const LeafRanges<Index>& ranges, const kernel::LeafIndices<Index>& /*indices*/, LeafRangeOf<Index>* out) {
-  ranges.for_each_piece(
+  ranges.for_each_chunk(
       [&](const LeafRangeOf<Index>* items, std::size_t size) { out = std::copy_n(items, size, out); });
 }
 
@@ -55,35 +55,35 @@ kernel::FoundOutput<Index> output_for(const IndexListsOf<Index>&);
 template <class Index>
 LeafRanges<Index> output_for(const LeafRangeListsOf<Index>&);
 
-/// What tasks leave, piece by piece, to be put side by side.
+/// What tasks leave, to be put side by side.
 template <class Lists>
-class Pieces {
+class TaskOutputs {
  public:
   using Output = decltype(output_for(std::declval<const Lists&>()));
 
-  Pieces(std::size_t shafts, Lists& lists)
+  TaskOutputs(std::size_t shafts, Lists& lists)
       : shafts_(shafts),
-        piece_(chunk_count(shafts, task_shafts)),
+        output_(chunk_count(shafts, task_shafts)),
         lists_(lists),
         in_progress_(lists.offsets, items_of(lists)) {
     lists.offsets.assign(shafts + 1, 0);
   }
-  [[nodiscard]] Output& operator[](std::size_t task) noexcept { return piece_[task]; }
-  /// Shaft s is done; what it added is at the end of its task's piece.
-  void close(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = piece_[task].count(); }
+  [[nodiscard]] Output& operator[](std::size_t task) noexcept { return output_[task]; }
+  /// Shaft s is done; what it added is at the end of its task's output.
+  void close(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = output_[task].count(); }
 
   template <class Index>
   void put_together(const kernel::LeafIndices<Index>& indices) {
     std::uint64_t before = 0;
-    for (std::size_t t = 0; t != piece_.size(); ++t) {
+    for (std::size_t t = 0; t != output_.size(); ++t) {
       const IndexRange task = chunk_at(shafts_, task_shafts, t);
       for (std::size_t s = task.first; s != task.end(); ++s) lists_.offsets[s + 1] += before;
       before = lists_.offsets[task.end()];
     }
     in_progress_.resize_items(before);
     auto& items = items_of(lists_);
-    kernel::parallel_for(piece_.size(), 1, [&](std::size_t t, std::size_t) {
-      const Output done = std::move(piece_[t]);
+    kernel::parallel_for(output_.size(), 1, [&](std::size_t t, std::size_t) {
+      const Output done = std::move(output_[t]);
       write(done, indices, items.data() + lists_.offsets[t * task_shafts]);
     });
   }
@@ -92,7 +92,7 @@ class Pieces {
 
  private:
   std::size_t shafts_;
-  std::vector<Output> piece_;
+  std::vector<Output> output_;
   Lists& lists_;
   kernel::IncompleteLists<typename std::decay_t<decltype(items_of(std::declval<Lists&>()))>::value_type> in_progress_;
 };
@@ -109,7 +109,7 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
                const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
   require_apart(query, "list_many", "kept", kept);
-  Pieces<Lists> all(shafts.size(), kept);
+  TaskOutputs<Lists> all(shafts.size(), kept);
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
@@ -129,8 +129,8 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
   if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
   require_apart(query, "list_classified_many", "overlap", overlap);
   require_apart(query, "list_classified_many", "inside", inside);
-  Pieces<Lists> overlaps(shafts.size(), overlap);
-  Pieces<Lists> insides(shafts.size(), inside);
+  TaskOutputs<Lists> overlaps(shafts.size(), overlap);
+  TaskOutputs<Lists> insides(shafts.size(), inside);
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {

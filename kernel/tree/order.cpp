@@ -12,7 +12,7 @@ namespace {
 /// Parts this small are finished by one task.
 constexpr std::size_t task_entries = 16384;
 
-/// Where to cut: the middle, moved so that every node of the largest possible size is in one piece. 0 for parts within
+/// Where to cut: the middle, moved so that every node of the largest possible size is in one part. 0 for parts within
 /// one node of leaves.
 template <class Index>
 std::size_t cut_of(const Part<Index>& part) noexcept {

@@ -1,4 +1,4 @@
-/// Where lists go: into the caller's memory, into memory that grows, or into pieces of it.
+/// Where lists go: into the caller's memory, into memory that grows, or into chunks of it.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ class SpanOutput {
   std::size_t count_ = 0;
 };
 
-/// Memory that grows, in one piece.
+/// Memory that grows, in one chunk.
 template <class Item>
 class GrowingOutput {
  public:
@@ -83,37 +83,37 @@ class GrowingOutput {
   std::size_t capacity_ = 0;
 };
 
-/// Memory that grows in pieces, so that nothing is copied on the way.
+/// Memory that grows in chunks, so that nothing is copied on the way.
 template <class Item>
-class PiecewiseOutput {
+class ChunkedOutput {
  public:
   void push(Item item) {
-    if (pieces_.empty() || pieces_.back().size == pieces_.back().room) {
-      pieces_.emplace_back(std::clamp(count_, least_piece, most_piece));
+    if (chunks_.empty() || chunks_.back().size == chunks_.back().room) {
+      chunks_.emplace_back(std::clamp(count_, least_chunk, most_chunk));
     }
-    *pieces_.back().end() = item;
-    ++pieces_.back().size;
+    *chunks_.back().end() = item;
+    ++chunks_.back().size;
     ++count_;
   }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  [[nodiscard]] Item* last() noexcept { return pieces_.back().end() - 1; }
+  [[nodiscard]] Item* last() noexcept { return chunks_.back().end() - 1; }
 
-  /// Calls use(items, count) for piece after piece.
+  /// Calls use(items, count) for chunk after chunk.
   template <class Use>
-  void for_each_piece(const Use& use) const {
-    for (const Piece& piece : pieces_) use(static_cast<const Item*>(piece.items), piece.size);
+  void for_each_chunk(const Use& use) const {
+    for (const Chunk& chunk : chunks_) use(static_cast<const Item*>(chunk.items), chunk.size);
   }
 
  private:
   using Allocator = TaskAllocator<Item>;
-  static constexpr std::size_t least_piece = 1024;
-  static constexpr std::size_t most_piece = std::size_t{1} << 17;
+  static constexpr std::size_t least_chunk = 1024;
+  static constexpr std::size_t most_chunk = std::size_t{1} << 17;
 
-  struct Piece {
-    explicit Piece(std::size_t items_at_most) : items(Allocator().allocate(items_at_most)), room(items_at_most) {}
-    Piece(Piece&& other) noexcept : items(std::exchange(other.items, nullptr)), room(other.room), size(other.size) {}
-    Piece& operator=(Piece&&) = delete;
-    ~Piece() {
+  struct Chunk {
+    explicit Chunk(std::size_t items_at_most) : items(Allocator().allocate(items_at_most)), room(items_at_most) {}
+    Chunk(Chunk&& other) noexcept : items(std::exchange(other.items, nullptr)), room(other.room), size(other.size) {}
+    Chunk& operator=(Chunk&&) = delete;
+    ~Chunk() {
       if (items != nullptr) Allocator().deallocate(items, room);
     }
     [[nodiscard]] Item* end() const noexcept { return items + size; }
@@ -123,7 +123,7 @@ class PiecewiseOutput {
     std::size_t size = 0;
   };
 
-  std::vector<Piece> pieces_;
+  std::vector<Chunk> chunks_;
   std::size_t count_ = 0;
 };
 

@@ -89,7 +89,7 @@ struct TreeLevels {
   [[nodiscard]] bool are_many_dirty() const noexcept { return dirty_words > words_for(size) / 8; }
 
   /// Whether the leaves are more than a second-level cache holds.
-  [[nodiscard]] bool is_worth_fetching() const noexcept { return leaves.bytes() > second_level_bytes; }
+  [[nodiscard]] bool is_worth_prefetching() const noexcept { return leaves.bytes() > second_level_bytes; }
 
   [[nodiscard]] std::array<float*, rows_of<Bound>> leaf_rows(std::size_t from = 0) const noexcept {
     std::array<float*, rows_of<Bound>> row;

@@ -35,10 +35,10 @@ class RecordSource {
 
   [[nodiscard]] std::size_t count() const noexcept { return reader_.count(); }
   void read(std::size_t i, float (&bound)[rows]) const noexcept { reader_.read(i, bound); }
-  [[gnu::always_inline]] void fetch(std::size_t i) const noexcept {
+  [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept {
     const char* const record = start_ + i * stride_;
-    fetch_to_second_level(record, 1);
-    fetch_to_second_level(record + sizeof(Bound) - 1, 1);  // may be in the next cache line
+    prefetch_to_second_level(record, 1);
+    prefetch_to_second_level(record + sizeof(Bound) - 1, 1);  // may be in the next cache line
   }
   template <class Which>
   void read_four(Which which, float* const* row) const noexcept {

@@ -1,5 +1,5 @@
 /// By one thread a part is halved in place, which moves half of it. By many it is cut into chunks: when all have told
-/// how many of their entries go where, each deals out its own, out of place.
+/// how many of their entries go where, each scatters its own, out of place.
 #include "tree/split.hpp"
 
 #include <vector>
@@ -29,7 +29,7 @@ template <class Index>
 struct PivotOfChunks {
   unsigned axis;
   float key;
-  std::vector<Tally> tally;
+  std::vector<KeyCounts> counts;
 };
 
 /// Finds the key that `rank` entries of a part are less than.
@@ -38,7 +38,7 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
   const std::size_t count = part.size();
   const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
   const EntryStreams<Index> room = moved_by<Index>(*part.room, part.first);
-  const Bracket bracket = kernels.bracket(entries.data(), count, rank, room.data());
+  const SampleBracket bracket = kernels.bracket(entries.data(), count, rank, room.data());
   const float* const key = entries[bracket.axis];
   float* const some = room[bracket.axis];  // what a chunk has within the bracket is where the chunk is
   const std::size_t chunks = chunk_count(count, chunk_entries);
@@ -58,7 +58,7 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
     below += found[c].below;
   }
 
-  PivotOfChunks pivot{bracket.axis, 0, std::vector<Tally>(chunks)};
+  PivotOfChunks pivot{bracket.axis, 0, std::vector<KeyCounts>(chunks)};
   const bool is_between = rank >= below && rank < below + between.size();
   if (is_between) {
     pivot.key = kernels.pivot(between.data(), between.size(), rank - below);
@@ -68,10 +68,10 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
   parallel_for_nested(chunks, 1, [&](std::size_t c, std::size_t) {
     const IndexRange chunk = chunk_at(count, chunk_entries, c);
     if (is_between) {
-      pivot.tally[c] = kernels.tally(some + chunk.first, found[c].between, pivot.key);
-      pivot.tally[c].less += found[c].below;
+      pivot.counts[c] = kernels.count_keys(some + chunk.first, found[c].between, pivot.key);
+      pivot.counts[c].less += found[c].below;
     } else {
-      pivot.tally[c] = kernels.tally(key + chunk.first, chunk.size, pivot.key);
+      pivot.counts[c] = kernels.count_keys(key + chunk.first, chunk.size, pivot.key);
     }
   });
   return pivot;
@@ -101,20 +101,20 @@ Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Ker
     std::size_t larger;
   };
   Places next{part.first, part.first, part.first};
-  for (const Tally& tally : pivot.tally) {
-    next.equal += tally.less;
-    next.larger += tally.less + tally.equal;
+  for (const KeyCounts& counts : pivot.counts) {
+    next.equal += counts.less;
+    next.larger += counts.less + counts.equal;
   }
   const bool are_apart = next.equal != cut;
   if (!are_apart) next.larger = next.equal;
   std::vector<Places> places;
-  for (std::size_t c = 0; c != pivot.tally.size(); ++c) {
-    const Tally& tally = pivot.tally[c];
-    const std::size_t equal = are_apart ? tally.equal : 0;
+  for (std::size_t c = 0; c != pivot.counts.size(); ++c) {
+    const KeyCounts& counts = pivot.counts[c];
+    const std::size_t equal = are_apart ? counts.equal : 0;
     places.push_back(next);
-    next.less += tally.less;
+    next.less += counts.less;
     next.equal += equal;
-    next.larger += chunk_at(part.size(), chunk_entries, c).size - tally.less - equal;
+    next.larger += chunk_at(part.size(), chunk_entries, c).size - counts.less - equal;
   }
 
   parallel_for_nested(places.size(), 1, [&](std::size_t c, std::size_t) {
@@ -124,8 +124,8 @@ Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Ker
     const EntryStreams<Index> less = moved_by<Index>(*part.room, places[c].less);
     const EntryStreams<Index> equal = moved_by<Index>(*part.room, places[c].equal);
     const EntryStreams<Index> larger = moved_by<Index>(*part.room, places[c].larger);
-    its_kernels.deal(chunk.data(), size, pivot.axis, pivot.key, pivot.tally[c], less.data(),
-                     are_apart ? equal.data() : nullptr, larger.data());
+    its_kernels.scatter(chunk.data(), size, pivot.axis, pivot.key, pivot.counts[c], less.data(),
+                        are_apart ? equal.data() : nullptr, larger.data());
   });
   return {{part.first, cut, part.room, part.entries}, {cut, part.last, part.room, part.entries}};
 }

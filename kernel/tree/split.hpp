@@ -25,7 +25,7 @@ struct Halves {
   Part<Index> high;
 };
 
-/// Halves a part at `cut`, a place within it, as SplitKernels in kernels.hpp says.
+/// Halves a part at `cut`, a place within it, as SplitKernels in kernels/table.hpp says.
 template <class Index>
 Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept;
 

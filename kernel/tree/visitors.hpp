@@ -20,11 +20,11 @@ class IndexList {
  public:
   IndexList(const LeafIndices<Index>& indices, Output& output) noexcept : indices_(indices), output_(output) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
     if (Index* const out = output_.room()) {
-      output_.advance(indices_.pick(first, bits, out));
+      output_.advance(indices_.compress(first, bits, out));
     } else {
       for (; bits != 0; bits &= bits - 1) {
         output_.push(indices_[first + static_cast<std::size_t>(std::countr_zero(bits))]);
@@ -99,7 +99,7 @@ class IndexBits {
  public:
   IndexBits(const LeafIndices<Index>& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) noexcept {
     for (; bits != 0; bits &= bits - 1) set(first + static_cast<std::size_t>(std::countr_zero(bits)));
   }
@@ -236,7 +236,7 @@ class Filter {
          Visitor& visitor) noexcept
       : indices_(indices), own_(own), mask_(mask), visitor_(visitor) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.fetch(first); }
+  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     const std::uint64_t left = kept & ~excluded(first, kept);
     if (left != 0) visitor_.word(first, left, inside & left);

@@ -38,7 +38,7 @@ class Walk {
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
         test_nodes_(kernels.listed_boxes),
-        fetches_(parts.is_worth_fetching()),
+        prefetches_(parts.is_worth_prefetching()),
         question_(question),
         visitor_(visitor),
         shaft_(&shaft) {
@@ -74,14 +74,14 @@ class Walk {
   static constexpr unsigned many_kept = 48;
 
   /// Fetches a word of entries of level `k`.
-  [[gnu::always_inline]] void fetch(std::size_t k, std::size_t word) const noexcept {
-    if (!fetches_) return;
+  [[gnu::always_inline]] void prefetch(std::size_t k, std::size_t word) const noexcept {
+    if (!prefetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {
-      for (const float* const row : leaf_) fetch_to_second_level(row + first, fanout);
+      for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
       visitor_.expect(first);
     } else {
-      for (const float* const row : parts_.node_rows(k, first)) fetch_to_second_level(row, fanout);
+      for (const float* const row : parts_.node_rows(k, first)) prefetch_to_second_level(row, fanout);
     }
   }
 
@@ -108,7 +108,7 @@ class Walk {
         const std::uint64_t lowest = left & -left;
         const std::uint32_t entry = first + static_cast<std::uint32_t>(std::countr_zero(left));
         if ((whole & lowest) == 0) {
-          fetch(k - 1, entry);
+          prefetch(k - 1, entry);
           below[belows++] = entry;
           if (belows < batch) continue;
           visit(k - 1, below, belows);
@@ -146,7 +146,7 @@ class Walk {
   const TreeLevels<Bound>& parts_;
   TestListedWords* test_leaves_;
   TestListedWords* test_nodes_;
-  bool fetches_;
+  bool prefetches_;
   Question question_;
   Visitor& visitor_;
   const CompiledShaft* shaft_;

@@ -12,7 +12,7 @@
 namespace shaftcull::kernel {
 
 /// Leaves ahead of those read whose bounds are fetched, because tree order jumps about in the user's memory.
-inline constexpr std::size_t fetched_leaves = 64;
+inline constexpr std::size_t prefetched_leaves = 64;
 
 /// Writes leaves [run.first, run.end()), leaf p being bound order[p] of the source, and fits level 1 above them. run is
 /// whole words but for the tree's last one; if others write leaves at the same time, whole blocks of gap_leaves.
@@ -31,14 +31,14 @@ void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index*
   for (std::size_t s = 0; s != rows; ++s) words[s] = to[s] = word[s];
   for (std::size_t first = run.first; first < run.end(); first += fanout) {
     const std::size_t count = std::min(fanout, run.end() - first);
-    // Inlined, as fetch_to_second_level() is.
-    const auto fetch_ahead =
-        [ =, &source, end = parts.is_worth_fetching() ? parts.size : 0 ](std::size_t i) __attribute__((always_inline)) {
-      const std::size_t soon = first + i + fetched_leaves;
+    // Inlined, as prefetch_to_second_level() is.
+    const auto prefetch_ahead = [ =, &source, end = parts.is_worth_prefetching() ? parts.size : 0 ](std::size_t i)
+        __attribute__((always_inline)) {
+      const std::size_t soon = first + i + prefetched_leaves;
       if (soon + 4 > end) return;
-      for (std::size_t p = soon; p != soon + 4; ++p) source.fetch(order[p]);
+      for (std::size_t p = soon; p != soon + 4; ++p) source.prefetch(order[p]);
     };
-    read_rows(source, order + first, count, to, fetch_ahead);
+    read_rows(source, order + first, count, to, prefetch_ahead);
     for (std::size_t s = 0; s != rows; ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding
     for (std::size_t s = 0; s != rows; ++s) writer.write(row[s] + first, word[s], fanout);

@@ -5,9 +5,9 @@
 
 namespace shaftcull::kernel {
 
-/// As Pick in kernels.hpp. Without a branch that depends on the bits, which nobody could foresee.
+/// As CompressIndices in kernels/table.hpp. Without a branch that depends on the bits, which nobody could foresee.
 template <class L>
-std::size_t pick_indices(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept {
+std::size_t compress_indices(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept {
   const std::uint32_t* const start = out;
   if constexpr (L::width == 1) {
     for (; bits != 0; bits &= bits - 1) *out++ = from[L::lowest_bit(bits)];

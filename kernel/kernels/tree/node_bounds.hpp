@@ -5,9 +5,9 @@
 
 namespace shaftcull::kernel {
 
-/// As Unite in kernels.hpp, for boxes: smallest lo, largest hi.
+/// As NodeBounds in kernels/table.hpp, for boxes: smallest lo, largest hi.
 template <class L>
-std::uint64_t unite_boxes(const float* const* stream, std::size_t words, float* const* node) noexcept {
+std::uint64_t node_bounds_of_boxes(const float* const* stream, std::size_t words, float* const* node) noexcept {
   std::uint64_t gaps = 0;
   for (std::size_t w = 0; w < words; ++w) {
     const std::size_t at = w * word_bits;
@@ -42,11 +42,11 @@ float rounding_of(float x) noexcept {
   return __builtin_fabsf(x) * 0x1p-23F + 0x1p-149F;
 }
 
-/// As Unite in kernels.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word: what is
-/// subtracted grows more slowly than what it is subtracted from, so the smallest stays the smallest. Padding (a
+/// As NodeBounds in kernels/table.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word: what
+/// is subtracted grows more slowly than what it is subtracted from, so the smallest stays the smallest. Padding (a
 /// negative radius) is left out.
 template <class L>
-std::uint64_t unite_spheres(const float* const* stream, std::size_t words, float* const* node) noexcept {
+std::uint64_t node_bounds_of_spheres(const float* const* stream, std::size_t words, float* const* node) noexcept {
   const auto zero = L::all(0.0F);
   const auto minus_infinity = L::all(-__builtin_inff());
   std::uint64_t gaps = 0;

@@ -7,7 +7,7 @@ namespace shaftcull::kernel {
 
 /// Floats ahead of those read or written that are fetched. Processors foresee reads, but not these writes: without it
 /// parts that the L2 cache holds take half as long again.
-inline constexpr std::size_t fetched_floats = 48;
+inline constexpr std::size_t prefetched_floats = 48;
 
 /// Keeps the `low` entries whose key is below the limit in `from`, and moves the others to `to`, from place `low` on.
 template <class L, unsigned streams>
@@ -24,9 +24,9 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
     const auto lows = static_cast<std::size_t>(__builtin_popcountll(is_low));
     const bool has_room = moved + L::width <= count;
     for (unsigned s = 0; s < streams; ++s) {
-      __builtin_prefetch(to[s] + moved + fetched_floats, 1);
-      __builtin_prefetch(from[s] + kept + fetched_floats, 1);
-      __builtin_prefetch(from[s] + i + fetched_floats);
+      __builtin_prefetch(to[s] + moved + prefetched_floats, 1);
+      __builtin_prefetch(from[s] + kept + prefetched_floats, 1);
+      __builtin_prefetch(from[s] + i + prefetched_floats);
       const auto x = L::load(from[s] + i);
       low_ones.store(from[s] + kept, x);  // what was there has been read
       if (has_room) {
@@ -89,7 +89,7 @@ class Group {
     const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
     const bool has_room = left_ >= L::width;
     for (unsigned s = 0; s < streams; ++s) {
-      __builtin_prefetch(to_[s] + fetched_floats, 1);
+      __builtin_prefetch(to_[s] + prefetched_floats, 1);
       if (has_room) {
         ones.store(to_[s], x[s]);
       } else {
@@ -109,15 +109,15 @@ class Group {
   std::size_t left_;
 };
 
-/// As SplitKernels::deal.
+/// As SplitKernels::scatter.
 template <class L, unsigned streams>
-void deal(const float* const* from, std::size_t count, unsigned axis, float pivot, const Tally& tally,
-          float* const* less, float* const* equal, float* const* larger) noexcept {
+void scatter(const float* const* from, std::size_t count, unsigned axis, float pivot, const KeyCounts& counts,
+             float* const* less, float* const* equal, float* const* larger) noexcept {
   const bool are_apart = equal != nullptr;
   const float next = are_apart ? next_key<L>(pivot) : pivot;
-  Group<L, streams> lesses(less, tally.less);
-  Group<L, streams> equals(are_apart ? equal : larger, are_apart ? tally.equal : 0);
-  Group<L, streams> others(larger, count - tally.less - (are_apart ? tally.equal : 0));
+  Group<L, streams> lesses(less, counts.less);
+  Group<L, streams> equals(are_apart ? equal : larger, are_apart ? counts.equal : 0);
+  Group<L, streams> others(larger, count - counts.less - (are_apart ? counts.equal : 0));
   const auto pivots = L::all(pivot);
   const auto nexts = L::all(next);
   std::size_t i = 0;
@@ -142,16 +142,16 @@ inline constexpr SplitKernels split_kernels = {
     .whole = split_entries<L, streams>,
     .bracket = [](const float* const* entry, std::size_t count, std::size_t rank,
                   float* const* room) noexcept { return bracket_of<L>(entry, count, rank, room); },
-    .collect = [](const float* key, std::size_t count, const Bracket& bracket,
+    .collect = [](const float* key, std::size_t count, const SampleBracket& bracket,
                   float* some) noexcept { return collect<L>(key, count, bracket, some); },
     .pivot = [](const float* key, std::size_t count,
                 std::size_t rank) noexcept { return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key; },
-    .tally =
+    .count_keys =
         [](const float* key, std::size_t count, float pivot) noexcept {
           const std::size_t less = count_less<L>(key, count, pivot);
-          return Tally{less, count_less<L>(key, count, next_key<L>(pivot)) - less};
+          return KeyCounts{less, count_less<L>(key, count, next_key<L>(pivot)) - less};
         },
-    .deal = deal<L, streams>,
+    .scatter = scatter<L, streams>,
 };
 
 }  // namespace shaftcull::kernel

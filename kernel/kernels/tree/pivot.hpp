@@ -162,7 +162,7 @@ Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyR
 
 /// As SplitKernels::bracket.
 template <class L>
-Bracket bracket_of(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
+SampleBracket bracket_of(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
   const std::size_t step = count <= 4096 ? 16 : 64;  // the fewer, the rougher would be what a sample says
   const std::size_t samples = count / step;
   for (unsigned k = 0; k < 3; ++k) {
@@ -184,7 +184,7 @@ Bracket bracket_of(const float* const* entry, std::size_t count, std::size_t ran
 
 /// As SplitKernels::collect.
 template <class L>
-Collected collect(const float* key, std::size_t count, const Bracket& bracket, float* some) noexcept {
+Collected collect(const float* key, std::size_t count, const SampleBracket& bracket, float* some) noexcept {
   const auto froms = L::all(bracket.from);
   const auto tos = L::all(bracket.to);
   std::size_t below = 0;
@@ -225,7 +225,7 @@ Halving halving_of_few(const float* const* entry, std::size_t count, std::size_t
 /// Looks at a sample, and then once at all keys of one axis. `room` is three streams of `count` floats.
 template <class L>
 Halving halving_of_many(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
-  const Bracket bracket = bracket_of<L>(entry, count, rank, room);
+  const SampleBracket bracket = bracket_of<L>(entry, count, rank, room);
   const float* const key = entry[bracket.axis];
   float* const some = room[bracket.axis];
   const Collected found = collect<L>(key, count, bracket, some);

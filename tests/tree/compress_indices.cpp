@@ -44,7 +44,7 @@ std::vector<Index> those_of(const std::vector<Index>& order, std::size_t first, 
   return picked;
 }
 
-TEST(Pick, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
+TEST(CompressIndices, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
   Random random(113);
   std::vector<std::uint32_t> from(64);
   for (std::uint32_t& index : from) index = random.below(0xffffffff);  // as floats, NaNs among them
@@ -52,7 +52,7 @@ TEST(Pick, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
     const UseIsa use(isa);
     for (const std::uint64_t bits : words_of_bits()) {
       std::vector<std::uint32_t> out(margin + room + margin, untouched);
-      const std::size_t picked = kernel::active_kernels().pick(from.data(), bits, out.data() + margin);
+      const std::size_t picked = kernel::active_kernels().compress_indices(from.data(), bits, out.data() + margin);
       const auto start = out.begin() + margin;
       ASSERT_EQ(std::vector(start, start + static_cast<std::ptrdiff_t>(picked)), those_of(from, 0, bits)) << name(isa);
       ASSERT_EQ(std::vector(out.begin(), start), std::vector(margin, untouched)) << name(isa);
@@ -79,8 +79,8 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
         const std::size_t first = (size - 1) / 64 * 64;
         if (size - first < 64) bits &= (std::uint64_t{1} << (size - first)) - 1;
         std::vector<TypeParam> out(room);
-        indices.fetch(first);
-        out.resize(indices.pick(first, bits, out.data()));
+        indices.prefetch(first);
+        out.resize(indices.compress(first, bits, out.data()));
         ASSERT_EQ(out, those_of(order, first, bits)) << size << " leaves, " << name(isa);
       }
     }
@@ -89,7 +89,7 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
 
 /// Lists of many shafts are written side by side, each by whoever has its turn.
 TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
-  constexpr std::size_t whole = 3000;  // words: more than one piece of memory holds
+  constexpr std::size_t whole = 3000;  // words: more than one chunk of memory holds
   constexpr std::size_t size = 64 * whole + 17;
   std::vector<TypeParam> order(size);
   std::iota(order.rbegin(), order.rend(), TypeParam{7});
