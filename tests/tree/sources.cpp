@@ -35,7 +35,7 @@ class TreeSources : public testing::Test {
 };
 TYPED_TEST_SUITE(TreeSources, TreeKinds);
 
-TYPED_TEST(TreeSources, ViewsAndArraysOfTheSameBoundsMakeTheSameTree) {
+TYPED_TEST(TreeSources, ViewsStreamsAndArraysOfTheSameBoundsMakeTheSameTree) {
   using Bound = BoundOf<TypeParam>;
   Random random(71);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::wild_sizes, 3000);
@@ -43,6 +43,12 @@ TYPED_TEST(TreeSources, ViewsAndArraysOfTheSameBoundsMakeTheSameTree) {
   const TypeParam tree{std::span<const Bound>(bounds)};
   this->expect_equal(TypeParam(memory.view()), tree);
   this->expect_equal(TypeParam(records(std::span<const Bound>(bounds))), tree);
+  using Stream = std::conditional_t<std::is_same_v<Bound, Box>, BoxStream, SphereStream>;
+  const Stream stream(bounds);
+  this->expect_equal(TypeParam(stream), tree);
+  TypeParam updated = tree;
+  updated.update(stream);
+  this->expect_equal(updated, tree);
 }
 
 TYPED_TEST(TreeSources, CopiesHoldAllThatTheTreeHeld) {
