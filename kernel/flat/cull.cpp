@@ -58,10 +58,8 @@ template <class Bound>
 bool cull_one(const CompiledShaft& shaft, const Bound& bound) {
   const auto view = view_of(bound);
   kernel::require_answers(shaft, true, false, is_sphere(view), 0);
-  std::uint64_t kept = 0;
   const kernel::FloatEnvironment environment;
-  kernel::active_kernels().test(view, Form::fastest)(shaft, view.stream.data(), 1, &kept, nullptr);
-  return kept != 0;
+  return kernel::active_kernels().keeps_one(view)(shaft, view.stream.data());
 }
 
 template <class Bound>

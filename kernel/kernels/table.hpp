@@ -17,6 +17,9 @@ namespace shaftcull::kernel {
 using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
+/// Whether the shaft keeps a single bound, in streams of one. The shaft must answer outside.
+using KeepsOne = bool(const CompiledShaft& shaft, const float* const* stream) noexcept;
+
 /// What the shaft says of a single bound, in streams of one. The shaft must answer everything; pending planes are
 /// completed on the fly, if the bound is not outside.
 using ClassifyOne = Answer(const CompiledShaft& shaft, const float* const* stream) noexcept;
@@ -178,6 +181,8 @@ struct Kernels {
   Test* spheres_slab;
   Test* spheres_planes;
   Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
+  KeepsOne* keeps_box;
+  KeepsOne* keeps_sphere;
   ClassifyOne* classify_box;
   ClassifyOne* classify_sphere;
   BoxSpheres* box_spheres;
@@ -203,6 +208,8 @@ struct Kernels {
   [[nodiscard]] Test* test(const SphereView& /*spheres*/, Form form) const noexcept {
     return form == Form::planes ? spheres_planes : spheres_slab;
   }
+  [[nodiscard]] KeepsOne* keeps_one(const BoxView& /*box*/) const noexcept { return keeps_box; }
+  [[nodiscard]] KeepsOne* keeps_one(const SphereView& /*sphere*/) const noexcept { return keeps_sphere; }
   [[nodiscard]] ClassifyOne* classify_one(const BoxView& /*box*/) const noexcept { return classify_box; }
   [[nodiscard]] ClassifyOne* classify_one(const SphereView& /*sphere*/) const noexcept { return classify_sphere; }
   [[nodiscard]] TestListedWords* listed(const BoxView& /*boxes*/) const noexcept { return listed_boxes; }

@@ -226,16 +226,20 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
   }
 }
 
-/// The test of a single bound, as Kernels has it.
+/// The tests of a single bound, as Kernels has them.
+template <class L, class Stages>
+bool keeps_single(const CompiledShaft& shaft, const float* const* stream) noexcept {
+  const Ready<L> ready(shaft, Stages::cull_needs_planes(shaft));
+  std::uint64_t kept = 0;
+  Stages::cull(ready.shaft(), stream, 1, &kept);
+  return kept != 0;
+}
+
 template <class L, class Stages>
 Answer classify_single(const CompiledShaft& shaft, const float* const* stream) noexcept {
-  std::uint64_t kept = 0;
-  {
-    const Ready<L> ready(shaft, Stages::cull_needs_planes(shaft));
-    Stages::cull(ready.shaft(), stream, 1, &kept);
-  }
-  if (kept == 0) return Answer::outside;
+  if (!keeps_single<L, Stages>(shaft, stream)) return Answer::outside;
   const Ready<L> ready(shaft, true);
+  const std::uint64_t kept = 1;
   std::uint64_t inside = 0;
   Stages::contain(ready.shaft(), stream, 1, &kept, &inside);
   return inside == 0 ? Answer::overlap : Answer::inside;
@@ -298,6 +302,8 @@ inline constexpr Kernels kernels_for = {
     .spheres_slab = test_bounds<L, UnboxedSphereStages<L>>,
     .spheres_planes = test_bounds<L, SphereStages<L>>,
     .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
+    .keeps_box = keeps_single<L, BoxStages<L, Form::slab>>,
+    .keeps_sphere = keeps_single<L, UnboxedSphereStages<L>>,
     .classify_box = classify_single<L, BoxStages<L, Form::slab>>,
     .classify_sphere = classify_single<L, UnboxedSphereStages<L>>,
     .box_spheres = box_spheres<L>,
