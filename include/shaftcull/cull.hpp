@@ -98,9 +98,9 @@ void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<
 /// What a shaft says of one bound.
 enum class Answer : std::uint8_t { outside, overlap, inside };
 
-/// Whether the shaft keeps this one bound. Some 20 ns for a box with AVX2, about half of what a view of one box takes: a
-/// loop over a few bounds that lie about in memory need not make a view of them first. Of many, cull() of a view takes
-/// a hundredth of that for each.
+/// Whether the shaft keeps this one bound. Some 20 ns for a box with AVX2, about half of what a view of one box takes:
+/// a loop over a few bounds that lie about in memory need not make a view of them first. Of many, cull() of a view
+/// takes a hundredth of that for each.
 [[nodiscard]] bool cull(const CompiledShaft& shaft, const Box& box);
 [[nodiscard]] bool cull(const CompiledShaft& shaft, const Sphere& sphere);
 
