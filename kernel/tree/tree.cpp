@@ -66,7 +66,13 @@ template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>
-    : parts_(built_from<Bound, Index>(kernel::CentreExtentSource(few_enough<Index>(bounds)))) {}
+    : parts_([&] {
+      if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
+        return built_from<Bound, Index>(kernel::CentreExtentSource(few_enough<Index>(bounds)));
+      } else {
+        return nullptr;
+      }
+    }()) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_.get())) {}
 template <class Bound, BoundIndex Index>
@@ -126,7 +132,9 @@ void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
 
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box> {
-  kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::CentreExtentSource(all)); });
+  if constexpr (std::is_same_v<Bound, Box>) {  // as above
+    kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::CentreExtentSource(all)); });
+  }
 }
 
 template <class Bound, BoundIndex Index>
@@ -145,7 +153,9 @@ void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices,
                                       const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> {
-  kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::CentreExtentSource(bounds)); });
+  if constexpr (std::is_same_v<Bound, Box>) {  // as above
+    kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::CentreExtentSource(bounds)); });
+  }
 }
 
 template <class Bound, BoundIndex Index>
