@@ -1,0 +1,71 @@
+/// The README's table of questions: its lines of code compile as they stand there, and the shafts that they make keep
+/// what is in the way and cull what is not.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "shaftcull/shaftcull.hpp"
+
+namespace sc = shaftcull;
+
+namespace {
+
+// The names that the README uses.
+const sc::Box world{{-100, -100, -100}, {100, 100, 100}};
+const sc::Box patch{{0, 0, 0}, {1, 1, 0}};
+const sc::Box other_patch{{0, 0, 10}, {1, 1, 10}};
+const sc::Box body{{0, 0, 0}, {1, 1, 1}};
+const sc::Vec3 travel{0, 0, 9};
+const sc::Box light{{0, 0, 10}, {1, 1, 10}};
+const sc::Box receiver{{0, 0, 0}, {1, 1, 1}};
+const sc::Vec3 light_position{0.5F, 0.5F, 10};
+const sc::Vec3 far_towards_sun{0, 0, 1e30F};
+constexpr sc::ClipDepth depth = sc::ClipDepth::minus_one_to_one;
+// Looks along z from the origin: w = z, a right angle wide and high, near plane 1, far plane 51.
+constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+
+sc::CompiledShaft see_through(const sc::ViewPlanes& planes) {
+  sc::Shaft shaft(world, world);
+  for (const sc::Plane& plane : planes) shaft.add_plane(plane);
+  return sc::compile(shaft);
+}
+
+// Of a question: the code as text, and what it makes.
+#define QUESTION(code) \
+  Question { #code, code }
+
+struct Question {
+  const char* code;
+  sc::CompiledShaft shaft;
+};
+
+std::vector<Question> questions() {
+  return {QUESTION(sc::compile(patch, other_patch)),
+          QUESTION(sc::compile(body, sc::translated(body, travel))),
+          QUESTION(sc::compile(light, receiver)),
+          QUESTION(sc::compile(sc::Box{light_position, light_position}, receiver)),
+          QUESTION(sc::compile(receiver, sc::translated(receiver, far_towards_sun))),
+          QUESTION(see_through(sc::view_planes(matrix, depth)))};
+}
+
+TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
+  const sc::Box in_the_way{{0.4F, 0.4F, 5}, {0.6F, 0.6F, 6}};
+  const sc::Box beside{{20, 0, 5}, {21, 1, 6}};
+  for (const Question& question : questions()) {
+    EXPECT_TRUE(cull(question.shaft, in_the_way)) << question.code;
+    EXPECT_FALSE(cull(question.shaft, beside)) << question.code;
+  }
+}
+
+TEST(ReadmeQuestions, AreAskedAsTheReadmeSays) {
+  std::ifstream file(SHAFTCULL_README);
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  for (const Question& question : questions()) {
+    EXPECT_NE(readme.find("`" + std::string(question.code) + "`"), std::string::npos) << question.code;
+  }
+}
+
+}  // namespace
