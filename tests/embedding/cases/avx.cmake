@@ -1,6 +1,6 @@
 # AVX without AVX2: less than the instruction set AVX2 needs, more than that of SSE4.2, which stays.
 needs(g++)
-configure(g++ -D "PARENT_OPTIONS=-O1 -mavx" -D SHAFTCULL_WITH_TBB=OFF)
+configure(g++ -D "PARENT_OPTIONS=-O0 -mavx" -D SHAFTCULL_WITH_TBB=OFF)
 build()
 answers()
 if(NOT output MATCHES "sse4_2")
