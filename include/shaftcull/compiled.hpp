@@ -98,10 +98,11 @@ struct alignas(64) CompiledShaft {
 };
 static_assert(sizeof(CompiledShaft) <= 1024);
 
-/// Compiles a formed shaft. Never fails; a little longer than forming it takes, some 70 ns.
+/// Compiles a formed shaft, joining planes included. Never fails. Forming a Shaft and compiling it take some 180 ns
+/// together. No allocation; safe to call from many threads.
 [[nodiscard]] CompiledShaft compile(const Shaft& shaft) noexcept;
 
-/// Forms and compiles the shaft between boxes `a` and `b`, ready for queries in slab form: some 10 ns with AVX2.
+/// Forms and compiles the shaft between boxes `a` and `b`, ready for queries in slab form: some 12 ns with AVX2.
 ///
 /// It answers everything and equals compile(Shaft(a, b)), but for joining planes, which are left pending as those of
 /// compile_batch() are. Throws InvalidArgument as the constructor of Shaft does, if a box is not finite or has lo > hi.
@@ -121,11 +122,11 @@ struct BatchPlanes {
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
 ///
 /// The shafts answer everything and equal compile(Shaft(a[i], b[i])) with planes added, but for joining planes, which
-/// are left pending: only tests in plane form and classify() need them, and compute them on the fly when they are
-/// pending. complete() them once if a shaft is to be classified against many small views. Throws InvalidArgument if the
-/// three sizes differ, if planes are not equally many for each box, more than max_added_planes in all, not finite or
-/// without a normal; BadBound for the first pair with a box that is not finite or has lo > hi. Nothing is written then.
-/// O(pairs and planes); no allocation; safe to call from many threads.
+/// are left pending: tests in plane form, every question about inside, and spheres against a shaft whose slab_form is
+/// not fused need them, and compute them on the fly, once a call. complete() a shaft that is to answer many such small
+/// calls. Throws InvalidArgument if the three sizes differ, if planes are not equally many for each box, more than
+/// max_added_planes in all, not finite or without a normal; BadBound for the first pair with a box that is not finite
+/// or has lo > hi. Nothing is written then. O(pairs and planes); no allocation; safe to call from many threads.
 void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes = {});
 
 /// Two boxes, by their positions in views.
@@ -142,7 +143,8 @@ struct IndexPair {
 void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs, std::span<CompiledShaft> out,
                    const BatchPlanes& planes = {});
 
-/// Computes pending joining planes; does nothing to a shaft that has them.
+/// Computes pending joining planes, some 65 ns; does nothing to a shaft that has them, or that was never formed. No
+/// allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
 void complete(CompiledShaft& shaft) noexcept;
 
 }  // namespace shaftcull

@@ -38,21 +38,21 @@ enum class Form : std::uint8_t {
 };
 
 /// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft. Bits past
-/// bounds.count in the last word are zero. `kept` must have exactly words_for(bounds.count) words.
+/// the last bound in the last word are zero. `kept` must have exactly words_for(count of the view) words.
 void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form = Form::fastest);
 void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
           Form form = Form::fastest);
 
 /// Classifies: `kept` as in cull(), and bit i of `inside` set iff bound i is fully inside the shaft (and of
 /// every added plane). The three answers are outside = not kept, inside, and overlap = kept and not inside.
-/// Inside is always decided by planes. Both spans have words_for(bounds.count) words and share no memory.
+/// Inside is always decided by planes. Both spans have words_for(count of the view) words and share no memory.
 void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form = Form::fastest);
 void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form = Form::fastest);
 
 /// Sets bit i of `inside` as classify() does, without deciding which of the others are outside: the only question that
-/// a shaft formed for inside alone answers. `inside` has words_for(bounds.count) words.
+/// a shaft formed for inside alone answers. `inside` has words_for(count of the view) words.
 void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside);
 void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
 

@@ -15,7 +15,8 @@ class InvalidArgument : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A bound in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent.
+/// A bound or point in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent, or a value
+/// that is not finite where the call needs finite ones.
 class BadBound : public InvalidArgument {
  public:
   BadBound(std::size_t index, const std::string& what) : InvalidArgument(what), index_(index) {}

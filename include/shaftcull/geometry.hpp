@@ -21,13 +21,14 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 [[nodiscard]] Box joined(const Box& a, const Box& b) noexcept;
 
 /// The box moved by a vector: the smallest box of floats that contains the exact result, so lo is rounded down and hi
-/// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite.
+/// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite. Coordinates must not be NaN. A face
+/// that would pass the largest float becomes infinite, which no Shaft takes.
 ///
 /// The shaft between a box and where it moves to is what the box sweeps over: Shaft(box, translated(box, travel)).
 [[nodiscard]] Box translated(const Box& box, const Vec3& by);
 
 /// The box with every face moved out by a distance, rounded outwards as in translated(). The empty box stays empty.
-/// Throws InvalidArgument if `by` is negative or not finite.
+/// Throws InvalidArgument if `by` is negative or not finite. Coordinates must not be NaN.
 [[nodiscard]] Box inflated(const Box& box, float by);
 
 /// Which depths in clip space are in view.

@@ -41,10 +41,12 @@ enum class Isa : std::uint8_t { scalar, portable128, sse4_2, avx2, avx512 };
 /// What was asked for, and what runs.
 struct IsaChoice {
   std::string asked;  ///< SHAFTCULL_ISA as it is now; empty if it is not set
-  std::string
-      refusal;  ///< why SHAFTCULL_ISA cannot be followed, with a list of what there is; empty if it can, or is not set
+  /// Why SHAFTCULL_ISA cannot be followed, with a list of what there is; empty if it can, or is not set.
+  std::string refusal;
   Isa running;  ///< active_isa()
 };
+/// Reads the environment, so no other thread may change it meanwhile. This and available_isas() allocate, and throw
+/// std::bad_alloc if memory runs out.
 [[nodiscard]] IsaChoice isa_choice();
 
 /// Uses `isa` from now on, in every thread; wins over SHAFTCULL_ISA. Safe to call at any time: a call that

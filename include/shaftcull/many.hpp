@@ -39,20 +39,22 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Bits: row s (words_for(bounds.count) words, rows one behind the other) gets what cull(shafts[s], …) gives.
-/// Allocates nothing but oneTBB's own task memory, as all calls do that write bits or numbers.
+/// Bits: row s (words_for(count of the view) words, rows one behind the other) gets what cull(shafts[s], …) gives.
+/// `kept_rows` has exactly as many words as all rows.
+/// Like all calls of this header that write bits or numbers, it allocates nothing but task memory of oneTBB.
 void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
                Form form = Form::fastest);
 void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
                Form form = Form::fastest);
 
-/// Bits of both kinds, as classify(). Throws InvalidArgument if the two spans share memory.
+/// Bits of both kinds, as classify(), in rows as those of cull_many(). Throws InvalidArgument if the two spans share
+/// memory.
 void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
                    std::span<std::uint64_t> inside_rows, Form form = Form::fastest);
 void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
                    std::span<std::uint64_t> inside_rows, Form form = Form::fastest);
 
-/// Bits of those inside alone, as contained().
+/// Bits of those inside alone, as contained(), in rows as those of cull_many().
 void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> inside_rows);
 void contained_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
                     std::span<std::uint64_t> inside_rows);
@@ -84,6 +86,7 @@ struct IndexListsOf {
   std::vector<Index> indices;
 
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
+  /// `shaft` is below size(); not checked.
   [[nodiscard]] std::span<const Index> operator[](std::size_t shaft) const noexcept {
     return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
@@ -122,7 +125,6 @@ using TileCallback = FunctionRef<void(const TileAnswers&)>;
 /// Calls back once for every tile and shaft, one call at a time, ordered by tile and then by shaft; with bits of both
 /// kinds for for_each_classified_tile(). An exception ends the call and reaches the caller; tiles after it are not
 /// delivered. Throws InvalidArgument if the callback is empty. Allocates some tiles' bits for each thread.
-
 void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
                    Form form = Form::fastest);
 void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,

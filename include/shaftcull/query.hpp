@@ -11,12 +11,14 @@
 /// *Results that do not fit* are counted and not written: see results.hpp.
 ///
 /// *Errors.* Before anything is written, a query throws NeedsRefit if the tree needs a refit, and InvalidArgument if a
-/// shaft was formed without the answer asked for, if `excluding` or the size of an output does not fit, if a span is
-/// null that is not empty, or if an output shares memory with another output or with `excluding`. Trees stay as they
-/// are, whatever a query throws.
+/// shaft was never formed or formed without the answer asked for, if `excluding` or the size of an output does not fit,
+/// if a span is null that is not empty, or if an output shares memory with another output or with `excluding`. Trees
+/// stay as they are, whatever a query throws.
 ///
 /// *Cost.* About 20 ns for each node or group of 64 bounds that the shaft reaches, and what is written. Queries are
-/// safe to call from many threads, and take at most 64 KiB of the stack. Those of one shaft allocate nothing.
+/// safe to call from many threads, and take at most 64 KiB of the stack. Those of one shaft allocate nothing; those of
+/// many that write bits or numbers nothing but task memory of oneTBB; those that list allocate what they list, in tasks
+/// and in the lists.
 #pragma once
 
 #include <cstddef>
@@ -158,6 +160,7 @@ struct LeafRangeListsOf {
   std::vector<LeafRangeOf<Index>> ranges;
 
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
+  /// `shaft` is below size(); not checked.
   [[nodiscard]] std::span<const LeafRangeOf<Index>> operator[](std::size_t shaft) const noexcept {
     return {ranges.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
@@ -203,7 +206,9 @@ using ClassifiedRanges = ClassifiedRangesOf<std::uint32_t>;
 
 /// Calls callback(KeptRangesOf) or callback(ClassifiedRangesOf) once for every shaft, one call at a time, in their
 /// order, while other threads go on with the next shafts. An exception of the callback ends the call and reaches the
-/// caller; shafts after it are not handed out.
+/// caller; shafts after it are not handed out. Ranges are ascending and each as long as can be. The callback runs on
+/// any thread of the arena (many.hpp). Throws InvalidArgument if it is empty. Allocates the ranges of eight shafts for
+/// each thread.
 template <class Bound, BoundIndex Index>
 void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                    std::type_identity_t<FunctionRef<void(const KeptRangesOf<Index>&)>> callback,

@@ -32,6 +32,7 @@ struct BoxView {
     for (const float*& s : part.stream) s += first;
     return part;
   }
+  /// i is below count; not checked.
   [[nodiscard]] Box operator[](std::size_t i) const noexcept {
     return {{stream[0][i], stream[1][i], stream[2][i]}, {stream[3][i], stream[4][i], stream[5][i]}};
   }
@@ -50,6 +51,7 @@ struct SphereView {
     for (const float*& s : part.stream) s += first;
     return part;
   }
+  /// i is below count; not checked.
   [[nodiscard]] Sphere operator[](std::size_t i) const noexcept {
     return {{stream[0][i], stream[1][i], stream[2][i]}, stream[3][i]};
   }
@@ -107,10 +109,10 @@ class StreamMemory {
 /// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box and at most 64
 /// boxes of padding. Copies are deep; moves are O(1) and leave an empty stream.
 ///
-/// Packing checks its input: a NaN, lo > hi (but for the empty box) or a negative half extent throws
-/// BadBound, which names the first bad record and what is wrong with it. Whatever is thrown, std::bad_alloc included,
-/// leaves the stream unchanged.
-/// Const members are safe to call from many threads; update() of disjoint ranges too.
+/// Packing checks its input: a NaN, lo > hi (but for the empty box), a negative half extent, or a centre and half
+/// extent that are both infinite on an axis throws BadBound, which names the first bad record and what is wrong with
+/// it. Whatever is thrown, std::bad_alloc included, leaves the stream unchanged. Const members are safe to call from
+/// many threads; update() of disjoint ranges too.
 class BoxStream {
  public:
   BoxStream() noexcept = default;
@@ -141,6 +143,7 @@ class BoxStream {
   [[nodiscard]] BoxView view() const noexcept;
   /// So that a stream goes where a view goes.
   operator BoxView() const noexcept { return view(); }  // NOLINT(google-explicit-constructor)
+  /// i is below size(); not checked.
   [[nodiscard]] Box operator[](std::size_t i) const noexcept { return view()[i]; }
 
  private:
@@ -149,7 +152,8 @@ class BoxStream {
 };
 
 /// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and at most 64 spheres of padding.
-/// As BoxStream; packing rejects NaN and negative radii, and so does a tree: update() empty spheres first.
+/// As BoxStream. Packing throws BadBound for a NaN, a centre that is not finite or a negative radius. Trees do so, too:
+/// no tree is made of a SphereStream(count) whose empty spheres were not all updated.
 class SphereStream {
  public:
   SphereStream() noexcept = default;
@@ -173,6 +177,7 @@ class SphereStream {
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
   [[nodiscard]] SphereView view() const noexcept;
   operator SphereView() const noexcept { return view(); }  // NOLINT(google-explicit-constructor)
+  /// i is below size(); not checked.
   [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view()[i]; }
 
  private:

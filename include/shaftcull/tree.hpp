@@ -36,8 +36,8 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// at most 2³⁷; InvalidArgument for more.
 ///
 /// Bounds come from views and streams, from records of all kinds, and from arrays. They are checked as in packing: a
-/// NaN, lo > hi (but for the empty box), a negative radius or half extent, or a centre of a sphere that is not finite
-/// throws BadBound, which names the first bad one.
+/// NaN, lo > hi (but for the empty box), a negative radius or half extent, a centre and half extent that are both
+/// infinite on an axis, or a centre of a sphere that is not finite throws BadBound, which names the first bad one.
 ///
 /// A call that throws leaves the tree as it was, std::bad_alloc included, but for this: update() of all bounds and
 /// refit() allocate nothing themselves, and if oneTBB cannot start their tasks, needs_refit() is true afterwards. After

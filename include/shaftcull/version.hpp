@@ -2,7 +2,7 @@
 /// version may change the interface.
 #pragma once
 
-// CMakeLists.txt reads these three lines.
+// The build reads the version from these three lines: keep their form.
 #define SHAFTCULL_VERSION_MAJOR 0
 #define SHAFTCULL_VERSION_MINOR 1
 #define SHAFTCULL_VERSION_PATCH 0
