@@ -21,7 +21,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// Any alignment of a float, any count from 0 up; nothing past `count` is read. Streams of an empty view may be null; a
 /// call that gets a null stream and a count above 0 throws InvalidArgument. The memory is the user's and must outlive
 /// the call it is passed to. Values are not checked: a NaN coordinate never culls and never makes a box inside; a box
-/// with lo > hi that is not the empty box gets an unspecified answer, the same on every instruction set.
+/// with lo > hi that is not the empty box gets an unspecified answer, the same on every instruction set, but maybe not
+/// in both forms.
 struct BoxView {
   std::array<const float*, 6> stream{};
   std::size_t count = 0;

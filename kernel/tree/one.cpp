@@ -9,11 +9,16 @@ using kernel::LeafRangeList;
 using kernel::Question;
 using kernel::SpanOutput;
 
+/// What a null span of them is said to have no room for.
+template <class Item>
+constexpr const char* items = std::is_integral_v<Item> ? "indices" : "leaf ranges";
+
 /// `List` is IndexList or LeafRangeList.
 template <template <class, class> class List, class Bound, class Index, class Item>
 std::size_t list_kept(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> kept,
                       const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  kernel::require_memory("kept", kept, items<Item>);
   query.require_apart("list", "kept", kernel::bytes_of(kept));
   SpanOutput<Item> output(kept);
   kernel::KeptLister lister(List<Index, SpanOutput<Item>>(query.indices(), output));
@@ -25,6 +30,8 @@ template <template <class, class> class List, class Bound, class Index, class It
 KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<Item> overlap,
                         std::span<Item> inside, const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
+  kernel::require_memory("overlap", overlap, items<Item>);
+  kernel::require_memory("inside", inside, items<Item>);
   kernel::require_apart("list_classified", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
   query.require_apart("list_classified", "overlap", kernel::bytes_of(overlap));
   query.require_apart("list_classified", "inside", kernel::bytes_of(inside));

@@ -42,6 +42,7 @@ class Query {
                             counted(shafts.size(), "shaft") + "; each needs as many");
     }
     require_below("excluding.own", own_, parts_.size);
+    require_memory("excluding.mask", mask_, "words");
     if (!mask_.empty() && mask_.size() != words_for(parts_.size)) {
       throw InvalidArgument("excluding.mask has " + counted(mask_.size(), "word") + "; the bits of " +
                             counted(parts_.size, "bound") + " take " + std::to_string(words_for(parts_.size)));

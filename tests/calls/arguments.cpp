@@ -155,6 +155,20 @@ TEST_F(Arguments, NullOutputsAreRefused) {
               HasSubstr("overlap is null"));
   EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], spheres_, list_of_two, null_list); }),
               HasSubstr("inside is null"));
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], tree, null_list); }),
+              HasSubstr("kept is null; it must point to the first of 2 indices"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, null_list, list_of_two); }),
+              HasSubstr("overlap is null"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, list_of_two, null_list); }),
+              HasSubstr("inside is null"));
+  const std::span<LeafRange> null_ranges(static_cast<LeafRange*>(nullptr), 2);
+  std::vector<LeafRange> two_ranges(2);
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], tree, null_ranges); }),
+              HasSubstr("kept is null; it must point to the first of 2 leaf ranges"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, null_ranges, two_ranges); }),
+              HasSubstr("overlap is null"));
+  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, two_ranges, null_ranges); }),
+              HasSubstr("inside is null"));
   EXPECT_EQ(list_of_two, (std::vector<std::uint32_t>{7, 7}));
   EXPECT_EQ(kept_, untouched_);
   const std::span<CompiledShaft> null_shafts(static_cast<CompiledShaft*>(nullptr), count);
@@ -168,6 +182,12 @@ TEST_F(Arguments, NullInputsAreRefused) {
   const BoxTree tree(boxes_.view());
   std::vector<std::uint64_t> counts(4);
   EXPECT_THAT(message_of([&] { count_many(null_shafts, tree, counts); }), HasSubstr("shafts is null"));
+  const std::span<const std::uint64_t> null_mask(static_cast<const std::uint64_t*>(nullptr), words_for(tree.size()));
+  EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], tree, {.mask = null_mask}); }),
+              HasSubstr("excluding.mask is null"));
+  EXPECT_THAT(message_of([&] { cull_many(shafts_, tree, kept_, {.mask = null_mask}); }),
+              HasSubstr("excluding.mask is null"));
+  EXPECT_EQ(kept_, untouched_);
   const std::span<const std::uint32_t> null_candidates(static_cast<const std::uint32_t*>(nullptr), 3);
   std::vector<std::uint32_t> kept(3);
   EXPECT_THAT(message_of([&] { (void)refine(shafts_[0], boxes_.view(), null_candidates, kept); }),
