@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "columns.hpp"
@@ -121,6 +122,18 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
               for (CompiledShaft& shaft : out) complete(shaft);
             }),
             0U);
+}
+
+TEST_F(Allocation, MakingAStreamDoesOneAndAnEmptyOneNone) {
+  EXPECT_EQ(allocations_in([&] { const BoxStream stream(boxes_); }), 1U);
+  EXPECT_EQ(allocations_in([&] { const SphereStream stream(spheres_); }), 1U);
+  EXPECT_EQ(allocations_in([] { const BoxStream stream(7); }), 1U);
+  EXPECT_EQ(allocations_in([] { const SphereStream stream(0); }), 0U);
+  const BoxStream boxes(boxes_);
+  EXPECT_EQ(allocations_in([&] { const BoxStream copy(boxes); }), 1U);
+  BoxStream assigned(7);
+  EXPECT_EQ(allocations_in([&] { assigned = boxes; }), 1U);
+  EXPECT_EQ(allocations_in([&] { const BoxStream moved(std::move(assigned)); }), 0U);
 }
 
 TEST_F(Allocation, UpdatingAStreamInPlaceDoesNone) {

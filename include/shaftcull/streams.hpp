@@ -11,6 +11,10 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/export.hpp"
 
+namespace shaftcull::kernel {
+struct StreamAccess;
+}  // namespace shaftcull::kernel
+
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Number of 64-bit words that hold one bit for each of `bounds` bounds: word w, bit i is bound 64 w + i.
@@ -88,27 +92,13 @@ struct SphereRecords {
 [[nodiscard]] MinMaxRecords records(std::span<const Box> boxes) noexcept;
 [[nodiscard]] SphereRecords records(std::span<const Sphere> spheres) noexcept;
 
-/// Cache-line aligned floats in equally long rows: the memory under the owning streams.
-class StreamMemory {
- public:
-  /// `rows` rows of `row_length` floats, not initialised; row_length is a multiple of 64.
-  StreamMemory(std::size_t rows, std::size_t row_length);
-  StreamMemory() noexcept = default;
-  [[nodiscard]] float* row(std::size_t i) const noexcept { return floats_.get() + i * row_length_; }
-  [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
-  [[nodiscard]] std::size_t row_length() const noexcept { return row_length_; }
-
- private:
-  struct Free {
-    void operator()(float* floats) const noexcept;
-  };
-  std::unique_ptr<float[], Free> floats_;
-  std::size_t row_length_ = 0;
-  std::size_t bytes_ = 0;
-};
-
-/// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box and at most 64
-/// boxes of padding. Copies are deep; moves are O(1) and leave an empty stream.
+/// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box, and at most 63 boxes of
+/// padding so that streams end with a whole word of answers. Copies are deep, O(size()); moves are O(1) and leave an
+/// empty stream.
+///
+/// Constructors take O(count) and allocate once, nothing for a count of 0. They throw InvalidArgument for null memory
+/// of more than 0 boxes, std::bad_alloc if memory runs out, and std::bad_array_new_length, which is one, for a count
+/// that no memory can hold.
 ///
 /// Packing checks its input: a NaN, lo > hi (but for the empty box), a negative half extent, or a centre and half
 /// extent that are both infinite on an axis throws BadBound, which names the first bad record and what is wrong with
@@ -124,35 +114,43 @@ class BoxStream {
   explicit BoxStream(const CentreExtentRecords& boxes);
   explicit BoxStream(const BoxView& boxes);
   BoxStream(const BoxStream& other);
-  BoxStream& operator=(const BoxStream& other);
   BoxStream(BoxStream&& other) noexcept;
-  BoxStream& operator=(BoxStream&& other) noexcept;
+  BoxStream& operator=(BoxStream other) noexcept;
   ~BoxStream() = default;
 
   /// Replaces the boxes from `first` on, as many as are given, in place and without allocation; O(their count).
-  /// Throws InvalidArgument if that range does not lie within size() or what is given lies in the stream's own memory,
-  /// BadBound as above.
+  /// Throws InvalidArgument if that range does not lie within size(), if what is given is null or lies in the stream's
+  /// own memory, BadBound as above.
   void update(std::size_t first, std::span<const Box> boxes);
   void update(std::size_t first, const MinMaxRecords& boxes);
   void update(std::size_t first, const CentreExtentRecords& boxes);
   void update(std::size_t first, const BoxView& boxes);
 
-  [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  /// Bytes that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
+  [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
+  /// Bytes of boxes that the stream holds, padding included.
+  [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Box); }
   /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
-  [[nodiscard]] BoxView view() const noexcept;
+  [[nodiscard]] BoxView view() const noexcept { return view_; }
   /// So that a stream goes where a view goes.
-  operator BoxView() const noexcept { return view(); }  // NOLINT(google-explicit-constructor)
+  operator BoxView() const noexcept { return view_; }  // NOLINT(google-explicit-constructor)
   /// i is below size(); not checked.
-  [[nodiscard]] Box operator[](std::size_t i) const noexcept { return view()[i]; }
+  [[nodiscard]] Box operator[](std::size_t i) const noexcept { return view_[i]; }
 
  private:
-  StreamMemory memory_;
-  std::size_t size_ = 0;
+  friend kernel::StreamAccess;
+  struct NotWritten {};
+  struct Free {
+    void operator()(float* rows) const noexcept;
+  };
+
+  /// `count` boxes that are to be written; the padding behind them is.
+  BoxStream(NotWritten, std::size_t count);
+
+  std::unique_ptr<float[], Free> memory_;  // six rows, one behind the other
+  BoxView view_;                           // of these rows
 };
 
-/// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and at most 64 spheres of padding.
+/// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and at most 63 spheres of padding.
 /// As BoxStream. Packing throws BadBound for a NaN, a centre that is not finite or a negative radius. Trees do so, too:
 /// no tree is made of a SphereStream(count) whose empty spheres were not all updated.
 class SphereStream {
@@ -164,9 +162,8 @@ class SphereStream {
   explicit SphereStream(const SphereRecords& spheres);
   explicit SphereStream(const SphereView& spheres);
   SphereStream(const SphereStream& other);
-  SphereStream& operator=(const SphereStream& other);
   SphereStream(SphereStream&& other) noexcept;
-  SphereStream& operator=(SphereStream&& other) noexcept;
+  SphereStream& operator=(SphereStream other) noexcept;
   ~SphereStream() = default;
 
   /// As BoxStream::update.
@@ -174,16 +171,24 @@ class SphereStream {
   void update(std::size_t first, const SphereRecords& spheres);
   void update(std::size_t first, const SphereView& spheres);
 
-  [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  [[nodiscard]] std::size_t memory_bytes() const noexcept { return memory_.bytes(); }
-  [[nodiscard]] SphereView view() const noexcept;
-  operator SphereView() const noexcept { return view(); }  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Sphere); }
+  [[nodiscard]] SphereView view() const noexcept { return view_; }
+  operator SphereView() const noexcept { return view_; }  // NOLINT(google-explicit-constructor)
   /// i is below size(); not checked.
-  [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view()[i]; }
+  [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view_[i]; }
 
  private:
-  StreamMemory memory_;
-  std::size_t size_ = 0;
+  friend kernel::StreamAccess;
+  struct NotWritten {};
+  struct Free {
+    void operator()(float* rows) const noexcept;
+  };
+
+  SphereStream(NotWritten, std::size_t count);
+
+  std::unique_ptr<float[], Free> memory_;  // four rows, one behind the other
+  SphereView view_;                        // of these rows
 };
 
 }  // namespace shaftcull

@@ -15,6 +15,7 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
+#include "streams/rows.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/prefetch.hpp"
@@ -124,8 +125,7 @@ class Job {
   [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, IndexRange group, Rows kept,
                                          Rows inside) const noexcept {
     alignas(64) float box[6][float_tile_bounds];
-    float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
-    kernels_.box_spheres(tile.stream.data(), tile.count, boxes);
+    kernels_.box_spheres(tile.stream.data(), tile.count, rows_in(box).data());
     const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
                                      box[1],         box[2],         box[3],         box[4],         box[5]};
     test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
@@ -204,12 +204,12 @@ class Job {
                                       std::int16_t* const* grid) const noexcept {
     constexpr std::size_t some = tile_bounds / 8;
     alignas(64) float box[6][some];
-    float* const boxes[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+    const RowsOf<BoxView> boxes = rows_in(box);
     for (std::size_t i = 0; i < tile.count; i += some) {
       const View part = tile.slice(i, std::min(some, tile.count - i));
       std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
-      kernels_.box_spheres(part.stream.data(), part.count, boxes);
-      kernels_.grid.snap_boxes(frame, boxes, words_for(part.count) * 64, out);
+      kernels_.box_spheres(part.stream.data(), part.count, boxes.data());
+      kernels_.grid.snap_boxes(frame, boxes.data(), words_for(part.count) * 64, out);
     }
   }
 

@@ -19,6 +19,7 @@
 #include "kernels/tree/node_bounds.hpp"
 #include "kernels/tree/partition.hpp"
 #include "shaftcull/cull.hpp"
+#include "support/padding.hpp"
 
 namespace shaftcull::kernel {
 
@@ -32,8 +33,8 @@ void copy_or_set(const std::uint64_t* from, std::size_t count, std::uint64_t* bi
 /// Runs a first stage, stage(stream, words, bits), which reads whole words and writes bits, on `count` bounds.
 template <class L, unsigned streams, class Stage>
 void begin_in_whole_words(const float* const* stream, std::size_t count, std::uint64_t* bits,
-                          const float (&nowhere)[streams], Stage stage) noexcept {
-  in_whole_words<L>(stream, count, bits, nowhere, stage);
+                          const float (&padding)[streams], Stage stage) noexcept {
+  in_whole_words<L>(stream, count, bits, padding, stage);
   if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
 }
 
@@ -47,9 +48,6 @@ WordsInARow<L> words_in_a_row(std::size_t count) noexcept {
 template <class L, Form form>
 struct BoxStages {
   static constexpr unsigned streams = 6;
-  /// A value for each stream that makes a bound outside of every shaft without a second look.
-  static constexpr float nowhere[streams] = {__builtin_inff(),  __builtin_inff(),  __builtin_inff(),
-                                             -__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
 
   /// So few boxes are quicker one at a time than in vectors, of which the shaft would have to be made ready.
   static constexpr std::size_t few_boxes = 2;
@@ -59,7 +57,7 @@ struct BoxStages {
   static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if constexpr (form == Form::planes) {
-      begin_in_whole_words<L>(stream, count, kept, nowhere,
+      begin_in_whole_words<L>(stream, count, kept, padding_box,
                               [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
                                 box_planes_stage<L>(shaft, all, words, bits);
                               });
@@ -104,13 +102,12 @@ struct BoxStages {
 template <class L>
 struct SphereStages {
   static constexpr unsigned streams = 4;
-  static constexpr float nowhere[streams] = {0, 0, 0, -1};
 
   static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return true; }
 
   static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
-    begin_in_whole_words<L>(stream, count, kept, nowhere,
+    begin_in_whole_words<L>(stream, count, kept, padding_sphere,
                             [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
                               sphere_planes_stage<L>(shaft, all, words, bits);
                             });

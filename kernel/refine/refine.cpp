@@ -1,16 +1,14 @@
 #include "shaftcull/refine.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <string>
-#include <tuple>
 
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
-
 #include "parallel/parallel.hpp"
 #include "shaftcull/error.hpp"
+#include "streams/access.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/index_range.hpp"
@@ -20,9 +18,6 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
-
-template <class View>
-inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(View::stream)>;
 
 /// Candidates ahead of the one collected whose bounds are fetched, and for trees those whose leaves are looked up.
 constexpr std::size_t prefetched_bounds = 16;
@@ -52,7 +47,7 @@ struct InTree {
 /// Copies the bounds of candidates [first, first + size) side by side.
 template <class View, class Index, class Position>
 void collect(const View& view, std::span<const Index> candidates, const Position& position, std::size_t first,
-             std::size_t size, const std::array<float*, rows_of<View>>& row) noexcept {
+             std::size_t size, const kernel::RowsOf<View>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
     if (first + i + prefetched_places < candidates.size()) position.prefetch(candidates[first + i + prefetched_places]);
     if (first + i + prefetched_bounds < candidates.size()) {
@@ -85,11 +80,9 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
   if constexpr (std::is_same_v<View, SphereView>) complete(ready);
   const kernel::FloatEnvironment environment;
   constexpr std::size_t block = 1024;
-  float memory[rows_of<View>][block];
-  std::array<float*, rows_of<View>> row;
-  for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory[s];
-  View some;
-  for (std::size_t s = 0; s != row.size(); ++s) some.stream[s] = memory[s];
+  float memory[kernel::row_count<View>][block];
+  const kernel::RowsOf<View> row = kernel::rows_in(memory);
+  View some = kernel::view_of<View>(row, 0);
   std::size_t count = 0;
   for (std::size_t first = 0; first < candidates.size(); first += block) {
     some.count = std::min(block, candidates.size() - first);
@@ -118,18 +111,13 @@ void require_apart(std::span<const Index> candidates, const IndexListsOf<Index>&
 template <class View, class Index, class Position>
 void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
                   const Position& position, IndexListsOf<Index>& lists) {
-  const StreamMemory memory(rows_of<View>, words_for(candidates.size()) * 64);
-  View packed;
-  packed.count = candidates.size();
-  for (std::size_t s = 0; s != rows_of<View>; ++s) packed.stream[s] = memory.row(s);
+  auto packed = kernel::StreamAccess::not_written<kernel::StreamOf<View>>(candidates.size());
   constexpr std::size_t block = 16384;
   kernel::parallel_for(kernel::chunk_count(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
     const kernel::IndexRange task = kernel::chunk_at(candidates.size(), block, b);
-    std::array<float*, rows_of<View>> row;
-    for (std::size_t s = 0; s != row.size(); ++s) row[s] = memory.row(s) + task.first;
-    collect(view, candidates, position, task.first, task.size, row);
+    collect(view, candidates, position, task.first, task.size, kernel::StreamAccess::rows(packed, task.first));
   });
-  list_many(shafts, packed, lists);
+  list_many(shafts, packed.view(), lists);
   kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
   kernel::parallel_for(kernel::chunk_count(lists.indices.size(), block), 1, [&](std::size_t b, std::size_t) {
     const kernel::IndexRange task = kernel::chunk_at(lists.indices.size(), block, b);

@@ -7,13 +7,13 @@
 
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
+#include "support/padding.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr Box empty{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 
 /// The smallest float not below x + y.
 float sum_rounded_up(float x, float y) noexcept {
@@ -65,7 +65,7 @@ bool is_finite(const Plane& plane) noexcept {
 
 Box box_around(std::span<const Vec3> points) {
   kernel::require_memory("points", points, "points");
-  Box box = empty;
+  Box box = kernel::empty_box;
   for (std::size_t i = 0; i != points.size(); ++i) {
     for (std::size_t k = 0; k != 3; ++k) {
       const float x = points[i][k];

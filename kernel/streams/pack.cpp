@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "streams/access.hpp"
 #include "streams/records.hpp"
 #include "streams/view_reader.hpp"
 #include "support/arguments.hpp"
@@ -105,45 +106,44 @@ void require_legal(const Reader& reader) {
   throw BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i));
 }
 
-template <class Reader>
-void pack_all(const Reader& reader, std::size_t first, std::size_t size, const StreamMemory& memory) {
+template <class Reader, class Stream>
+void pack_all(const Reader& reader, std::size_t first, Stream& stream) {
   const std::size_t count = reader.count();
+  const std::size_t size = stream.size();
   if (first > size || count > size - first) {
     throw InvalidArgument("update of " + std::to_string(count) + " " + (count == 1 ? Reader::noun : Reader::nouns) +
                           " from position " + std::to_string(first) + " on does not fit a stream of " +
                           std::to_string(size));
   }
-  if (reader.overlaps(bytes_of(memory.row(0), Reader::rows * memory.row_length()))) {
+  if (reader.overlaps(StreamAccess::memory(stream))) {
     refuse_shared_memory("update", "what is packed", "the stream");
   }
   in_float_environment([&] {
     require_legal(reader);
-    float* row[Reader::rows];
-    for (std::size_t k = 0; k < Reader::rows; ++k) row[k] = memory.row(k) + first;
-    read_rows(reader, InOrder{0}, count, row);
+    read_rows(reader, InOrder{0}, count, StreamAccess::rows(stream, first).data());
   });
 }
 
 }  // namespace
 
-void pack(const BoxView& boxes, std::size_t first, std::size_t size, const StreamMemory& memory) {
-  pack_all(ViewReader<BoxView>(boxes), first, size, memory);
+void pack(const BoxView& boxes, std::size_t first, BoxStream& stream) {
+  pack_all(ViewReader<BoxView>(boxes), first, stream);
 }
 
-void pack(const SphereView& spheres, std::size_t first, std::size_t size, const StreamMemory& memory) {
-  pack_all(ViewReader<SphereView>(spheres), first, size, memory);
+void pack(const SphereView& spheres, std::size_t first, SphereStream& stream) {
+  pack_all(ViewReader<SphereView>(spheres), first, stream);
 }
 
-void pack(const MinMaxRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
-  pack_all(MinMaxReader(records), first, size, memory);
+void pack(const MinMaxRecords& records, std::size_t first, BoxStream& stream) {
+  pack_all(MinMaxReader(records), first, stream);
 }
 
-void pack(const CentreExtentRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
-  pack_all(CentreExtentReader(records), first, size, memory);
+void pack(const CentreExtentRecords& records, std::size_t first, BoxStream& stream) {
+  pack_all(CentreExtentReader(records), first, stream);
 }
 
-void pack(const SphereRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory) {
-  pack_all(SphereReader(records), first, size, memory);
+void pack(const SphereRecords& records, std::size_t first, SphereStream& stream) {
+  pack_all(SphereReader(records), first, stream);
 }
 
 }  // namespace kernel

@@ -8,12 +8,13 @@
 
 namespace shaftcull::kernel {
 
-/// Replaces the bounds [first, first + records.count) of a stream of `size` bounds in `memory`.
-/// Throws InvalidArgument if the range does not fit or memory is null, BadBound for the first illegal record.
-void pack(const BoxView& boxes, std::size_t first, std::size_t size, const StreamMemory& memory);
-void pack(const SphereView& spheres, std::size_t first, std::size_t size, const StreamMemory& memory);
-void pack(const MinMaxRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory);
-void pack(const CentreExtentRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory);
-void pack(const SphereRecords& records, std::size_t first, std::size_t size, const StreamMemory& memory);
+/// Replaces the bounds of a stream from `first` on by records, as many as there are. Throws InvalidArgument if that
+/// range does not lie within the stream, or if the records are null or in the stream's memory, BadBound for the first
+/// illegal record.
+void pack(const BoxView& boxes, std::size_t first, BoxStream& stream);
+void pack(const SphereView& spheres, std::size_t first, SphereStream& stream);
+void pack(const MinMaxRecords& records, std::size_t first, BoxStream& stream);
+void pack(const CentreExtentRecords& records, std::size_t first, BoxStream& stream);
+void pack(const SphereRecords& records, std::size_t first, SphereStream& stream);
 
 }  // namespace shaftcull::kernel

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <span>
 #include <string>
 
 #include "shaftcull/streams.hpp"
 #include "simd/baseline_four_floats.hpp"
 #include "support/overlap.hpp"
+#include "support/padding.hpp"
 
 namespace shaftcull::kernel {
 
@@ -160,9 +160,10 @@ class MinMaxReader {
 
  private:
   static bool is_empty(const float (&bound)[rows]) noexcept {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    return bound[0] == infinity && bound[1] == infinity && bound[2] == infinity &&  //
-           bound[3] == -infinity && bound[4] == -infinity && bound[5] == -infinity;
+    for (std::size_t s = 0; s != rows; ++s) {
+      if (bound[s] != padding_box[s]) return false;
+    }
+    return true;
   }
 
   VectorRecords lo_;

@@ -1,39 +1,16 @@
 #include "tree/build.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include "dispatch/active_kernels.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
 #include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {
-namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-/// What lies in padding: outside of everything without a second look.
-constexpr float nowhere[6] = {infinity, infinity, infinity, -infinity, -infinity, -infinity};
-constexpr float no_sphere[4] = {0, 0, 0, -1};
-
-template <std::size_t rows>
-void fill_from(const StreamMemory& memory, std::size_t from, const float (&value)[rows]) {
-  for (std::size_t s = 0; s != rows; ++s)
-    std::fill(memory.row(s) + from, memory.row(s) + memory.row_length(), value[s]);
-}
-
-}  // namespace
 
 template <class Bound>
 void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
   parts.size = size;
-  parts.leaves = StreamMemory(rows_of<Bound>, words_for(size) * 64);
-  if constexpr (std::is_same_v<Bound, Box>) {
-    fill_from(parts.leaves, size, nowhere);
-  } else {
-    fill_from(parts.leaves, size, no_sphere);
-  }
+  parts.leaves = StreamAccess::not_written<StreamOf<ViewOf<Bound>>>(size);
   if (size == 0) return;
   std::size_t nodes = 0;
   parts.level[0] = {size, 0};
@@ -44,8 +21,7 @@ void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
     nodes += level.words() * 64;
     ++parts.levels;
   }
-  parts.nodes = StreamMemory(6, nodes);
-  fill_from(parts.nodes, 0, nowhere);
+  parts.nodes = BoxStream(nodes);
   parts.gaps.assign(nodes / 64, ~std::uint64_t{0});
 }
 
@@ -88,15 +64,15 @@ TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts) {
   const BuildScratch<Bound, Index> scratch(parts.size);
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
-    const auto row = parts.leaf_rows();
+    const auto stream = parts.leaves.view().stream;
     for (std::size_t p = block.first; p != block.end(); ++p) {
       if (p + prefetched_records < block.end()) {
         const float* const soon = scratch.record(parts.order[p + prefetched_records]);
         __builtin_prefetch(soon, 1);
-        __builtin_prefetch(soon + row.size() - 1, 1);  // may be in the next cache line
+        __builtin_prefetch(soon + stream.size() - 1, 1);  // may be in the next cache line
       }
       float* const record = scratch.record(parts.order[p]);
-      for (std::size_t s = 0; s != row.size(); ++s) record[s] = row[s][p];
+      for (std::size_t s = 0; s != stream.size(); ++s) record[s] = stream[s][p];
     }
   });
   return build_in(scratch, RecordSource<Bound>(scratch.records()));

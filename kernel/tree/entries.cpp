@@ -36,9 +36,7 @@ class Chunk {
 
   template <class Source>
   Chunk(const Source& source, std::size_t first, std::size_t count) noexcept : first_(first), count_(count) {
-    float* row[rows_of<Bound>];
-    for (std::size_t s = 0; s != rows_of<Bound>; ++s) row[s] = row_[s];
-    read_rows(source, InOrder{first}, count, row);
+    read_rows(source, InOrder{first}, count, rows_in(row_).data());
     unsigned others = 0;
     for (std::size_t i = 0; i != count; ++i) others |= is_plain(at(i).row) ? 0U : 1U;
     if (others == 0) {

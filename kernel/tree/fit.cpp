@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "parallel/parallel.hpp"
 #include "support/index_range.hpp"
+#include "support/padding.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
@@ -18,15 +18,11 @@ void fit_words(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, 
   const auto out = parts.node_rows(k, first);
   std::uint64_t gaps = 0;
   if (k == 1) {
-    const auto rows = parts.leaf_rows(first * fanout);
-    const float* in[rows_of<Bound>];
-    std::copy(rows.begin(), rows.end(), in);
-    gaps = kernels.node_bounds(ViewOf<Bound>{})(in, words, out.data());
+    const ViewOf<Bound> in = parts.leaf_words(first * fanout, words);
+    gaps = kernels.node_bounds(in)(in.stream.data(), words, out.data());
   } else {
-    const auto rows = parts.node_rows(k - 1, first * fanout);
-    const float* in[6];
-    std::copy(rows.begin(), rows.end(), in);
-    gaps = kernels.node_bounds_of_boxes(in, words, out.data());
+    const BoxView in = parts.node_words(k - 1, first * fanout, words);
+    gaps = kernels.node_bounds_of_boxes(in.stream.data(), words, out.data());
     const std::uint64_t* const below = parts.gap_words(k - 1) + first;
     for (std::size_t w = 0; w != words; ++w) gaps |= std::uint64_t{below[w] != 0} << w;
   }
@@ -44,10 +40,8 @@ void set_gap(TreeLevels<Bound>& parts, std::size_t k, std::size_t entry, bool is
 /// Fits one entry of a level above the first.
 template <class Bound>
 void fit_node_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t k, std::size_t entry) noexcept {
-  const auto rows = parts.node_rows(k - 1, entry * fanout);
-  const float* in[6];
-  std::copy(rows.begin(), rows.end(), in);
-  const bool is_gap = kernels.node_bounds_of_boxes(in, 1, parts.node_rows(k, entry).data()) != 0;
+  const BoxView in = parts.node_words(k - 1, entry * fanout, 1);
+  const bool is_gap = kernels.node_bounds_of_boxes(in.stream.data(), 1, parts.node_rows(k, entry).data()) != 0;
   set_gap(parts, k, entry, is_gap || parts.gap_words(k - 1)[entry] != 0);
 }
 
@@ -59,8 +53,8 @@ static_assert(task_entries % fanout == 0, "tasks must not share a word of gaps")
 
 template <class Bound>
 void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t entry,
-                   const float* const (&leaves)[rows_of<Bound>]) noexcept {
-  const std::uint64_t gap = kernels.node_bounds(ViewOf<Bound>{})(leaves, 1, parts.node_rows(1, entry).data());
+                   const ViewOf<Bound>& leaves) noexcept {
+  const std::uint64_t gap = kernels.node_bounds(leaves)(leaves.stream.data(), 1, parts.node_rows(1, entry).data());
   set_gap(parts, 1, entry, gap != 0);
 }
 
@@ -97,10 +91,7 @@ void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
     for (std::size_t w = 0; w != words; ++w) {
       for (std::uint64_t left = parts.dirty[w]; left != 0; left &= left - 1) {
         const std::size_t entry = w * 64 + static_cast<std::size_t>(std::countr_zero(left));
-        const auto rows = parts.leaf_rows(entry * fanout);
-        const float* leaves[rows_of<Bound>];
-        std::copy(rows.begin(), rows.end(), leaves);
-        fit_leaf_word(parts, kernels, entry, leaves);
+        fit_leaf_word(parts, kernels, entry, parts.leaf_words(entry * fanout, 1));
       }
     }
   }
@@ -119,24 +110,19 @@ void fit_dirty(TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
 
 template <class Bound>
 Box box_around(const TreeLevels<Bound>& parts, const Kernels& kernels) noexcept {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  Box all{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  Box all = empty_box;
   if (parts.levels == 0) return all;
   // Boxes around the words of the highest level.
   float box[6][top_words];
-  float* const out[6] = {box[0], box[1], box[2], box[3], box[4], box[5]};
+  const RowsOf<BoxView> out = rows_in(box);
   const std::size_t top = parts.levels - 1;
   const std::size_t words = parts.level[top].words();
   if (top == 0) {
-    const auto rows = parts.leaf_rows();
-    const float* in[rows_of<Bound>];
-    std::copy(rows.begin(), rows.end(), in);
-    kernels.node_bounds(ViewOf<Bound>{})(in, words, out);
+    const ViewOf<Bound> in = parts.leaf_words(0, words);
+    kernels.node_bounds(in)(in.stream.data(), words, out.data());
   } else {
-    const auto rows = parts.node_rows(top);
-    const float* in[6];
-    std::copy(rows.begin(), rows.end(), in);
-    kernels.node_bounds_of_boxes(in, words, out);
+    const BoxView in = parts.node_words(top, 0, words);
+    kernels.node_bounds_of_boxes(in.stream.data(), words, out.data());
   }
   for (std::size_t w = 0; w != words; ++w) {
     for (std::size_t k = 0; k != 3; ++k) {
@@ -151,7 +137,7 @@ template <class Bound>
 double surface(const TreeLevels<Bound>& parts) {
   if (parts.levels < 2) return 0;
   double sum = 0;
-  const auto row = parts.node_rows(1);
+  const auto row = parts.node_words(1, 0, parts.level[1].words()).stream;
   for (std::size_t i = 0; i != parts.level[1].entries; ++i) {
     const double x = static_cast<double>(row[3][i]) - static_cast<double>(row[0][i]);
     const double y = static_cast<double>(row[4][i]) - static_cast<double>(row[1][i]);
@@ -163,9 +149,9 @@ double surface(const TreeLevels<Bound>& parts) {
 }
 
 template void fit_leaf_word(TreeLevels<Box>& parts, const Kernels& kernels, std::size_t entry,
-                            const float* const (&leaves)[6]) noexcept;
+                            const BoxView& leaves) noexcept;
 template void fit_leaf_word(TreeLevels<Sphere>& parts, const Kernels& kernels, std::size_t entry,
-                            const float* const (&leaves)[4]) noexcept;
+                            const SphereView& leaves) noexcept;
 template void fit_upper(TreeLevels<Box>& parts, const Kernels& kernels) noexcept;
 template void fit_upper(TreeLevels<Sphere>& parts, const Kernels& kernels) noexcept;
 template void fit_all(TreeLevels<Box>& parts, const Kernels& kernels);

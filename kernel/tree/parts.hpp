@@ -1,17 +1,15 @@
 /// What a bounds tree is made of: streams of leaves and of nodes, and nothing that points from one to the other.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "kernels/table.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "streams/access.hpp"
 #include "tree/leaf_places.hpp"
 
 namespace shaftcull::kernel {
@@ -38,29 +36,7 @@ struct TreeLevel {
 
 /// Number of streams of a bound.
 template <class Bound>
-inline constexpr std::size_t rows_of = std::tuple_size_v<decltype(ViewOf<Bound>::stream)>;
-
-/// Memory of streams that is copied with what it holds.
-class TreeStreams : public StreamMemory {
- public:
-  using StreamMemory::StreamMemory;
-  TreeStreams() noexcept = default;
-  TreeStreams(StreamMemory&& memory) noexcept : StreamMemory(std::move(memory)) {}
-  TreeStreams(const TreeStreams& other) : StreamMemory(other.rows(), other.row_length()) {
-    std::copy_n(other.row(0), bytes() / sizeof(float), row(0));
-  }
-  TreeStreams(TreeStreams&& other) noexcept = default;
-  TreeStreams& operator=(TreeStreams other) noexcept {
-    StreamMemory::operator=(std::move(other));
-    return *this;
-  }
-  ~TreeStreams() = default;
-
- private:
-  [[nodiscard]] std::size_t rows() const noexcept {
-    return row_length() == 0 ? 0 : bytes() / sizeof(float) / row_length();
-  }
-};
+inline constexpr std::size_t rows_of = row_count<ViewOf<Bound>>;
 
 /// Bounds in tree order and the nodes above them: all that a walk reads.
 template <class Bound>
@@ -69,8 +45,8 @@ struct TreeLevels {
   std::array<TreeLevel, most_levels> level;
   std::size_t levels = 0;  ///< 0 for an empty tree
 
-  TreeStreams leaves;  ///< bounds in tree order; padding that is outside of everything
-  TreeStreams nodes;   ///< boxes of all levels above the leaves; padding is empty boxes
+  StreamOf<ViewOf<Bound>> leaves;  ///< bounds in tree order
+  BoxStream nodes;                 ///< boxes of all levels above the leaves, each level a whole number of words
 
   /// Bit i of word first / 64 + i / 64 of a level: something below entry i is empty, or padding, so that it is outside
   /// even where the box of the entry is inside.
@@ -89,18 +65,22 @@ struct TreeLevels {
   [[nodiscard]] bool are_many_dirty() const noexcept { return dirty_words > words_for(size) / 8; }
 
   /// Whether the leaves are more than a second-level cache holds.
-  [[nodiscard]] bool is_worth_prefetching() const noexcept { return leaves.bytes() > second_level_bytes; }
+  [[nodiscard]] bool is_worth_prefetching() const noexcept { return leaves.memory_bytes() > second_level_bytes; }
 
-  [[nodiscard]] std::array<float*, rows_of<Bound>> leaf_rows(std::size_t from = 0) const noexcept {
-    std::array<float*, rows_of<Bound>> row;
-    for (std::size_t s = 0; s != row.size(); ++s) row[s] = leaves.row(s) + from;
-    return row;
+  /// A word of leaves, or some: from leaf `from` on. The tree's last word has padding behind its leaves.
+  [[nodiscard]] ViewOf<Bound> leaf_words(std::size_t from, std::size_t words) const noexcept {
+    return leaves.view().slice(from, words * fanout);
   }
-  /// The streams of level `k` from entry `from` on; k is at least 1.
-  [[nodiscard]] std::array<float*, 6> node_rows(std::size_t k, std::size_t from = 0) const noexcept {
-    std::array<float*, 6> row;
-    for (std::size_t s = 0; s != 6; ++s) row[s] = nodes.row(s) + level[k].first + from;
-    return row;
+  /// Words of entries of level `k`, which is at least 1, from entry `from` on.
+  [[nodiscard]] BoxView node_words(std::size_t k, std::size_t from, std::size_t words) const noexcept {
+    return nodes.view().slice(level[k].first + from, words * fanout);
+  }
+
+  /// Where leaves are written.
+  [[nodiscard]] RowsOf<ViewOf<Bound>> leaf_rows() noexcept { return StreamAccess::rows(leaves); }
+  /// Where entries of level `k` are written, from entry `from` on; k is at least 1.
+  [[nodiscard]] RowsOf<BoxView> node_rows(std::size_t k, std::size_t from = 0) noexcept {
+    return StreamAccess::rows(nodes, level[k].first + from);
   }
   [[nodiscard]] std::uint64_t* gap_words(std::size_t k) noexcept { return gaps.data() + level[k].first / 64; }
   [[nodiscard]] const std::uint64_t* gap_words(std::size_t k) const noexcept {
@@ -114,7 +94,7 @@ struct TreeParts : TreeLevels<Bound> {
   LeafPlaces<Index> places;  ///< the user's index → leaf
 };
 
-/// Lays out the levels over `size` bounds and gets the memory for them; nothing is written but padding.
+/// Lays out the levels over `size` bounds and gets the memory for them. Nodes are empty; leaves are to be written.
 template <class Bound>
 void lay_out(TreeLevels<Bound>& parts, std::size_t size);
 
@@ -124,13 +104,13 @@ void lay_out(TreeLevels<Bound>& parts, std::size_t size);
 template <class Bound>
 void fit_all(TreeLevels<Bound>& parts, const Kernels& kernels);
 
-/// Fits an entry of level 1 to the word of leaves below it, which is in `leaves`.
+/// Fits an entry of level 1 to the word of leaves below it, of which `leaves` may be a copy.
 ///
 /// Threads may fit entries at the same time if no two of these share a word of gaps: entries of different blocks of
 /// gap_leaves leaves.
 template <class Bound>
 void fit_leaf_word(TreeLevels<Bound>& parts, const Kernels& kernels, std::size_t entry,
-                   const float* const (&leaves)[rows_of<Bound>]) noexcept;
+                   const ViewOf<Bound>& leaves) noexcept;
 inline constexpr std::size_t gap_leaves = fanout * fanout;
 
 /// Fits the levels above level 1, whose entries are all fitted; leaves none dirty.

@@ -89,18 +89,14 @@ std::size_t BoundsTree<Bound, Index>::size() const noexcept {
 template <class Bound, BoundIndex Index>
 std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
-  return sizeof *parts_ + parts_->leaves.bytes() + parts_->nodes.bytes() +
+  return sizeof *parts_ + parts_->leaves.memory_bytes() + parts_->nodes.memory_bytes() +
          sizeof(std::uint64_t) * (parts_->gaps.capacity() + parts_->dirty.capacity()) +
          sizeof(Index) * parts_->order.capacity() + parts_->places.bytes();
 }
 
 template <class Bound, BoundIndex Index>
 auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
-  View view;
-  if (!parts_) return view;
-  for (std::size_t s = 0; s != kernel::rows_of<Bound>; ++s) view.stream[s] = parts_->leaves.row(s);
-  view.count = parts_->size;
-  return view;
+  return parts_ ? parts_->leaves.view() : View();
 }
 
 template <class Bound, BoundIndex Index>

@@ -24,7 +24,7 @@ void require_count(std::size_t count, std::size_t size) {
 /// Tree order reads and writes all over both, so a part of the leaves cannot be their new value.
 template <class Bound, class Source>
 void require_other_memory(const TreeLevels<Bound>& parts, const Source& source) {
-  if (source.overlaps(bytes_of(parts.leaves.row(0), parts.leaves.bytes() / sizeof(float)))) {
+  if (source.overlaps(StreamAccess::memory(parts.leaves))) {
     refuse_shared_memory("update", "the new bounds", "the tree's leaves");
   }
 }

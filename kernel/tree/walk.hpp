@@ -41,7 +41,8 @@ class Walk {
         prefetches_(parts.is_worth_prefetching()),
         question_(question),
         visitor_(visitor),
-        shaft_(&shaft) {
+        shaft_(&shaft),
+        leaf_(parts.leaves.view().stream) {
     const bool needs_planes = question != Question::kept ||
                               (std::is_same_v<Bound, Sphere> && shaft.slab_form != CompiledShaft::SlabForm::fused);
     if (needs_planes && !shaft.has_planes()) {
@@ -50,7 +51,6 @@ class Walk {
       shaft_ = &completed_;
     }
     tests_inside_ = shaft_->answers_inside && shaft_->has_planes();
-    for (std::size_t s = 0; s != rows_of<Bound>; ++s) leaf_[s] = parts.leaves.row(s);
   }
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
@@ -81,7 +81,7 @@ class Walk {
       for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
       visitor_.expect(first);
     } else {
-      for (const float* const row : parts_.node_rows(k, first)) prefetch_to_second_level(row, fanout);
+      for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
     }
   }
 
@@ -95,8 +95,8 @@ class Walk {
     if (k == 0) return visit_leaves(word, words);
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
-    const auto rows = parts_.node_rows(k);
-    test_nodes_(*shaft_, rows_of_floats(rows).data(), word, words, kept, tests_inside_ ? inside : nullptr,
+    const auto nodes = parts_.node_words(k, 0, parts_.level[k].words());
+    test_nodes_(*shaft_, nodes.stream.data(), word, words, kept, tests_inside_ ? inside : nullptr,
                 question_ == Question::kept ? many_kept : 1);
     std::uint32_t below[batch];
     std::size_t belows = 0;
@@ -131,16 +131,12 @@ class Walk {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
     const bool both = question_ != Question::kept;
-    test_leaves_(*shaft_, leaf_, word, words, kept, both ? inside : nullptr, 1);
+    test_leaves_(*shaft_, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
     for (std::size_t i = 0; i != words; ++i) {
       if (kept[i] == 0) continue;
       visitor_.word(std::size_t{word[i]} * fanout, kept[i], both ? inside[i] : 0);
       if (is_done()) return;
     }
-  }
-
-  static std::array<const float*, 6> rows_of_floats(const std::array<float*, 6>& rows) noexcept {
-    return {rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]};
   }
 
   const TreeLevels<Bound>& parts_;
@@ -151,7 +147,7 @@ class Walk {
   Visitor& visitor_;
   const CompiledShaft* shaft_;
   bool tests_inside_;
-  const float* leaf_[rows_of<Bound>];
+  std::array<const float*, rows_of<Bound>> leaf_;
   CompiledShaft completed_;  // written only if the shaft came without planes that are needed
 };
 

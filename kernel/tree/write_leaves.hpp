@@ -24,11 +24,9 @@ void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index*
                   const Source& source) noexcept {
   constexpr std::size_t rows = rows_of<Bound>;
   const auto row = parts.leaf_rows();
-  const WordWriter writer(parts.leaves.bytes());
+  const WordWriter writer(parts.leaves.memory_bytes());
   alignas(64) float word[rows][fanout];
-  float* to[rows];
-  const float* words[rows];
-  for (std::size_t s = 0; s != rows; ++s) words[s] = to[s] = word[s];
+  const RowsOf<ViewOf<Bound>> to = rows_in(word);
   for (std::size_t first = run.first; first < run.end(); first += fanout) {
     const std::size_t count = std::min(fanout, run.end() - first);
     // Inlined, as prefetch_to_second_level() is.
@@ -38,11 +36,11 @@ void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index*
       if (soon + 4 > end) return;
       for (std::size_t p = soon; p != soon + 4; ++p) source.prefetch(order[p]);
     };
-    read_rows(source, order + first, count, to, prefetch_ahead);
+    read_rows(source, order + first, count, to.data(), prefetch_ahead);
     for (std::size_t s = 0; s != rows; ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding
     for (std::size_t s = 0; s != rows; ++s) writer.write(row[s] + first, word[s], fanout);
-    if (parts.levels > 1) fit_leaf_word(parts, kernels, first / fanout, words);
+    if (parts.levels > 1) fit_leaf_word(parts, kernels, first / fanout, view_of<ViewOf<Bound>>(to, fanout));
   }
 }
 

@@ -69,8 +69,8 @@ TreeLevels<Box> origins() {
     nodes += tree.level[tree.levels].words() * 64;
     ++tree.levels;
   }
-  tree.leaves = StreamMemory(6, words_for(size) * 64);
-  tree.nodes = StreamMemory(6, nodes);
+  tree.leaves = kernel::StreamAccess::not_written<BoxStream>(size);
+  tree.nodes = kernel::StreamAccess::not_written<BoxStream>(nodes);
   tree.gaps.assign(nodes / 64, 0);
   return tree;
 }
@@ -96,7 +96,7 @@ TEST(WideTree, AWalkReachesAllBounds) {
       {7, 1}, {(std::uint64_t{1} << 32U) - 1, 2}, {(std::uint64_t{1} << 33U) + 331, 1}, {size - 1, 1}};
   for (const Range& range : overlap) {
     for (std::size_t leaf = range.first; leaf != range.first + range.size; ++leaf) {
-      for (std::size_t s = 0; s != 6; ++s) tree.leaves.row(s)[leaf] = s == 0 ? 3 : 5;  // half outside
+      for (std::size_t s = 0; s != 6; ++s) tree.leaf_rows()[s][leaf] = s == 0 ? 3 : 5;  // half outside
       reach_far(tree, leaf, 1);
     }
   }

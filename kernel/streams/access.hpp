@@ -1,0 +1,42 @@
+/// The kernel's way into streams: to make them without writing them twice, and to write them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+#include "shaftcull/streams.hpp"
+#include "streams/rows.hpp"
+#include "support/overlap.hpp"
+
+namespace shaftcull::kernel {
+
+/// The stream that owns what such a view shows.
+template <class View>
+using StreamOf = std::conditional_t<std::is_same_v<View, BoxView>, BoxStream, SphereStream>;
+
+struct StreamAccess {
+  /// A stream of `count` bounds that are to be written; the padding behind them is.
+  template <class Stream>
+  [[nodiscard]] static Stream not_written(std::size_t count) {
+    return Stream(typename Stream::NotWritten(), count);
+  }
+
+  /// The rows of a stream from bound `first` on.
+  template <class Stream>
+  [[nodiscard]] static auto rows(Stream& stream, std::size_t first = 0) noexcept {
+    RowsOf<decltype(stream.view())> row;
+    for (std::size_t s = 0; s != row.size(); ++s) {
+      row[s] = const_cast<float*>(stream.view_.stream[s]) + first;  // the stream's own memory, which is not const
+    }
+    return row;
+  }
+
+  /// All memory of a stream, padding included.
+  template <class Stream>
+  [[nodiscard]] static std::span<const std::byte> memory(const Stream& stream) noexcept {
+    return bytes_of(stream.memory_.get(), stream.memory_bytes() / sizeof(float));
+  }
+};
+
+}  // namespace shaftcull::kernel
