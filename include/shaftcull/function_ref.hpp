@@ -15,6 +15,17 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 template <class Signature>
 class FunctionRef;
 
+/// A function that takes Args and returns what converts to Result.
+template <class Function, class Result, class... Args>
+concept CallableFunction = std::is_function_v<Function> && std::is_invocable_r_v<Result, Function&, Args...>;
+
+/// The same of anything else that can be called: Callable is a type or a reference to one, as a forwarding reference
+/// deduces it. A Reference, the class that is made from it, is none: that is copied.
+template <class Callable, class Reference, class Result, class... Args>
+concept CallableObject =
+    !std::same_as<std::remove_cvref_t<Callable>, Reference> && !std::is_function_v<std::remove_reference_t<Callable>> &&
+    std::is_invocable_r_v<Result, Callable&, Args...>;
+
 /// A reference to something that can be called with Args and returns a Result: a lambda, a function, a std::function.
 ///
 /// It owns nothing: what it refers to must live as long as it is called. A temporary lambda passed to a call of the
@@ -25,11 +36,9 @@ class FunctionRef;
 template <class Result, class... Args>
 class FunctionRef<Result(Args...)> {
  public:
-  template <class Callable>
-  requires(!std::same_as<std::remove_cvref_t<Callable>, FunctionRef> &&
-           !std::is_function_v<std::remove_reference_t<Callable>> && std::is_invocable_r_v<Result, Callable&, Args...>)
-      FunctionRef(Callable&& callable)
-  noexcept  // NOLINT(google-explicit-constructor): callbacks are passed as they are
+  template <CallableObject<FunctionRef, Result, Args...> Callable>
+  // Not explicit, so that callbacks are passed as they are. NOLINTNEXTLINE(bugprone-forwarding-reference-overload)
+  FunctionRef(Callable&& callable) noexcept
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_(call_object<std::remove_reference_t<Callable>>) {
     // What can be made from a null pointer can be empty: pointers to functions, std::function.
@@ -38,10 +47,8 @@ class FunctionRef<Result(Args...)> {
     }
   }
 
-  template <class Function>
-  requires(std::is_function_v<Function>&& std::is_invocable_r_v<Result, Function&, Args...>)
-      FunctionRef(Function& function)
-  noexcept  // NOLINT(google-explicit-constructor)
+  template <CallableFunction<Result, Args...> Function>
+  FunctionRef(Function& function) noexcept  // NOLINT(google-explicit-constructor)
       : function_(reinterpret_cast<void (*)()>(&function)), call_(call_function<Function>) {}
 
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
