@@ -37,7 +37,6 @@ class CountingIterator {
     return *this;
   }
   friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.at_ == b.at_; }
-  friend bool operator!=(const CountingIterator& a, const CountingIterator& b) { return a.at_ != b.at_; }
 
  private:
   const char* at_;
@@ -93,7 +92,7 @@ class LineNotes {
     }
     Open& around = open_.back();
     if (!around.is_array) return joined(around.place, around.key);
-    const std::string place = joined(around.place, std::to_string(around.elements++));
+    std::string place = joined(around.place, std::to_string(around.elements++));
     lines_[place] = position_.line;
     return place;
   }
