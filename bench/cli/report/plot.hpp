@@ -33,7 +33,17 @@ struct Plot {
 [[nodiscard]] std::optional<Plot> plot_roofline(const BenchSummary& summary);
 
 /// Colours are drawn as these numbers; the page turns them into its own, light or dark.
-enum Ink : int { ink_text = 1, ink_muted, ink_grid, ink_scalar, ink_sse4_2, ink_avx2, ink_avx512, ink_end };
+enum Ink : int {
+  ink_text = 1,
+  ink_muted,
+  ink_grid,
+  ink_scalar,
+  ink_sse4_2,
+  ink_avx2,
+  ink_avx512,
+  ink_portable128,
+  ink_end
+};
 
 /// "#040404" for ink_scalar: what gnuplot is told.
 [[nodiscard]] std::string colour(Ink ink);
@@ -46,6 +56,7 @@ struct Look {
   int mark;  ///< gnuplot's point type; the shape differs too, for those who do not see colours
 };
 inline constexpr Look looks[] = {{"scalar", "scalar", ink_scalar, 7},
+                                 {"portable128", "portable", ink_portable128, 11},
                                  {"sse4_2", "SSE4.2", ink_sse4_2, 5},
                                  {"avx2", "AVX2", ink_avx2, 9},
                                  {"avx512", "AVX-512", ink_avx512, 13}};

@@ -11,14 +11,14 @@ inline constexpr std::string_view page_style = R"(:root {
   color-scheme: light dark;
   --page: #fbfbfa; --card: #ffffff; --line: #e3e3e0;
   --ink-1: #1c1c1a; --ink-2: #6a6a66; --ink-3: #e6e6e2;
-  --ink-4: #7a7a76; --ink-5: #a06a00; --ink-6: #0067a5; --ink-7: #c24a00;
+  --ink-4: #7a7a76; --ink-5: #a06a00; --ink-6: #0067a5; --ink-7: #c24a00; --ink-8: #7a3d9a;
   --good: #00705a;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --page: #161615; --card: #1f1f1e; --line: #353533;
     --ink-1: #ecece8; --ink-2: #a3a39d; --ink-3: #353533;
-    --ink-4: #a9a9a3; --ink-5: #e6a117; --ink-6: #5cb8ee; --ink-7: #ff8c4d;
+    --ink-4: #a9a9a3; --ink-5: #e6a117; --ink-6: #5cb8ee; --ink-7: #ff8c4d; --ink-8: #c792ea;
     --good: #3fc9a5;
   }
 }
