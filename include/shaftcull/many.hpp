@@ -110,12 +110,12 @@ template <BoundIndex Index>
 void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside, Form form = Form::fastest);
 
-/// What one shaft answers for one tile of bounds, [first, first + count); first is a multiple of 64.
+/// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.
 struct TileAnswers {
   std::size_t shaft;
   std::size_t first;
-  std::size_t count;
+  std::size_t size;
   std::span<const std::uint64_t> kept;    ///< bit i is bound first + i
   std::span<const std::uint64_t> inside;  ///< likewise; empty for for_each_tile()
 };

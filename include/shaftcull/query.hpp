@@ -5,8 +5,8 @@
 /// all words are written. Lists are in tree order (BoundsTree::order()), which depends on nothing but the bounds,
 /// by index, that the tree was last built or rebuilt from: not on threads, instruction sets, or what happened before.
 ///
-/// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`, `{.mask =
-/// words}` or both (ExcludingOf).
+/// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`, `{.own = {3,
+/// 7}}`, `{.mask = words}` or indices and a mask (ExcludingOf).
 ///
 /// *Results that do not fit* are counted and not written: see results.hpp.
 ///
@@ -23,6 +23,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <iterator>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -45,12 +47,23 @@ struct LeafRangeOf {
   friend bool operator==(const LeafRangeOf&, const LeafRangeOf&) = default;
 };
 
+/// Indices that a call reads: a span, which may be made of braces as those of C++26. What braces hold is gone when the
+/// call is over, so write them in the call itself.
+template <BoundIndex Index>
+struct IndicesOf : std::span<const Index> {
+  using std::span<const Index>::span;
+  constexpr IndicesOf(std::span<const Index> indices) noexcept  // NOLINT(google-explicit-constructor)
+      : std::span<const Index>(indices) {}
+  constexpr IndicesOf(std::initializer_list<Index> indices) noexcept
+      : std::span<const Index>(std::data(indices), indices.size()) {}
+};
+
 /// Bounds that a query leaves out, by the user's indices.
 template <BoundIndex Index>
 struct ExcludingOf {
   /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two
   /// objects, say. All are below the tree's size().
-  std::span<const Index> own{};
+  IndicesOf<Index> own{};
   /// Bit i % 64 of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
   std::span<const std::uint64_t> mask{};
 };
@@ -167,14 +180,14 @@ struct LeafRangeListsOf {
 };
 using LeafRangeLists = LeafRangeListsOf<std::uint32_t>;
 
-/// Lists what each shaft keeps, as indices or as leaf ranges. Reuses the memory of the lists; if this throws, they are
-/// as they were or empty.
+/// Lists what each shaft keeps, as indices or as leaf ranges. Reuses the memory of `lists`; if this throws, they are as
+/// they were or empty.
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& lists,
                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               LeafRangeListsOf<Index>& kept, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+               LeafRangeListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Likewise, but bounds that overlap and bounds inside apart.
 template <class Bound, BoundIndex Index>

@@ -58,7 +58,9 @@ inline constexpr std::size_t max_joining_planes = 8;
 inline constexpr std::size_t max_added_planes = 16;
 
 /// The convex hull of two boxes, as planes: the shaft box's six faces, up to eight joining planes,
-/// and planes added by the user. A value: no heap memory.
+/// and planes added by the user. A value: no heap memory, and nothing here allocates but the message of an exception.
+/// Const members and culled_volume() are safe to call from many threads; nobody may use a shaft while another thread
+/// adds a plane to it. Different shafts are independent.
 class Shaft {
  public:
   /// The shaft between boxes `a` and `b`. Both must be finite with lo ≤ hi; points, flat, equal, nested and
@@ -93,8 +95,8 @@ class Shaft {
   std::uint8_t added_count_ = 0;
 };
 
-/// Volume of the part of box `box` that `plane` (one zero normal component) cuts off. Throws InvalidArgument if its
-/// faces are not two neighbouring ones of 0 to 5.
+/// Volume of the part of box `box` that `plane` (one zero normal component) cuts off, in the coordinates' unit cubed; 0
+/// if it cuts off nothing. Throws InvalidArgument if its faces are not two neighbouring ones of 0 to 5. O(1).
 [[nodiscard]] double culled_volume(const Box& box, const JoiningPlane& plane);
 
 }  // namespace shaftcull

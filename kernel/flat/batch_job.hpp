@@ -215,7 +215,7 @@ class Job {
 
   /// Whether the bounds take more than a second-level cache holds.
   [[nodiscard]] bool is_beyond_caches() const noexcept {
-    constexpr std::size_t bytes_a_bound = sizeof bounds_.stream / sizeof bounds_.stream[0] * sizeof(float);
+    constexpr std::size_t bytes_a_bound = row_count<View> * sizeof(float);
     return bounds_.count > (std::size_t{1} << 21) / bytes_a_bound;
   }
 

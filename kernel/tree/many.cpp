@@ -105,11 +105,11 @@ void require_apart(const kernel::Query<Bound, Index>& query, const char* call, c
 }
 
 template <class Bound, class Index, class Lists>
-void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& kept,
+void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& lists,
                const ExcludingOf<Index>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
-  require_apart(query, "list_many", "kept", kept);
-  TaskOutputs<Lists> all(shafts.size(), kept);
+  require_apart(query, "list_many", "lists", lists);
+  TaskOutputs<Lists> all(shafts.size(), lists);
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
@@ -213,14 +213,14 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTr
 }
 
 template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& kept,
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& lists,
                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  list_kept(shafts, tree, kept, excluding);
+  list_kept(shafts, tree, lists, excluding);
 }
 template <class Bound, BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               LeafRangeListsOf<Index>& kept, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  list_kept(shafts, tree, kept, excluding);
+               LeafRangeListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  list_kept(shafts, tree, lists, excluding);
 }
 
 template <class Bound, BoundIndex Index>

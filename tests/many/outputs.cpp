@@ -188,16 +188,16 @@ class Collector {
     ASSERT_EQ(tile.shaft, next_shaft_);
     ASSERT_EQ(tile.first, next_first_);
     ASSERT_EQ(tile.first % 64, 0U);
-    ASSERT_GT(tile.count, 0U);
-    ASSERT_LE(tile.first + tile.count, bounds_);
-    ASSERT_EQ(tile.kept.size(), words_for(tile.count));
-    ASSERT_EQ(tile.inside.size(), classifies_ ? words_for(tile.count) : 0);
+    ASSERT_GT(tile.size, 0U);
+    ASSERT_LE(tile.first + tile.size, bounds_);
+    ASSERT_EQ(tile.kept.size(), words_for(tile.size));
+    ASSERT_EQ(tile.inside.size(), classifies_ ? words_for(tile.size) : 0);
     const std::size_t at = tile.shaft * words_for(bounds_) + tile.first / 64;
     std::copy(tile.kept.begin(), tile.kept.end(), kept_.begin() + static_cast<std::ptrdiff_t>(at));
     std::copy(tile.inside.begin(), tile.inside.end(), inside_.begin() + static_cast<std::ptrdiff_t>(at));
     if (++next_shaft_ == shafts_) {
       next_shaft_ = 0;
-      next_first_ += tile.count;
+      next_first_ += tile.size;
     }
   }
   void expect(const ExpectedRows& expected) const {

@@ -148,7 +148,7 @@ TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {
               HasSubstr("list_classified_many: overlap and inside share memory"));
   expect_unchanged();
   EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = lists.indices}); }),
-              HasSubstr("list_many: kept and excluding.own share memory"));
+              HasSubstr("list_many: lists and excluding.own share memory"));
   EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, others, {.own = others.indices}); }),
               HasSubstr("list_classified_many: inside and excluding.own share memory"));
   expect_unchanged();
