@@ -9,6 +9,7 @@
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"
 #include "simd/baseline_four_floats.hpp"
+#include "streams/rows.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
@@ -22,7 +23,8 @@ constexpr std::size_t chunk = 64;
 /// The boxes of a chunk's pairs, side by side.
 struct GatheredBoxes {
   float row[6][chunk];
-  const float* stream[6] = {row[0], row[1], row[2], row[3], row[4], row[5]};
+
+  [[nodiscard]] BoxView view() noexcept { return kernel::view_of<BoxView>(kernel::rows_in(row), chunk); }
 };
 
 /// Gathers the boxes of at most a chunk of pairs, four at a time.
@@ -88,12 +90,13 @@ void require_pairs(const kernel::Kernels& kernels, const BoxView& a, const BoxVi
   const bool same_view = a.stream == b.stream && a.count == b.count;
   if (all_finite(a) && (same_view || all_finite(b))) return;
   GatheredBoxes gathered;
+  const BoxView gathered_view = gathered.view();
   for (std::size_t first = 0; first < pairs.size(); first += chunk) {
     const auto some = pairs.subspan(first, std::min(chunk, pairs.size() - first));
     gather<&IndexPair::a>(a, some, gathered);
-    bool finite = kernels.all_finite(gathered.stream, some.size());
+    bool finite = kernels.all_finite(gathered_view.stream.data(), some.size());
     gather<&IndexPair::b>(b, some, gathered);
-    finite = finite && kernels.all_finite(gathered.stream, some.size());
+    finite = finite && kernels.all_finite(gathered_view.stream.data(), some.size());
     if (finite) continue;
     for (std::size_t i = 0; i != some.size(); ++i) require_pair(a[some[i].a], b[some[i].b], first + i);
   }
@@ -200,17 +203,20 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair
   require_pairs(kernels, a, b, pairs);
   GatheredBoxes from;
   GatheredBoxes to;
+  const BoxView some_a = from.view();
+  const BoxView some_b = to.view();
   for (std::size_t first = 0; first < pairs.size(); first += chunk) {
     const auto some = pairs.subspan(first, std::min(chunk, pairs.size() - first));
     const auto shafts = out.subspan(first, some.size());
     gather<&IndexPair::a>(a, some, from);
     gather<&IndexPair::b>(b, some, to);
-    kernels.compile_finite(from.stream, to.stream, some.size(), shafts.data());
+    kernels.compile_finite(some_a.stream.data(), some_b.stream.data(), some.size(), shafts.data());
     if (added.empty()) continue;
     const auto position = [=](std::uint32_t IndexPair::*side) {
       return [=](std::size_t i) { return std::size_t{some[i].*side}; };
     };
-    add_planes(kernels, added, from.stream, to.stream, shafts, position(&IndexPair::a), position(&IndexPair::b));
+    add_planes(kernels, added, some_a.stream.data(), some_b.stream.data(), shafts, position(&IndexPair::a),
+               position(&IndexPair::b));
   }
 }
 
