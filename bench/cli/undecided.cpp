@@ -23,7 +23,7 @@ void watch(const CompiledShaft& shaft, const View& bounds, Form form, std::span<
     const std::size_t first = w * kernel::word_bits;
     const View word = bounds.slice(first, std::min<std::size_t>(kernel::word_bits, bounds.count - first));
     WatchedLanes::asked = 0;
-    test(shaft, word.stream.data(), word.count, &kept[w], &inside[w]);
+    test(kernel::data_of(shaft), word.stream.data(), word.count, &kept[w], &inside[w]);
     asked[w] = WatchedLanes::asked;
   }
 }

@@ -1,3 +1,4 @@
+#include "compiled/shaft_data.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "peers/unfiltered.hpp"
 #include "simd/x86/avx2.hpp"
@@ -8,10 +9,10 @@ namespace {
 struct UnfilteredLanes : kernel::avx2::Floats {};
 
 template <unsigned uppers>
-void cull_words(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void cull_words(const kernel::ShaftData& shaft, const float* const* stream, std::size_t words,
                 std::uint64_t* kept) noexcept {
   using L = UnfilteredLanes;
-  const kernel::Slab<L, uppers, CompiledShaft::SlabForm::fused> slab(shaft, 0.0F);
+  const kernel::Slab<L, uppers, kernel::ShaftData::SlabForm::fused> slab(shaft, 0.0F);
   const float* x[6];
   for (unsigned i = 0; i < 6; ++i) x[i] = stream[shaft.slab_near[i]];
   for (std::size_t w = 0; w < words; ++w) {
@@ -34,10 +35,11 @@ void cull_words(const CompiledShaft& shaft, const float* const* stream, std::siz
 
 void cull_unfiltered_avx2(const CompiledShaft& shaft, const BoxView& boxes, std::size_t words,
                           std::uint64_t* kept) noexcept {
-  using Words = void(const CompiledShaft&, const float* const*, std::size_t, std::uint64_t*) noexcept;
+  using Words = void(const kernel::ShaftData&, const float* const*, std::size_t, std::uint64_t*) noexcept;
   static constexpr Words* by_uppers[7] = {nullptr,       cull_words<1>, cull_words<2>, cull_words<3>,
                                           cull_words<4>, cull_words<5>, cull_words<6>};
-  by_uppers[shaft.slab_uppers](shaft, boxes.stream.data(), words, kept);
+  const kernel::ShaftData& data = kernel::data_of(shaft);
+  by_uppers[data.slab_uppers](data, boxes.stream.data(), words, kept);
 }
 
 }  // namespace shaftcull::bench

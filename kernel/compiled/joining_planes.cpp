@@ -1,10 +1,14 @@
 #include "compiled/joining_planes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "compiled/shaft_box.hpp"
 #include "compiled/slab.hpp"
+#include "formation/table.hpp"
+#include "support/float_environment.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -23,12 +27,10 @@ float margin_of(double margin) noexcept {
 
 }  // namespace
 
-void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes, CompiledShaft& out) noexcept {
-  const Faces6 a = positions(out.a);
-  const Faces6 b = positions(out.b);
+void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes, ShaftData& out) noexcept {
   float largest = 0;
   for (Face f = 0; f < face_count; ++f) {
-    out.face[f] = is_hi(f) ? std::max(a[f], b[f]) : std::min(a[f], b[f]);
+    out.face[f] = shaft_face(out, f);
     largest = std::max(largest, std::fabs(out.face[f]));
   }
   double reach[face_count];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than
@@ -60,6 +62,15 @@ void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes
   out.joining_count = edges.count;
   out.joining_margin =
       regular ? margin_of(4 * unit * slack * margin + denormals) : std::numeric_limits<float>::infinity();
+}
+
+void add_joining_planes(ShaftData& shaft) noexcept {
+  in_float_environment([&] {
+    const Faces6 a = std::to_array(shaft.a);
+    const Faces6 b = std::to_array(shaft.b);
+    const JoinedEdges& edges = table729_edges(a, b);
+    compile_joining_planes(edges, join(a, b, edges, ShaftOptions{}.spheres), shaft);
+  });
 }
 
 }  // namespace shaftcull::kernel

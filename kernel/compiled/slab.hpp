@@ -6,17 +6,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shaftcull/compiled.hpp"
+#include "compiled/shaft_data.hpp"
 #include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 
 /// What a compiled shaft says of the order of its constraints: those that bound t from above come first.
 struct SlabOrder {
-  std::uint32_t face[8];        ///< the last two stay where they are: what follows the faces in a row
-  std::uint8_t near_stream[6];  ///< as CompiledShaft::slab_near and what follows it there
-  std::uint8_t uppers;
-  std::uint8_t form;
+  std::uint32_t face[8];  ///< the last two stay where they are: what follows the faces in a row
+  struct {
+    std::uint8_t near[6];
+    std::uint8_t uppers;
+    ShaftData::SlabForm form;
+  } selectors;  ///< as they are in ShaftRow::selectors
 };
 
 /// The stream that holds the corner of a bound nearest to face f of a shaft: the opposite face of the bound.
@@ -36,20 +38,20 @@ inline constexpr auto slab_orders = [] {
         const bool moves_along = (negative >> f & 1) == 0;
         if ((moves_along == (f < 3)) != upper) continue;
         order.face[next] = f;
-        order.near_stream[next++] = near_stream[f];
+        order.selectors.near[next++] = near_stream[f];
       }
-      if (upper) order.uppers = static_cast<std::uint8_t>(next);
+      if (upper) order.selectors.uppers = static_cast<std::uint8_t>(next);
     }
     order.face[6] = 6;
     order.face[7] = 7;
-    order.form = static_cast<std::uint8_t>(CompiledShaft::SlabForm::fused);
+    order.selectors.form = ShaftData::SlabForm::fused;
   }
   return orders;
 }();
 
 /// What compile_batch() says of every shaft, as the two floats that follow box b in a row of its columns.
 struct BatchMark {
-  std::uint8_t joining_count = CompiledShaft::planes_pending;
+  std::uint8_t joining_count = ShaftData::planes_pending;
   std::uint8_t added_count = 0;
   bool answers[3] = {true, true, true};
   std::uint8_t padding[3] = {};
@@ -59,14 +61,8 @@ struct TwoFloats {
 };
 inline constexpr TwoFloats batch_mark = __builtin_bit_cast(TwoFloats, BatchMark{});
 
-// Rows of eight floats are written onto six and what follows them.
-static_assert(offsetof(CompiledShaft, slab_margin) == offsetof(CompiledShaft, slab_scale) + 6 * sizeof(float));
-static_assert(offsetof(CompiledShaft, reach) == offsetof(CompiledShaft, slab_scale) + 7 * sizeof(float));
-static_assert(offsetof(CompiledShaft, slab_near) == offsetof(CompiledShaft, slab_shift) + 6 * sizeof(float));
-static_assert(offsetof(CompiledShaft, b) == offsetof(CompiledShaft, a) + 6 * sizeof(float));
-static_assert(offsetof(CompiledShaft, joining_count) == offsetof(CompiledShaft, b) + 6 * sizeof(float));
-static_assert(offsetof(CompiledShaft, answers_outside) ==
-              offsetof(CompiledShaft, joining_count) + offsetof(BatchMark, answers));
+static_assert(offsetof(ShaftData, answers_outside) ==
+              offsetof(ShaftData, joining_count) + offsetof(BatchMark, answers));
 
 /// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
 inline constexpr float float_unit = 0x1p-24F;

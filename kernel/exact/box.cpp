@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiled/shaft_box.hpp"
 #include "exact/added.hpp"
 #include "exact/edge.hpp"
 #include "exact/predicates.hpp"
@@ -13,12 +14,12 @@ unsigned opposite(unsigned stream) noexcept { return stream < 3 ? stream + 3 : s
 
 }  // namespace
 
-SlabPredicate::SlabPredicate(const CompiledShaft& shaft) noexcept : shaft_(shaft) {
+SlabPredicate::SlabPredicate(const ShaftData& shaft) noexcept : shaft_(shaft) {
   for (unsigned f = 0; f < 6; ++f) face_[f] = shaft_face(shaft, f);
   const Faces faces(shaft.a, shaft.b);
   const auto constraint = [&](unsigned f) {
-    const double p = face_of(shaft.a, f);
-    return Constraint{f, opposite(f), p, 1 / (face_of(shaft.b, f) - p)};
+    const double p = shaft.a[f];
+    return Constraint{f, opposite(f), p, 1 / (shaft.b[f] - p)};
   };
   for (unsigned r = 0; r < faces.reds; ++r) upper_[uppers_++] = constraint(faces.red[r]);
   for (unsigned b = 0; b < faces.blues; ++b) lower_[lowers_++] = constraint(faces.blue[b]);
@@ -61,7 +62,7 @@ bool SlabPredicate::outside(const float (&bound)[6]) const noexcept {
   return false;
 }
 
-bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
+bool box_outside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (bound[k + 3] < shaft_face(shaft, k) || bound[k] > shaft_face(shaft, k + 3)) return true;
   }
@@ -89,7 +90,7 @@ bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
   return false;
 }
 
-bool box_inside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept {
+bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (!(bound[k] >= shaft_face(shaft, k) && bound[k + 3] <= shaft_face(shaft, k + 3))) return false;
   }

@@ -3,20 +3,10 @@
 
 #include <cmath>
 
+#include "compiled/shaft_data.hpp"
 #include "exact/expansion.hpp"
-#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
-
-/// Position of face `f` (0 … 5) of a box.
-inline float face_of(const Box& box, unsigned f) noexcept { return f < 3 ? box.lo[f] : box.hi[f - 3]; }
-
-/// Position of face `f` of the shaft box: the outer one of a's and b's.
-inline float shaft_face(const CompiledShaft& shaft, unsigned f) noexcept {
-  const float on_a = face_of(shaft.a, f);
-  const float on_b = face_of(shaft.b, f);
-  return (on_a < on_b) == (f < 3) ? on_a : on_b;
-}
 
 /// The faces of a shaft that are not purple, as positions on both boxes, split by colour.
 struct Faces {
@@ -25,12 +15,10 @@ struct Faces {
   unsigned reds = 0;
   unsigned blues = 0;
 
-  Faces(const Box& a, const Box& b) noexcept {
+  Faces(const float (&a)[6], const float (&b)[6]) noexcept {
     for (unsigned f = 0; f < 6; ++f) {
-      const float on_a = face_of(a, f);
-      const float on_b = face_of(b, f);
-      if (on_a == on_b) continue;
-      if ((on_a < on_b) == (f < 3)) {
+      if (a[f] == b[f]) continue;
+      if ((a[f] < b[f]) == (f < 3)) {
         red[reds++] = f;
       } else {
         blue[blues++] = f;
@@ -44,8 +32,8 @@ struct Faces {
 /// positive outside, 0 on the plane. It is |(q_i, q_j)| times the signed distance of (x, y) from the plane.
 class Edge {
  public:
-  Edge(const Box& a, const Box& b, unsigned red, unsigned blue) noexcept
-      : red_a_(face_of(a, red)), red_b_(face_of(b, red)), blue_a_(face_of(a, blue)), blue_b_(face_of(b, blue)) {}
+  Edge(const float (&a)[6], const float (&b)[6], unsigned red, unsigned blue) noexcept
+      : red_a_(a[red]), red_b_(b[red]), blue_a_(a[blue]), blue_b_(b[blue]) {}
 
   /// side(x, y) in the arithmetic of `Number`, Measured or Expansion<2>.
   template <class Number>

@@ -12,8 +12,8 @@
 
 #include <cmath>
 
+#include "compiled/shaft_data.hpp"
 #include "exact/expansion.hpp"
-#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
 
@@ -46,13 +46,13 @@ struct Gaps {
   unsigned axis[6];
   unsigned count = 0;
 
-  Gaps(const Box& a, const Box& b, const float (&sphere)[4]) noexcept {
+  Gaps(const float (&a)[6], const float (&b)[6], const float (&sphere)[4]) noexcept {
     for (unsigned k = 0; k < 3; ++k) {
       const double c = sphere[k];
       if (!std::isfinite(c)) continue;
       axis[count] = axis[count + 1] = k;
-      gap[count++] = {a.lo[k], c, b.lo[k], a.lo[k], b.lo[k], c};
-      gap[count++] = {c, a.hi[k], a.hi[k], b.hi[k], c, b.hi[k]};
+      gap[count++] = {a[k], c, b[k], a[k], b[k], c};
+      gap[count++] = {c, a[k + 3], a[k + 3], b[k + 3], c, b[k + 3]};
     }
   }
 };
@@ -68,7 +68,7 @@ struct Minimum {
 
 /// Decides for certain from where f seems to be least, if what matters is computed without rounding, or nearly so.
 /// `still` says that no gap of `least.positive` changes on the way from a to b.
-Verdict certify(const CompiledShaft& shaft, const Gaps& gaps, const Minimum& least, bool still,
+Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool still,
                 const float (&sphere)[4]) noexcept;
 
 /// Whether the minimum of f is larger than r², decided by expansions alone.

@@ -5,7 +5,7 @@
 /// NaN put no constraint on it unless they are beyond a face of the shaft box.
 #pragma once
 
-#include "shaftcull/compiled.hpp"
+#include "compiled/shaft_data.hpp"
 
 namespace shaftcull::kernel {
 
@@ -14,7 +14,7 @@ namespace shaftcull::kernel {
 /// nothing for boxes with lo ≤ hi.
 class SlabPredicate {
  public:
-  explicit SlabPredicate(const CompiledShaft& shaft) noexcept;
+  explicit SlabPredicate(const ShaftData& shaft) noexcept;
 
   /// Whether the box with the corners of `bound` (order of a BoxView's streams) is outside the shaft; added planes
   /// are not asked.
@@ -27,7 +27,7 @@ class SlabPredicate {
     double p;        // a's face
     double inverse;  // 1 / (b's face − a's face)
   };
-  const CompiledShaft& shaft_;
+  const ShaftData& shaft_;
   float face_[6];
   Constraint upper_[6];
   Constraint lower_[6];
@@ -36,15 +36,15 @@ class SlabPredicate {
 };
 
 /// Whether the box with the corners of `bound` is outside the shaft, by its joining planes and box, or any added plane.
-[[nodiscard]] bool box_outside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept;
+[[nodiscard]] bool box_outside(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 
 /// Whether that box is inside the shaft and all added planes.
-[[nodiscard]] bool box_inside(const CompiledShaft& shaft, const float (&bound)[6]) noexcept;
+[[nodiscard]] bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 
 /// Whether the sphere (centre x, y, z, radius) is outside the shaft or any added plane: farther than its radius.
-[[nodiscard]] bool sphere_outside(const CompiledShaft& shaft, const float (&sphere)[4]) noexcept;
+[[nodiscard]] bool sphere_outside(const ShaftData& shaft, const float (&sphere)[4]) noexcept;
 
 /// Whether the sphere is inside the shaft and all added planes: every face at least its radius away.
-[[nodiscard]] bool sphere_inside(const CompiledShaft& shaft, const float (&sphere)[4]) noexcept;
+[[nodiscard]] bool sphere_inside(const ShaftData& shaft, const float (&sphere)[4]) noexcept;
 
 }  // namespace shaftcull::kernel

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "compiled/shaft_box.hpp"
 #include "exact/added.hpp"
 #include "exact/edge.hpp"
 #include "exact/gap.hpp"
@@ -24,7 +25,7 @@ struct FromWithin {
 
 /// Likewise added plane `i`, as seen from a point on its outer side (sign 1) or its inner side (sign −1).
 struct FromAdded {
-  const CompiledShaft& shaft;
+  const ShaftData& shaft;
   unsigned i;
   const double (&point)[3];
   int sign;
@@ -65,7 +66,7 @@ bool is_within(double x, double face, double radius) noexcept {
 }
 
 /// Whether a sphere of finite radius ≥ 0 is outside the hull of a and b.
-bool outside_hull(const CompiledShaft& shaft, const float (&sphere)[4]) noexcept {
+bool outside_hull(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   const double radius = sphere[3];
   if (radius == 0) {  // a point is a box
     return SlabPredicate(shaft).outside({sphere[0], sphere[1], sphere[2], sphere[0], sphere[1], sphere[2]});
@@ -80,7 +81,7 @@ bool outside_hull(const CompiledShaft& shaft, const float (&sphere)[4]) noexcept
 
 }  // namespace
 
-bool sphere_outside(const CompiledShaft& shaft, const float (&sphere)[4]) noexcept {
+bool sphere_outside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   const double radius = sphere[3];
   if (std::isnan(radius)) return false;
   if (radius < 0) return true;
@@ -101,7 +102,7 @@ bool sphere_outside(const CompiledShaft& shaft, const float (&sphere)[4]) noexce
   return false;
 }
 
-bool sphere_inside(const CompiledShaft& shaft, const float (&sphere)[4]) noexcept {
+bool sphere_inside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   const double radius = sphere[3];
   if (!(radius >= 0) || std::isinf(radius)) return false;
   for (unsigned k = 0; k < 3; ++k) {

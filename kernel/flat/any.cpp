@@ -13,7 +13,7 @@ namespace shaftcull {
 namespace {
 
 template <class View>
-void find_any(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> any, Form form) {
+void find_any(std::span<const kernel::ShaftData> shafts, const View& bounds, std::span<std::uint64_t> any, Form form) {
   kernel::require_askable(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_shaft_bits("any", any, shafts.size());
   std::fill(any.begin(), any.end(), 0);
@@ -47,12 +47,12 @@ void find_any(std::span<const CompiledShaft> shafts, const View& bounds, std::sp
 }  // namespace
 
 void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> any, Form form) {
-  find_any(shafts, boxes, any, form);
+  find_any(kernel::data_of(shafts), boxes, any, form);
 }
 
 void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> any,
               Form form) {
-  find_any(shafts, spheres, any, form);
+  find_any(kernel::data_of(shafts), spheres, any, form);
 }
 
 }  // namespace shaftcull

@@ -6,13 +6,13 @@
 #include <span>
 #include <type_traits>
 
+#include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "flat/grid_group.hpp"
 #include "flat/tiling.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
 #include "parallel/task_memory.hpp"
-#include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
 #include "streams/rows.hpp"
@@ -42,7 +42,7 @@ enum class Bits : std::uint8_t { kept, kept_and_inside, inside };
 
 /// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
 template <class View>
-void require_askable(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form) {
+void require_askable(std::span<const ShaftData> shafts, const View& bounds, Bits bits, Form form) {
   require_memory("shafts", shafts, "shafts");
   require_form(form);
   require_view(bounds);
@@ -56,9 +56,9 @@ class Job {
  public:
   /// Throws InvalidArgument as require_askable(). Inside bits alone are for Form::planes, which has no grid.
   Job(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
-      : shafts_(shafts), bounds_(bounds), kernels_(active_kernels()), form_(form) {
-    require_askable(shafts, bounds, bits, form);
-    if (shafts.size() <= group_shafts) form_on_grid(only_group_, shafts, bounds.count);
+      : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), form_(form) {
+    require_askable(shafts_, bounds, bits, form);
+    if (shafts_.size() <= group_shafts) form_on_grid(only_group_, shafts_, bounds.count);
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
@@ -98,7 +98,7 @@ class Job {
   /// Shafts that pay for making boxes around spheres: in vectors more than without, where there is no grid either.
   [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }
 
-  void form_on_grid(GroupOnGrid& group, std::span<const CompiledShaft> shafts, std::size_t bounds) const noexcept {
+  void form_on_grid(GroupOnGrid& group, std::span<const ShaftData> shafts, std::size_t bounds) const noexcept {
     if (form_ == Form::planes) return;
     const FloatEnvironment environment;
     group.form(kernels_.grid, shafts, bounds, is_sphere);
@@ -162,7 +162,7 @@ class Job {
                                                  const std::int16_t* const* grid, UndecidedWord* undecided,
                                                  std::size_t first, IndexRange group, Rows kept,
                                                  Rows inside) const noexcept {
-    const CompiledShaft* shaft[batch_shafts];
+    const ShaftData* shaft[batch_shafts];
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
     const std::size_t words = words_for(tile.count);
@@ -171,7 +171,7 @@ class Job {
     for (std::size_t s = batch.first; s != batch.end(); ++s) {
       prefetch_share_of_next(first + tile.count, tile.count, s, group.size);
       if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
-      const CompiledShaft& its_shaft = shafts_[group.first + s];
+      const ShaftData& its_shaft = shafts_[group.first + s];
       if (!on_grid.shaft[s].exists) {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
         continue;
@@ -236,7 +236,7 @@ class Job {
   static constexpr std::size_t fewest_that_fetch = 8;
   static constexpr std::size_t fewest_that_fetch_from_memory = 5;
 
-  std::span<const CompiledShaft> shafts_;
+  std::span<const ShaftData> shafts_;
   View bounds_;
   const Kernels& kernels_;
   Form form_;

@@ -1,5 +1,6 @@
 #include "shaftcull/cull.hpp"
 
+#include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "support/arguments.hpp"
@@ -12,7 +13,7 @@ constexpr bool is_sphere(const BoxView& /*view*/) { return false; }
 constexpr bool is_sphere(const SphereView& /*view*/) { return true; }
 
 template <class View>
-void cull_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> kept, Form form) {
+void cull_view(const kernel::ShaftData& shaft, const View& view, std::span<std::uint64_t> kept, Form form) {
   kernel::require_answers(shaft, true, false, is_sphere(view), 0);
   kernel::require_form(form);
   kernel::require_view(view);
@@ -23,7 +24,7 @@ void cull_view(const CompiledShaft& shaft, const View& view, std::span<std::uint
 }
 
 template <class View>
-void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> kept,
+void classify_view(const kernel::ShaftData& shaft, const View& view, std::span<std::uint64_t> kept,
                    std::span<std::uint64_t> inside, Form form) {
   kernel::require_answers(shaft, true, true, is_sphere(view), 0);
   kernel::require_form(form);
@@ -37,7 +38,7 @@ void classify_view(const CompiledShaft& shaft, const View& view, std::span<std::
 }
 
 template <class View>
-void contained_view(const CompiledShaft& shaft, const View& view, std::span<std::uint64_t> inside) {
+void contained_view(const kernel::ShaftData& shaft, const View& view, std::span<std::uint64_t> inside) {
   kernel::require_answers(shaft, false, true, is_sphere(view), 0);
   kernel::require_view(view);
   kernel::require_words("inside", inside, view.count);
@@ -55,7 +56,7 @@ SphereView view_of(const Sphere& sphere) noexcept {
 }
 
 template <class Bound>
-bool cull_one(const CompiledShaft& shaft, const Bound& bound) {
+bool cull_one(const kernel::ShaftData& shaft, const Bound& bound) {
   const auto view = view_of(bound);
   kernel::require_answers(shaft, true, false, is_sphere(view), 0);
   const kernel::FloatEnvironment environment;
@@ -63,7 +64,7 @@ bool cull_one(const CompiledShaft& shaft, const Bound& bound) {
 }
 
 template <class Bound>
-Answer classify_one(const CompiledShaft& shaft, const Bound& bound) {
+Answer classify_one(const kernel::ShaftData& shaft, const Bound& bound) {
   const auto view = view_of(bound);
   kernel::require_answers(shaft, true, true, is_sphere(view), 0);
   const kernel::FloatEnvironment environment;
@@ -73,37 +74,39 @@ Answer classify_one(const CompiledShaft& shaft, const Bound& bound) {
 }  // namespace
 
 void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form) {
-  cull_view(shaft, boxes, kept, form);
+  cull_view(kernel::data_of(shaft), boxes, kept, form);
 }
 
 void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form) {
-  cull_view(shaft, spheres, kept, form);
+  cull_view(kernel::data_of(shaft), spheres, kept, form);
 }
 
 void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form) {
-  classify_view(shaft, boxes, kept, inside, form);
+  classify_view(kernel::data_of(shaft), boxes, kept, inside, form);
 }
 
 void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
               std::span<std::uint64_t> inside, Form form) {
-  classify_view(shaft, spheres, kept, inside, form);
+  classify_view(kernel::data_of(shaft), spheres, kept, inside, form);
 }
 
 void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside) {
-  contained_view(shaft, boxes, inside);
+  contained_view(kernel::data_of(shaft), boxes, inside);
 }
 
 void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside) {
-  contained_view(shaft, spheres, inside);
+  contained_view(kernel::data_of(shaft), spheres, inside);
 }
 
-bool cull(const CompiledShaft& shaft, const Box& box) { return cull_one(shaft, box); }
+bool cull(const CompiledShaft& shaft, const Box& box) { return cull_one(kernel::data_of(shaft), box); }
 
-bool cull(const CompiledShaft& shaft, const Sphere& sphere) { return cull_one(shaft, sphere); }
+bool cull(const CompiledShaft& shaft, const Sphere& sphere) { return cull_one(kernel::data_of(shaft), sphere); }
 
-Answer classify(const CompiledShaft& shaft, const Box& box) { return classify_one(shaft, box); }
+Answer classify(const CompiledShaft& shaft, const Box& box) { return classify_one(kernel::data_of(shaft), box); }
 
-Answer classify(const CompiledShaft& shaft, const Sphere& sphere) { return classify_one(shaft, sphere); }
+Answer classify(const CompiledShaft& shaft, const Sphere& sphere) {
+  return classify_one(kernel::data_of(shaft), sphere);
+}
 
 }  // namespace shaftcull

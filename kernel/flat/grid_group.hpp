@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <span>
 
+#include "compiled/shaft_data.hpp"
 #include "flat/tiling.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/table.hpp"
-#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
 
@@ -18,8 +18,7 @@ struct GroupOnGrid {
   GridShaft shaft[group_shafts];  // not written if there is no frame
 
   /// For tests of `bounds` bounds.
-  void form(const GridKernels& kernels, std::span<const CompiledShaft> shafts, std::size_t bounds,
-            bool spheres) noexcept {
+  void form(const GridKernels& kernels, std::span<const ShaftData> shafts, std::size_t bounds, bool spheres) noexcept {
     if (kernels.frame == nullptr || !kernels.pays(shafts.size(), bounds)) return;
     const GridFrame around = kernels.frame(shafts.data(), shafts.size());
     if (!around.exists() || (spheres && !around.suits_spheres)) return;

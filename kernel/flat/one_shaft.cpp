@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "compiled/answers.hpp"
+#include "compiled/with_planes.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/cull.hpp"
@@ -22,20 +24,7 @@ template <class View>
 class Chunks {
  public:
   Chunks(const CompiledShaft& shaft, const View& bounds, bool inside, Form form)
-      : shaft_(&shaft), bounds_(bounds), kernels_(kernel::active_kernels()), form_(form), inside_(inside) {
-    constexpr bool is_sphere = std::is_same_v<View, SphereView>;
-    kernel::require_answers(shaft, true, inside, is_sphere, 0);
-    kernel::require_form(form);
-    kernel::require_view(bounds);
-    const bool needs_planes =
-        inside || form == Form::planes || (is_sphere && shaft.slab_form != CompiledShaft::SlabForm::fused);
-    if (!needs_planes || shaft.has_planes()) return;
-    completed_ = shaft;  // once, not chunk by chunk
-    complete(completed_);
-    shaft_ = &completed_;
-  }
-  Chunks(const Chunks&) = delete;
-  Chunks& operator=(const Chunks&) = delete;
+      : Chunks(askable(kernel::data_of(shaft), bounds, inside, form), bounds, inside, form) {}
 
   [[nodiscard]] const kernel::SetBits& set_bits() const noexcept { return kernels_.set_bits; }
 
@@ -49,7 +38,7 @@ class Chunks {
     std::uint64_t inside[words_for(chunk_bounds)];
     for (std::size_t first = 0; first != bounds_.count;) {
       const View part = bounds_.slice(first, std::min(chunk, bounds_.count - first));
-      test(*shaft_, part.stream.data(), part.count, kept, inside_ ? inside : nullptr);
+      test(shaft_.shaft(), part.stream.data(), part.count, kept, inside_ ? inside : nullptr);
       if (!visit(first, words_for(part.count), kept, inside)) return;
       first += part.count;
       chunk = std::min(2 * chunk, chunk_bounds);
@@ -57,8 +46,24 @@ class Chunks {
   }
 
  private:
-  const CompiledShaft* shaft_;
-  CompiledShaft completed_;
+  static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
+
+  /// The shaft, if the question can be answered; otherwise throws InvalidArgument.
+  static const kernel::ShaftData& askable(const kernel::ShaftData& shaft, const View& bounds, bool inside, Form form) {
+    kernel::require_answers(shaft, true, inside, is_sphere, 0);
+    kernel::require_form(form);
+    kernel::require_view(bounds);
+    return shaft;
+  }
+
+  Chunks(const kernel::ShaftData& shaft, const View& bounds, bool inside, Form form) noexcept
+      : shaft_(shaft, inside || kernel::outside_needs_planes(shaft, is_sphere, form)),
+        bounds_(bounds),
+        kernels_(kernel::active_kernels()),
+        form_(form),
+        inside_(inside) {}
+
+  kernel::WithPlanes shaft_;  // completed once, not chunk by chunk
   View bounds_;
   const kernel::Kernels& kernels_;
   Form form_;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shaftcull/compiled.hpp"
+#include "compiled/shaft_data.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
 #include "support/exact_floats.hpp"
@@ -14,15 +14,15 @@ namespace shaftcull::kernel {
 /// Tests `count` bounds, any count, in separate streams (6 for boxes, 4 for spheres). Writes words_for(count)
 /// words of kept bits and as many of inside bits, each unless it is null; bits past count are zero.
 /// The shaft must answer what is asked; pending planes are completed on the fly.
-using Test = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+using Test = void(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                   std::uint64_t* inside) noexcept;
 
 /// Whether the shaft keeps a single bound, in streams of one. The shaft must answer outside.
-using KeepsOne = bool(const CompiledShaft& shaft, const float* const* stream) noexcept;
+using KeepsOne = bool(const ShaftData& shaft, const float* const* stream) noexcept;
 
 /// What the shaft says of a single bound, in streams of one. The shaft must answer everything; pending planes are
 /// completed on the fly, if the bound is not outside.
-using ClassifyOne = Answer(const CompiledShaft& shaft, const float* const* stream) noexcept;
+using ClassifyOne = Answer(const ShaftData& shaft, const float* const* stream) noexcept;
 
 /// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make
 /// anew. A last word that they do not fill is filled up by boxes that are outside of everything.
@@ -30,11 +30,10 @@ using BoxSpheres = void(const float* const* sphere, std::size_t count, float* co
 
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤
 /// hi.
-using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept;
+using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept;
 
 /// The same for boxes that are known to be fine.
-using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count,
-                           CompiledShaft* out) noexcept;
+using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept;
 
 /// Whether all of `count` boxes are finite with lo ≤ hi.
 using AllFinite = bool(const float* const* box, std::size_t count) noexcept;
@@ -45,15 +44,15 @@ using AllPlanesUsable = bool(const Plane* planes, std::size_t count) noexcept;
 /// Adds planes[i][0 … planes_each) to shaft out[i] between boxes a[·][i] and b[·][i], after those that it has; all have
 /// equally many, and room for these.
 using AddPlanes = void(const float* const* a, const float* const* b, const Plane* const* planes,
-                       std::size_t planes_each, std::size_t count, CompiledShaft* out) noexcept;
+                       std::size_t planes_each, std::size_t count, ShaftData* out) noexcept;
 
 /// Forms the shaft of one pair of boxes. Returns false, and writes nothing, if a box is not finite with lo ≤ hi.
-using CompilePair = bool(const Box& a, const Box& b, CompiledShaft& out) noexcept;
+using CompilePair = bool(const Box& a, const Box& b, ShaftData& out) noexcept;
 
 /// Tests `words` whole words of bounds, word i being those from stream[·][64 · word[i]] on. Writes their kept bits, and
 /// unless `inside` is null the inside bits of those words that keep `least_kept` bounds or more, zero for the
 /// others. The shaft must have its planes if `inside` is not null or the form or kind of bounds needs them.
-using TestListedWords = void(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
+using TestListedWords = void(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                              std::size_t words, std::uint64_t* kept, std::uint64_t* inside,
                              unsigned least_kept) noexcept;
 
@@ -144,9 +143,9 @@ struct GridKernels {
   }
 
   /// The frame around shafts, if there is one.
-  GridFrame (*frame)(const CompiledShaft* shafts, std::size_t count) noexcept;
+  GridFrame (*frame)(const ShaftData* shafts, std::size_t count) noexcept;
   /// Makes out[i] of shafts[i].
-  void (*form_shafts)(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept;
+  void (*form_shafts)(const ShaftData* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept;
   /// Writes `count` boxes' coordinates on the grid to six streams, aligned to 64 bytes, in whole words: a last one that
   /// the boxes do not fill is filled up by boxes that are outside of everything.
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,
@@ -160,12 +159,12 @@ struct GridKernels {
 
   /// Completes in floats what look() left undecided of the `count` boxes in `stream`, in `words` listed words: bits of
   /// row kept[u.shaft] of shaft[u.shaft].
-  void (*decide)(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
+  void (*decide)(const ShaftData* const* shaft, const float* const* stream, std::size_t count,
                  const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept;
 
   /// What comes after that, for `count` bounds, at most most_block_words words of them: added planes, spheres, and
   /// inside bits unless `inside` is null.
-  using Settle = void(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+  using Settle = void(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;
   Settle* settle_boxes;
   Settle* settle_spheres;

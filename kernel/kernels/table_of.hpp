@@ -1,6 +1,7 @@
 /// From views to words: blocks of bounds through the stages of a test.
 #pragma once
 
+#include "compiled/with_planes.hpp"
 #include "kernels/boxes/few_inside.hpp"
 #include "kernels/boxes/few_outside.hpp"
 #include "kernels/boxes/planes.hpp"
@@ -52,9 +53,9 @@ struct BoxStages {
   /// So few boxes are quicker one at a time than in vectors, of which the shaft would have to be made ready.
   static constexpr std::size_t few_boxes = 2;
 
-  static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return form == Form::planes; }
+  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, false, form); }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+  static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if constexpr (form == Form::planes) {
       begin_in_whole_words<L>(stream, count, kept, padding_box,
@@ -75,7 +76,7 @@ struct BoxStages {
   }
 
   /// Clears the bits of boxes that are beyond an added plane.
-  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+  static void settle(const ShaftData& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
     if (shaft.added_count == 0) return;
     narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
@@ -84,8 +85,8 @@ struct BoxStages {
   }
 
   /// Writes which boxes are inside: of those kept, if anybody knows.
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept {
     if constexpr (L::EightFloats::in_one_register) {
       if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words_of(count))) {
         return few_inside_stage<L>(shaft, stream, words_of(count), kept, inside);
@@ -103,9 +104,9 @@ template <class L>
 struct SphereStages {
   static constexpr unsigned streams = 4;
 
-  static bool cull_needs_planes(const CompiledShaft& /*shaft*/) noexcept { return true; }
+  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, true, Form::planes); }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+  static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     begin_in_whole_words<L>(stream, count, kept, padding_sphere,
                             [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
@@ -114,7 +115,7 @@ struct SphereStages {
     settle(shaft, stream, count, kept);
   }
 
-  static void settle(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+  static void settle(const ShaftData& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
     narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_settle_stage<L>(shaft, some, n, bits);
@@ -122,8 +123,8 @@ struct SphereStages {
   }
 
   /// Writes which spheres are inside: of those kept, if anybody knows.
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept {
     copy_or_set<L>(kept, count, inside);
     narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       sphere_inside_stage<L>(shaft, some, n, bits);
@@ -136,20 +137,18 @@ template <class L>
 struct BoxedSphereStages {
   static constexpr unsigned streams = 10;
 
-  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
-    return shaft.slab_form != CompiledShaft::SlabForm::fused;
-  }
+  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, true, Form::slab); }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+  static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
-    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
+    if (needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
     sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, count / word_bits, kept,
                                              words_in_a_row<L>(count));
     SphereStages<L>::settle(shaft, stream, count, kept);
   }
 
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept {
     SphereStages<L>::contain(shaft, stream, count, kept, inside);
   }
 };
@@ -159,56 +158,34 @@ template <class L>
 struct UnboxedSphereStages {
   static constexpr unsigned streams = 4;
 
-  static bool cull_needs_planes(const CompiledShaft& shaft) noexcept {
-    return BoxedSphereStages<L>::cull_needs_planes(shaft);
-  }
+  static bool needs_planes(const ShaftData& shaft) noexcept { return BoxedSphereStages<L>::needs_planes(shaft); }
 
-  static void cull(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+  static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
-    if (cull_needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
+    if (needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
     sphere_slab_stage<L, SphereCorners>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
     SphereStages<L>::settle(shaft, stream, count, kept);
   }
 
-  static void contain(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept {
     SphereStages<L>::contain(shaft, stream, count, kept, inside);
   }
 };
 
 /// Runs the `count` bounds of one block through the stages that the caller wants answers of.
 template <class Stages>
-void test_block(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+void test_block(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
   if (kept != nullptr) Stages::cull(shaft, stream, count, kept);
   if (inside != nullptr) Stages::contain(shaft, stream, count, kept, inside);
 }
 
-/// A shaft, or a copy of it with its planes if they are needed and pending.
-template <class L>
-class Ready {
- public:
-  Ready(const CompiledShaft& shaft, bool needs_planes) noexcept : shaft_(&shaft) {
-    if (!needs_planes || shaft.joining_count != CompiledShaft::planes_pending) return;
-    completed_ = shaft;
-    complete(completed_);
-    shaft_ = &completed_;
-  }
-  Ready(const Ready&) = delete;
-  Ready& operator=(const Ready&) = delete;
-
-  [[nodiscard]] const CompiledShaft& shaft() const noexcept { return *shaft_; }
-
- private:
-  const CompiledShaft* shaft_;
-  CompiledShaft completed_;
-};
-
 /// The test of an instruction set, as Kernels has it.
 template <class L, class Stages>
-void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+void test_bounds(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                  std::uint64_t* inside) noexcept {
-  const Ready<L> ready(shaft, inside != nullptr || Stages::cull_needs_planes(shaft));
+  const WithPlanes ready(shaft, inside != nullptr || Stages::needs_planes(shaft));
 
   const float* at[Stages::streams];
   for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s];
@@ -225,17 +202,17 @@ void test_bounds(const CompiledShaft& shaft, const float* const* stream, std::si
 
 /// The tests of a single bound, as Kernels has them.
 template <class L, class Stages>
-bool keeps_single(const CompiledShaft& shaft, const float* const* stream) noexcept {
-  const Ready<L> ready(shaft, Stages::cull_needs_planes(shaft));
+bool keeps_single(const ShaftData& shaft, const float* const* stream) noexcept {
+  const WithPlanes ready(shaft, Stages::needs_planes(shaft));
   std::uint64_t kept = 0;
   Stages::cull(ready.shaft(), stream, 1, &kept);
   return kept != 0;
 }
 
 template <class L, class Stages>
-Answer classify_single(const CompiledShaft& shaft, const float* const* stream) noexcept {
+Answer classify_single(const ShaftData& shaft, const float* const* stream) noexcept {
   if (!keeps_single<L, Stages>(shaft, stream)) return Answer::outside;
-  const Ready<L> ready(shaft, true);
+  const WithPlanes ready(shaft, true);
   const std::uint64_t kept = 1;
   std::uint64_t inside = 0;
   Stages::contain(ready.shaft(), stream, 1, &kept, &inside);
@@ -244,16 +221,16 @@ Answer classify_single(const CompiledShaft& shaft, const float* const* stream) n
 
 /// As GridKernels has it.
 template <class L, class Stages>
-void settle_on_grid(const CompiledShaft& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+void settle_on_grid(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                     std::uint64_t* inside) noexcept {
-  const Ready<L> ready(shaft, inside != nullptr);
+  const WithPlanes ready(shaft, inside != nullptr);
   Stages::settle(ready.shaft(), stream, count, kept);
   if (inside != nullptr) Stages::contain(ready.shaft(), stream, count, kept, inside);
 }
 
 /// Forms shafts in batches, as Kernels has it.
 template <class L>
-bool compile_pairs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+bool compile_pairs(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept {
   if (!all_finite<L>(a, count) || !all_finite<L>(b, count)) return false;
   compile_slabs<L>(a, b, count, out);
   return true;
@@ -261,8 +238,7 @@ bool compile_pairs(const float* const* a, const float* const* b, std::size_t cou
 
 /// As Kernels has it.
 template <class L>
-void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count,
-                          CompiledShaft* out) noexcept {
+void compile_finite_pairs(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept {
   compile_slabs<L>(a, b, count, out);
 }
 

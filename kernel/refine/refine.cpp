@@ -4,6 +4,8 @@
 #include <bit>
 #include <string>
 
+#include "compiled/answers.hpp"
+#include "compiled/with_planes.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "parallel/parallel.hpp"
@@ -61,8 +63,8 @@ void collect(const View& view, std::span<const Index> candidates, const Position
 
 /// Checks what is asked of one shaft, but for the view or tree.
 template <class Index>
-void require_refinable(const CompiledShaft& shaft, bool spheres, std::size_t count, std::span<const Index> candidates,
-                       std::span<const Index> kept) {
+void require_refinable(const kernel::ShaftData& shaft, bool spheres, std::size_t count,
+                       std::span<const Index> candidates, std::span<const Index> kept) {
   kernel::require_answers(shaft, true, false, spheres, 0);
   kernel::require_below("candidates", candidates, count);
   kernel::require_memory("kept", kept, "indices");
@@ -73,11 +75,11 @@ void require_refinable(const CompiledShaft& shaft, bool spheres, std::size_t cou
 }
 
 template <class View, class Index, class Position>
-std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
+std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::span<const Index> candidates,
                         const Position& position, std::span<Index> kept) {
-  kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);  // for all blocks
-  CompiledShaft ready = shaft;                                                    // planes once, not block by block
-  if constexpr (std::is_same_v<View, SphereView>) complete(ready);
+  kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);
+  const kernel::WithPlanes ready(  // once, not block by block
+      shaft, kernel::outside_needs_planes(shaft, std::is_same_v<View, SphereView>, Form::fastest));
   const kernel::FloatEnvironment environment;
   constexpr std::size_t block = 1024;
   float memory[kernel::row_count<View>][block];
@@ -88,7 +90,7 @@ std::size_t refine_list(const CompiledShaft& shaft, const View& view, std::span<
     some.count = std::min(block, candidates.size() - first);
     collect(view, candidates, position, first, some.count, row);
     std::uint64_t bits[block / 64];
-    test(ready, some.stream.data(), some.count, bits, nullptr);
+    test(ready.shaft(), some.stream.data(), some.count, bits, nullptr);
     for (std::size_t w = 0; w != words_for(some.count); ++w) {
       for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
         // Never ahead of what is read, so `kept` may be the candidates' own memory.
@@ -130,8 +132,9 @@ template <class View, class Index>
 std::size_t refine_view(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
                         std::span<Index> kept) {
   kernel::require_view(view);
-  require_refinable<Index>(shaft, std::is_same_v<View, SphereView>, view.count, candidates, kept);
-  return refine_list(shaft, view, candidates, InView(), kept);
+  const kernel::ShaftData& data = kernel::data_of(shaft);
+  require_refinable<Index>(data, std::is_same_v<View, SphereView>, view.count, candidates, kept);
+  return refine_list(data, view, candidates, InView(), kept);
 }
 
 template <class View, class Index>
@@ -200,8 +203,9 @@ std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& t
                    std::type_identity_t<std::span<const Index>> candidates,
                    std::type_identity_t<std::span<Index>> kept) {
   require_refitted(tree);
-  require_refinable<Index>(shaft, std::is_same_v<Bound, Sphere>, tree.size(), candidates, kept);
-  return refine_list(shaft, tree.leaves(), candidates, places_of(tree), kept);
+  const kernel::ShaftData& data = kernel::data_of(shaft);
+  require_refinable<Index>(data, std::is_same_v<Bound, Sphere>, tree.size(), candidates, kept);
+  return refine_list(data, tree.leaves(), candidates, places_of(tree), kept);
 }
 template <class Bound, BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,

@@ -1,4 +1,5 @@
 #include "compiled/joining_planes.hpp"
+#include "compiled/shaft_data.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "formation/join.hpp"
 #include "formation/rule.hpp"
@@ -31,7 +32,8 @@ Joined columns(std::span<const JoiningPlane> planes) noexcept {
 }
 
 CompiledShaft compile_formed(const Shaft& shaft) noexcept {
-  CompiledShaft compiled;  // added planes stay unwritten past their count
+  CompiledShaft formed;  // added planes stay unwritten past their count
+  kernel::ShaftData& compiled = kernel::data_of(formed);
   const float* a[6];
   const float* b[6];
   for (unsigned k = 0; k < 3; ++k) {
@@ -49,7 +51,7 @@ CompiledShaft compile_formed(const Shaft& shaft) noexcept {
   compiled.answers_outside = shaft.options().outside;
   compiled.answers_inside = shaft.options().inside;
   compiled.answers_spheres = shaft.options().spheres;
-  return compiled;
+  return formed;
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ CompiledShaft compile(const Box& a, const Box& b) {
   CompiledShaft compiled;
   const bool is_formed = [&] {
     const kernel::FloatEnvironment environment;
-    return kernel::active_kernels().compile_pair(a, b, compiled);
+    return kernel::active_kernels().compile_pair(a, b, kernel::data_of(compiled));
   }();
   if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
   return compiled;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "compiled/shaft_data.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "formation/usable_plane.hpp"
 #include "kernels/table.hpp"
@@ -146,7 +147,7 @@ struct PlanesOfPairs {
 /// views.
 template <class Position>
 void add_planes(const kernel::Kernels& kernels, const PlanesOfPairs& planes, const float* const* a,
-                const float* const* b, std::span<CompiledShaft> out, const Position& box_a, const Position& box_b) {
+                const float* const* b, std::span<kernel::ShaftData> out, const Position& box_a, const Position& box_b) {
   const Plane* first[chunk];
   const auto add = [&](const PlanesOfBoxes& of, const Position& box) {
     if (of.each() == 0) return;
@@ -169,11 +170,12 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
   const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
   const PlanesOfPairs added(kernels, planes, a.count, b.count);
+  const std::span<kernel::ShaftData> data = kernel::data_of(out);
   const auto reject = [&] {
     for (std::size_t i = 0; i != a.count; ++i) require_pair(a[i], b[i], i);
   };
   if (added.empty()) {
-    if (!kernels.compile_batch(a.stream.data(), b.stream.data(), a.count, out.data())) reject();
+    if (!kernels.compile_batch(a.stream.data(), b.stream.data(), a.count, data.data())) reject();
     return;
   }
   if (!kernels.all_finite(a.stream.data(), a.count) || !kernels.all_finite(b.stream.data(), b.count)) reject();
@@ -181,7 +183,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
     const std::size_t size = std::min(chunk, out.size() - first);
     const BoxView some_a = a.slice(first, size);
     const BoxView some_b = b.slice(first, size);
-    const auto shafts = out.subspan(first, size);
+    const auto shafts = data.subspan(first, size);
     kernels.compile_finite(some_a.stream.data(), some_b.stream.data(), size, shafts.data());
     const auto position = [=](std::size_t i) { return first + i; };
     add_planes(kernels, added, some_a.stream.data(), some_b.stream.data(), shafts, position, position);
@@ -201,13 +203,14 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair
   const kernel::Kernels& kernels = kernel::active_kernels();
   const PlanesOfPairs added(kernels, planes, a.count, b.count);
   require_pairs(kernels, a, b, pairs);
+  const std::span<kernel::ShaftData> data = kernel::data_of(out);
   GatheredBoxes from;
   GatheredBoxes to;
   const BoxView some_a = from.view();
   const BoxView some_b = to.view();
   for (std::size_t first = 0; first < pairs.size(); first += chunk) {
     const auto some = pairs.subspan(first, std::min(chunk, pairs.size() - first));
-    const auto shafts = out.subspan(first, some.size());
+    const auto shafts = data.subspan(first, some.size());
     gather<&IndexPair::a>(a, some, from);
     gather<&IndexPair::b>(b, some, to);
     kernels.compile_finite(some_a.stream.data(), some_b.stream.data(), some.size(), shafts.data());

@@ -29,19 +29,18 @@ namespace shaftcull::kernel {
 /// where they are one register, single boxes are tested with them.
 template <class E>
 concept EightFloatOperations = requires(typename E::Vector a, typename E::Mask mask, typename E::Order order,
-                                        const float* from, void* to, const float* const* stream, std::size_t i,
-                                        const std::uint8_t* bytes, const std::uint32_t (&lanes)[8], float x,
-                                        unsigned count) {
+                                        const float* from, const void* row, void* to, const float* const* stream,
+                                        std::size_t i, const std::uint32_t (&lanes)[8], float x, unsigned count) {
   /// Whether the eight are one register: only then tests of single boxes gain by them.
   requires std::same_as<decltype(E::in_one_register), const bool>;
 
   { E::all(x) } -> std::same_as<typename E::Vector>;
-  { E::load(from) } -> std::same_as<typename E::Vector>;  // eight floats
+  { E::load(row) } -> std::same_as<typename E::Vector>;  // 32 bytes of any object: eight floats
   /// Six floats, and x in lanes 6 and 7.
   { E::load_six(from, x) } -> std::same_as<typename E::Vector>;
   /// The six floats of a box; the last two once more in lanes 6 and 7.
-  { E::load_faces(static_cast<const void*>(from)) } -> std::same_as<typename E::Vector>;
-  { E::store(to, a) } -> std::same_as<void>;  // eight floats
+  { E::load_faces(row) } -> std::same_as<typename E::Vector>;
+  { E::store(to, a) } -> std::same_as<void>;  // onto 32 bytes of any object
   { E::first_in_all(a) } -> std::same_as<typename E::Vector>;
   { E::first(a) } -> std::same_as<float>;
   /// The first float in even lanes, the second in odd ones.
@@ -63,8 +62,8 @@ concept EightFloatOperations = requires(typename E::Vector a, typename E::Mask m
 
   { E::with_seventh(a, a) } -> std::same_as<typename E::Vector>;   // the first, with lane 6 of the second
   { E::with_last_two(a, a) } -> std::same_as<typename E::Vector>;  // the first, with lanes 6 and 7 of the second
-  /// Lane i of the result is lane lanes[i] < 8 of a; an order is made of eight bytes.
-  { E::order(bytes) } -> std::same_as<typename E::Order>;
+  /// Lane i of the result is lane lanes[i] < 8 of a; an order is made of eight bytes of any object.
+  { E::order(row) } -> std::same_as<typename E::Order>;
   { E::permuted(a, order) } -> std::same_as<typename E::Vector>;
   { E::permuted(a, lanes) } -> std::same_as<typename E::Vector>;
 
@@ -93,7 +92,8 @@ concept EightFloatOperations = requires(typename E::Vector a, typename E::Mask m
 template <class F>
 concept FloatOperations = EightFloatOperations<typename F::EightFloats> &&
     requires(typename F::Vector a, typename F::Mask mask, const float* from, float* to, const std::uint16_t* index,
-             const float* const (&rows)[F::width], typename F::Vector (&four)[4], const typename F::Vector (&eight)[8],
+             const std::uint32_t* integers, std::uint32_t* packed, const void* const (&rows)[F::width],
+             typename F::Vector (&four)[4], const typename F::Vector (&eight)[8],
              typename F::EightFloats::Vector (&things)[F::width], float x, std::uint64_t bits, std::size_t count,
              int lanes, typename F::SignCollector& collector) {
   /// 1, 4, 8 or 16: a divisor of 64.
@@ -103,7 +103,7 @@ concept FloatOperations = EightFloatOperations<typename F::EightFloats> &&
   { F::store(to, a) } -> std::same_as<void>;
   /// from[index[i]] in lane i.
   { F::gather(from, index) } -> std::same_as<typename F::Vector>;
-  /// Reads four floats at each of `rows`: lane i of four[c] is rows[i][c].
+  /// Reads four floats, 16 bytes of any object, at each of `rows`: lane i of four[c] is float c at rows[i].
   { F::load_columns(rows, four) } -> std::same_as<void>;
   /// Lane i of the eight vectors becomes things[i].
   { F::transpose(eight, things) } -> std::same_as<void>;
@@ -114,10 +114,11 @@ concept FloatOperations = EightFloatOperations<typename F::EightFloats> &&
   { typename F::FirstLanes(lanes).choose(a, a) } -> std::same_as<typename F::Vector>;
 
   /// The lanes whose bits are set, side by side and in order. store(p, a) writes a whole vector: them, and anything
-  /// behind them. store(p, a, n) writes the first n < width of them and nothing else. Lanes may hold any bits, of
-  /// integers too, and none changes.
+  /// behind them. store(p, a, n) writes the first n < width of them and nothing else. store(p, q) does with the
+  /// integers at q, `width` of them, what store(p, load(q)) does with floats.
   { typename F::Compressor(bits).store(to, a) } -> std::same_as<void>;
   { typename F::Compressor(bits).store(to, a, count) } -> std::same_as<void>;
+  { typename F::Compressor(bits).store(packed, integers) } -> std::same_as<void>;
 
   { F::all(x) } -> std::same_as<typename F::Vector>;
   { F::add(a, a) } -> std::same_as<typename F::Vector>;

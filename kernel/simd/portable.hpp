@@ -37,7 +37,7 @@ struct PortableEightFloats {
   static Vector all(float a) noexcept {
     return each([&](unsigned) { return a; });
   }
-  static Vector load(const float* from) noexcept {
+  static Vector load(const void* from) noexcept {
     Vector a;
     __builtin_memcpy(a.of, from, sizeof a.of);
     return a;
@@ -96,7 +96,7 @@ struct PortableEightFloats {
   static Vector with_last_two(const Vector& a, const Vector& b) noexcept {
     return {{a.of[0], a.of[1], a.of[2], a.of[3], a.of[4], a.of[5], b.of[6], b.of[7]}};
   }
-  static Order order(const std::uint8_t* from) noexcept {
+  static Order order(const void* from) noexcept {
     Order order;
     __builtin_memcpy(order.from, from, sizeof order.from);
     return order;
@@ -194,10 +194,12 @@ struct PortableFloats {
     for (unsigned i = 0; i < width; ++i) a[i] = p[index[i]];
     return a;
   }
-  static void load_columns(const float* const (&rows)[width], Vector (&columns)[4]) noexcept {
+  static void load_columns(const void* const (&rows)[width], Vector (&columns)[4]) noexcept {
+    float row[width][4];
+    for (unsigned i = 0; i < width; ++i) __builtin_memcpy(row[i], rows[i], sizeof row[i]);
     for (unsigned c = 0; c < 4; ++c) {
       Vector column{};
-      for (unsigned i = 0; i < width; ++i) column[i] = rows[i][c];
+      for (unsigned i = 0; i < width; ++i) column[i] = row[i][c];
       columns[c] = column;
     }
   }
@@ -231,12 +233,18 @@ struct PortableFloats {
    public:
     explicit Compressor(std::uint64_t bits) noexcept : bits_(bits) {}
 
-    // As integers, since floats may be anything.
+    // Floats as integers, since they may be anything.
     void store(float* p, Vector a) const noexcept {
       std::uint32_t lane[width];
       __builtin_memcpy(lane, &a, sizeof lane);
       for (unsigned i = 0; i < width; ++i) {
         __builtin_memcpy(p, &lane[i], sizeof lane[i]);
+        p += bits_ >> i & 1U;
+      }
+    }
+    void store(std::uint32_t* p, const std::uint32_t* from) const noexcept {
+      for (unsigned i = 0; i < width; ++i) {
+        *p = from[i];
         p += bits_ >> i & 1U;
       }
     }

@@ -21,8 +21,8 @@ struct Floats {
   static Vector load(const float* p) noexcept { return *p; }
   static void store(float* p, Vector a) noexcept { *p = a; }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
-  static void load_columns(const float* const (&rows)[1], Vector (&columns)[4]) noexcept {
-    for (unsigned c = 0; c < 4; ++c) columns[c] = rows[0][c];
+  static void load_columns(const void* const (&rows)[1], Vector (&columns)[4]) noexcept {
+    __builtin_memcpy(columns, rows[0], sizeof columns);
   }
   static void transpose(const Vector (&columns)[8], EightFloats::Vector (&things)[1]) noexcept {
     for (unsigned c = 0; c < 8; ++c) things[0].of[c] = columns[c];
@@ -41,6 +41,7 @@ struct Floats {
    public:
     explicit Compressor(std::uint64_t /*bits*/) noexcept {}
     void store(float* p, Vector a) const noexcept { *p = a; }
+    void store(std::uint32_t* p, const std::uint32_t* from) const noexcept { *p = *from; }
     void store(float* /*p*/, Vector /*a*/, std::size_t /*count*/) const noexcept {}  // of fewer than one
   };
 

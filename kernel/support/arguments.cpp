@@ -28,18 +28,6 @@ void refuse_form(Form form) {
                         " is none of Form::fastest, Form::slab and Form::planes");
 }
 
-void refuse_shaft(const CompiledShaft& shaft, bool outside, bool inside, std::size_t position) {
-  const std::string which = "shaft " + std::to_string(position);
-  if (!shaft.answers_outside && !shaft.answers_inside) {
-    throw InvalidArgument(which + " was never formed: a default CompiledShaft answers nothing; assign it what " +
-                          "compile() returns, or pass it to compile_batch()");
-  }
-  const char* missing = "spheres";
-  if (inside && !shaft.answers_inside) missing = "inside";
-  if (outside && !shaft.answers_outside) missing = "outside";
-  throw InvalidArgument(which + " was formed without " + missing + " (see ShaftOptions) and is asked for it");
-}
-
 void refuse_words(const char* what, std::size_t size, std::size_t bounds) {
   throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
                         counted(bounds, "bound") + " take " + std::to_string(words_for(bounds)));

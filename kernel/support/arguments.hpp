@@ -1,5 +1,5 @@
-/// What public calls check before they write anything: null and shared memory, sizes, indices, enumerators, and what a
-/// shaft was formed for.
+/// What public calls check before they write anything: null and shared memory, sizes, indices and enumerators. What a
+/// shaft was formed for, compiled/answers.hpp checks.
 ///
 /// Every check throws InvalidArgument with a message that names the argument, its value and what would be right. The
 /// messages are made in arguments.cpp, so that a call pays for comparisons only.
@@ -12,7 +12,6 @@
 #include <span>
 #include <type_traits>
 
-#include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
 #include "support/overlap.hpp"
@@ -22,7 +21,6 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_null(const char* what, std::size_t size, const char* noun);
 [[noreturn]] void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count);
 [[noreturn]] void refuse_form(Form form);
-[[noreturn]] void refuse_shaft(const CompiledShaft& shaft, bool outside, bool inside, std::size_t position);
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
@@ -54,15 +52,6 @@ void require_view(const View& view) {
 inline void require_form(Form form) {
   if (form > Form::planes) [[unlikely]]
     refuse_form(form);
-}
-
-/// The shaft was formed to answer `outside` and `inside`, where asked, for spheres or boxes. `position` is the shaft's
-/// index among many.
-inline void require_answers(const CompiledShaft& shaft, bool outside, bool inside, bool spheres, std::size_t position) {
-  if ((outside && !shaft.answers_outside) || (inside && !shaft.answers_inside) || (spheres && !shaft.answers_spheres))
-      [[unlikely]] {
-    refuse_shaft(shaft, outside, inside, position);
-  }
 }
 
 /// The span called `what` holds exactly the answers of so many bounds.

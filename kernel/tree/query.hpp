@@ -5,6 +5,7 @@
 #include <string>
 #include <type_traits>
 
+#include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
@@ -24,7 +25,7 @@ class Query {
   /// Throws NeedsRefit and InvalidArgument as shaftcull/query.hpp says.
   Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Question question,
         const ExcludingOf<Index>& excluding)
-      : shafts_(shafts),
+      : shafts_(data_of(shafts)),
         parts_(TreeAccess::parts(tree) == nullptr ? empty_ : *TreeAccess::parts(tree)),
         kernels_(active_kernels()),
         question_(question),
@@ -34,7 +35,7 @@ class Query {
     if (parts_.dirty_words != 0) throw NeedsRefit("query of a tree whose bounds were updated; call refit() first");
     require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      require_answers(shafts[s], question != Question::inside, question != Question::kept,
+      require_answers(shafts_[s], question != Question::inside, question != Question::kept,
                       std::is_same_v<Bound, Sphere>, s);
     }
     if (own_per_shaft_ * shafts.size() != own_.size()) {
@@ -77,7 +78,7 @@ class Query {
 
  private:
   inline static const TreeParts<Bound, Index> empty_{};
-  std::span<const CompiledShaft> shafts_;
+  std::span<const ShaftData> shafts_;
   const TreeParts<Bound, Index>& parts_;
   const Kernels& kernels_;
   Question question_;

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "compiled/with_planes.hpp"
 #include "kernels/table.hpp"
-#include "shaftcull/compiled.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
@@ -33,7 +33,7 @@ enum class Question : std::uint8_t { kept, kept_and_inside, inside };
 template <class Bound, class Visitor>
 class Walk {
  public:
-  Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const CompiledShaft& shaft, Question question,
+  Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const ShaftData& shaft, Question question,
        Visitor& visitor) noexcept
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
@@ -41,17 +41,11 @@ class Walk {
         prefetches_(parts.is_worth_prefetching()),
         question_(question),
         visitor_(visitor),
-        shaft_(&shaft),
-        leaf_(parts.leaves.view().stream) {
-    const bool needs_planes = question != Question::kept ||
-                              (std::is_same_v<Bound, Sphere> && shaft.slab_form != CompiledShaft::SlabForm::fused);
-    if (needs_planes && !shaft.has_planes()) {
-      completed_ = shaft;
-      complete(completed_);
-      shaft_ = &completed_;
-    }
-    tests_inside_ = shaft_->answers_inside && shaft_->has_planes();
-  }
+        leaf_(parts.leaves.view().stream),
+        with_planes_(shaft, question != Question::kept ||
+                                outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest)),
+        shaft_(with_planes_.shaft()),
+        tests_inside_(shaft_.answers_inside && shaft_.has_planes()) {}
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
 
@@ -96,7 +90,7 @@ class Walk {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
     const auto nodes = parts_.node_words(k, 0, parts_.level[k].words());
-    test_nodes_(*shaft_, nodes.stream.data(), word, words, kept, tests_inside_ ? inside : nullptr,
+    test_nodes_(shaft_, nodes.stream.data(), word, words, kept, tests_inside_ ? inside : nullptr,
                 question_ == Question::kept ? many_kept : 1);
     std::uint32_t below[batch];
     std::size_t belows = 0;
@@ -131,7 +125,7 @@ class Walk {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
     const bool both = question_ != Question::kept;
-    test_leaves_(*shaft_, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
+    test_leaves_(shaft_, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
     for (std::size_t i = 0; i != words; ++i) {
       if (kept[i] == 0) continue;
       visitor_.word(std::size_t{word[i]} * fanout, kept[i], both ? inside[i] : 0);
@@ -145,10 +139,10 @@ class Walk {
   bool prefetches_;
   Question question_;
   Visitor& visitor_;
-  const CompiledShaft* shaft_;
-  bool tests_inside_;
   std::array<const float*, rows_of<Bound>> leaf_;
-  CompiledShaft completed_;  // written only if the shaft came without planes that are needed
+  WithPlanes with_planes_;
+  const ShaftData& shaft_;
+  bool tests_inside_;
 };
 
 }  // namespace shaftcull::kernel

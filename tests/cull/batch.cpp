@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "compiled/shaft_data.hpp"
 #include "cull/agreement.hpp"
 #include "cull/equal_shafts.hpp"
 #include "instruction_sets.hpp"
@@ -182,10 +183,10 @@ TEST(CompileBatch, IndexPairsOfOneViewAndOfTwoCompileAsTheirShaftsDo) {
         for (const std::size_t size :
              {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{65}, pairs.size()}) {
           std::vector<CompiledShaft> out(size + 1);
-          out[size].added_count = 99;
+          kernel::data_of(out[size]).added_count = 99;
           compile_batch(a_memory.view(), b_memory.view(), std::span(pairs).first(size), std::span(out).first(size),
                         planes);
-          EXPECT_EQ(out[size].added_count, 99) << "written past the end";
+          EXPECT_EQ(kernel::data_of(out[size]).added_count, 99) << "written past the end";
           for (std::size_t i = 0; i != size; ++i) {
             const auto [in_a, in_b] = pairs[i];
             complete(out[i]);
@@ -204,10 +205,10 @@ std::string refusal_of(const std::vector<IndexPair>& pairs, const BatchPlanes& p
   const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxColumns memory(boxes);
   std::vector<CompiledShaft> out(out_size);
-  for (CompiledShaft& shaft : out) shaft.added_count = 99;
+  for (CompiledShaft& shaft : out) kernel::data_of(shaft).added_count = 99;
   const std::string message =
       message_of([&] { compile_batch(memory.view().slice(0, 2), memory.view(), pairs, out, planes); });
-  for (const CompiledShaft& shaft : out) EXPECT_EQ(shaft.added_count, 99);
+  for (const CompiledShaft& shaft : out) EXPECT_EQ(kernel::data_of(shaft).added_count, 99);
   return message;
 }
 
@@ -243,7 +244,7 @@ TEST(CompileBatch, BoxesThatNoPairNamesMayBeAnything) {
     std::vector<CompiledShaft> out(size);
     EXPECT_NO_THROW(compile_batch(memory.view(), memory.view(), pairs, out));
     pairs[size - 1] = {0, 9};
-    out[0].added_count = 99;
+    kernel::data_of(out[0]).added_count = 99;
     try {
       compile_batch(memory.view(), memory.view(), pairs, out);
       ADD_FAILURE() << "nothing was thrown";
@@ -251,7 +252,7 @@ TEST(CompileBatch, BoxesThatNoPairNamesMayBeAnything) {
       EXPECT_EQ(error.index(), size - 1);
       EXPECT_THAT(error.what(), testing::HasSubstr("box b: lo.z = 2"));
     }
-    EXPECT_EQ(out[0].added_count, 99);
+    EXPECT_EQ(kernel::data_of(out[0]).added_count, 99);
   }
 }
 
@@ -269,9 +270,9 @@ TEST(CompileBatch, EveryCountFillsAllAndNoMore) {
     const UseIsa use(isa);
     for (std::size_t count = 0; count != a.size(); ++count) {
       std::vector<CompiledShaft> batch(count + 1);
-      batch[count].added_count = 99;
+      kernel::data_of(batch[count]).added_count = 99;
       compile_batch(a_memory.view().slice(0, count), b_memory.view().slice(0, count), std::span(batch).first(count));
-      EXPECT_EQ(batch[count].added_count, 99) << "written past the end";
+      EXPECT_EQ(kernel::data_of(batch[count]).added_count, 99) << "written past the end";
       for (std::size_t i = 0; i != count; ++i) {
         complete(batch[i]);
         expect_equal(batch[i], compile(Shaft(a[i], b[i])));
@@ -323,7 +324,7 @@ TEST(CompileBatch, ABadBoxIsNamedAndNothingIsWritten) {
       (in_first ? a : b)[17] = bad;
       (in_first ? b : a)[23] = bad;
       std::vector<CompiledShaft> out(30);
-      out[0].added_count = 99;
+      kernel::data_of(out[0]).added_count = 99;
       try {
         compile_batch(BoxColumns(a).view(), BoxColumns(b).view(), out);
         ADD_FAILURE() << "nothing was thrown";
@@ -331,7 +332,7 @@ TEST(CompileBatch, ABadBoxIsNamedAndNothingIsWritten) {
         EXPECT_EQ(error.index(), 17U);
         EXPECT_THAT(error.what(), testing::HasSubstr("17"));
       }
-      EXPECT_EQ(out[0].added_count, 99);
+      EXPECT_EQ(kernel::data_of(out[0]).added_count, 99);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "compiled/shaft_data.hpp"
 #include "shaftcull/compiled.hpp"
 
 namespace shaftcull {
@@ -29,19 +30,21 @@ std::vector<std::uint32_t> bits(const T (&values)[N], std::size_t count = N) {
 }
 
 /// Both have their joining planes.
-inline void expect_equal(const CompiledShaft& shaft, const CompiledShaft& expected) {
+inline void expect_equal(const CompiledShaft& one, const CompiledShaft& other) {
+  const kernel::ShaftData& shaft = kernel::data_of(one);
+  const kernel::ShaftData& expected = kernel::data_of(other);
   EXPECT_EQ(bits(shaft.slab_scale), bits(expected.slab_scale));
   EXPECT_EQ(bits(shaft.slab_shift), bits(expected.slab_shift));
   EXPECT_EQ(shaft.slab_margin, expected.slab_margin);
   EXPECT_EQ(bits(shaft.slab_near), bits(expected.slab_near));
   EXPECT_EQ(shaft.slab_uppers, expected.slab_uppers);
   EXPECT_EQ(shaft.slab_form, expected.slab_form);
-  EXPECT_EQ(shaft.a, expected.a);
-  EXPECT_EQ(shaft.b, expected.b);
+  EXPECT_EQ(bits(shaft.a), bits(expected.a));
+  EXPECT_EQ(bits(shaft.b), bits(expected.b));
   EXPECT_EQ(shaft.reach, expected.reach);
   ASSERT_EQ(shaft.added_count, expected.added_count);
   for (std::size_t i = 0; i != expected.added_count; ++i) {
-    using Words = std::array<std::uint32_t, sizeof(CompiledShaft::AddedPlane) / sizeof(std::uint32_t)>;
+    using Words = std::array<std::uint32_t, sizeof(kernel::ShaftData::AddedPlane) / sizeof(std::uint32_t)>;
     EXPECT_EQ(std::bit_cast<Words>(shaft.added[i]), std::bit_cast<Words>(expected.added[i])) << "added plane " << i;
   }
   EXPECT_EQ(shaft.answers_outside, expected.answers_outside);

@@ -36,7 +36,7 @@ GridFace face_of(const CompiledShaft& shaft, const GridFrame& frame, std::uint8_
     const double x = static_cast<double>(is_lo ? box.lo[k] : box.hi[k]) - static_cast<double>(frame.origin[k]);
     return (is_lo ? -x : x) * static_cast<double>(frame.steps[k]);
   };
-  return {0.5 * (on_grid(shaft.a) + on_grid(shaft.b)), on_grid(shaft.b) - on_grid(shaft.a)};
+  return {0.5 * (on_grid(shaft.a()) + on_grid(shaft.b())), on_grid(shaft.b()) - on_grid(shaft.a())};
 }
 
 /// What the kernels compute of a coordinate.
@@ -101,10 +101,11 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
                                               : random_shaft(random);
         shafts.push_back(compile(Shaft(input.a, input.b)));
       }
-      const GridFrame frame = kernels.frame(shafts.data(), shafts.size());
+      const std::span<const kernel::ShaftData> data = kernel::data_of(std::span<const CompiledShaft>(shafts));
+      const GridFrame frame = kernels.frame(data.data(), data.size());
       ASSERT_TRUE(frame.exists());
       std::vector<GridShaft> on_grid(shafts.size());
-      kernels.form_shafts(shafts.data(), shafts.size(), frame, on_grid.data());
+      kernels.form_shafts(data.data(), data.size(), frame, on_grid.data());
       for (std::size_t s = 0; s != shafts.size() && !HasFailure(); ++s) {
         if (!on_grid[s].exists) continue;
         expect_bounds_within_slack(shafts[s], frame, on_grid[s]);

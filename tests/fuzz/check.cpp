@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "columns.hpp"
+#include "compiled/shaft_data.hpp"
 #include "fuzz/packing.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
@@ -272,12 +273,14 @@ class Comparison {
 };
 
 /// Whether the slab forms are the same.
-bool same_slab(const CompiledShaft& p, const CompiledShaft& q) {
+bool same_slab(const CompiledShaft& one, const CompiledShaft& other) {
+  const kernel::ShaftData& p = kernel::data_of(one);
+  const kernel::ShaftData& q = kernel::data_of(other);
   return std::equal(std::begin(p.slab_scale), std::end(p.slab_scale), std::begin(q.slab_scale)) &&
          std::equal(std::begin(p.slab_shift), std::end(p.slab_shift), std::begin(q.slab_shift)) &&
          std::equal(std::begin(p.slab_near), std::end(p.slab_near), std::begin(q.slab_near)) &&
-         p.slab_margin == q.slab_margin && p.slab_uppers == q.slab_uppers && p.slab_form == q.slab_form && p.a == q.a &&
-         p.b == q.b;
+         p.slab_margin == q.slab_margin && p.slab_uppers == q.slab_uppers && p.slab_form == q.slab_form &&
+         one.a() == other.a() && one.b() == other.b();
 }
 
 /// The pair as one of a batch, on every instruction set: refused if it must be, and the same bits wherever in the

@@ -75,9 +75,9 @@ CompiledShaft shaft_of(const Case& it) {
 }
 
 void check_both_trees(const Case& it, const CompiledShaft& shaft) {
-  if (!shaft.answers_outside || !shaft.answers_inside) return;
+  if (!it.options.outside || !it.options.inside) return;
   check_tree(it, shaft, it.boxes);
-  if (shaft.answers_spheres) check_tree(it, shaft, it.spheres);
+  if (it.options.spheres) check_tree(it, shaft, it.spheres);
 }
 
 }  // namespace

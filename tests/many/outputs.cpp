@@ -258,7 +258,7 @@ TEST(Outputs, EveryMisalignmentOfTilesGivesTheSameAnswers) {
 TEST(Outputs, TheLargestTileOnAGridMayKeepAQuarterOfItsBounds) {
   // As many as later stages collect, and one more, which they do not.
   const std::vector<CompiledShaft> shafts(8, random_shafts(89, 1).front());
-  const Vec3 met = shafts.front().a.lo;
+  const Vec3 met = shafts.front().a().lo;
   for (const std::size_t kept_count : {640U, 641U}) {
     SCOPED_TRACE(kept_count);
     std::vector<Box> boxes;

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <string_view>
 
+#include "compiled/shaft_data.hpp"
 #include "cull/agreement.hpp"
 #include "support/mutant.hpp"
 
@@ -23,15 +24,16 @@ namespace {
 
 constexpr float weak = 0.1F;
 
-void weaken_slab(CompiledShaft& shaft) { shaft.slab_margin *= weak; }
+void weaken_slab(CompiledShaft& shaft) { kernel::data_of(shaft).slab_margin *= weak; }
 void weaken_relative(CompiledShaft& shaft) {
-  if (shaft.slab_form == CompiledShaft::SlabForm::relative) weaken_slab(shaft);
+  if (kernel::data_of(shaft).slab_form == kernel::ShaftData::SlabForm::relative) weaken_slab(shaft);
 }
-void weaken_joining(CompiledShaft& shaft) { shaft.joining_margin *= weak; }
+void weaken_joining(CompiledShaft& shaft) { kernel::data_of(shaft).joining_margin *= weak; }
 void weaken_added(CompiledShaft& shaft) {
-  for (unsigned i = 0; i != shaft.added_count; ++i) {
-    shaft.added[i].margin *= weak;
-    shaft.added[i].slack *= weak;
+  kernel::ShaftData& data = kernel::data_of(shaft);
+  for (unsigned i = 0; i != data.added_count; ++i) {
+    data.added[i].margin *= weak;
+    data.added[i].slack *= weak;
   }
 }
 

@@ -27,10 +27,12 @@ struct GridAnswers {
 
 /// A box around both boxes of a shaft, larger by 2^doublings than it must be.
 inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
+  const Box a = shaft.a();
+  const Box b = shaft.b();
   double size = 0;
   for (std::size_t k = 0; k != 3; ++k) {
-    const auto lo = static_cast<double>(std::min(shaft.a.lo[k], shaft.b.lo[k]));
-    const auto hi = static_cast<double>(std::max(shaft.a.hi[k], shaft.b.hi[k]));
+    const auto lo = static_cast<double>(std::min(a.lo[k], b.lo[k]));
+    const auto hi = static_cast<double>(std::max(a.hi[k], b.hi[k]));
     size = std::max(size, hi - lo);
   }
   const double beyond = 0.5 * size * static_cast<double>((1U << doublings) - 1U);
@@ -40,8 +42,8 @@ inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
   };
   Box frame{};
   for (std::size_t k = 0; k != 3; ++k) {
-    frame.lo[k] = as_float(static_cast<double>(std::min(shaft.a.lo[k], shaft.b.lo[k])) - beyond);
-    frame.hi[k] = as_float(static_cast<double>(std::max(shaft.a.hi[k], shaft.b.hi[k])) + beyond);
+    frame.lo[k] = as_float(static_cast<double>(std::min(a.lo[k], b.lo[k])) - beyond);
+    frame.hi[k] = as_float(static_cast<double>(std::max(a.hi[k], b.hi[k])) + beyond);
   }
   return frame;
 }

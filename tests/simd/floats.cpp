@@ -306,6 +306,24 @@ TEST_F(FloatOperation, EveryMaskIsCompressed) {
   });
 }
 
+TEST_F(FloatOperation, IntegersOfEveryMaskAreCompressed) {
+  on_each_set([](const FloatTable& table) {
+    Random random(19);
+    std::vector<std::uint32_t> a(table.width);
+    for (std::uint64_t mask = 0; mask != std::uint64_t{1} << table.width; ++mask) {
+      std::vector<std::uint32_t> packed;
+      for (std::size_t i = 0; i != table.width; ++i) {
+        a[i] = random.one_in(4) ? 0xffffffffU : random.below(1U << 31);  // some would be NaN as floats
+        if ((mask >> i & 1U) != 0) packed.push_back(a[i]);
+      }
+      std::vector<std::uint32_t> out(table.width + 1, 42);
+      table.compress_integers(mask, a.data(), out.data());
+      for (std::size_t i = 0; i != packed.size(); ++i) ASSERT_EQ(out[i], packed[i]) << mask;
+      ASSERT_EQ(out[table.width], 42U);
+    }
+  });
+}
+
 TEST_F(FloatOperation, EitherNegativeIsNegativeWhereTheFirstIsOrTheSecondIsBelowZero) {
   on_each_set([](const FloatTable& table) {
     for_vectors_of(values(), table.width, [&](const float* a, const float* b, const float*) {

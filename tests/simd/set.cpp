@@ -71,7 +71,7 @@ constexpr FloatTable float_table() noexcept {
                    float* out) noexcept { F::store(out, F::gather(from, index)); },
       .load_columns =
           [](const float* rows, float* columns) noexcept {
-            const float* at[F::width];
+            const void* at[F::width];
             for (unsigned i = 0; i < F::width; ++i) at[i] = rows + 4 * i;
             V column[4];
             F::load_columns(at, column);
@@ -95,6 +95,8 @@ constexpr FloatTable float_table() noexcept {
                      float* out) noexcept { typename F::Compressor(bits).store(out, F::load(a)); },
       .compress_some = [](std::uint64_t bits, const float* a, std::size_t count,
                           float* out) noexcept { typename F::Compressor(bits).store(out, F::load(a), count); },
+      .compress_integers = [](std::uint64_t bits, const std::uint32_t* a,
+                              std::uint32_t* out) noexcept { typename F::Compressor(bits).store(out, a); },
       .signs =
           [](const float* four) noexcept {
             V vector[4];

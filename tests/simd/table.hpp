@@ -51,6 +51,7 @@ struct FloatTable {
   void (*choose_first)(int count, const float* a, const float* b, float* out) noexcept;
   void (*compress)(std::uint64_t bits, const float* a, float* out) noexcept;
   void (*compress_some)(std::uint64_t bits, const float* a, std::size_t count, float* out) noexcept;
+  void (*compress_integers)(std::uint64_t bits, const std::uint32_t* a, std::uint32_t* out) noexcept;
   std::uint64_t (*signs)(const float* four) noexcept;
   /// Collects two times four vectors; says whether any lane was undecided.
   bool (*collect)(float limit, const float* eight, std::uint64_t* yes) noexcept;

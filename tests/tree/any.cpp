@@ -19,8 +19,8 @@ namespace {
 std::size_t words_tested = 0;
 kernel::TestListedWords* real_test = nullptr;
 
-void count_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
-                 std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
+void count_words(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
+                 std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
   words_tested += words;
   real_test(shaft, stream, word, words, kept, inside, least_kept);
 }
@@ -32,7 +32,9 @@ std::size_t words_tested_by(Visitor& visitor, const BoxTree& tree, const Compile
   real_test = kernels.listed_boxes;
   kernels.listed_boxes = count_words;
   words_tested = 0;
-  kernel::Walk<Box, Visitor>(*kernel::TreeAccess::parts(tree), kernels, shaft, kernel::Question::kept, visitor).run();
+  kernel::Walk<Box, Visitor>(*kernel::TreeAccess::parts(tree), kernels, kernel::data_of(shaft), kernel::Question::kept,
+                             visitor)
+      .run();
   return words_tested;
 }
 

@@ -141,9 +141,10 @@ inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) 
         break;
     }
     Shaft shaft(a, b);
-    if (random.one_in(4)) shaft.add_plane({random.vec3(-1, 1), random.uniform(-1, 1)});
+    const bool has_plane = random.one_in(4);
+    if (has_plane) shaft.add_plane({random.vec3(-1, 1), random.uniform(-1, 1)});
     shafts.push_back(compile(shaft));
-    if (random.one_in(3) && shafts.back().added_count == 0) {
+    if (random.one_in(3) && !has_plane) {
       const BoxStream as(std::vector<Box>{a});
       const BoxStream bs(std::vector<Box>{b});
       compile_batch(as.view(), bs.view(), {&shafts.back(), 1});  // planes pending

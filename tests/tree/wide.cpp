@@ -116,7 +116,7 @@ TEST(WideTree, AWalkReachesAllBounds) {
     const kernel::LeafIndices<std::uint64_t> unknown({}, true,
                                                      kernel::active_kernels());  // ranges are of leaves, not of indices
     kernel::ClassLister<List> lister(List(unknown, overlaps), List(unknown, insides));
-    kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), shaft,
+    kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), kernel::data_of(shaft),
                                                  kernel::Question::kept_and_inside, lister)
         .run();
     EXPECT_EQ(std::vector<Range>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);

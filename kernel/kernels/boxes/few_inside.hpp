@@ -16,11 +16,11 @@ class PlanesInLanes {
   using Vector = typename EightFloats::Vector;
 
   /// Whether they say all there is to say of this shaft.
-  [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept {
+  [[nodiscard]] static bool suits(const ShaftData& shaft) noexcept {
     return shaft.added_count == 0 && shaft.joining_margin < __builtin_inff();
   }
 
-  PlanesInLanes(const CompiledShaft& shaft, const float* const* stream) noexcept
+  PlanesInLanes(const ShaftData& shaft, const float* const* stream) noexcept
       : corner0_(EightFloats::order(shaft.joining_far0)),
         corner1_(EightFloats::order(shaft.joining_far1)),
         faces_(EightFloats::negate_hi(EightFloats::load_six(shaft.face, -__builtin_inff()))),
@@ -72,7 +72,7 @@ inline constexpr unsigned all_eight = 0xff;
 
 /// Writes which of the boxes at `positions` are inside, some of which are too close to call.
 template <class L>
-[[gnu::noinline, gnu::cold]] void settle_few_inside(const CompiledShaft& shaft, const PlanesInLanes<L>& planes,
+[[gnu::noinline, gnu::cold]] void settle_few_inside(const ShaftData& shaft, const PlanesInLanes<L>& planes,
                                                     const float* const* stream, std::size_t words,
                                                     const Positions<L>& positions, std::uint64_t* inside) noexcept {
   using EightFloats = typename L::EightFloats;
@@ -100,8 +100,8 @@ template <class L>
 
 /// Writes which of the kept boxes, few of them, are inside of a shaft that planes in lanes suit.
 template <class L>
-void few_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
-                      const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+void few_inside_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
+                      std::uint64_t* inside) noexcept {
   using EightFloats = typename L::EightFloats;
   const PlanesInLanes<L> planes(shaft, stream);
   const Positions<L> positions(kept, words);

@@ -14,20 +14,21 @@ class SlabInLanes {
   using EightFloats = typename L::EightFloats;
   using Vector = typename EightFloats::Vector;
 
-  [[nodiscard]] static bool suits(const CompiledShaft& shaft) noexcept {
-    return shaft.slab_form == CompiledShaft::SlabForm::fused;
+  [[nodiscard]] static bool suits(const ShaftData& shaft) noexcept {
+    return shaft.slab_form == ShaftData::SlabForm::fused;
   }
 
-  explicit SlabInLanes(const CompiledShaft& shaft) noexcept
-      : corner_(EightFloats::order(shaft.slab_near)),
+  explicit SlabInLanes(const ShaftData& shaft) noexcept
+      : corner_(EightFloats::order(row_of(shaft, ShaftRow::selectors))),
         is_upper_(EightFloats::first_and_seventh(shaft.slab_uppers)),
-        scale_(EightFloats::load(shaft.slab_scale)),
+        scale_(EightFloats::load(row_of(shaft, ShaftRow::scale))),
         two_margins_(2 * shaft.slab_margin) {
     // As in Slab, lower bounds carry the margin.
     const Vector margin = EightFloats::choose(is_upper_, EightFloats::all(0.0F), EightFloats::all(shaft.slab_margin));
-    ends_ = EightFloats::subtract(EightFloats::sorted_last_two(shaft.a.lo[0], shaft.b.lo[0]), margin);
+    ends_ = EightFloats::subtract(EightFloats::sorted_last_two(shaft.a[0], shaft.b[0]), margin);
     // What follows the six shifts is no number, and arithmetic with denormals takes a hundred cycles.
-    shift_ = EightFloats::with_last_two(EightFloats::subtract(EightFloats::load(shaft.slab_shift), margin), ends_);
+    shift_ = EightFloats::with_last_two(
+        EightFloats::subtract(EightFloats::load(row_of(shaft, ShaftRow::shift)), margin), ends_);
   }
 
   /// As Slab::room().
@@ -53,7 +54,7 @@ class SlabInLanes {
 
 /// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that this suits.
 template <class L>
-std::uint64_t few_outside(const CompiledShaft& shaft, const float* const* stream, std::size_t first,
+std::uint64_t few_outside(const ShaftData& shaft, const float* const* stream, std::size_t first,
                           std::uint64_t lanes) noexcept {
   const SlabInLanes<L> slab(shaft);
   std::uint64_t outside = 0;

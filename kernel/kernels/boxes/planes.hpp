@@ -13,7 +13,7 @@ class JoiningPlanes {
  public:
   using Vector = typename L::Vector;
 
-  JoiningPlanes(const CompiledShaft& shaft, const std::uint8_t* corner0, const std::uint8_t* corner1,
+  JoiningPlanes(const ShaftData& shaft, const std::uint8_t* corner0, const std::uint8_t* corner1,
                 const float* const* stream) noexcept
       : count_(shaft.joining_count) {
     for (unsigned i = 0; i < count_; ++i) {
@@ -56,7 +56,7 @@ class JoiningPlanes {
 
 /// As JoiningPlanes::largest_value(), straight from the compiled shaft.
 template <class L>
-typename L::Vector largest_joining_value(const CompiledShaft& shaft, const std::uint8_t* corner0,
+typename L::Vector largest_joining_value(const ShaftData& shaft, const std::uint8_t* corner0,
                                          const std::uint8_t* corner1, const float* const* stream,
                                          std::size_t at) noexcept {
   auto largest = L::all(-__builtin_inff());
@@ -74,7 +74,7 @@ enum class Corner : std::uint8_t { near, far };
 
 /// Value of an added plane at a corner.
 template <class L, Corner corner>
-typename L::Vector added_value(const CompiledShaft::AddedPlane& plane, const float* const* stream,
+typename L::Vector added_value(const ShaftData::AddedPlane& plane, const float* const* stream,
                                std::size_t at) noexcept {
   auto value = L::all(plane.minus_offset);
   for (unsigned k = 0; k < 3; ++k) {
@@ -86,7 +86,7 @@ typename L::Vector added_value(const CompiledShaft::AddedPlane& plane, const flo
 
 /// First stage of the plane form: shaft box, then joining planes where any lane is left. Writes the kept bits.
 template <class L>
-void box_planes_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void box_planes_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                       std::uint64_t* kept) noexcept {
   const auto margin = L::all(shaft.joining_margin);
   const auto minus_margin = L::all(-shaft.joining_margin);
@@ -140,7 +140,7 @@ struct AddedVerdict {
 
 /// Of `vectors` vectors of boxes side by side, which share the loads of a plane's coefficients.
 template <class L, unsigned vectors>
-AddedVerdict added_verdict(const CompiledShaft& shaft, const float* const* stream, std::size_t at) noexcept {
+AddedVerdict added_verdict(const ShaftData& shaft, const float* const* stream, std::size_t at) noexcept {
   typename L::Mask is_beyond[vectors];
   typename L::Mask is_behind[vectors];
   for (unsigned v = 0; v < vectors; ++v) {
@@ -148,7 +148,7 @@ AddedVerdict added_verdict(const CompiledShaft& shaft, const float* const* strea
     is_behind[v] = L::less_equal(L::all(0.0F), L::all(0.0F));
   }
   for (unsigned i = 0; i < shaft.added_count; ++i) {
-    const CompiledShaft::AddedPlane& plane = shaft.added[i];
+    const ShaftData::AddedPlane& plane = shaft.added[i];
     const auto margin = L::all(plane.margin);
     const auto minus_margin = L::all(-plane.margin);
     const auto minus_offset = L::all(plane.minus_offset);
@@ -175,7 +175,7 @@ AddedVerdict added_verdict(const CompiledShaft& shaft, const float* const* strea
 
 /// Clears the kept bits of boxes beyond an added plane.
 template <class L>
-void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void box_added_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                      std::uint64_t* kept) noexcept {
   constexpr unsigned four = 4 * L::width;
   for (std::size_t w = 0; w < words; ++w) {
@@ -208,7 +208,7 @@ void box_added_stage(const CompiledShaft& shaft, const float* const* stream, std
 
 /// Clears the bits of boxes that are not inside.
 template <class L>
-void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void box_inside_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                       std::uint64_t* inside) noexcept {
   const auto minus_margin = L::all(-shaft.joining_margin);
   const auto margin = L::all(shaft.joining_margin);
@@ -232,7 +232,7 @@ void box_inside_stage(const CompiledShaft& shaft, const float* const* stream, st
       std::uint64_t certain = L::bits(L::less(value, minus_margin)) << lane;
       within &= ~(L::bits(L::less(margin, value)) << lane);
       for (unsigned i = 0; i < shaft.added_count; ++i) {
-        const CompiledShaft::AddedPlane& plane = shaft.added[i];
+        const ShaftData::AddedPlane& plane = shaft.added[i];
         const auto added = added_value<L, Corner::far>(plane, stream, at);
         certain &= L::bits(L::less(added, L::all(-plane.margin))) << lane;
         within &= ~(L::bits(L::less(L::all(plane.margin), added)) << lane);

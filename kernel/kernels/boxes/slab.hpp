@@ -11,10 +11,10 @@ namespace shaftcull::kernel {
 inline constexpr float outside_for_certain = -1.0F;
 
 /// A compiled shaft's slab constraints in registers, `uppers` of them bounding t from above.
-template <class L, unsigned uppers, CompiledShaft::SlabForm form>
+template <class L, unsigned uppers, ShaftData::SlabForm form>
 struct Slab {
-  static constexpr bool fused = form == CompiledShaft::SlabForm::fused;
-  static constexpr bool relative = form == CompiledShaft::SlabForm::relative;
+  static constexpr bool fused = form == ShaftData::SlabForm::fused;
+  static constexpr bool relative = form == ShaftData::SlabForm::relative;
   using Vector = typename L::Vector;
   Vector scale[6];
   Vector shift[6];
@@ -25,10 +25,10 @@ struct Slab {
   Vector narrower;  ///< 1 ∓ the margin, in the relative form
   Vector wider;
 
-  Slab(const CompiledShaft& shaft, float error_margin) noexcept
+  Slab(const ShaftData& shaft, float error_margin) noexcept
       : margin(L::all(error_margin)), two_margins(L::all(2 * error_margin)) {
-    const float t_at_a = fused ? *reinterpret_cast<const float*>(&shaft.a) : 0.0F;
-    const float t_at_b = fused ? *reinterpret_cast<const float*>(&shaft.b) : 1.0F;
+    const float t_at_a = fused ? shaft.a[0] : 0.0F;
+    const float t_at_b = fused ? shaft.b[0] : 1.0F;
     begin = L::all(t_at_a < t_at_b ? t_at_a : t_at_b);
     end = L::all(t_at_a < t_at_b ? t_at_b : t_at_a);
     for (unsigned i = 0; i < 6; ++i) {
@@ -87,7 +87,7 @@ struct Slab {
 
 /// Bits of the boxes of the word at `at` that are outside, where some lane is too close to call.
 template <class L, class SlabType, class Word>
-[[gnu::noinline, gnu::cold]] std::uint64_t settle_slab_word(const CompiledShaft& shaft, const SlabType& slab,
+[[gnu::noinline, gnu::cold]] std::uint64_t settle_slab_word(const ShaftData& shaft, const SlabType& slab,
                                                             const float* const (&x)[6], const float* const* stream,
                                                             std::size_t at, const Word& word) noexcept {
   std::uint64_t outside = 0;
@@ -112,7 +112,7 @@ struct BoxCorners {
   using Vector = typename L::Vector;
   const float* x[6];
 
-  BoxCorners(const CompiledShaft& shaft, const float* const* box) noexcept {
+  BoxCorners(const ShaftData& shaft, const float* const* box) noexcept {
     for (unsigned i = 0; i < 6; ++i) x[i] = box[shaft.slab_near[i]];
   }
   template <class Word>
@@ -138,7 +138,7 @@ struct SphereCorners {
   const float* radius;
   Vector sign[6];  // of the radius: −0 where a constraint reads the lo corner
 
-  SphereCorners(const CompiledShaft& shaft, const float* const* sphere) noexcept : radius(sphere[3]) {
+  SphereCorners(const ShaftData& shaft, const float* const* sphere) noexcept : radius(sphere[3]) {
     for (unsigned i = 0; i < 6; ++i) {
       centre[i] = sphere[shaft.slab_near[i] % 3];
       sign[i] = L::all(shaft.slab_near[i] < 3 ? -0.0F : 0.0F);
@@ -161,7 +161,7 @@ struct WordsInARow {
 
 /// Kept bits of the word at `at`: exactly, or without the bits of those that are outside for certain.
 template <class L, class SlabType, class Corners, class Word>
-[[gnu::always_inline]] inline std::uint64_t slab_word(const CompiledShaft& shaft, const SlabType& slab,
+[[gnu::always_inline]] inline std::uint64_t slab_word(const ShaftData& shaft, const SlabType& slab,
                                                       const Corners& corners, const float* const* stream,
                                                       std::size_t at, const Word& word) noexcept {
   std::uint64_t outside = 0;
@@ -193,8 +193,8 @@ template <class L, class SlabType, class Corners, class Word>
 
 /// Writes the kept bits of `words` whole words, and of the rest behind them if there is one: exactly, or clears the
 /// bits of those that are outside for certain.
-template <class L, template <class> class Corners, class Words, unsigned uppers, CompiledShaft::SlabForm form>
-void slab_words(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
+template <class L, template <class> class Corners, class Words, unsigned uppers, ShaftData::SlabForm form>
+void slab_words(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
                 std::size_t words, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin);
   const Corners<L> corners(shaft, stream);
@@ -210,7 +210,7 @@ void slab_words(const CompiledShaft& shaft, float margin, const float* const* st
 
 /// For shafts that no margin holds for.
 template <class L, class Words>
-void box_exact_words(const CompiledShaft& shaft, const float* const* stream, const Words& position, std::size_t words,
+void box_exact_words(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
                      std::uint64_t* kept) noexcept {
   const SlabPredicate exact(shaft);
   const auto kept_of = [&](std::size_t w, std::uint64_t lanes) {
@@ -227,11 +227,11 @@ void box_exact_words(const CompiledShaft& shaft, const float* const* stream, con
 /// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's
 /// always in the fused form.
 template <class L, template <class> class Corners, class Words>
-void slab_words_of(const CompiledShaft& shaft, float margin, const float* const* stream, const Words& position,
+void slab_words_of(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
                    std::size_t words, std::uint64_t* kept) noexcept {
-  using enum CompiledShaft::SlabForm;
+  using enum ShaftData::SlabForm;
   using TestWords =
-      void(const CompiledShaft&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
+      void(const ShaftData&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
   if constexpr (Corners<L>::exactly) {
     static constexpr TestWords* relative_by_uppers[7] = {
         slab_words<L, Corners, Words, 0, relative>, slab_words<L, Corners, Words, 1, relative>,
@@ -256,9 +256,9 @@ void slab_words_of(const CompiledShaft& shaft, float margin, const float* const*
 /// First stage of the slab form: writes the kept bits of `words` whole words, and of the rest behind them if there is
 /// one.
 template <class L, class Words = WordsInARow<L>>
-void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+void box_slab_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                     const Words& position = {}) noexcept {
-  if (shaft.slab_form == CompiledShaft::SlabForm::exact) [[unlikely]] {
+  if (shaft.slab_form == ShaftData::SlabForm::exact) [[unlikely]] {
     return box_exact_words<L>(shaft, stream, position, words, kept);
   }
   slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, position, words, kept);
@@ -268,7 +268,7 @@ void box_slab_stage(const CompiledShaft& shaft, const float* const* stream, std:
 /// for certain. Their corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12
 /// (docs/exactness.md).
 template <class L, template <class> class Corners, class Words = WordsInARow<L>>
-void sphere_slab_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
+void sphere_slab_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                        const Words& position = {}) noexcept {
   constexpr float wider = 1.17F;
   slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, position, words, kept);

@@ -7,8 +7,8 @@
 
 #include <cstddef>
 
+#include "compiled/shaft_data.hpp"
 #include "kernels/forming/slab.hpp"
-#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
 
@@ -23,19 +23,27 @@ inline constexpr float largest_added_normal = 0x1p60F;
 inline constexpr float largest_added_margin = 0x1p100F;
 
 // Rows of eight floats are written onto records.
-static_assert(sizeof(CompiledShaft::AddedPlane) == 8 * sizeof(float));
-static_assert(offsetof(CompiledShaft::AddedPlane, near) == 7 * sizeof(float));
+static_assert(sizeof(ShaftData::AddedPlane) == 8 * sizeof(float));
+static_assert(offsetof(ShaftData::AddedPlane, near) == 7 * sizeof(float));
 static_assert(sizeof(Plane) == 4 * sizeof(float) && offsetof(Plane, offset) == 3 * sizeof(float));
+
+/// The normals and the offset of a whole vector of planes.
+template <class L>
+void load_planes(const Plane* const (&plane)[L::width], typename L::Vector (&column)[4]) noexcept {
+  const void* row[L::width];
+  for (unsigned lane = 0; lane < L::width; ++lane) row[lane] = plane[lane];
+  L::load_columns(row, column);
+}
 
 /// Writes plane[i] as added plane `slot` of out[i], for the first `lanes` of a whole vector of shafts whose boxes have
 /// faces `face`.
 template <class L>
-void add_plane_vector(const typename L::Vector (&face)[6], const float* const (&plane)[L::width], unsigned lanes,
-                      unsigned slot, CompiledShaft* out) noexcept {
+void add_plane_vector(const typename L::Vector (&face)[6], const Plane* const (&plane)[L::width], unsigned lanes,
+                      unsigned slot, ShaftData* out) noexcept {
   using Vector = typename L::Vector;
   const Vector zero = L::all(0.0F);
   Vector column[4];
-  L::load_columns(plane, column);
+  load_planes<L>(plane, column);
   const Vector offset = column[3];
 
   Vector most[3];   // of each term of n · p, at the near corner of a bound that meets the shaft box
@@ -104,24 +112,16 @@ void add_plane_vector(const typename L::Vector (&face)[6], const float* const (&
   for (unsigned lane = 0; lane < lanes; ++lane) L::EightFloats::store(&out[lane].added[slot], row[lane]);
 }
 
-/// The normal and the offset of a plane, side by side.
-template <class L>
-const float* floats_of(const Plane* plane) noexcept {
-  return reinterpret_cast<const float*>(plane);
-}
-
 /// Whether every plane is finite and has a normal that is not zero.
 template <class L>
 bool all_planes_usable(const Plane* planes, std::size_t count) noexcept {
   const auto most = L::all(__FLT_MAX__);
   bool usable = true;
   for (std::size_t i = 0; i < count; i += L::width) {
-    const float* plane[L::width];
-    for (unsigned lane = 0; lane < L::width; ++lane) {
-      plane[lane] = floats_of<L>(planes + (i + lane < count ? i + lane : i));
-    }
+    const Plane* plane[L::width];
+    for (unsigned lane = 0; lane < L::width; ++lane) plane[lane] = planes + (i + lane < count ? i + lane : i);
     typename L::Vector column[4];
-    L::load_columns(plane, column);
+    load_planes<L>(plane, column);
     auto each = L::less_equal(L::magnitude(column[3]), most);
     auto largest = L::all(0.0F);
     for (unsigned k = 0; k < 3; ++k) {
@@ -135,23 +135,25 @@ bool all_planes_usable(const Plane* planes, std::size_t count) noexcept {
   return usable;
 }
 
+/// Face `f` of the shaft boxes of a whole vector of pairs, as shaft_face() has it.
+template <class L>
+typename L::Vector shaft_faces(unsigned f, const float* on_a, const float* on_b) noexcept {
+  return f < 3 ? L::minimum(L::load(on_a), L::load(on_b)) : L::maximum(L::load(on_a), L::load(on_b));
+}
+
 /// Adds planes[i][0 … planes_each) to shaft out[i] between boxes a[·][i] and b[·][i], after those that it has; all have
 /// equally many.
 template <class L>
 void add_planes(const float* const* a, const float* const* b, const Plane* const* planes, std::size_t planes_each,
-                std::size_t count, CompiledShaft* out) noexcept {
+                std::size_t count, ShaftData* out) noexcept {
   typename L::Vector face[6];
-  const float* plane[L::width];
+  const Plane* plane[L::width];
   std::size_t i = 0;
   for (; i + L::width <= count; i += L::width) {
-    for (unsigned f = 0; f < 6; ++f) {
-      const auto on_a = L::load(a[f] + i);
-      const auto on_b = L::load(b[f] + i);
-      face[f] = f < 3 ? L::minimum(on_a, on_b) : L::maximum(on_a, on_b);
-    }
+    for (unsigned f = 0; f < 6; ++f) face[f] = shaft_faces<L>(f, a[f] + i, b[f] + i);
     const unsigned slot = out[i].added_count;
     for (unsigned j = 0; j < planes_each; ++j) {
-      for (unsigned lane = 0; lane < L::width; ++lane) plane[lane] = floats_of<L>(planes[i + lane] + j);
+      for (unsigned lane = 0; lane < L::width; ++lane) plane[lane] = planes[i + lane] + j;
       add_plane_vector<L>(face, plane, L::width, slot + j, out + i);
     }
     for (unsigned lane = 0; lane < L::width; ++lane)
@@ -168,11 +170,11 @@ void add_planes(const float* const* a, const float* const* b, const Plane* const
       on_a[lane] = a[f][source(lane)];
       on_b[lane] = b[f][source(lane)];
     }
-    face[f] = f < 3 ? L::minimum(L::load(on_a), L::load(on_b)) : L::maximum(L::load(on_a), L::load(on_b));
+    face[f] = shaft_faces<L>(f, on_a, on_b);
   }
   const unsigned slot = out[i].added_count;
   for (unsigned j = 0; j < planes_each; ++j) {
-    for (unsigned lane = 0; lane < L::width; ++lane) plane[lane] = floats_of<L>(planes[source(lane)] + j);
+    for (unsigned lane = 0; lane < L::width; ++lane) plane[lane] = planes[source(lane)] + j;
     add_plane_vector<L>(face, plane, lanes, slot + j, out + i);
   }
   for (unsigned lane = 0; lane < lanes; ++lane)

@@ -11,7 +11,7 @@ namespace shaftcull::kernel {
 /// Compiles the shaft between boxes `a` and `b`; joining planes are left pending. Returns false, and leaves `out` as it
 /// was, if a box is not finite with lo ≤ hi.
 template <class L>
-bool compile_pair(const Box& a, const Box& b, CompiledShaft& out) noexcept {
+bool compile_pair(const Box& a, const Box& b, ShaftData& out) noexcept {
   using EightFloats = typename L::EightFloats;
   using Vector = typename EightFloats::Vector;
 
@@ -31,8 +31,8 @@ bool compile_pair(const Box& a, const Box& b, CompiledShaft& out) noexcept {
 
   if (!(EightFloats::is_ordered(p) && EightFloats::is_ordered(other) && reach <= __FLT_MAX__)) [[unlikely]]
     return false;
-  EightFloats::store(&out.a, p);  // eight floats onto six and what follows them, which comes next
-  EightFloats::store(&out.b,
+  EightFloats::store(row_of(out, ShaftRow::a), p);
+  EightFloats::store(row_of(out, ShaftRow::b),
                      EightFloats::with_last_two(other, EightFloats::pair_in_all(batch_mark.of[0], batch_mark.of[1])));
 
   const float length = __builtin_fabsf(EightFloats::first(slope));
@@ -44,10 +44,10 @@ bool compile_pair(const Box& a, const Box& b, CompiledShaft& out) noexcept {
   const float margin = position * fused_margin_per_position + length * fused_margin_per_way;
   const SlabOrder& order = slab_orders.by_negative[EightFloats::signs(scale) & 0x3f];
   EightFloats::store(
-      out.slab_scale,
+      row_of(out, ShaftRow::scale),
       EightFloats::permuted(EightFloats::with_last_two(scale, EightFloats::pair_in_all(margin, reach)), order.face));
-  EightFloats::store(out.slab_shift, EightFloats::permuted(shift, order.face));
-  __builtin_memcpy(out.slab_near, order.near_stream, 8);
+  EightFloats::store(row_of(out, ShaftRow::shift), EightFloats::permuted(shift, order.face));
+  __builtin_memcpy(row_of(out, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
   if (!(fused_suits && reach <= largest_plain_reach)) [[unlikely]]
     rewrite_slab<L>(out, fused_suits);
   return true;

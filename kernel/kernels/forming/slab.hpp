@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "compiled/shaft_data.hpp"
 #include "compiled/slab.hpp"
-#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
 
@@ -57,9 +57,9 @@ bool all_finite(const float* const* box, std::size_t count) noexcept {
 /// Overwrites the slab coefficients of a shaft by those of the difference form, for pairs that the fused form does not
 /// suit.
 template <class L>
-void write_difference_slab(CompiledShaft& shaft) noexcept {
-  const float* const p = reinterpret_cast<const float*>(&shaft.a);
-  const float* const other = reinterpret_cast<const float*>(&shaft.b);
+void write_difference_slab(ShaftData& shaft) noexcept {
+  const float* const p = shaft.a;
+  const float* const other = shaft.b;
   unsigned negative = 0;
   float inverse[6];
   bool regular = shaft.reach <= regular_limit;
@@ -78,8 +78,8 @@ void write_difference_slab(CompiledShaft& shaft) noexcept {
     shaft.slab_shift[i] = p[f];
     shaft.slab_near[i] = near_stream[f];
   }
-  shaft.slab_uppers = order.uppers;
-  shaft.slab_form = regular ? CompiledShaft::SlabForm::difference : CompiledShaft::SlabForm::exact;
+  shaft.slab_uppers = order.selectors.uppers;
+  shaft.slab_form = regular ? ShaftData::SlabForm::difference : ShaftData::SlabForm::exact;
   shaft.slab_margin = regular ? difference_margin : __builtin_inff();
 }
 
@@ -91,11 +91,7 @@ struct FarWay {
   float from_reach;  ///< largest magnitude of a coordinate
   float length;      ///< largest magnitude of a slope: the end of t in the relative form
 
-  explicit FarWay(const CompiledShaft& shaft) noexcept
-      : from(reinterpret_cast<const float*>(&shaft.a)),
-        to(reinterpret_cast<const float*>(&shaft.b)),
-        from_reach(0),
-        length(0) {
+  explicit FarWay(const ShaftData& shaft) noexcept : from(shaft.a), to(shaft.b), from_reach(0), length(0) {
     float to_reach = 0;
     const auto enlarge = [](float& largest, float x) {
       largest = __builtin_fabsf(x) > largest ? __builtin_fabsf(x) : largest;
@@ -115,7 +111,7 @@ struct FarWay {
 
 /// Overwrites the slab coefficients of a shaft by those of the relative form, if it suits.
 template <class L>
-bool write_relative_slab(CompiledShaft& shaft) noexcept {
+bool write_relative_slab(ShaftData& shaft) noexcept {
   const FarWay<L> way(shaft);
   if (!(way.from_reach <= far_apart * shaft.reach && way.length <= 0x1p127F)) return false;
   unsigned negative = 0;
@@ -135,8 +131,8 @@ bool write_relative_slab(CompiledShaft& shaft) noexcept {
     shaft.slab_shift[i] = way.from[f];
     shaft.slab_near[i] = near_stream[f];
   }
-  shaft.slab_uppers = order.uppers;
-  shaft.slab_form = CompiledShaft::SlabForm::relative;
+  shaft.slab_uppers = order.selectors.uppers;
+  shaft.slab_form = ShaftData::SlabForm::relative;
   shaft.slab_margin = relative_margin;
   return true;
 }
@@ -144,7 +140,7 @@ bool write_relative_slab(CompiledShaft& shaft) noexcept {
 /// Overwrites the slab coefficients of a shaft whose coordinates are large, or that the fused form does not suit, by
 /// those of the form that does, if that is another.
 template <class L>
-[[gnu::noinline, gnu::cold]] void rewrite_slab(CompiledShaft& shaft, bool fused_suits) noexcept {
+[[gnu::noinline, gnu::cold]] void rewrite_slab(ShaftData& shaft, bool fused_suits) noexcept {
   if (shaft.reach > largest_plain_reach && write_relative_slab<L>(shaft)) return;
   if (!fused_suits) write_difference_slab<L>(shaft);
 }
@@ -152,7 +148,7 @@ template <class L>
 /// Compiles out[i] from boxes a[·][first + i] and b[·][first + i], for one whole vector of pairs; joining planes are
 /// left pending.
 template <class L>
-void compile_slab_vector(const float* const* a, const float* const* b, std::size_t first, CompiledShaft* out) noexcept {
+void compile_slab_vector(const float* const* a, const float* const* b, std::size_t first, ShaftData* out) noexcept {
   using Vector = typename L::Vector;
   constexpr unsigned width = L::width;
   const Vector zero = L::all(0.0F);
@@ -191,7 +187,7 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
                       L::both(L::less_equal(L::all(1 / fused_regular_limit), least_slope),
                               L::less_equal(position, L::multiply(length, L::all(fused_limit))))));
 
-  // Each row of eight is written onto six floats and what follows them.
+  // The rows of ShaftRow.
   scale[6] = L::add(L::multiply(position, L::all(fused_margin_per_position)),
                     L::multiply(length, L::all(fused_margin_per_way)));
   scale[7] = reach;
@@ -208,15 +204,15 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   L::transpose(p, a_row);
   L::transpose(other, b_row);
   for (unsigned lane = 0; lane < width; ++lane) {
-    CompiledShaft& shaft = out[lane];
+    ShaftData& shaft = out[lane];
     __builtin_prefetch(&shaft + 16, 1);  // strides this long are beyond hardware prefetchers
     __builtin_prefetch(reinterpret_cast<const char*>(&shaft + 16) + 64, 1);
-    EightFloats::store(&shaft.a, a_row[lane]);
-    EightFloats::store(&shaft.b, b_row[lane]);
+    EightFloats::store(row_of(shaft, ShaftRow::a), a_row[lane]);
+    EightFloats::store(row_of(shaft, ShaftRow::b), b_row[lane]);
     const SlabOrder& order = slab_orders.by_negative[EightFloats::signs(scale_row[lane]) & 0x3f];
-    EightFloats::store(shaft.slab_scale, EightFloats::permuted(scale_row[lane], order.face));
-    EightFloats::store(shaft.slab_shift, EightFloats::permuted(shift_row[lane], order.face));
-    __builtin_memcpy(shaft.slab_near, order.near_stream, 8);
+    EightFloats::store(row_of(shaft, ShaftRow::scale), EightFloats::permuted(scale_row[lane], order.face));
+    EightFloats::store(row_of(shaft, ShaftRow::shift), EightFloats::permuted(shift_row[lane], order.face));
+    __builtin_memcpy(row_of(shaft, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
   }
 
   const std::uint64_t plain = fused & L::bits(L::less_equal(reach, L::all(largest_plain_reach)));
@@ -228,7 +224,7 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
 }
 
 template <class L>
-void compile_slabs(const float* const* a, const float* const* b, std::size_t count, CompiledShaft* out) noexcept {
+void compile_slabs(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept {
   std::size_t i = 0;
   for (; i + L::width <= count; i += L::width) compile_slab_vector<L>(a, b, i, out + i);
   if (i == count) return;
@@ -246,10 +242,10 @@ void compile_slabs(const float* const* a, const float* const* b, std::size_t cou
     rest_a[f] = rest[f];
     rest_b[f] = rest[f + 6];
   }
-  CompiledShaft shafts[L::width];
+  ShaftData shafts[L::width];
   compile_slab_vector<L>(rest_a, rest_b, 0, shafts);
   for (std::size_t lane = 0; lane < left; ++lane) {  // what comes before the planes
-    __builtin_memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(CompiledShaft, added));
+    __builtin_memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(ShaftData, added));
   }
 }
 

@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "compiled/shaft_data.hpp"
 #include "kernels/forming/slab.hpp"
-#include "shaftcull/compiled.hpp"
 #include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -63,17 +63,16 @@ static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * sn
 
 /// The frame around shafts.
 template <class L>
-[[nodiscard]] GridFrame grid_frame(const CompiledShaft* shafts, std::size_t count) noexcept {
+[[nodiscard]] GridFrame grid_frame(const ShaftData* shafts, std::size_t count) noexcept {
   float least[6];  // of all faces' coordinates, and from 3 on of their negatives
   for (float& each : least) each = __builtin_inff();
   float reach = 0;
   for (std::size_t s = 0; s < count; ++s) {
     if (shafts[s].reach > fused_regular_limit) continue;
     reach = shafts[s].reach > reach ? shafts[s].reach : reach;
-    const Box* const both[2] = {&shafts[s].a, &shafts[s].b};
+    const float* const boxes[2] = {shafts[s].a, shafts[s].b};
     for (unsigned k = 0; k < 3; ++k) {
-      for (const Box* box : both) {
-        const float* const face = reinterpret_cast<const float*>(box);
+      for (const float* face : boxes) {
         least[k] = face[k] < least[k] ? face[k] : least[k];
         least[k + 3] = -face[k + 3] < least[k + 3] ? -face[k + 3] : least[k + 3];
       }
@@ -105,7 +104,7 @@ template <class L>
 /// Makes grid[lane] of shaft[lane], for a whole vector of shafts: one a lane, so that nothing branches on what a face
 /// is, which would be mispredicted several times a shaft.
 template <class L>
-void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridFrame& frame,
+void form_grid_vector(const ShaftData* const (&shaft)[L::width], const GridFrame& frame,
                       GridShaft* const (&grid)[L::width]) noexcept {
   using Vector = typename L::Vector;
   constexpr unsigned faces = 6;
@@ -115,9 +114,10 @@ void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridF
 
   alignas(64) float column[2 * faces + 1][L::width];
   for (unsigned lane = 0; lane < L::width; ++lane) {
-    float box[2 * faces];
-    __builtin_memcpy(box, &shaft[lane]->a, sizeof box);
-    for (unsigned f = 0; f < 2 * faces; ++f) column[f][lane] = box[f];
+    for (unsigned f = 0; f < faces; ++f) {
+      column[f][lane] = shaft[lane]->a[f];
+      column[f + faces][lane] = shaft[lane]->b[f];
+    }
     column[2 * faces][lane] = shaft[lane]->reach;
   }
   Vector middle[faces];
@@ -243,9 +243,9 @@ void form_grid_vector(const CompiledShaft* const (&shaft)[L::width], const GridF
 
 /// Makes out[i] of shafts[i].
 template <class L>
-void form_grid_shafts(const CompiledShaft* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept {
+void form_grid_shafts(const ShaftData* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept {
   for (std::size_t s = 0; s < count; s += L::width) {
-    const CompiledShaft* shaft[L::width];
+    const ShaftData* shaft[L::width];
     GridShaft* grid[L::width];
     for (unsigned lane = 0; lane < L::width; ++lane) {  // the last one as often as it takes
       const std::size_t i = s + lane < count ? s + lane : count - 1;

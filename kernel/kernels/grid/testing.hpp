@@ -105,7 +105,7 @@ std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid
 
 /// A word of `count` boxes, maybe the last one, that the grid could not decide, in floats.
 template <class L>
-std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* stream, std::size_t count,
+std::uint64_t decided_word(const ShaftData& shaft, const float* const* stream, std::size_t count,
                            std::size_t word) noexcept {
   std::uint64_t kept;
   const bool whole = (word + 1) * word_bits <= count;
@@ -116,10 +116,10 @@ std::uint64_t decided_word(const CompiledShaft& shaft, const float* const* strea
 
 /// As GridKernels has it.
 template <class L>
-void decide_on_grid(const CompiledShaft* const* shaft, const float* const* stream, std::size_t count,
+void decide_on_grid(const ShaftData* const* shaft, const float* const* stream, std::size_t count,
                     const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept {
   for (std::size_t u = 0; u < words; ++u) {
-    const CompiledShaft& its_shaft = *shaft[undecided[u].shaft];
+    const ShaftData& its_shaft = *shaft[undecided[u].shaft];
     const std::size_t word = undecided[u].word;
     std::uint64_t& bits = kept[undecided[u].shaft][word];
     const std::uint64_t lanes = undecided[u].lanes & bits;

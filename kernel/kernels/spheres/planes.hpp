@@ -22,7 +22,7 @@ struct CentreStreams {
 /// Plane form: centres against faces and unit-normal planes moved out by the radius. Clears nothing that could meet the
 /// shaft; where faces nearly coincide or are purple it serves the slab form too.
 template <class L>
-void sphere_planes_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void sphere_planes_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* kept) noexcept {
   const auto margin = L::all(shaft.joining_margin);
   const CentreStreams<L> centres(stream);
@@ -64,13 +64,13 @@ class SquareDistance {
  public:
   using Vector = typename L::Vector;
 
-  explicit SquareDistance(const CompiledShaft& shaft) noexcept : shaft_(shaft) {
-    const float* a = reinterpret_cast<const float*>(&shaft.a);
-    const float* b = reinterpret_cast<const float*>(&shaft.b);
-    const bool fused = shaft.slab_form == CompiledShaft::SlabForm::fused;
+  explicit SquareDistance(const ShaftData& shaft) noexcept : shaft_(shaft) {
+    const float* const a = shaft.a;
+    const float* const b = shaft.b;
+    const bool fused = shaft.slab_form == ShaftData::SlabForm::fused;
     float t_at_a = fused ? a[0] : 0.0F;
     float t_at_b = fused ? b[0] : 1.0F;
-    if (shaft.slab_form == CompiledShaft::SlabForm::relative) {
+    if (shaft.slab_form == ShaftData::SlabForm::relative) {
       const FarWay<L> way(shaft);
       (way.from == a ? t_at_b : t_at_a) = way.length;
       (way.from == a ? t_at_a : t_at_b) = 0;
@@ -108,8 +108,8 @@ class SquareDistance {
       const Vector x = near < 3 ? L::subtract(centre[near], radius) : L::add(centre[near - 3], radius);
       const Vector scale = L::all(shaft_.slab_scale[i]);
       const Vector shift = L::all(shaft_.slab_shift[i]);
-      return shaft_.slab_form == CompiledShaft::SlabForm::fused ? L::multiply_add(x, scale, shift)
-                                                                : L::multiply(L::subtract(x, shift), scale);
+      return shaft_.slab_form == ShaftData::SlabForm::fused ? L::multiply_add(x, scale, shift)
+                                                            : L::multiply(L::subtract(x, shift), scale);
     };
     unsigned i = 0;
     for (; i < shaft_.slab_uppers; ++i) upper = L::minimum(bound(i), upper);
@@ -165,7 +165,7 @@ class SquareDistance {
     return L::minimum(L::maximum(u, L::all(0.0F)), L::all(1.0F));
   }
 
-  const CompiledShaft& shaft_;
+  const ShaftData& shaft_;
   Vector t_at_a_;
   Vector first_;
   Vector last_;
@@ -184,7 +184,7 @@ class SquareDistance {
 /// clears those that all are certainly beyond the reach of, and asks the exact predicate about the others, and about
 /// those near an added plane.
 template <class L>
-void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void sphere_settle_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* kept) noexcept {
   using Vector = typename L::Vector;
   const SquareDistance<L> square_distance(shaft);
@@ -223,7 +223,7 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
         if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
         const std::size_t at = w * word_bits + lane;
         const Vector radius = L::load(stream[3] + at);
-        const CompiledShaft::AddedPlane& plane = shaft.added[i];
+        const ShaftData::AddedPlane& plane = shaft.added[i];
         const Vector value =
             L::multiply_add(radius, L::all(-plane.length), added_value<L, Corner::near>(plane, centres.stream, at));
         const Vector margin = L::multiply_add(radius, L::all(plane.slack), L::all(plane.margin));
@@ -245,7 +245,7 @@ void sphere_settle_stage(const CompiledShaft& shaft, const float* const* stream,
 
 /// Clears the bits of spheres that are not inside.
 template <class L>
-void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream, std::size_t words,
+void sphere_inside_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                          std::uint64_t* inside) noexcept {
   using Vector = typename L::Vector;
   const CentreStreams<L> centres(stream);
@@ -279,7 +279,7 @@ void sphere_inside_stage(const CompiledShaft& shaft, const float* const* stream,
       const Vector growth = L::all(8 * float_unit * radius_margin_factor);
       test(L::add(joining, radius), L::multiply_add(radius, growth, L::all(shaft.joining_margin)));
       for (unsigned i = 0; i < shaft.added_count; ++i) {
-        const CompiledShaft::AddedPlane& plane = shaft.added[i];
+        const ShaftData::AddedPlane& plane = shaft.added[i];
         test(L::multiply_add(radius, L::all(plane.length), added_value<L, Corner::near>(plane, centres.stream, at)),
              L::multiply_add(radius, L::all(plane.slack), L::all(plane.margin)));
       }

@@ -12,11 +12,9 @@ std::size_t compress_indices(const std::uint32_t* from, std::uint64_t bits, std:
   if constexpr (L::width == 1) {
     for (; bits != 0; bits &= bits - 1) *out++ = from[L::lowest_bit(bits)];
   } else {
-    // Vectors of floats may be read and written wherever there is memory, and moving one changes no bit.
     for (unsigned i = 0; i < word_bits; i += L::width) {
       const std::uint64_t lanes = bits >> i & lanes_of<L>(0);
-      typename L::Compressor(lanes).store(reinterpret_cast<float*>(out),
-                                          L::load(reinterpret_cast<const float*>(from + i)));
+      typename L::Compressor(lanes).store(out, from + i);
       out += __builtin_popcountll(lanes);
     }
   }

@@ -40,8 +40,8 @@ void narrow_listed(const float* const* stream, const std::uint32_t* word, std::s
 
 /// As Stages::cull, for words of a list.
 template <class L, class Stages>
-void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
-                       std::size_t words, std::uint64_t* kept) noexcept {
+void cull_listed_words(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
+                       std::uint64_t* kept) noexcept {
   const ListedWords<L> position{word};
   if constexpr (Stages::streams == 6) {
     box_slab_stage<L>(shaft, stream, words, kept, position);
@@ -49,7 +49,7 @@ void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, c
     narrow_listed<L, 6>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
       box_added_stage<L>(shaft, some, n, bits);
     });
-  } else if (Stages::cull_needs_planes(shaft)) {
+  } else if (Stages::needs_planes(shaft)) {
     for (std::size_t i = 0; i < words; ++i) {
       const float* at[Stages::streams];
       const std::size_t first = position(i);
@@ -66,8 +66,8 @@ void cull_listed_words(const CompiledShaft& shaft, const float* const* stream, c
 
 /// The test of listed words, as Kernels has it.
 template <class L, class Stages>
-void test_listed_words(const CompiledShaft& shaft, const float* const* stream, const std::uint32_t* word,
-                       std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
+void test_listed_words(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
+                       std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
   cull_listed_words<L, Stages>(shaft, stream, word, words, kept);
   if (inside == nullptr) return;
   for (std::size_t i = 0; i < words; ++i) inside[i] = 0;

@@ -34,9 +34,9 @@ struct Floats {
     const __m256i sixteen = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
     return _mm512_i32gather_ps(_mm512_cvtepu16_epi32(sixteen), p, sizeof(float));
   }
-  static void load_columns(const float* const (&rows)[16], Vector (&columns)[4]) noexcept {
-    const float* low[8];
-    const float* high[8];
+  static void load_columns(const void* const (&rows)[16], Vector (&columns)[4]) noexcept {
+    const void* low[8];
+    const void* high[8];
     for (unsigned i = 0; i < 8; ++i) {
       low[i] = rows[i];
       high[i] = rows[i + 8];
@@ -82,6 +82,9 @@ struct Floats {
     }
 
     void store(float* p, Vector a) const noexcept { Floats::store(p, packed(a)); }
+    void store(std::uint32_t* p, const std::uint32_t* from) const noexcept {
+      _mm512_storeu_si512(p, _mm512_permutexvar_epi32(from_, _mm512_loadu_si512(from)));
+    }
     void store(float* p, Vector a, std::size_t count) const noexcept {
       _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1U << count) - 1), packed(a));
     }

@@ -38,9 +38,9 @@ struct Floats {
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
     return _mm_setr_ps(p[index[0]], p[index[1]], p[index[2]], p[index[3]]);
   }
-  static void load_columns(const float* const (&rows)[4], Vector (&columns)[4]) noexcept {
+  static void load_columns(const void* const (&rows)[4], Vector (&columns)[4]) noexcept {
     __m128 row[4];
-    for (unsigned i = 0; i < 4; ++i) row[i] = _mm_loadu_ps(rows[i]);
+    for (unsigned i = 0; i < 4; ++i) row[i] = _mm_loadu_ps(static_cast<const float*>(rows[i]));
     _MM_TRANSPOSE4_PS(row[0], row[1], row[2], row[3]);
     for (unsigned c = 0; c < 4; ++c) columns[c] = row[c];
   }
@@ -78,6 +78,10 @@ struct Floats {
         : from_(_mm_load_si128(reinterpret_cast<const __m128i*>(left_packing<4, 4>.part[bits]))) {}
 
     void store(float* p, Vector a) const noexcept { Floats::store(p, packed(a)); }
+    void store(std::uint32_t* p, const std::uint32_t* from) const noexcept {
+      const __m128i lanes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+      _mm_storeu_si128(reinterpret_cast<__m128i*>(p), _mm_shuffle_epi8(lanes, from_));
+    }
     void store(float* p, Vector a, std::size_t count) const noexcept {
       float lane[4];
       Floats::store(lane, packed(a));

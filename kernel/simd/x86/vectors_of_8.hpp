@@ -30,7 +30,7 @@ struct EightFloatsOf {
   static constexpr bool in_one_register = true;
 
   static Vector all(float a) noexcept { return _mm256_set1_ps(a); }
-  static Vector load(const float* from) noexcept { return _mm256_loadu_ps(from); }
+  static Vector load(const void* from) noexcept { return _mm256_loadu_ps(static_cast<const float*>(from)); }
   static Vector load_six(const float* from, float rest) noexcept {
     const __m256 four = _mm256_castps128_ps256(_mm_loadu_ps(from));
     const __m128 two = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from + 4)));
@@ -73,8 +73,8 @@ struct EightFloatsOf {
 
   static Vector with_seventh(Vector a, Vector b) noexcept { return _mm256_blend_ps(a, b, 1 << 6); }
   static Vector with_last_two(Vector a, Vector b) noexcept { return _mm256_blend_ps(a, b, 1 << 6 | 1 << 7); }
-  static Order order(const std::uint8_t* from) noexcept {
-    return _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
+  static Order order(const void* from) noexcept {
+    return _mm256_cvtepu8_epi32(_mm_loadl_epi64(static_cast<const __m128i*>(from)));
   }
   static Vector permuted(Vector a, Order order) noexcept { return _mm256_permutevar8x32_ps(a, order); }
   static Vector permuted(Vector a, const std::uint32_t (&from)[8]) noexcept {
@@ -162,10 +162,11 @@ struct FloatsOf {
     const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(index));
     return _mm256_i32gather_ps(p, _mm256_cvtepu16_epi32(eight), sizeof(float));
   }
-  static void load_columns(const float* const (&rows)[8], Vector (&columns)[4]) noexcept {
+  static void load_columns(const void* const (&rows)[8], Vector (&columns)[4]) noexcept {
     __m256 row[4];  // i, and i + 4 in the upper half
+    const auto four_at = [&](unsigned i) { return _mm_loadu_ps(static_cast<const float*>(rows[i])); };
     for (unsigned i = 0; i < 4; ++i) {
-      row[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(rows[i])), _mm_loadu_ps(rows[i + 4]), 1);
+      row[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(four_at(i)), four_at(i + 4), 1);
     }
     const __m256 first[2] = {_mm256_unpacklo_ps(row[0], row[1]), _mm256_unpacklo_ps(row[2], row[3])};
     const __m256 last[2] = {_mm256_unpackhi_ps(row[0], row[1]), _mm256_unpackhi_ps(row[2], row[3])};
@@ -200,6 +201,10 @@ struct FloatsOf {
               _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(left_packing<8, 1>.part[bits])))) {}
 
     void store(float* p, Vector a) const noexcept { FloatsOf::store(p, packed(a)); }
+    void store(std::uint32_t* p, const std::uint32_t* from) const noexcept {
+      const __m256i lanes = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm256_permutevar8x32_epi32(lanes, from_));
+    }
     void store(float* p, Vector a, std::size_t count) const noexcept {
       const __m256i mask = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(count)), numbers());
       _mm256_maskstore_ps(p, mask, packed(a));

@@ -1,0 +1,21 @@
+#include "compiled/answers.hpp"
+
+#include <string>
+
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::kernel {
+
+void refuse_shaft(const ShaftData& shaft, bool outside, bool inside, std::size_t position) {
+  const std::string which = "shaft " + std::to_string(position);
+  if (!shaft.is_formed()) {
+    throw InvalidArgument(which + " was never formed: a default CompiledShaft answers nothing; assign it what " +
+                          "compile() returns, or pass it to compile_batch()");
+  }
+  const char* missing = "spheres";
+  if (inside && !shaft.answers_inside) missing = "inside";
+  if (outside && !shaft.answers_outside) missing = "outside";
+  throw InvalidArgument(which + " was formed without " + missing + " (see ShaftOptions) and is asked for it");
+}
+
+}  // namespace shaftcull::kernel

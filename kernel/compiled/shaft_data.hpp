@@ -1,0 +1,142 @@
+/// What a CompiledShaft holds, as kernels read it: coefficients and corner selectors, in the order in which they are
+/// read.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+#include <type_traits>
+
+#include "shaftcull/compiled.hpp"
+
+namespace shaftcull::kernel {
+
+/// The data of a CompiledShaft. Arrays are plain so that kernels touch no inline function of the standard library.
+///
+/// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
+/// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single
+/// coordinate of the bound. In the fused form t is the position of the leading face, the lo x face of box(t), from
+/// a[0] to b[0], so that its own constraint is t ≤ x; in the difference form it runs from 0 to 1. In the relative
+/// form it runs from 0, at whichever of the two boxes is nearer to the origin, to the largest slope of a face. What is
+/// computed is off relatively to the distance from that box, however far away the other one is.
+///
+/// *Plane form.* v = n0·x + n1·y + minus_offset at the corner that the selectors name; v > 0 is beyond the plane.
+/// The near corner has the smallest v (outside iff v > 0 there), the far corner the largest (inside iff v ≤ 0).
+/// A selector is the number of a stream of BoxView.
+///
+/// A computed value within its margin of 0 is undecided, and the kernel asks the exact predicates, which
+/// start again from the boxes a and b.
+///
+/// Faces of a box come in the order of a BoxView's streams.
+struct alignas(64) ShaftData {
+  /// How the slab constraints are evaluated.
+  enum class SlabForm : std::uint8_t {
+    fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the leading face
+    difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where shifts are too large
+    relative,    ///< likewise, but slab_margin is relative to the bounds on t. For boxes much farther apart than one is
+                 ///< from the origin
+    exact,  ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
+  };
+
+  // First cache line: the slab constraints, bounds on t from above first.
+  float slab_scale[6];        ///< slope of t over the slope of the face; ±∞ for a purple face
+  float slab_margin;          ///< bound on the error of (largest lower − smallest upper); +∞ if none holds
+  float reach;                ///< largest magnitude of a coordinate of a or b
+  float slab_shift[6];        ///< see SlabForm
+  std::uint8_t slab_near[6];  ///< stream that the constraint reads
+  std::uint8_t slab_uppers;   ///< how many of the six bound t from above
+  SlabForm slab_form;
+
+  // Second cache line: what the shaft is.
+  float a[6];                  ///< faces of box a
+  float b[6];                  ///< faces of box b
+  std::uint8_t joining_count;  ///< planes_pending until completed
+  std::uint8_t added_count;
+  bool answers_outside;
+  bool answers_inside;
+  bool answers_spheres;
+
+  /// A plane that was added. Two of them fill a cache line.
+  struct alignas(32) AddedPlane {
+    float normal[3];
+    float minus_offset;
+    float margin;
+    float length;          ///< of the normal, for spheres
+    float slack;           ///< growth of the margin with a sphere's radius
+    std::uint8_t near[4];  ///< stream of the near corner on each axis, and a byte that says nothing
+  };
+  AddedPlane added[max_added_planes];
+
+  // The shaft box and joining planes; not written while they are pending.
+  float face[6];         ///< of the shaft box
+  float joining_margin;  ///< for all joining planes
+  float joining_normal0[max_joining_planes];
+  float joining_normal1[max_joining_planes];
+  float joining_minus_offset[max_joining_planes];
+  std::uint8_t joining_near0[max_joining_planes];
+  std::uint8_t joining_near1[max_joining_planes];
+  std::uint8_t joining_far0[max_joining_planes];
+  std::uint8_t joining_far1[max_joining_planes];
+
+  /// Value of joining_count in a shaft whose planes nobody has asked for yet, from compile_batch() or two boxes.
+  static constexpr std::uint8_t planes_pending = 0xff;
+
+  // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
+  [[nodiscard, gnu::always_inline]] bool has_planes() const noexcept { return joining_count != planes_pending; }
+  [[nodiscard, gnu::always_inline]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
+};
+
+/// Parts of a shaft that are read and written at once: rows of eight floats, each six of a member and what follows it,
+/// and the eight bytes of selectors. Their values are where they begin.
+enum class ShaftRow : std::size_t {
+  scale = offsetof(ShaftData, slab_scale),  ///< and slab_margin and reach
+  shift = offsetof(ShaftData, slab_shift),  ///< and the selectors
+  selectors = offsetof(ShaftData, slab_near),
+  a = offsetof(ShaftData, a),  ///< and the first two faces of b, so it is written before the row of b
+  b = offsetof(ShaftData, b),  ///< and the counts and answers
+};
+
+/// The bytes of a row.
+[[nodiscard, gnu::always_inline]] inline const void* row_of(const ShaftData& shaft, ShaftRow row) noexcept {
+  return static_cast<const std::byte*>(static_cast<const void*>(&shaft)) + static_cast<std::size_t>(row);
+}
+[[nodiscard, gnu::always_inline]] inline void* row_of(ShaftData& shaft, ShaftRow row) noexcept {
+  return static_cast<std::byte*>(static_cast<void*>(&shaft)) + static_cast<std::size_t>(row);
+}
+
+static_assert(offsetof(ShaftData, slab_margin) == offsetof(ShaftData, slab_scale) + 6 * sizeof(float));
+static_assert(offsetof(ShaftData, reach) == offsetof(ShaftData, slab_scale) + 7 * sizeof(float));
+static_assert(offsetof(ShaftData, slab_near) == offsetof(ShaftData, slab_shift) + 6 * sizeof(float));
+static_assert(offsetof(ShaftData, slab_form) == offsetof(ShaftData, slab_near) + 7);
+static_assert(offsetof(ShaftData, b) == offsetof(ShaftData, a) + 6 * sizeof(float));
+static_assert(offsetof(ShaftData, joining_count) == offsetof(ShaftData, b) + 6 * sizeof(float));
+static_assert(offsetof(ShaftData, added) >= offsetof(ShaftData, b) + 8 * sizeof(float));
+
+// The storage of a CompiledShaft is an array of std::byte, in which a ShaftData lives from the beginning: such arrays
+// create implicitly what their bytes are used as, and copies of the bytes copy it.
+static_assert(sizeof(ShaftData) == sizeof(CompiledShaft) && alignof(ShaftData) == alignof(CompiledShaft));
+static_assert(std::is_aggregate_v<ShaftData> && std::is_trivially_destructible_v<ShaftData>, "implicit lifetime");
+static_assert(std::is_trivially_copyable_v<ShaftData> && std::is_trivially_copyable_v<CompiledShaft>);
+static_assert(std::is_trivially_default_constructible_v<ShaftData>, "kernels have some on the stack");
+static_assert(std::is_standard_layout_v<CompiledShaft>, "its address is that of its storage");
+static_assert(offsetof(ShaftData, joining_count) == 112 && offsetof(ShaftData, answers_spheres) < 112 + 8,
+              "what the constructor of CompiledShaft writes");
+
+/// The data of a shaft: the one place where a CompiledShaft is looked into.
+[[nodiscard, gnu::always_inline]] inline const ShaftData& data_of(const CompiledShaft& shaft) noexcept {
+  return *std::launder(reinterpret_cast<const ShaftData*>(&shaft));
+}
+[[nodiscard, gnu::always_inline]] inline ShaftData& data_of(CompiledShaft& shaft) noexcept {
+  return *std::launder(reinterpret_cast<ShaftData*>(&shaft));
+}
+
+/// Likewise of shafts side by side, whose data are side by side. A span that is empty or null gives one that is null.
+[[nodiscard]] inline std::span<const ShaftData> data_of(std::span<const CompiledShaft> shafts) noexcept {
+  return {shafts.empty() || shafts.data() == nullptr ? nullptr : &data_of(*shafts.data()), shafts.size()};
+}
+[[nodiscard]] inline std::span<ShaftData> data_of(std::span<CompiledShaft> shafts) noexcept {
+  return {shafts.empty() || shafts.data() == nullptr ? nullptr : &data_of(*shafts.data()), shafts.size()};
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,75 @@
+/// What a CompiledShaft tells of itself.
+#include "shaftcull/compiled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "shaftcull/cull.hpp"
+
+namespace shaftcull {
+namespace {
+
+static_assert(sizeof(CompiledShaft) == 832 && alignof(CompiledShaft) == 64);
+static_assert(std::is_trivially_copyable_v<CompiledShaft> && std::is_standard_layout_v<CompiledShaft>);
+static_assert(std::is_nothrow_default_constructible_v<CompiledShaft>);
+static_assert(!std::is_aggregate_v<CompiledShaft>, "nobody writes its bytes by their places");
+
+constexpr Box lamp{{-0.0F, 1, 2}, {3, 4, 5}};
+constexpr Box table{{-7, 1, -9}, {0x1p-149F, 11, 12}};
+
+bool same_bits(const Box& one, const Box& other) { return std::memcmp(&one, &other, sizeof(Box)) == 0; }
+
+TEST(CompiledShaft, GivesTheBoxesItIsBetweenToTheBit) {
+  std::array<CompiledShaft, 1> batch;
+  const BoxStream from(std::vector<Box>{lamp});
+  const BoxStream to(std::vector<Box>{table});
+  compile_batch(from.view(), to.view(), batch);
+  for (const CompiledShaft& shaft : {compile(Shaft(lamp, table)), compile(lamp, table), batch[0]}) {
+    EXPECT_TRUE(shaft.formed());
+    EXPECT_TRUE(same_bits(shaft.a(), lamp));
+    EXPECT_TRUE(same_bits(shaft.b(), table));
+  }
+}
+
+TEST(CompiledShaft, HasPlanesFromAShaftAtOnceAndOtherwiseFromComplete) {
+  EXPECT_TRUE(compile(Shaft(lamp, table)).has_planes());
+  CompiledShaft shaft = compile(lamp, table);
+  EXPECT_FALSE(shaft.has_planes());
+  static_cast<void>(classify(shaft, lamp));
+  EXPECT_FALSE(shaft.has_planes()) << "a query changed the shaft";
+  const CompiledShaft before = shaft;
+  complete(shaft);
+  EXPECT_TRUE(shaft.has_planes());
+  EXPECT_FALSE(before.has_planes()) << "copies share nothing";
+}
+
+TEST(CompiledShaft, IsFormedForWhateverItAnswers) {
+  EXPECT_TRUE(compile(Shaft(lamp, table, {.inside = false})).formed());
+  EXPECT_TRUE(compile(Shaft(lamp, table, {.outside = false})).formed());
+}
+
+TEST(CompiledShaft, ThatWasNeverFormedHasEmptyBoxesAndNoPlanes) {
+  CompiledShaft shaft;
+  complete(shaft);  // does nothing
+  EXPECT_FALSE(shaft.formed());
+  EXPECT_FALSE(shaft.has_planes());
+  for (const Box& box : {shaft.a(), shaft.b()}) {
+    for (std::size_t k = 0; k != 3; ++k) {
+      EXPECT_EQ(box.lo[k], std::numeric_limits<float>::infinity());
+      EXPECT_EQ(box.hi[k], -std::numeric_limits<float>::infinity());
+    }
+  }
+  shaft = compile(lamp, table);
+  EXPECT_TRUE(shaft.formed());
+  shaft = CompiledShaft();
+  EXPECT_FALSE(shaft.formed());
+}
+
+}  // namespace
+}  // namespace shaftcull
