@@ -1,5 +1,5 @@
-/// choice/…: flat scans and trees over scenes of several sizes, with shafts that find next to nothing to all; and what
-/// it takes when bounds move. The README's answer to "flat or tree?" is of these.
+/// flat_against_tree/…: flat scans and trees over scenes of several sizes, with shafts that find next to nothing to
+/// all; and what it takes when bounds move. The README's answer to "flat or tree?" is of these.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -52,7 +52,7 @@ struct View : BoxView {
 void declare_finds(Suite& suite, std::size_t count) {
   const auto scene = std::make_shared<TreeScene>(count);
   for (const SweptSetting& setting : finds) {
-    const std::string name = fmt::format("choice/{}/{}/", count, setting.name);
+    const std::string name = fmt::format("flat_against_tree/{}/{}/", count, setting.name);
     const auto swept = std::make_shared<const SweptBoxes>(shafts_at_once, setting);
     suite.add(name + "flat", "", [=](benchmark::State& state) { list(state, View{scene->stream().view()}, *swept); },
               {.brief = true});
@@ -65,7 +65,7 @@ void declare_updates(Suite& suite, std::size_t count) {
   const auto scene = std::make_shared<TreeScene>(count);
   // prepare() returns what is timed, which tells of `bounds` bounds.
   const auto add = [&](const char* what, std::size_t bounds, const auto& prepare) {
-    suite.add(fmt::format("choice/{}/update/{}", count, what), "",
+    suite.add(fmt::format("flat_against_tree/{}/update/{}", count, what), "",
               [=](benchmark::State& state) {
                 select_isa(available_isas().back());
                 auto update = prepare();

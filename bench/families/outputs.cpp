@@ -1,5 +1,5 @@
-/// sinks/…: counts and index lists of many shafts × many boxes, on one thread. test/boxes/cull/slab/… is the same work
-/// with bits as its result.
+/// outputs/…: counts and index lists of many shafts × many boxes, on one thread. test/boxes/cull/slab/… is the same
+/// work with bits as its result.
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -31,7 +31,7 @@ void declare_outputs(Suite& suite, const Workload& workload) {
   for (const Isa isa : available_isas()) {
     if (isa != Isa::avx2 && isa != Isa::avx512) continue;
     const std::string set(name(isa));
-    suite.add("sinks/counts/" + set, "paper/boxes_cull", [=](benchmark::State& state) {
+    suite.add("outputs/counts/" + set, "paper/boxes_cull", [=](benchmark::State& state) {
       select_isa(isa);
       for (auto _ : state) {
         count_many(outputs->shafts, boxes, outputs->counts);
@@ -39,7 +39,7 @@ void declare_outputs(Suite& suite, const Workload& workload) {
       }
       state.SetItemsProcessed(state.iterations() * items);
     });
-    suite.add("sinks/lists/" + set, "paper/boxes_cull", [=](benchmark::State& state) {
+    suite.add("outputs/lists/" + set, "paper/boxes_cull", [=](benchmark::State& state) {
       select_isa(isa);
       for (auto _ : state) {
         list_many(outputs->shafts, boxes, outputs->lists);
@@ -48,7 +48,7 @@ void declare_outputs(Suite& suite, const Workload& workload) {
       state.SetItemsProcessed(state.iterations() * items);
     });
     for (const char* output : {"counts/", "lists/"}) {
-      suite.add_target("sinks/" + (output + set), "test/boxes/cull/slab/" + set, 0.85);
+      suite.add_target("outputs/" + (output + set), "test/boxes/cull/slab/" + set, 0.85);
     }
   }
 }

@@ -1,9 +1,9 @@
-/// limit/…: what this machine can do at most, and which of it limits each main path.
+/// roofline/…: what this machine can do at most, and which of it limits each main path.
 ///
-/// limit/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. So does limit/grid_arithmetic,
-/// with five multiplications of 16-bit integers and six minima or maxima. limit/read_… counts bytes, read as six
-/// streams that together fill half of a cache, or twice the largest one. limit/divide counts divisions,
-/// limit/write_shafts shafts.
+/// roofline/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. So does
+/// roofline/grid_arithmetic, with five multiplications of 16-bit integers and six minima or maxima. roofline/read_…
+/// counts bytes, read as six streams that together fill half of a cache, or twice the largest one. roofline/divide
+/// counts divisions, roofline/write_shafts shafts.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -48,11 +48,11 @@ const RooflineKernels* roofline_kernels(Isa isa) noexcept {
 
 namespace {
 
-/// Multiply-adds, minima and maxima that a box in slab form cannot do without, and that limit/slab_arithmetic does for
-/// each: one face's position is t itself.
+/// Multiply-adds, minima and maxima that a box in slab form cannot do without, and that roofline/slab_arithmetic does
+/// for each: one face's position is t itself.
 constexpr double slab_operations = 11;
 
-/// Likewise of limit/grid_arithmetic, on vectors of twice as many lanes.
+/// Likewise of roofline/grid_arithmetic, on vectors of twice as many lanes.
 constexpr double grid_operations = 11;
 constexpr double box_bytes = 24;
 constexpr double sphere_bytes = 16;
@@ -92,16 +92,16 @@ void declare_arithmetic(Suite& suite, const RooflineKernels& kernels, const std:
       state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(width * vectors));
     });
   };
-  add("limit/slab_arithmetic/", "paper/boxes_cull", kernels.slab_arithmetic);
-  add("limit/grid_arithmetic/", "paper/boxes_cull", kernels.grid_arithmetic);
-  add("limit/divide/", "", kernels.divide);
+  add("roofline/slab_arithmetic/", "paper/boxes_cull", kernels.slab_arithmetic);
+  add("roofline/grid_arithmetic/", "paper/boxes_cull", kernels.grid_arithmetic);
+  add("roofline/divide/", "", kernels.divide);
 }
 
 void declare_reading(Suite& suite, const RooflineKernels& kernels, const std::string& set,
                      const std::vector<Level>& levels) {
   for (const Level& level : levels) {
     const std::size_t boxes = std::max<std::size_t>(level.bytes / static_cast<std::size_t>(box_bytes) / 64, 1) * 64;
-    suite.add(fmt::format("limit/read_{}_bytes/{}", level.name, set), "",
+    suite.add(fmt::format("roofline/read_{}_bytes/{}", level.name, set), "",
               [=, &kernels, stream = level.stream](benchmark::State& state) {
                 if (stream->size() == 0) *stream = BoxStream(boxes);
                 for (auto _ : state) benchmark::DoNotOptimize(kernels.read(stream->view().stream.data(), boxes));
@@ -111,7 +111,7 @@ void declare_reading(Suite& suite, const RooflineKernels& kernels, const std::st
 }
 
 void declare_writing(Suite& suite, const RooflineKernels& kernels, const std::string& set) {
-  suite.add("limit/write_shafts/" + set, "", [&kernels](benchmark::State& state) {
+  suite.add("roofline/write_shafts/" + set, "", [&kernels](benchmark::State& state) {
     std::vector<CompiledShaft> shafts(1024);  // as form/batch
     for (auto _ : state) {
       kernels.write_shafts(shafts.data(), shafts.size());
@@ -162,26 +162,27 @@ struct Shares {
 };
 
 /// Limits of the main paths: multiplications, multiply-adds, minima, maxima and comparisons that their methods cannot
-/// do without, at the rate of limit/slab_arithmetic or limit/grid_arithmetic, and bytes. Additions are left out: some
-/// processors have ports of their own for them.
+/// do without, at the rate of roofline/slab_arithmetic or roofline/grid_arithmetic, and bytes. Additions are left out:
+/// some processors have ports of their own for them.
 void declare_paths(Suite& suite, const Shares& shares, const std::string& set) {
   constexpr double shafts = Workload::test_shafts;
   const auto path = [&](const std::string& name, const std::string& arithmetic, double units, const std::string& what,
                         double bytes, double from_memory = box_bytes) {
     suite.limit(name + set, arithmetic + set, units, what);
-    suite.limit(name + set, "limit/read_l1_bytes/" + set, bytes, fmt::format("{:.0f} bytes from the L1 cache", bytes));
+    suite.limit(name + set, "roofline/read_l1_bytes/" + set, bytes,
+                fmt::format("{:.0f} bytes from the L1 cache", bytes));
     suite.limit(name + set, "memory/read/" + set, from_memory / box_bytes / shafts,
                 fmt::format("{:.2f} bytes from memory, shared by {:.0f} shafts", from_memory / shafts, shafts));
   };
   // A float operation takes as long as one on twice as many 16-bit integers.
   const auto grid_path = [&](const std::string& name, double floats, const std::string& what, double from_memory) {
-    path(name, "limit/grid_arithmetic/", (grid_operations + 2 * floats) / grid_operations,
+    path(name, "roofline/grid_arithmetic/", (grid_operations + 2 * floats) / grid_operations,
          fmt::format("{:.1f} operations, half of those on 16-bit integers counted: {}", grid_operations / 2 + floats,
                      what),
          box_bytes / 2, from_memory);
   };
   const double planes = 6 + 3 * shares.planes_there;
-  path("test/boxes/cull/planes/", "limit/slab_arithmetic/", planes / slab_operations,
+  path("test/boxes/cull/planes/", "roofline/slab_arithmetic/", planes / slab_operations,
        fmt::format("{:.1f} operations: 6 comparisons, and 3 a plane for the {:.0f} % that meet the shaft box", planes,
                    100 * shares.in_shaft_box),
        box_bytes);
@@ -210,10 +211,10 @@ void declare_roofline(Suite& suite, const Workload& workload) {
     declare_paths(suite, shares, set);
     if (isa != Isa::avx2) continue;
     declare_writing(suite, *kernels, set);
-    suite.limit("form/batch", "limit/divide/" + set, 6.0, "6 divisions a shaft");
-    suite.limit("form/batch", "limit/write_shafts/" + set, 1.0, "writing 2 cache lines a shaft");
+    suite.limit("form/batch", "roofline/divide/" + set, 6.0, "6 divisions a shaft");
+    suite.limit("form/batch", "roofline/write_shafts/" + set, 1.0, "writing 2 cache lines a shaft");
   }
-  suite.note("limit/read_…_bytes counts bytes, limit/divide single divisions");
+  suite.note("roofline/read_…_bytes counts bytes, roofline/divide single divisions");
 }
 
 }  // namespace shaftcull::bench

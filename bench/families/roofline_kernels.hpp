@@ -1,4 +1,4 @@
-/// Small kernels that do one thing as fast as this machine can: what the tests are measured against in limit/… and
+/// Small kernels that do one thing as fast as this machine can: what the tests are measured against in roofline/… and
 /// memory/….
 #pragma once
 

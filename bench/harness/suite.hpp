@@ -90,7 +90,7 @@ void declare_paper(Suite& suite, const Workload& workload);
 void declare_form(Suite& suite, const Workload& workload);
 /// test/…: many shafts × many bounds
 void declare_many(Suite& suite, const Workload& workload);
-/// sinks/…: counts and index lists instead of bits
+/// outputs/…: counts and index lists instead of bits
 void declare_outputs(Suite& suite, const Workload& workload);
 /// memory/…: one shaft × all bounds, and reading them
 void declare_memory(Suite& suite, const Workload& workload);
@@ -98,7 +98,7 @@ void declare_memory(Suite& suite, const Workload& workload);
 void declare_small(Suite& suite, const Workload& workload);
 /// sweep/…: by bounds, by shafts, by threads
 void declare_sweep(Suite& suite, const Workload& workload);
-/// limit/…: what this machine can do at most
+/// roofline/…: what this machine can do at most
 void declare_roofline(Suite& suite, const Workload& workload);
 /// exact/…: what exact answers cost
 void declare_exact(Suite& suite, const Workload& workload);
@@ -110,7 +110,7 @@ void declare_tree(Suite& suite, const Workload& workload);
 void declare_short_sweeps(Suite& suite, const Workload& workload);
 /// frame/…: moving bounds, updated and asked
 void declare_frame(Suite& suite, const Workload& workload);
-/// choice/…: flat scans and trees, by size and by what is found
+/// flat_against_tree/…: flat scans and trees, by size and by what is found
 void declare_flat_against_tree(Suite& suite, const Workload& workload);
 
 }  // namespace shaftcull::bench

@@ -49,11 +49,11 @@ Split split(const std::string& name) {
 }
 
 void print_list(const Suite& suite, const Results& results) {
-  fmt::print("\n{:<34}{:>12}{:>12}{:>12}\n", "", "per second", "ns each", "vs paper");
+  fmt::print("\n{:<42}{:>12}{:>12}{:>12}\n", "", "per second", "ns each", "vs paper");
   for (const Entry& entry : suite.entries()) {
     const std::optional<double> speed = results.per_second(entry.name);
     if (!speed || !split(entry.name).isa.empty()) continue;
-    fmt::print("{:<34}{}{}{}\n", entry.name, cell(speed_text(*speed), 12),
+    fmt::print("{:<42}{}{}{}\n", entry.name, cell(speed_text(*speed), 12),
                cell(fmt::format("{:.2f}", 1e9 / *speed), 12),
                cell(ratio_text(results.ratio(entry.name, entry.paper)), 12));
   }
@@ -68,11 +68,11 @@ void print_by_instruction_set(const Suite& suite, const Results& results) {
     if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
   }
   if (rows.empty()) return;
-  fmt::print("\n{:<34}", "per second, vs paper");
+  fmt::print("\n{:<42}", "per second, vs paper");
   for (const char* isa : instruction_sets) fmt::print("{:>19}", isa);
   fmt::print("\n");
   for (const std::string& row : rows) {
-    fmt::print("{:<34}", row);
+    fmt::print("{:<42}", row);
     for (const char* isa : instruction_sets) {
       std::string text = "–";
       for (const Entry& entry : suite.entries()) {
@@ -94,14 +94,14 @@ std::string figure_text(const Target& target, double figure) {
 
 void print_targets(const Suite& suite, const Results& results) {
   if (suite.targets().empty()) return;
-  fmt::print("\n{:<34}{:>12}{:>12}\n", "to be reached", "measured", "target");
+  fmt::print("\n{:<42}{:>12}{:>12}\n", "to be reached", "measured", "target");
   for (const Target& target : suite.targets()) {
     const std::optional<double> figure = measured_figure(target, results);
     const char* const verdict = !figure ? "not measured" : is_met(target, *figure) ? "met" : "MISSED";
     const std::string meaning = target.kind == Target::Kind::speed_ratio  ? "× " + target.against
                                 : target.kind == Target::Kind::time_ratio ? "at most, × the time of " + target.against
                                                                           : "at most";
-    fmt::print("{:<34}{}{}   {} ({})\n", target.measured, cell(figure ? figure_text(target, *figure) : "–", 12),
+    fmt::print("{:<42}{}{}   {} ({})\n", target.measured, cell(figure ? figure_text(target, *figure) : "–", 12),
                cell(figure_text(target, target.figure), 12), verdict, meaning);
   }
 }
@@ -109,10 +109,10 @@ void print_targets(const Suite& suite, const Results& results) {
 void print_limits(const Suite& suite, const Results& results) {
   const std::vector<PathLimits> paths = limits_of_paths(suite, results);
   if (paths.empty()) return;
-  fmt::print("\n{:<34}{:>12}{:>12}{:>10}   {}\n", "limits", "per second", "allowed", "share", "limited by");
+  fmt::print("\n{:<42}{:>12}{:>12}{:>10}   {}\n", "limits", "per second", "allowed", "share", "limited by");
   for (const PathLimits& path : paths) {
     const Ceiling& least = path.ceilings.front();
-    fmt::print("{:<34}{}{}{}   {} ({})\n", path.path, cell(speed_text(path.per_second), 12),
+    fmt::print("{:<42}{}{}{}   {} ({})\n", path.path, cell(speed_text(path.per_second), 12),
                cell(speed_text(least.per_second), 12), cell(fmt::format("{:.2f}", path.fraction()), 10), least.limit.by,
                least.limit.what);
   }

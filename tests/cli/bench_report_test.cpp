@@ -219,11 +219,11 @@ TEST_F(BenchReportPage, HasNoLabelOverAnother) {
     }
   }
   for (const auto& [isa, speed] : isas) {
-    results["limit/slab_arithmetic/" + isa] = {{"per_s", speed * 1e9}, {"vs_paper", nullptr}};
-    results["limit/grid_arithmetic/" + isa] = {{"per_s", speed * 1.1e9}, {"vs_paper", nullptr}};
+    results["roofline/slab_arithmetic/" + isa] = {{"per_s", speed * 1e9}, {"vs_paper", nullptr}};
+    results["roofline/grid_arithmetic/" + isa] = {{"per_s", speed * 1.1e9}, {"vs_paper", nullptr}};
     for (const auto& [level, bandwidth] :
          std::vector<std::pair<std::string, double>>{{"l1", 230e9}, {"l2", 200e9}, {"l3", 60e9}, {"dram", 30e9}}) {
-      results["limit/read_" + level + "_bytes/" + isa] = {{"per_s", bandwidth}, {"vs_paper", nullptr}};
+      results["roofline/read_" + level + "_bytes/" + isa] = {{"per_s", bandwidth}, {"vs_paper", nullptr}};
     }
   }
   const std::string page = page_of(summary.dump());

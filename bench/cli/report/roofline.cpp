@@ -20,8 +20,8 @@ struct Slope {
   const char* benchmark;
   const char* label;
 };
-constexpr std::array slopes{Slope{"limit/read_l1_bytes/", "L1"}, Slope{"limit/read_l2_bytes/", "L2"},
-                            Slope{"limit/read_l3_bytes/", "L3"}, Slope{"limit/read_dram_bytes/", "memory"}};
+constexpr std::array slopes{Slope{"roofline/read_l1_bytes/", "L1"}, Slope{"roofline/read_l2_bytes/", "L2"},
+                            Slope{"roofline/read_l3_bytes/", "L3"}, Slope{"roofline/read_dram_bytes/", "memory"}};
 
 constexpr Frame frame{.width = 1152, .height = 440, .left = 0.045, .right = 0.84, .bottom = 0.12, .top = 0.90};
 
@@ -85,9 +85,9 @@ struct Roof {
 std::vector<Roof> roofs_of(const BenchSummary& summary) {
   std::vector<Roof> roofs;
   for (const Look& look : looks) {
-    if (const auto rate = summary.speed(std::string("limit/slab_arithmetic/") + look.isa))
+    if (const auto rate = summary.speed(std::string("roofline/slab_arithmetic/") + look.isa))
       roofs.push_back({&look, "floats", *rate});
-    if (const auto rate = summary.speed(std::string("limit/grid_arithmetic/") + look.isa))
+    if (const auto rate = summary.speed(std::string("roofline/grid_arithmetic/") + look.isa))
       roofs.push_back({&look, "16 bits", *rate});
   }
   return roofs;
