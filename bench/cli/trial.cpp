@@ -48,7 +48,7 @@ constexpr std::uint64_t bit(std::size_t i) noexcept { return std::uint64_t{1} <<
 
 }  // namespace
 
-Tally& Tally::operator+=(const Tally& other) noexcept {
+TrialCounts& TrialCounts::operator+=(const TrialCounts& other) noexcept {
   bounds += other.bounds;
   outside += other.outside;
   inside += other.inside;
@@ -86,7 +86,7 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
 
   const oracle::QuickHull quick(input_);
   std::optional<oracle::Hull> exact;
-  const auto settle = [&](std::size_t i, const auto& bound) {
+  const auto answer_by_oracle = [&](std::size_t i, const auto& bound) {
     const std::optional<Answer> proved = quick.answer(bound);
     Answer right{};
     if (proved && !random.one_in(second_opinion)) {
@@ -94,8 +94,8 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
     } else {
       if (!exact) exact.emplace(input_.a, input_.b, input_.added);
       right = exact->answer(bound);
-      ++tally_.by_rationals;
-      if (!proved && right != Answer::outside && exact->touches(bound)) ++tally_.touching;
+      ++counts_.by_rationals;
+      if (!proved && right != Answer::outside && exact->touches(bound)) ++counts_.touching;
       if (proved && *proved != right)
         fail(i, fmt::format("oracles disagree: rationals {}, intervals {}", text(right), text(*proved)));
     }
@@ -107,19 +107,19 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
       const Sphere sphere = family.sphere(random, input_, quick);
       for (std::size_t k = 0; k != 3; ++k) memory_[start_[k] + i] = sphere.centre[k];
       memory_[start_[3] + i] = sphere.radius;
-      settle(i, sphere);
+      answer_by_oracle(i, sphere);
     } else {
       const Box box = family.box(random, input_);
       for (std::size_t k = 0; k != 3; ++k) {
         memory_[start_[k] + i] = box.lo[k];
         memory_[start_[k + 3] + i] = box.hi[k];
       }
-      settle(i, box);
+      answer_by_oracle(i, box);
     }
   }
-  tally_.bounds = count_;
-  tally_.outside = count_ - population(kept_);
-  tally_.inside = population(inside_);
+  counts_.bounds = count_;
+  counts_.outside = count_ - population(kept_);
+  counts_.inside = population(inside_);
   if (spheres_) {
     count_undecided(sphere_view());
   } else {
@@ -148,7 +148,7 @@ void Trial::count_undecided(const View& view) {
   std::vector<std::uint64_t> inside(kept_.size());
   for (const Form form : {Form::slab, Form::planes}) {
     undecided(shaft_, view, form, asked, kept, inside);
-    (form == Form::slab ? tally_.undecided_slab : tally_.undecided_planes) = population(asked);
+    (form == Form::slab ? counts_.undecided_slab : counts_.undecided_planes) = population(asked);
   }
 }
 
@@ -184,7 +184,7 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
     compare(inside, inside_, question("classify, inside"));
   }
   const auto doublings = static_cast<unsigned>(mixed(number_) >> 32U) % 12;
-  // Few in a word are settled in another way than many.
+  // Few undecided bounds in a word take another path than many.
   const bool in_a_row = (mixed(number_) >> 48U & 1U) == 0;
   const GridAnswers on_grid = grid_answers(shaft, view, doublings, in_a_row ? 1 : bounds_on_grid / view.count);
   const auto question = [&](const char* bits) {
@@ -224,7 +224,7 @@ void Trial::ask(std::span<Trial> trials) {
 }
 
 void Trial::fail(std::size_t bound, const std::string& what) {
-  if ((wrong_[bound / 64] & bit(bound)) == 0) ++tally_.wrong;
+  if ((wrong_[bound / 64] & bit(bound)) == 0) ++counts_.wrong;
   wrong_[bound / 64] |= bit(bound);
   failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, families[family_].name,
                                   bound, count_, what, source_text(input_), bound_text(bound)));

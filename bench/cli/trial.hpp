@@ -14,7 +14,7 @@
 namespace shaftcull::cli {
 
 /// What is counted of bounds; sums of trials are sums of their members.
-struct Tally {
+struct TrialCounts {
   std::uint64_t bounds = 0;
   std::uint64_t outside = 0;
   std::uint64_t inside = 0;
@@ -24,7 +24,7 @@ struct Tally {
   std::uint64_t by_rationals = 0;      ///< right answers that come from rational arithmetic
   std::uint64_t wrong = 0;             ///< bounds with a wrong answer on any instruction set, in any form
 
-  Tally& operator+=(const Tally& other) noexcept;
+  TrialCounts& operator+=(const TrialCounts& other) noexcept;
 };
 
 /// A shaft and bounds of one family, in memory as awkward as a view allows. The same for the same seed and number.
@@ -37,7 +37,7 @@ class Trial {
   [[nodiscard]] static std::size_t natural_size(std::uint64_t number) noexcept;
 
   [[nodiscard]] std::size_t family() const noexcept { return family_; }
-  [[nodiscard]] const Tally& tally() const noexcept { return tally_; }
+  [[nodiscard]] const TrialCounts& counts() const noexcept { return counts_; }
   [[nodiscard]] bool has_spheres() const noexcept { return spheres_; }
   /// A description for every wrong bound, with all that is needed to see it again.
   [[nodiscard]] const std::vector<std::string>& failures() const noexcept { return failures_; }
@@ -69,7 +69,7 @@ class Trial {
   std::vector<std::uint64_t> kept_;
   std::vector<std::uint64_t> inside_;
   std::vector<std::uint64_t> wrong_;
-  Tally tally_;
+  TrialCounts counts_;
   std::vector<std::string> failures_;
 };
 

@@ -84,22 +84,22 @@ class Verification {
   void print_summary() const {
     Table table(
         {"family", "cases", "outside", "inside", "undecided, slab", "undecided, planes", "on the boundary", "wrong"});
-    Tally sum;
-    const auto add_row = [&](const std::string& what, const Tally& tally) {
+    TrialCounts sum;
+    const auto add_row = [&](const std::string& what, const TrialCounts& counts) {
       const auto share = [&](std::uint64_t part) {
-        return tally.bounds == 0
+        return counts.bounds == 0
                    ? "-"
-                   : fmt::format("{:.3f} %", 100.0 * static_cast<double>(part) / static_cast<double>(tally.bounds));
+                   : fmt::format("{:.3f} %", 100.0 * static_cast<double>(part) / static_cast<double>(counts.bounds));
       };
-      table.add_row({what, grouped(tally.bounds), share(tally.outside), share(tally.inside),
-                     share(tally.undecided_slab), share(tally.undecided_planes), share(tally.touching),
-                     grouped(tally.wrong)});
+      table.add_row({what, grouped(counts.bounds), share(counts.outside), share(counts.inside),
+                     share(counts.undecided_slab), share(counts.undecided_planes), share(counts.touching),
+                     grouped(counts.wrong)});
     };
     for (std::size_t family = 0; family != std::size(families); ++family) {
       for (const bool spheres : {false, true}) {
-        const Tally& tally = tallies_[spheres][family];
-        add_row(fmt::format("{}: {}", spheres ? "spheres" : "boxes", families[family].name), tally);
-        sum += tally;
+        const TrialCounts& counts = counts_[spheres][family];
+        add_row(fmt::format("{}: {}", spheres ? "spheres" : "boxes", families[family].name), counts);
+        sum += counts;
       }
     }
     add_row("all", sum);
@@ -158,7 +158,7 @@ class Verification {
     const bool complete = interrupt_.signal() == 0;
     for (const std::vector<Trial>& chunk : chunks) {
       for (const Trial& trial : chunk) {
-        if (complete) tallies_[trial.has_spheres()][trial.family()] += trial.tally();
+        if (complete) counts_[trial.has_spheres()][trial.family()] += trial.counts();
         take_failures(trial);
       }
     }
@@ -171,7 +171,7 @@ class Verification {
       if (++reported_ <= most_reproducers) progress_.milestone("WRONG: " + failure);
       if (reported_ == most_reproducers) progress_.milestone("Further reproducers are left out.");
     }
-    wrong_ += trial.tally().wrong;
+    wrong_ += trial.counts().wrong;
   }
 
   void show_progress() {
@@ -188,7 +188,7 @@ class Verification {
 
   const VerifyOptions& options_;
   std::vector<Isa> isas_;
-  Tally tallies_[2][std::size(families)];  ///< of boxes, then of spheres
+  TrialCounts counts_[2][std::size(families)];  ///< of boxes, then of spheres
   std::size_t batch_trials_ = first_batch_trials;
   std::uint64_t next_ = 0;
   std::uint64_t compared_ = 0;  ///< cases in all complete batches

@@ -64,7 +64,7 @@ class Frame {
     run(
         state,
         [&](std::size_t time) {
-          for_pieces(bounds_, std::size_t{1} << 14, [&](std::size_t first, std::size_t size) {
+          for_chunks(bounds_, std::size_t{1} << 14, [&](std::size_t first, std::size_t size) {
             stream.update(first, std::span<const Box>(boxes[time]).subspan(first, size));
           });
         },

@@ -19,7 +19,7 @@ namespace shaftcull::bench {
 namespace {
 
 /// Boxes that a thread reads at a stretch when several do: what the library makes one task of for a single shaft.
-constexpr std::size_t piece = std::size_t{1} << 18;
+constexpr std::size_t chunk = std::size_t{1} << 18;
 
 /// Declares the pair …/read and …/cull on `threads` threads.
 void declare_pair(Suite& suite, const Workload& workload, const RooflineKernels& kernels, Isa isa, unsigned threads,
@@ -34,7 +34,7 @@ void declare_pair(Suite& suite, const Workload& workload, const RooflineKernels&
           if (threads == 1) {
             benchmark::DoNotOptimize(kernels.read(boxes.stream.data(), boxes.count));
           } else {
-            for_pieces(boxes.count, piece, [&](std::size_t first, std::size_t size) {
+            for_chunks(boxes.count, chunk, [&](std::size_t first, std::size_t size) {
               benchmark::DoNotOptimize(kernels.read(boxes.slice(first, size).stream.data(), size));
             });
           }

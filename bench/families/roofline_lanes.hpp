@@ -54,7 +54,7 @@ float grid_arithmetic(std::size_t vectors) noexcept {
       asm volatile("" : "+v"(scale.data), "+v"(coordinate.data));
       const unsigned e = i % chains;
       const auto bound =
-          e == 0 ? coordinate : S::multiply(scale, coordinate);  // that of the leading face is its coordinate
+          e == 0 ? coordinate : S::multiply(scale, coordinate);  // that of the reference face is its coordinate
       extreme[e] = e % 2 == 0 ? S::minimum(bound, extreme[e]) : S::maximum(bound, extreme[e]);
     }
   }

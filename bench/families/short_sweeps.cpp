@@ -51,7 +51,7 @@ Vec3 somewhere(Random& random, float half) {
 }
 
 /// A point of the ball of radius `longest` around the origin.
-Vec3 way(Random& random) {
+Vec3 random_travel(Random& random) {
   for (;;) {
     const Vec3 by = somewhere(random, longest);
     if (by[0] * by[0] + by[1] * by[1] + by[2] * by[2] <= longest * longest) return by;
@@ -70,7 +70,7 @@ struct Scene {
     for (std::size_t i = 0; i < boxes; ++i) bounds.push_back(cube(somewhere(random, half_world)));
     for (std::size_t s = 0; s < sweeps; ++s) {
       const Vec3 start = somewhere(random, half_world);
-      const Vec3 by = way(random);
+      const Vec3 by = random_travel(random);
       from.push_back(cube(start));
       to.push_back(cube({start[0] + by[0], start[1] + by[1], start[2] + by[2]}));
     }

@@ -26,10 +26,10 @@ namespace {
 
 constexpr std::size_t word_boxes = 64;
 constexpr std::size_t sizes[] = {1, 8, 16, 32, 63, word_boxes, 65};
-constexpr std::size_t most_boxes = 65;  // their pieces overlap by one
+constexpr std::size_t most_boxes = 65;  // their slices overlap by one
 /// Pieces of the boxes that calls take in turn, with each shaft: too many calls for a branch predictor to learn by
 /// heart, few enough boxes for an L1 cache.
-constexpr std::size_t pieces = 16;
+constexpr std::size_t slices = 16;
 
 /// Time at most so many times that of a full word: fewer than a word, and one more than a word.
 constexpr double most_of_fewer = 1.3;
@@ -46,32 +46,32 @@ void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
   std::uint64_t kept[words_for(most_boxes)] = {};
   for (auto _ : state) {
     for (const CompiledShaft& shaft : small.shafts) {
-      for (std::size_t p = 0; p < pieces; ++p) {
+      for (std::size_t p = 0; p < slices; ++p) {
         cull(shaft, small.boxes.slice(p * word_boxes, count), std::span(kept).first(words_for(count)));
         benchmark::DoNotOptimize(kept);
       }
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * pieces));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * slices));
 }
 
-/// Asks every shaft about the first box of every piece, one box a call.
+/// Asks every shaft about the first box of every slice, one box a call.
 template <class Ask>
 void run_one_box(benchmark::State& state, const Small& small, const Ask& ask) {
   std::vector<Box> boxes;
-  for (std::size_t p = 0; p < pieces; ++p) boxes.push_back(small.boxes[p * word_boxes]);
+  for (std::size_t p = 0; p < slices; ++p) boxes.push_back(small.boxes[p * word_boxes]);
   for (auto _ : state) {
     for (const CompiledShaft& shaft : small.shafts) {
       for (const Box& box : boxes) benchmark::DoNotOptimize(ask(shaft, box));
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * pieces));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(small.shafts.size() * slices));
 }
 
 void run_list_many(benchmark::State& state, Small& small, std::size_t count) {
   std::size_t next = 0;
   for (auto _ : state) {
-    list_many(small.shafts, small.boxes.slice(next++ % pieces * word_boxes, count), small.lists);
+    list_many(small.shafts, small.boxes.slice(next++ % slices * word_boxes, count), small.lists);
     benchmark::DoNotOptimize(small.lists.indices.data());
   }
   state.SetItemsProcessed(state.iterations());
@@ -80,7 +80,7 @@ void run_list_many(benchmark::State& state, Small& small, std::size_t count) {
 void run_refine_many(benchmark::State& state, Small& small, std::size_t count) {
   std::size_t next = 0;
   for (auto _ : state) {
-    const std::size_t first = next++ % pieces * word_boxes;
+    const std::size_t first = next++ % slices * word_boxes;
     refine_many(small.shafts, small.boxes, std::span<const std::uint32_t>(small.candidates).subspan(first, count),
                 small.lists);
     benchmark::DoNotOptimize(small.lists.indices.data());
@@ -111,7 +111,7 @@ void declare_small(Suite& suite, const Workload& workload) {
   for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
     small->shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
   }
-  small->boxes = workload.boxes.view().slice(0, pieces * word_boxes + most_boxes - word_boxes);
+  small->boxes = workload.boxes.view().slice(0, slices * word_boxes + most_boxes - word_boxes);
   small->candidates.resize(small->boxes.count);
   std::iota(small->candidates.begin(), small->candidates.end(), 0U);
 

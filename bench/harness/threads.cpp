@@ -21,7 +21,7 @@ void run_on(unsigned threads, const std::function<void()>& work) {
   arena.execute(work);
 }
 
-void for_pieces(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
+void for_chunks(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
   tbb::parallel_for(std::size_t{0}, (count + size - 1) / size,
                     [&](std::size_t i) { work(i * size, std::min(size, count - i * size)); });
 }
@@ -32,7 +32,7 @@ unsigned all_threads() noexcept { return 1; }
 
 void run_on(unsigned /*threads*/, const std::function<void()>& work) { work(); }
 
-void for_pieces(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
+void for_chunks(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
   for (std::size_t first = 0; first < count; first += size) work(first, std::min(size, count - first));
 }
 

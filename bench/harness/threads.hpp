@@ -16,7 +16,7 @@ namespace shaftcull::bench {
 /// Calls work(), whose parallel calls run on `threads` threads, the calling one among them.
 void run_on(unsigned threads, const std::function<void()>& work);
 
-/// Calls work(first, size) for all of `count` in pieces of `size`, the last one smaller, on the threads of run_on().
-void for_pieces(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work);
+/// Calls work(first, size) for all of `count` in chunks of `size`, the last one smaller, on the threads of run_on().
+void for_chunks(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work);
 
 }  // namespace shaftcull::bench

@@ -19,13 +19,13 @@ void cull_words(const kernel::ShaftData& shaft, const float* const* stream, std:
     std::uint64_t outside = 0;
 #pragma GCC unroll 2
     for (unsigned four = 0; four < kernel::word_bits; four += 4 * L::width) {
-      L::Vector room[4];
+      L::Vector length[4];
 #pragma GCC unroll 4
       for (unsigned v = 0; v < 4; ++v) {
         const std::size_t at = w * kernel::word_bits + four + v * L::width;
-        room[v] = slab.room([&](unsigned i) { return L::load(x[i] + at); });
+        length[v] = slab.interval_length([&](unsigned i) { return L::load(x[i] + at); });
       }
-      outside |= L::signs(room) << four;
+      outside |= L::signs(length) << four;
     }
     kept[w] = ~outside;
   }

@@ -16,9 +16,9 @@ std::size_t sweep(const UniformGrid& grid, const Box& from, const Box& to, std::
   using Vector = typename V::Vector;
   int low[3];
   int high[3];
-  Vector inverse[3];  // of the way
+  Vector inverse[3];  // of the travel
   Vector minus_start[3];
-  Vector reach[3];
+  Vector half_length[3];
   for (unsigned k = 0; k < 3; ++k) {
     const float start = 0.5F * (from.lo[k] + from.hi[k]);
     const float end = 0.5F * (to.lo[k] + to.hi[k]);
@@ -28,11 +28,11 @@ std::size_t sweep(const UniformGrid& grid, const Box& from, const Box& to, std::
     };
     low[k] = cell_of(std::min(start, end) - size);
     high[k] = cell_of(std::max(start, end) + size);
-    const float way = end - start;
-    const float inverse_way = std::fabs(way) > 1e-20F ? 1 / way : 1e20F;
-    inverse[k] = V::all(inverse_way);
-    minus_start[k] = V::all(-start * inverse_way);
-    reach[k] = V::all(size * std::fabs(inverse_way));
+    const float travel = end - start;
+    const float inverse_travel = std::fabs(travel) > 1e-20F ? 1 / travel : 1e20F;
+    inverse[k] = V::all(inverse_travel);
+    minus_start[k] = V::all(-start * inverse_travel);
+    half_length[k] = V::all(size * std::fabs(inverse_travel));
   }
 
   const std::uint32_t* out = found;
@@ -46,8 +46,8 @@ std::size_t sweep(const UniformGrid& grid, const Box& from, const Box& to, std::
         Vector leave = V::all(1.0F);
         for (unsigned k = 0; k < 3; ++k) {
           const Vector middle = V::multiply_add(V::load(grid.centre[k].data() + i), inverse[k], minus_start[k]);
-          enter = V::maximum(enter, V::subtract(middle, reach[k]));
-          leave = V::minimum(leave, V::add(middle, reach[k]));
+          enter = V::maximum(enter, V::subtract(middle, half_length[k]));
+          leave = V::minimum(leave, V::add(middle, half_length[k]));
         }
         const unsigned left = end - i;
         const unsigned wanted = left < V::width ? (1U << left) - 1 : (1U << V::width) - 1;

@@ -49,9 +49,9 @@ struct SweptBoxes {
     for (std::size_t i = 0; i != count; ++i) {
       start[i] = random.box(0.05F, 0.05F);
       for (std::size_t k = 0; k != 3; ++k) {
-        const float way = random.uniform(-1.0F, 1.0F) * length;
-        end[i].lo[k] = start[i].lo[k] + way;
-        end[i].hi[k] = start[i].hi[k] + way;
+        const float travel = random.uniform(-1.0F, 1.0F) * length;
+        end[i].lo[k] = start[i].lo[k] + travel;
+        end[i].hi[k] = start[i].hi[k] + travel;
       }
     }
     from = BoxStream(std::span<const Box>(start));

@@ -33,12 +33,12 @@ void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes
     out.face[f] = shaft_face(out, f);
     largest = std::max(largest, std::fabs(out.face[f]));
   }
-  double reach[face_count];  // where it matters, coordinates are within the shaft box, or deeper inside the plane than
-                             // it is wide
+  double coordinate_bound[face_count];  // largest magnitude of the coordinates that matter: those in the shaft box or
+                                        // at most its width away from it
   for (Face f = 0; f < 3; ++f) {
     const double lo = out.face[f];
     const double hi = out.face[f + 3];
-    reach[f] = reach[f + 3] = std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
+    coordinate_bound[f] = coordinate_bound[f + 3] = std::max(std::fabs(lo), std::fabs(hi)) + (hi - lo);
   }
   for (std::size_t i = 0; i < max_joining_planes; ++i) {
     const auto [red, blue] = edges.edge[i];
@@ -56,7 +56,8 @@ void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes
     const auto [red, blue] = edges.edge[i];
     const float red_normal = std::fabs(planes.red_normal[i]);
     const float blue_normal = std::fabs(planes.blue_normal[i]);
-    margin = std::max(margin, red_normal * reach[red] + blue_normal * reach[blue] + std::fabs(planes.offset[i]));
+    margin = std::max(margin, red_normal * coordinate_bound[red] + blue_normal * coordinate_bound[blue] +
+                                  std::fabs(planes.offset[i]));
     regular = regular & (std::min(red_normal, blue_normal) >= smallest_normal);
   }
   out.joining_count = edges.count;

@@ -16,7 +16,7 @@ namespace shaftcull::kernel {
 ///
 /// *Slab form.* The shaft is the union of boxes box(t) on the way from a to b. A bound meets it iff some t satisfies
 /// six constraints lo_k(t) ≤ hi_k and hi_k(t) ≥ lo_k, each a bound on t from above or below that depends on a single
-/// coordinate of the bound. In the fused form t is the position of the leading face, the lo x face of box(t), from
+/// coordinate of the bound. In the fused form t is the position of the reference face, the lo x face of box(t), from
 /// a[0] to b[0], so that its own constraint is t ≤ x; in the difference form it runs from 0 to 1. In the relative
 /// form it runs from 0, at whichever of the two boxes is nearer to the origin, to the largest slope of a face. What is
 /// computed is off relatively to the distance from that box, however far away the other one is.
@@ -32,7 +32,7 @@ namespace shaftcull::kernel {
 struct alignas(64) ShaftData {
   /// How the slab constraints are evaluated.
   enum class SlabForm : std::uint8_t {
-    fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the leading face
+    fused,       ///< t = x · scale + shift, and t = x for the first constraint, that of the reference face
     difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where shifts are too large
     relative,    ///< likewise, but slab_margin is relative to the bounds on t. For boxes much farther apart than one is
                  ///< from the origin
@@ -42,7 +42,7 @@ struct alignas(64) ShaftData {
   // First cache line: the slab constraints, bounds on t from above first.
   float slab_scale[6];        ///< slope of t over the slope of the face; ±∞ for a purple face
   float slab_margin;          ///< bound on the error of (largest lower − smallest upper); +∞ if none holds
-  float reach;                ///< largest magnitude of a coordinate of a or b
+  float largest_coordinate;   ///< largest magnitude of a coordinate of a or b
   float slab_shift[6];        ///< see SlabForm
   std::uint8_t slab_near[6];  ///< stream that the constraint reads
   std::uint8_t slab_uppers;   ///< how many of the six bound t from above
@@ -90,7 +90,7 @@ struct alignas(64) ShaftData {
 /// Parts of a shaft that are read and written at once: rows of eight floats, each six of a member and what follows it,
 /// and the eight bytes of selectors. Their values are where they begin.
 enum class ShaftRow : std::size_t {
-  scale = offsetof(ShaftData, slab_scale),  ///< and slab_margin and reach
+  scale = offsetof(ShaftData, slab_scale),  ///< and slab_margin and largest_coordinate
   shift = offsetof(ShaftData, slab_shift),  ///< and the selectors
   selectors = offsetof(ShaftData, slab_near),
   a = offsetof(ShaftData, a),  ///< and the first two faces of b, so it is written before the row of b
@@ -106,7 +106,7 @@ enum class ShaftRow : std::size_t {
 }
 
 static_assert(offsetof(ShaftData, slab_margin) == offsetof(ShaftData, slab_scale) + 6 * sizeof(float));
-static_assert(offsetof(ShaftData, reach) == offsetof(ShaftData, slab_scale) + 7 * sizeof(float));
+static_assert(offsetof(ShaftData, largest_coordinate) == offsetof(ShaftData, slab_scale) + 7 * sizeof(float));
 static_assert(offsetof(ShaftData, slab_near) == offsetof(ShaftData, slab_shift) + 6 * sizeof(float));
 static_assert(offsetof(ShaftData, slab_form) == offsetof(ShaftData, slab_near) + 7);
 static_assert(offsetof(ShaftData, b) == offsetof(ShaftData, a) + 6 * sizeof(float));

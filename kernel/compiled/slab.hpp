@@ -11,7 +11,7 @@
 
 namespace shaftcull::kernel {
 
-/// What a compiled shaft says of the order of its constraints: those that bound t from above come first.
+/// The order of a compiled shaft's constraints: those that bound t from above come first.
 struct SlabOrder {
   std::uint32_t face[8];  ///< the last two stay where they are: what follows the faces in a row
   struct {
@@ -24,8 +24,9 @@ struct SlabOrder {
 /// The stream that holds the corner of a bound nearest to face f of a shaft: the opposite face of the bound.
 inline constexpr std::uint8_t near_stream[6] = {3, 4, 5, 0, 1, 2};
 
-/// By the set of faces whose scale is negative (bit f for face f). A lo face bounds t from above if it moves as the
-/// leading face does, a hi face if it moves against it; so the leading face itself is always the first.
+/// By the set of faces whose scale is negative (bit f for face f). A lo face bounds t from above if it moves in the
+/// direction of the reference face, a hi face if it moves in the other. So the reference face itself is always the
+/// first.
 inline constexpr auto slab_orders = [] {
   struct {
     SlabOrder by_negative[64];
@@ -49,8 +50,9 @@ inline constexpr auto slab_orders = [] {
   return orders;
 }();
 
-/// What compile_batch() says of every shaft, as the two floats that follow box b in a row of its columns.
-struct BatchMark {
+/// Counts and flags of every shaft that compile_batch() makes, as the two floats that follow box b in a row of its
+/// columns.
+struct BatchFlags {
   std::uint8_t joining_count = ShaftData::planes_pending;
   std::uint8_t added_count = 0;
   bool answers[3] = {true, true, true};
@@ -59,10 +61,10 @@ struct BatchMark {
 struct TwoFloats {
   float of[2];
 };
-inline constexpr TwoFloats batch_mark = __builtin_bit_cast(TwoFloats, BatchMark{});
+inline constexpr TwoFloats batch_flags = __builtin_bit_cast(TwoFloats, BatchFlags{});
 
 static_assert(offsetof(ShaftData, answers_outside) ==
-              offsetof(ShaftData, joining_count) + offsetof(BatchMark, answers));
+              offsetof(ShaftData, joining_count) + offsetof(BatchFlags, answers));
 
 /// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
 inline constexpr float float_unit = 0x1p-24F;
@@ -74,23 +76,23 @@ inline constexpr float regular_limit = 0x1p125F;
 /// Likewise for the fused form, where two slopes are divided by each other.
 inline constexpr float fused_regular_limit = 0x1p60F;
 
-/// The fused form is used while no position of the leading face and no shift is larger than this many times the way
-/// that the leading face goes: above it the margin leaves too many lanes undecided, and the difference form, a third
-/// slower, is the better bargain.
+/// The fused form is used while no position of the reference face and no shift is larger than this many times the
+/// travel of the reference face. Above that its margin leaves so many lanes undecided that the difference form is
+/// faster, though it takes a third more time.
 inline constexpr float fused_limit = 4096.0F;
 
 inline constexpr float margin_slack = 1.0F + 0x1p-10F;  // terms of second order, and the margin's own rounding
 inline constexpr float fused_margin_per_position =
-    20 * float_unit * margin_slack;  // of the leading face, and of shifts
-inline constexpr float fused_margin_per_way = 12 * float_unit * margin_slack;
+    20 * float_unit * margin_slack;  // of the reference face, and of shifts
+inline constexpr float fused_margin_per_travel = 12 * float_unit * margin_slack;
 inline constexpr float difference_margin = 16 * float_unit * margin_slack;
 inline constexpr float relative_margin = 12 * float_unit;  // 1 ± this is a float
 inline constexpr float relative_denormals = 0x1p-124F;     // far above what underflow may take away
 
 /// The relative form is used where the farther box has a coordinate above the first, and the nearer one no coordinate
-/// above that times the second: a sweep through a scene and far beyond it. Margins of other forms grow with how far it
-/// goes.
-inline constexpr float largest_plain_reach = 0x1p20F;
+/// above that times the second: a sweep through a scene and far beyond it. Margins of the other forms grow with the
+/// distance between the boxes.
+inline constexpr float largest_plain_coordinate = 0x1p20F;
 inline constexpr float far_apart = 0x1p-14F;
 
 }  // namespace shaftcull::kernel

@@ -67,8 +67,8 @@ struct Minimum {
 };
 
 /// Decides for certain from where f seems to be least, if what matters is computed without rounding, or nearly so.
-/// `still` says that no gap of `least.positive` changes on the way from a to b.
-Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool still,
+/// `constant` says that the gaps of `least.positive` are the same for every t.
+Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool constant,
                 const float (&sphere)[4]) noexcept;
 
 /// Whether the minimum of f is larger than r², decided by expansions alone.

@@ -84,11 +84,12 @@ Verdict certify_between(const Gaps& gaps, unsigned positive, double radius) noex
   return Verdict::meets;
 }
 
-/// Decides for certain if the gaps of `positive` stay as they are on the way from a to b.
+/// Decides for certain if the gaps of `positive` are the same for every t.
 ///
 /// Then their sum of squares is the minimum of f if all others are not positive at some t: if the box whose extent is
 /// that of the centre, but infinite on the axes of `positive`, is not outside.
-Verdict certify_still(const ShaftData& shaft, const Gaps& gaps, unsigned positive, const float (&sphere)[4]) noexcept {
+Verdict certify_constant(const ShaftData& shaft, const Gaps& gaps, unsigned positive,
+                         const float (&sphere)[4]) noexcept {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   float rest[6] = {sphere[0], sphere[1], sphere[2], sphere[0], sphere[1], sphere[2]};
   Measured excess(-static_cast<double>(sphere[3]) * sphere[3]);
@@ -105,10 +106,11 @@ Verdict certify_still(const ShaftData& shaft, const Gaps& gaps, unsigned positiv
 
 }  // namespace
 
-Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool still,
+Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool constant,
                 const float (&sphere)[4]) noexcept {
   if (least.t == 0 || least.t == 1) return certify_at_end(gaps, least.t == 1, sphere[3]);
-  return still ? certify_still(shaft, gaps, least.positive, sphere) : certify_between(gaps, least.positive, sphere[3]);
+  return constant ? certify_constant(shaft, gaps, least.positive, sphere)
+                  : certify_between(gaps, least.positive, sphere[3]);
 }
 
 }  // namespace shaftcull::kernel

@@ -16,8 +16,8 @@ class SlabPredicate {
  public:
   explicit SlabPredicate(const ShaftData& shaft) noexcept;
 
-  /// Whether the box with the corners of `bound` (order of a BoxView's streams) is outside the shaft; added planes
-  /// are not asked.
+  /// Whether the box with the corners of `bound` (order of a BoxView's streams) is outside the shaft; added planes are
+  /// left out.
   [[nodiscard]] bool outside(const float (&bound)[6]) const noexcept;
 
  private:

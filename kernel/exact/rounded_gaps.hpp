@@ -22,7 +22,7 @@ inline double larger(double x, double y) noexcept { return x < y ? y : x; }
 class RoundedGaps {
  public:
   explicit RoundedGaps(const Gaps& gaps) noexcept {
-    double reach = 0;  // largest magnitude that a rounding error of a gap can be relative to
+    double largest_term = 0;  // largest magnitude that a rounding error of a gap can be relative to
     slopes_ = 0;
     for (unsigned g = 0; g < gaps.count; ++g) {
       const double start = gaps.gap[g].start();
@@ -30,17 +30,18 @@ class RoundedGaps {
       start_[g / 2][g % 2] = start;
       slope_[g / 2][g % 2] = slope;
       slopes_ += std::fabs(slope);
-      reach = larger(reach, std::fabs(start) + std::fabs(slope));
+      largest_term = larger(largest_term, std::fabs(start) + std::fabs(slope));
     }
-    // A gap is off by at most 4 units of reach: its start and slope by one each, product and sum by one each.
-    gap_error_ = 4 * unit * reach;
+    // A gap is off by at most 4 units of the largest term: its start and slope by one each, product and sum by one
+    // each.
+    gap_error_ = 4 * unit * largest_term;
   }
 
-  /// Whether none of the gaps in `some` (gap g as bit g) changes on the way from a to b.
-  [[nodiscard]] bool are_still(unsigned some) const noexcept {
-    bool still = true;
-    for (unsigned g = 0; g < 6; ++g) still = still && ((some >> g & 1U) == 0 || slope_[g / 2][g % 2] == 0);
-    return still;
+  /// Whether all gaps in `some` (gap g as bit g) are the same for every t.
+  [[nodiscard]] bool are_constant(unsigned some) const noexcept {
+    bool constant = true;
+    for (unsigned g = 0; g < 6; ++g) constant = constant && ((some >> g & 1U) == 0 || slope_[g / 2][g % 2] == 0);
+    return constant;
   }
 
   /// Decides in double arithmetic, with a bound on its own error, or tells where f seems to be least.

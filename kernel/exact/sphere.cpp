@@ -12,7 +12,7 @@ namespace shaftcull::kernel {
 namespace {
 
 /// A joining plane as seen from a point on its inner side: value() is the distance times the length of the normal.
-struct FromWithin {
+struct JoiningPlaneFromInside {
   const Edge& edge;
   double x;
   double y;
@@ -24,7 +24,7 @@ struct FromWithin {
 };
 
 /// Likewise added plane `i`, as seen from a point on its outer side (sign 1) or its inner side (sign −1).
-struct FromAdded {
+struct AddedPlaneFromPoint {
   const ShaftData& shaft;
   unsigned i;
   const double (&point)[3];
@@ -75,7 +75,8 @@ bool outside_hull(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   const RoundedGaps rounded(gaps);
   Minimum least{};
   Verdict verdict = rounded.decide(radius, least);
-  if (verdict == Verdict::undecided) verdict = certify(shaft, gaps, least, rounded.are_still(least.positive), sphere);
+  if (verdict == Verdict::undecided)
+    verdict = certify(shaft, gaps, least, rounded.are_constant(least.positive), sphere);
   return verdict == Verdict::undecided ? exactly_outside(gaps, radius) : verdict == Verdict::outside;
 }
 
@@ -97,7 +98,7 @@ bool sphere_outside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   for (unsigned i = 0; i < shaft.added_count; ++i) {
     bool bounded = true;
     for (unsigned k = 0; k < 3; ++k) bounded = bounded && (shaft.added[i].normal[k] == 0 || std::isfinite(centre[k]));
-    if (bounded && beyond(FromAdded{shaft, i, centre, 1}, radius, false)) return true;
+    if (bounded && beyond(AddedPlaneFromPoint{shaft, i, centre, 1}, radius, false)) return true;
   }
   return false;
 }
@@ -117,12 +118,12 @@ bool sphere_inside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
       const unsigned blue = faces.blue[b];
       if (red % 3 == blue % 3) continue;
       const Edge edge(shaft.a, shaft.b, red, blue);
-      if (!beyond(FromWithin{edge, sphere[red % 3], sphere[blue % 3]}, radius, true)) return false;
+      if (!beyond(JoiningPlaneFromInside{edge, sphere[red % 3], sphere[blue % 3]}, radius, true)) return false;
     }
   }
   const double centre[3] = {sphere[0], sphere[1], sphere[2]};
   for (unsigned i = 0; i < shaft.added_count; ++i) {
-    if (!beyond(FromAdded{shaft, i, centre, -1}, radius, true)) return false;
+    if (!beyond(AddedPlaneFromPoint{shaft, i, centre, -1}, radius, true)) return false;
   }
   return true;
 }

@@ -14,15 +14,15 @@ namespace {
 
 template <class View>
 void find_any(std::span<const kernel::ShaftData> shafts, const View& bounds, std::span<std::uint64_t> any, Form form) {
-  kernel::require_askable(shafts, bounds, kernel::Bits::kept, form);
+  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_shaft_bits("any", any, shafts.size());
   std::fill(any.begin(), any.end(), 0);
   kernel::Test* const test = kernel::active_kernels().test(bounds, form);
-  const kernel::Cut cut = kernel::Cut::free(bounds.count, shafts.size());
+  const kernel::Tiling tiling = kernel::Tiling::unordered(bounds.count, shafts.size());
   static_assert(kernel::group_shafts == std::numeric_limits<std::uint64_t>::digits, "a group's bits are one word");
-  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::IndexRange block = cut.block(b);
-    const kernel::IndexRange group = cut.group(g);
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
     const std::uint64_t all = ~std::uint64_t{0} >> (kernel::group_shafts - group.size);
     const std::atomic_ref<std::uint64_t> found(any[g]);
     for (std::size_t first = block.first; first != block.end();) {

@@ -1,4 +1,4 @@
-/// A checked request: shafts, bounds and the kernel that tests them.
+/// A batch job: many shafts × many bounds, checked, and tested block by block.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ enum class Bits : std::uint8_t { kept, kept_and_inside, inside };
 
 /// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
 template <class View>
-void require_askable(std::span<const ShaftData> shafts, const View& bounds, Bits bits, Form form) {
+void require_valid_query(std::span<const ShaftData> shafts, const View& bounds, Bits bits, Form form) {
   require_memory("shafts", shafts, "shafts");
   require_form(form);
   require_view(bounds);
@@ -52,12 +52,12 @@ void require_askable(std::span<const ShaftData> shafts, const View& bounds, Bits
 }
 
 template <class View>
-class Job {
+class BatchJob {
  public:
-  /// Throws InvalidArgument as require_askable(). Inside bits alone are for Form::planes, which has no grid.
-  Job(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
+  /// Throws InvalidArgument as require_valid_query(). Inside bits alone are for Form::planes, which has no grid.
+  BatchJob(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
       : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), form_(form) {
-    require_askable(shafts_, bounds, bits, form);
+    require_valid_query(shafts_, bounds, bits, form);
     if (shafts_.size() <= group_shafts) form_on_grid(only_group_, shafts_, bounds.count);
   }
 
@@ -77,14 +77,14 @@ class Job {
     const std::size_t tile_size = even_tile(block.size, in_one_tile      ? most_tile_bounds
                                                         : in_large_tiles ? tile_bounds
                                                                          : float_tile_bounds);
-    TaskRoom<CacheLine, 64> room(on_grid.exists() ? words_for(tile_size) * lines_a_word : 0);
+    TaskScratch<CacheLine, 64> scratch(on_grid.exists() ? words_for(tile_size) * lines_a_word : 0);
     for (std::size_t first = block.first; first < block.end(); first += tile_size) {
       const View tile = bounds_.slice(first, std::min(tile_size, block.end() - first));
       const Rows tile_kept = kept.from((first - block.first) / 64);
       const Rows tile_inside = inside.from((first - block.first) / 64);
-      // What all shafts share is made once for all.
+      // Integers on the grid, and boxes around spheres, are made once for all shafts.
       if (on_grid.exists()) {
-        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside, room.get());
+        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside, scratch.get());
       } else {
         test_tile_in_floats(tile, first, group, tile_kept, tile_inside);
       }
@@ -95,7 +95,8 @@ class Job {
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
   static_assert(most_tile_bounds <= most_block_words * word_bits);
 
-  /// Shafts that pay for making boxes around spheres: in vectors more than without, where there is no grid either.
+  /// From how many shafts on it pays to make boxes around spheres: from 2 on for sets without a grid, whose vectors are
+  /// narrow or none, else from 5 on.
   [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }
 
   void form_on_grid(GroupOnGrid& group, std::span<const ShaftData> shafts, std::size_t bounds) const noexcept {
@@ -121,20 +122,21 @@ class Job {
     }
   }
 
-  // Apart from each other, so that the memory of one is not on the stack of the other.
+  // Not inlined, so that the memory of one is not on the stack of the other.
   [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, IndexRange group, Rows kept,
                                          Rows inside) const noexcept {
     alignas(64) float box[6][float_tile_bounds];
-    kernels_.box_spheres(tile.stream.data(), tile.count, rows_in(box).data());
+    kernels_.boxes_around_spheres(tile.stream.data(), tile.count, rows_in(box).data());
     const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
                                      box[1],         box[2],         box[3],         box[4],         box[5]};
     test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
   }
 
   [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first,
-                                           IndexRange group, Rows kept, Rows inside, CacheLine* room) const noexcept {
+                                           IndexRange group, Rows kept, Rows inside,
+                                           CacheLine* scratch) const noexcept {
     const std::size_t row = words_for(tile.count) * 64;
-    auto* const snapped = reinterpret_cast<std::int16_t*>(room);
+    auto* const snapped = reinterpret_cast<std::int16_t*>(scratch);
     auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
     std::int16_t* const grid[6] = {snapped,           snapped + row,     snapped + 2 * row,
                                    snapped + 3 * row, snapped + 4 * row, snapped + 5 * row};
@@ -149,11 +151,11 @@ class Job {
     }
   }
 
-  /// So many shafts look at the tile on the grid, one after the other, before what that leaves is done in floats: so
-  /// the two do not drive each other out of the L1 cache with every shaft.
+  /// So many shafts are tested on the grid, one after the other, before what that leaves undecided is tested in floats.
+  /// With every shaft in turn, integers and floats would drive each other out of the L1 cache.
   static constexpr std::size_t batch_shafts = 16;
 
-  /// What a task needs to test a tile on a grid, too much of it for the stack: for each word of bounds their numbers on
+  /// Scratch memory of a task that tests tiles on a grid, in cache lines for each word of bounds: their coordinates on
   /// the grid, and all words that a batch of shafts may leave undecided.
   static constexpr std::size_t lines_a_word =
       (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
@@ -166,7 +168,7 @@ class Job {
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
     const std::size_t words = words_for(tile.count);
-    std::uint32_t looked = 0;
+    std::uint32_t tested = 0;
     std::size_t listed = 0;
     for (std::size_t s = batch.first; s != batch.end(); ++s) {
       prefetch_share_of_next(first + tile.count, tile.count, s, group.size);
@@ -176,20 +178,21 @@ class Job {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
         continue;
       }
-      shaft[looked] = &its_shaft;
-      kept_row[looked] = kept.at(s);
-      inside_row[looked] = inside.at(s);
-      listed += kernels_.grid.look(on_grid.shaft[s], grid, words, kept.at(s), looked, undecided + listed);
-      ++looked;
+      shaft[tested] = &its_shaft;
+      kept_row[tested] = kept.at(s);
+      inside_row[tested] = inside.at(s);
+      listed += kernels_.grid.test(on_grid.shaft[s], grid, words, kept.at(s), tested, undecided + listed);
+      ++tested;
     }
-    if (!is_sphere) kernels_.grid.decide(shaft, tile.stream.data(), tile.count, undecided, listed, kept_row);
-    for (std::size_t i = 0; i != looked; ++i) {
+    if (!is_sphere) kernels_.grid.resolve(shaft, tile.stream.data(), tile.count, undecided, listed, kept_row);
+    for (std::size_t i = 0; i != tested; ++i) {
       if (!is_sphere && shaft[i]->added_count == 0 && inside_row[i] == nullptr) continue;
-      kernels_.grid.settle(tile)(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
+      kernels_.grid.finish(tile)(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
     }
   }
 
-  /// Fetches what a later shaft will write: rows far apart, often by a power of two, are not long in any cache.
+  /// Prefetches the rows that a later shaft will write. Rows are far apart, often by a power of two, so that caches
+  /// soon evict them.
   [[gnu::always_inline]] static void prefetch_rows(const std::uint64_t* kept, const std::uint64_t* inside,
                                                    std::size_t words) noexcept {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
@@ -208,7 +211,7 @@ class Job {
     for (std::size_t i = 0; i < tile.count; i += some) {
       const View part = tile.slice(i, std::min(some, tile.count - i));
       std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
-      kernels_.box_spheres(part.stream.data(), part.count, boxes.data());
+      kernels_.boxes_around_spheres(part.stream.data(), part.count, boxes.data());
       kernels_.grid.snap_boxes(frame, boxes.data(), words_for(part.count) * 64, out);
     }
   }
@@ -219,22 +222,23 @@ class Job {
     return bounds_.count > (std::size_t{1} << 21) / bytes_a_bound;
   }
 
-  /// Fetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into
+  /// Prefetches the share `i` of `shares` of the next tile, which begins at `next` and has at most `count` bounds, into
   /// the second-level cache, while the tile before it is tested: otherwise the first shaft of each group waits for
-  /// memory. Four shafts or fewer read a tile about as fast as it comes, and the processor's own fetching does better;
-  /// for less than eight it does so, too, where a view may be in a cache. Inlined, as prefetch_to_second_level() is.
+  /// memory. Four shafts or fewer read a tile about as fast as it comes, and the processor's own prefetching does
+  /// better; for less than eight it does so, too, where a view may be in a cache. Inlined, as
+  /// prefetch_to_second_level() is.
   [[gnu::always_inline]] void prefetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
                                                      std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
-    if (shares < (is_beyond_caches() ? fewest_that_fetch_from_memory : fewest_that_fetch)) return;
+    if (shares < (is_beyond_caches() ? fewest_that_prefetch_from_memory : fewest_that_prefetch)) return;
     const std::size_t lines = std::min(count, bounds_.count - next) / line;
     for (std::size_t l = i * lines / shares; l != (i + 1) * lines / shares; ++l) {
       for (const float* stream : bounds_.stream) prefetch_to_second_level(stream + next + l * line, line);
     }
   }
 
-  static constexpr std::size_t fewest_that_fetch = 8;
-  static constexpr std::size_t fewest_that_fetch_from_memory = 5;
+  static constexpr std::size_t fewest_that_prefetch = 8;
+  static constexpr std::size_t fewest_that_prefetch_from_memory = 5;
 
   std::span<const ShaftData> shafts_;
   View bounds_;

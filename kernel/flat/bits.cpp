@@ -7,11 +7,11 @@ namespace shaftcull {
 namespace {
 
 template <class View>
-void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t* inside) {
-  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
-  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::IndexRange block = cut.block(b);
-    const kernel::IndexRange group = cut.group(g);
+void write_bits(const kernel::BatchJob<View>& job, std::uint64_t* kept, std::uint64_t* inside) {
+  const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
     const kernel::Rows all_kept{kept, job.row_words()};
     const kernel::Rows all_inside{inside, job.row_words()};
     job.test(block, group, all_kept.from(group.first * job.row_words() + block.first / 64),
@@ -21,7 +21,7 @@ void write_bits(const kernel::Job<View>& job, std::uint64_t* kept, std::uint64_t
 
 template <class View>
 void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept, Form form) {
-  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept, form);
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   write_bits(job, kept.data(), nullptr);
 }
@@ -29,7 +29,7 @@ void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::s
 template <class View>
 void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept,
                    std::span<std::uint64_t> inside, Form form) {
-  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
   kernel::require_apart("classify_many", "kept_rows", kernel::bytes_of(kept), "inside_rows", kernel::bytes_of(inside));
@@ -38,7 +38,7 @@ void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, st
 
 template <class View>
 void contained_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> inside) {
-  const kernel::Job<View> job(shafts, bounds, kernel::Bits::inside, Form::planes);
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::inside, Form::planes);
   kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
   write_bits(job, nullptr, inside.data());
 }

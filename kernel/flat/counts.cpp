@@ -12,16 +12,16 @@ namespace {
 
 template <class View>
 void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> counts, Form form) {
-  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept, form);
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_counts("kept_counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
-  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
+  const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
   const kernel::SetBits& set_bits = job.set_bits();
-  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::IndexRange block = cut.block(b);
-    const kernel::IndexRange group = cut.group(g);
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
     const std::size_t words = words_for(block.size);
-    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
+    kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
     std::uint64_t* const kept = bits.get();
     job.test(block, group, {kept, words});
     for (std::size_t s = 0; s != group.size; ++s) {
@@ -34,16 +34,16 @@ void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::
 
 template <class View>
 void count_classes(std::span<const CompiledShaft> shafts, const View& bounds, std::span<KeptCounts> counts, Form form) {
-  const kernel::Job<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
   kernel::require_counts("counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), KeptCounts{});
-  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
+  const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
   const kernel::SetBits& set_bits = job.set_bits();
-  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::IndexRange block = cut.block(b);
-    const kernel::IndexRange group = cut.group(g);
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
     const std::size_t words = words_for(block.size);
-    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> bits(2 * group.size * words);
+    kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> bits(2 * group.size * words);
     std::uint64_t* const kept = bits.get();
     std::uint64_t* const inside = kept + group.size * words;
     job.test(block, group, {kept, words}, {inside, words});

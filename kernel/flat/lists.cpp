@@ -1,5 +1,5 @@
-/// list_many() and list_classified_many(): one pass over the bounds. Tasks list what they keep in memory of their own,
-/// and once all counts are known the pieces are copied to their places.
+/// list_many() and list_classified_many(): one pass over the bounds. Tasks list what they keep in memory of their own.
+/// Once all counts are known, these lists are copied to where they belong in the user's.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,11 +16,11 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 /// What a task lists, of its first shaft, then of the second, …: positions within its block.
-using Piece = kernel::TaskMemory<std::uint32_t>;
+using TaskList = kernel::TaskMemory<std::uint32_t>;
 
-/// Turns counts, one row of shafts for every block, into the places in `indices` where they go; fills `offsets`.
-void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts,
-           std::vector<std::uint64_t>& offsets) {
+/// Turns counts, one row of shafts for every block, into positions in `indices` where the lists go; fills `offsets`.
+void turn_into_positions(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t shafts,
+                         std::vector<std::uint64_t>& offsets) {
   offsets.assign(shafts + 1, 0);
   for (std::size_t b = 0; b != blocks; ++b) {
     for (std::size_t s = 0; s != shafts; ++s) offsets[s + 1] += counts[b * shafts + s];
@@ -36,24 +36,25 @@ void place(std::vector<std::uint64_t>& counts, std::size_t blocks, std::size_t s
 template <class View, class Index, std::size_t kinds>
 void list_rows(std::span<const CompiledShaft> shafts, const View& bounds,
                const std::array<IndexListsOf<Index>*, kinds>& lists, const char* call, Form form) {
-  const kernel::Job<View> job(shafts, bounds, kinds == 2 ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
-  kernel::require_reach<Index>(call, bounds.count);
+  const kernel::BatchJob<View> job(shafts, bounds, kinds == 2 ? kernel::Bits::kept_and_inside : kernel::Bits::kept,
+                                   form);
+  kernel::require_index_width<Index>(call, bounds.count);
 
-  const kernel::Cut cut = kernel::Cut::free(job.bounds(), job.shafts());
-  std::array<std::vector<Piece>, kinds> pieces;
-  std::array<std::vector<std::uint64_t>, kinds> places;  // counts at first
+  const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
+  std::array<std::vector<TaskList>, kinds> task_lists;
+  std::array<std::vector<std::uint64_t>, kinds> positions;  // counts at first
   for (std::size_t kind = 0; kind != kinds; ++kind) {
-    pieces[kind].resize(cut.blocks() * cut.groups());
-    places[kind].resize(cut.blocks() * job.shafts());
+    task_lists[kind].resize(tiling.blocks() * tiling.groups());
+    positions[kind].resize(tiling.blocks() * job.shafts());
   }
   const kernel::SetBits& set_bits = job.set_bits();
-  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
-    const kernel::IndexRange block = cut.block(b);
-    const kernel::IndexRange group = cut.group(g);
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
     const std::size_t words = words_for(block.size);
     const std::size_t kind_words = group.size * words;
-    kernel::TaskRoom<std::uint64_t, 4 * kernel::tile_words> room(kinds * kind_words);
-    std::uint64_t* const kept = room.get();
+    kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> scratch(kinds * kind_words);
+    std::uint64_t* const kept = scratch.get();
     if constexpr (kinds == 2) {
       std::uint64_t* const inside = kept + kind_words;
       job.test(block, group, {kept, words}, {inside, words});
@@ -63,17 +64,17 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds,
     }
     for (std::size_t kind = 0; kind != kinds; ++kind) {
       const std::uint64_t* const bits = kept + kind * kind_words;
-      std::uint64_t* const counts = places[kind].data() + b * job.shafts() + group.first;
+      std::uint64_t* const counts = positions[kind].data() + b * job.shafts() + group.first;
       std::size_t total = 0;
       for (std::size_t s = 0; s != group.size; ++s) total += counts[s] = set_bits.count(bits + s * words, words);
       if (total == 0) continue;
-      Piece piece(total + kernel::set_bits_slack);
-      std::uint32_t* out = piece.get();
+      TaskList task_list(total + kernel::set_bits_slack);
+      std::uint32_t* out = task_list.get();
       for (std::size_t s = 0; s != group.size; ++s) {
         set_bits.write(bits + s * words, words, counts[s], out);
         out += counts[s];
       }
-      pieces[kind][b * cut.groups() + g] = std::move(piece);
+      task_lists[kind][b * tiling.groups() + g] = std::move(task_list);
     }
   });
 
@@ -83,19 +84,20 @@ void list_rows(std::span<const CompiledShaft> shafts, const View& bounds,
   }
   (std::make_index_sequence<kinds>());
   for (std::size_t kind = 0; kind != kinds; ++kind) {
-    place(places[kind], cut.blocks(), job.shafts(), lists[kind]->offsets);
+    turn_into_positions(positions[kind], tiling.blocks(), job.shafts(), lists[kind]->offsets);
     in_progress[kind].resize_items(lists[kind]->offsets.back());
   }
-  kernel::parallel_for(cut.blocks(), cut.groups(), [&](std::size_t b, std::size_t g) {
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     for (std::size_t kind = 0; kind != kinds; ++kind) {
-      const Piece piece = std::move(pieces[kind][b * cut.groups() + g]);
-      const std::uint32_t* from = piece.get();
-      const std::uint64_t* const here = places[kind].data() + b * job.shafts();
-      const std::uint64_t* const next = b + 1 == cut.blocks() ? lists[kind]->offsets.data() + 1 : here + job.shafts();
-      for (std::size_t s = cut.group(g).first; s != cut.group(g).end(); ++s) {
+      const TaskList task_list = std::move(task_lists[kind][b * tiling.groups() + g]);
+      const std::uint32_t* from = task_list.get();
+      const std::uint64_t* const here = positions[kind].data() + b * job.shafts();
+      const std::uint64_t* const next =
+          b + 1 == tiling.blocks() ? lists[kind]->offsets.data() + 1 : here + job.shafts();
+      for (std::size_t s = tiling.group(g).first; s != tiling.group(g).end(); ++s) {
         const auto size = static_cast<std::size_t>(next[s] - here[s]);
         std::transform(from, from + size, lists[kind]->indices.data() + here[s],
-                       [first = static_cast<Index>(cut.block(b).first)](std::uint32_t i) { return first + i; });
+                       [first = static_cast<Index>(tiling.block(b).first)](std::uint32_t i) { return first + i; });
         from += size;
       }
     }

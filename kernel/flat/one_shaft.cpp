@@ -14,7 +14,7 @@
 namespace shaftcull {
 namespace {
 
-/// Most bounds in a chunk: so many that a kernel's beginning costs nothing, and few enough for bits on the stack.
+/// Most bounds in a chunk: so many that what a kernel does once a call vanishes, and few enough for bits on the stack.
 constexpr std::size_t chunk_bounds = 16384;
 /// The first chunk of a call that may end early; each has twice as many as the one before.
 constexpr std::size_t first_bounds = 512;
@@ -70,11 +70,11 @@ class Chunks {
   bool inside_;
 };
 
-/// Positions of set bits, in a span that may have too little room: those that do not fit are counted.
+/// Writes positions of set bits to the user's span. Those that do not fit are only counted.
 template <class Index>
-class Listed {
+class IndexWriter {
  public:
-  Listed(const kernel::SetBits& set_bits, std::span<Index> room) noexcept : set_bits_(set_bits), room_(room) {}
+  IndexWriter(const kernel::SetBits& set_bits, std::span<Index> out) noexcept : set_bits_(set_bits), out_(out) {}
 
   /// Those of `words` words, the first bit being that of bound `first`.
   void add(std::size_t first, const std::uint64_t* bits, std::size_t words) noexcept {
@@ -82,11 +82,11 @@ class Listed {
     for (std::size_t w = 0; w < words; w += most_words) {
       const std::size_t some = std::min(most_words, words - w);
       const std::size_t set = set_bits_.count(bits + w, some);
-      if (set != 0 && count_ < room_.size()) {
+      if (set != 0 && count_ < out_.size()) {
         std::uint32_t position[most_words * 64 + kernel::set_bits_slack];
         set_bits_.write(bits + w, some, set, position);
         const auto from = static_cast<Index>(first + w * 64);
-        std::transform(position, position + std::min(set, room_.size() - count_), room_.data() + count_,
+        std::transform(position, position + std::min(set, out_.size() - count_), out_.data() + count_,
                        [from](std::uint32_t i) { return static_cast<Index>(from + i); });
       }
       count_ += set;
@@ -96,7 +96,7 @@ class Listed {
 
  private:
   const kernel::SetBits& set_bits_;
-  std::span<Index> room_;
+  std::span<Index> out_;
   std::size_t count_ = 0;
 };
 
@@ -139,9 +139,9 @@ bool any_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
 template <class View, class Index>
 std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<Index> kept, Form form) {
   const Chunks<View> chunks(shaft, bounds, false, form);
-  kernel::require_reach<Index>("list()", bounds.count);
+  kernel::require_index_width<Index>("list()", bounds.count);
   kernel::require_memory("kept", kept, "indices");
-  Listed<Index> listed(chunks.set_bits(), kept);
+  IndexWriter<Index> listed(chunks.set_bits(), kept);
   chunks.for_each(chunk_bounds,
                   [&](std::size_t first, std::size_t words, const std::uint64_t* bits, const std::uint64_t*) {
                     listed.add(first, bits, words);
@@ -154,12 +154,12 @@ template <class View, class Index>
 KeptCounts list_classes(const CompiledShaft& shaft, const View& bounds, std::span<Index> overlap,
                         std::span<Index> inside, Form form) {
   const Chunks<View> chunks(shaft, bounds, true, form);
-  kernel::require_reach<Index>("list_classified()", bounds.count);
+  kernel::require_index_width<Index>("list_classified()", bounds.count);
   kernel::require_memory("overlap", overlap, "indices");
   kernel::require_memory("inside", inside, "indices");
   kernel::require_apart("list_classified", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
-  Listed<Index> overlaps(chunks.set_bits(), overlap);
-  Listed<Index> insides(chunks.set_bits(), inside);
+  IndexWriter<Index> overlaps(chunks.set_bits(), overlap);
+  IndexWriter<Index> insides(chunks.set_bits(), inside);
   chunks.for_each(chunk_bounds,
                   [&](std::size_t first, std::size_t words, std::uint64_t* kept, const std::uint64_t* inside_bits) {
                     for (std::size_t w = 0; w != words; ++w) kept[w] &= ~inside_bits[w];

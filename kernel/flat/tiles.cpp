@@ -9,16 +9,16 @@
 namespace shaftcull {
 namespace {
 
-/// Tasks under way for every thread: enough that a thread seldom waits for the callback's turn.
+/// Tasks in flight for every thread: enough that a thread seldom waits for the callback's turn.
 constexpr std::size_t tasks_per_thread = 4;
 
 template <class View>
 void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, TileCallback callback, bool inside,
                    Form form) {
-  const kernel::Job<View> job(shafts, bounds, inside ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
+  const kernel::BatchJob<View> job(shafts, bounds, inside ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
   if (!callback) throw InvalidArgument("the tile callback is empty; pass something that can be called");
-  const kernel::Cut cut = kernel::Cut::ordered(job.bounds(), job.shafts());
-  const std::size_t tasks = cut.blocks() * cut.groups();
+  const kernel::Tiling tiling = kernel::Tiling::ordered(job.bounds(), job.shafts());
+  const std::size_t tasks = tiling.blocks() * tiling.groups();
   if (tasks == 0) return;
 
   const std::size_t slots = std::min(tasks, tasks_per_thread * static_cast<std::size_t>(kernel::threads_here()));
@@ -26,15 +26,15 @@ void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, Ti
   const auto memory = std::make_unique_for_overwrite<std::uint64_t[]>(slots * slot_words);
 
   const auto work = [&](std::size_t task, std::size_t slot) {
-    const kernel::IndexRange block = cut.block(task / cut.groups());
-    const kernel::IndexRange group = cut.group(task % cut.groups());
+    const kernel::IndexRange block = tiling.block(task / tiling.groups());
+    const kernel::IndexRange group = tiling.group(task % tiling.groups());
     const std::size_t words = words_for(block.size);
     std::uint64_t* const kept = memory.get() + slot * slot_words;
     job.test(block, group, {kept, words}, {inside ? kept + kernel::task_words : nullptr, words});
   };
   const auto deliver = [&](std::size_t task, std::size_t slot) {
-    const kernel::IndexRange block = cut.block(task / cut.groups());
-    const kernel::IndexRange group = cut.group(task % cut.groups());
+    const kernel::IndexRange block = tiling.block(task / tiling.groups());
+    const kernel::IndexRange group = tiling.group(task % tiling.groups());
     const std::size_t words = words_for(block.size);
     const std::uint64_t* const kept = memory.get() + slot * slot_words;
     for (std::size_t tile = 0; tile < block.size; tile += kernel::tile_bounds) {

@@ -1,4 +1,5 @@
-/// How many shafts × many bounds are cut into tasks: by the sizes alone, never by the number of threads.
+/// Tiling: how many shafts × many bounds are cut into tasks. It depends on the sizes alone, never on the number of
+/// threads.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +15,15 @@ namespace shaftcull::kernel {
 inline constexpr std::size_t tile_bounds = 2048;
 inline constexpr std::size_t tile_words = tile_bounds / 64;
 
-/// Bounds that are still one tile on a grid, 30 KiB, if there are no more: two tiles of half as many cost a shaft twice
-/// what it does once a tile.
+/// A block of up to this many bounds is one tile on a grid, of 30 KiB: with two tiles of half as many, each shaft would
+/// pay twice for what it does once a tile.
 inline constexpr std::size_t most_tile_bounds = 2560;
 
 /// Bounds in a tile that several shafts test in floats: 24 KiB of boxes.
 inline constexpr std::size_t float_tile_bounds = 1024;
 
-/// Shafts in a group: what reuses a tile while it is in the cache. Slab form reads two cache lines of a shaft: 8 KiB a
-/// group.
+/// Shafts in a group, which are tested against a tile while it is in the cache. Slab form reads two cache lines of a
+/// shaft: 8 KiB a group.
 inline constexpr std::size_t group_shafts = 64;
 
 /// Tiles × shafts in a task: 2¹⁹ tests, some 80 µs, which makes the cost of starting a task vanish.
@@ -42,16 +43,16 @@ inline constexpr std::size_t task_words = task_tiles_times_shafts * tile_words;
 }
 
 /// Tasks in rows and columns, each a block of tiles × a group of shafts.
-class Cut {
+class Tiling {
  public:
   /// For results that may be made in any order.
-  [[nodiscard]] static constexpr Cut free(std::size_t bounds, std::size_t shafts) noexcept {
+  [[nodiscard]] static constexpr Tiling unordered(std::size_t bounds, std::size_t shafts) noexcept {
     constexpr std::size_t fewest = task_tiles_times_shafts / most_task_tiles;
     return {bounds, shafts, task_tiles_times_shafts / std::clamp(shafts, fewest, group_shafts)};
   }
   /// For results ordered by tile and then by shaft: a block is one tile if there is more than one group.
-  [[nodiscard]] static constexpr Cut ordered(std::size_t bounds, std::size_t shafts) noexcept {
-    return shafts > group_shafts ? Cut{bounds, shafts, 1} : free(bounds, shafts);
+  [[nodiscard]] static constexpr Tiling ordered(std::size_t bounds, std::size_t shafts) noexcept {
+    return shafts > group_shafts ? Tiling{bounds, shafts, 1} : unordered(bounds, shafts);
   }
 
   [[nodiscard]] constexpr std::size_t blocks() const noexcept { return chunk_count(bounds_, block_bounds()); }
@@ -66,7 +67,7 @@ class Cut {
   [[nodiscard]] constexpr IndexRange group(std::size_t i) const noexcept { return chunk_at(shafts_, group_shafts, i); }
 
  private:
-  constexpr Cut(std::size_t bounds, std::size_t shafts, std::size_t block_tiles) noexcept
+  constexpr Tiling(std::size_t bounds, std::size_t shafts, std::size_t block_tiles) noexcept
       : bounds_(bounds), shafts_(shafts), block_tiles_(block_tiles) {}
 
   std::size_t bounds_;

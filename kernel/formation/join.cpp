@@ -11,7 +11,8 @@ namespace {
 
 constexpr double largest_float = std::numeric_limits<float>::max();
 
-// Normals of this size leave room for the offset, and for products with coordinates: none over- or underflows a float.
+// Normals of this size leave enough exponents for the offset, and for products with coordinates: none over- or
+// underflows a float.
 constexpr double smallest_plain_normal = 0x1p-20;
 constexpr double largest_plain_normal = 0x1p20;
 
@@ -24,7 +25,7 @@ JoinedPlanes join(const Faces6& a, const Faces6& b, const JoinedEdges& edges, bo
   // only a touches, and towards the blue one; the normal is that step turned by a right angle, outwards.
   // No product of two differences of floats over- or underflows a double.
   //
-  // All columns are worked out, without branches: how many there are, and which way they look, is random.
+  // All columns are worked out, without branches: how many there are, and which way they face, is random.
   std::array<double, face_count> step;
   for (Face f = 0; f < face_count; ++f) step[f] = std::fabs(double{b[f]} - double{a[f]});
 

@@ -47,7 +47,7 @@ Candidate* largest(Candidate* begin, Candidate* end) noexcept {
 }
 
 /// Greedy choice. What a plane adds only shrinks as others are chosen, so its last known volume is an upper bound, and
-/// one that is the largest of all bounds even when computed anew needs no look at the others.
+/// one that is still the largest of all bounds when computed anew is the plane to choose.
 void choose_greedily(Candidate* next, Candidate* end) noexcept {
   TrimmedBox left;
   for (; next != end; ++next) {

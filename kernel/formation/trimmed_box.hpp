@@ -51,7 +51,8 @@ class TrimmedBox {
   void trim(const CornerCut& cut) noexcept;
 
  private:
-  // A rectangle has 4 corners and each of up to 8 planes adds one; the rest is room for what rounding may add.
+  // A rectangle has 4 corners and each of up to 8 planes adds one; the others are spare, for corners that rounding may
+  // add.
   static constexpr std::size_t max_corners = 24;
   static constexpr std::size_t max_faces = face_count + max_joining_planes;
 

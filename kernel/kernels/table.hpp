@@ -26,13 +26,13 @@ using ClassifyOne = Answer(const ShaftData& shaft, const float* const* stream) n
 
 /// Writes the boxes around `count` spheres into six streams, in whole words: what many shafts' tests would each make
 /// anew. A last word that they do not fill is filled up by boxes that are outside of everything.
-using BoxSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
+using BoxesAroundSpheres = void(const float* const* sphere, std::size_t count, float* const* box) noexcept;
 
 /// Forms the shafts of `count` pairs of boxes. Returns false, and writes nothing, if any box is not finite with lo ≤
 /// hi.
 using CompileBatch = bool(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept;
 
-/// The same for boxes that are known to be fine.
+/// The same for boxes that are known to be finite with lo ≤ hi.
 using CompileFinite = void(const float* const* a, const float* const* b, std::size_t count, ShaftData* out) noexcept;
 
 /// Whether all of `count` boxes are finite with lo ≤ hi.
@@ -42,7 +42,7 @@ using AllFinite = bool(const float* const* box, std::size_t count) noexcept;
 using AllPlanesUsable = bool(const Plane* planes, std::size_t count) noexcept;
 
 /// Adds planes[i][0 … planes_each) to shaft out[i] between boxes a[·][i] and b[·][i], after those that it has; all have
-/// equally many, and room for these.
+/// equally many, and space for these.
 using AddPlanes = void(const float* const* a, const float* const* b, const Plane* const* planes,
                        std::size_t planes_each, std::size_t count, ShaftData* out) noexcept;
 
@@ -57,7 +57,7 @@ using TestListedWords = void(const ShaftData& shaft, const float* const* stream,
                              unsigned least_kept) noexcept;
 
 /// Writes from[i] for every set bit i, ascending, to `out`, and returns how many. Reads all 64 of `from`, and may
-/// scribble on all 64 of `out`.
+/// overwrite all 64 of `out`.
 using CompressIndices = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
 
 /// Writes the box around each of `words` words of bounds, at most 64, to node[0 … 5]. Returns which of them hold a
@@ -72,7 +72,7 @@ struct SampleBracket {
 };
 
 /// How many keys are before a bracket, and how many in it.
-struct Collected {
+struct BracketCounts {
   std::size_t below;
   std::size_t between;
 };
@@ -89,16 +89,20 @@ struct KeyCounts {
 /// order. The halves are the same on every instruction set.
 struct SplitKernels {
   /// Halves `count` entries. `first_half`, more than none and fewer than all, stay in `from`; the others move to `to`,
-  /// from place `first_half` on. What the free halves of `from` and `to` hold after that is anything. O(count).
-  void (*whole)(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept;
+  /// from place `first_half` on. The other half of each holds unspecified values after that. O(count).
+  void (*halve)(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept;
 
   // The same in steps, for parts that many threads halve together (tree/split.cpp).
 
-  /// Looks at a sample of many entries. `room` is three streams of `count` floats.
-  SampleBracket (*bracket)(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept;
-  /// Collects the keys in a bracket in `some`, which has room for all.
-  Collected (*collect)(const float* key, std::size_t count, const SampleBracket& bracket, float* some) noexcept;
-  /// A limit that `rank` keys are less than; if equal ones straddle that rank, those. rank < count.
+  /// Chooses the axis, and brackets the key of `rank`, by a sample of the entries. `scratch` is three streams of
+  /// `count` floats.
+  SampleBracket (*bracket)(const float* const* entry, std::size_t count, std::size_t rank,
+                           float* const* scratch) noexcept;
+  /// Writes the keys in a bracket to `some`, which has space for `count`.
+  BracketCounts (*collect_in_bracket)(const float* key, std::size_t count, const SampleBracket& bracket,
+                                      float* some) noexcept;
+  /// A key that exactly `rank` keys are less than. If several keys equal the one of that rank, it is their value. rank
+  /// < count.
   float (*pivot)(const float* key, std::size_t count, std::size_t rank) noexcept;
   /// Counts keys.
   KeyCounts (*count_keys)(const float* key, std::size_t count, float pivot) noexcept;
@@ -108,7 +112,7 @@ struct SplitKernels {
                   float* const* less, float* const* equal, float* const* larger) noexcept;
 };
 
-/// Positions that SetBits::write() may scribble on past the last one it is asked for.
+/// Positions past the last one that SetBits::write() may overwrite.
 inline constexpr std::size_t set_bits_slack = 16;
 
 /// Words of bits as a count and as a list of positions.
@@ -117,18 +121,18 @@ struct SetBits {
   std::size_t (*count)(const std::uint64_t* words, std::size_t count) noexcept;
 
   /// Writes 64 w + i for every set bit i of every word w, ascending. `set` is how many there are, and `out` must have
-  /// room for that and set_bits_slack more. Not for more than 2²⁶ words.
+  /// space for that and set_bits_slack more. Not for more than 2²⁶ words.
   void (*write)(const std::uint64_t* words, std::size_t count, std::size_t set, std::uint32_t* out) noexcept;
 };
 
 struct GridFrame;
 struct GridShaft;
 
-/// A word of bounds some of which are too close to call on a grid.
+/// A word of bounds some of which a grid leaves undecided.
 struct UndecidedWord {
-  std::uint64_t lanes;  ///< these, and maybe others
+  std::uint64_t lanes;  ///< the undecided ones, and maybe others
   std::uint32_t word;   ///< its position in the row
-  std::uint32_t shaft;  ///< a number that the caller of look() gave
+  std::uint32_t shaft;  ///< a number that the caller of test() gave
 };
 
 /// Tests of the bounds of a tile by a group of shafts on a grid (kernel/kernels/grid/forming.hpp). Null where vectors
@@ -137,7 +141,7 @@ struct GridKernels {
   std::size_t fewest_shafts;  ///< that gain by it, and tests, by measurement (docs/measurements.md)
   std::size_t fewest_tests;
 
-  /// Whether so many shafts gain by it with so many bounds.
+  /// Whether so many shafts gain by a grid with so many bounds.
   [[nodiscard]] bool pays(std::size_t shafts, std::size_t bounds) const noexcept {
     return shafts >= fewest_shafts && bounds >= (fewest_tests + shafts - 1) / shafts;
   }
@@ -151,26 +155,26 @@ struct GridKernels {
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,
                      std::int16_t* const* grid) noexcept;
 
-  /// What the grid says of `words` words of bounds, at most most_block_words. Writes their kept bits, 0 only for bounds
-  /// that are certainly outside, and lists the words that hold bounds too close to call, with `shaft` as their shaft's
-  /// number, at `undecided`, where there must be room for all. Returns how many it lists.
-  std::size_t (*look)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
+  /// Tests `words` words of bounds, at most most_block_words, on the grid. Writes their kept bits, 0 only for bounds
+  /// that are certainly outside. Lists the words that hold undecided bounds, with `shaft` as their shaft's number, at
+  /// `undecided`, which must have space for all. Returns how many it lists.
+  std::size_t (*test)(const GridShaft& on_grid, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                       std::uint32_t shaft, UndecidedWord* undecided) noexcept;
 
-  /// Completes in floats what look() left undecided of the `count` boxes in `stream`, in `words` listed words: bits of
-  /// row kept[u.shaft] of shaft[u.shaft].
-  void (*decide)(const ShaftData* const* shaft, const float* const* stream, std::size_t count,
-                 const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept;
+  /// Tests in floats what test() left undecided of the `count` boxes in `stream`, in `words` listed words: bits of row
+  /// kept[u.shaft] of shaft[u.shaft].
+  void (*resolve)(const ShaftData* const* shaft, const float* const* stream, std::size_t count,
+                  const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept;
 
-  /// What comes after that, for `count` bounds, at most most_block_words words of them: added planes, spheres, and
+  /// The stages that follow, for `count` bounds, at most most_block_words words of them: added planes, spheres, and
   /// inside bits unless `inside` is null.
-  using Settle = void(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+  using Finish = void(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                       std::uint64_t* inside) noexcept;
-  Settle* settle_boxes;
-  Settle* settle_spheres;
+  Finish* finish_boxes;
+  Finish* finish_spheres;
 
-  [[nodiscard]] Settle* settle(const BoxView& /*boxes*/) const noexcept { return settle_boxes; }
-  [[nodiscard]] Settle* settle(const SphereView& /*spheres*/) const noexcept { return settle_spheres; }
+  [[nodiscard]] Finish* finish(const BoxView& /*boxes*/) const noexcept { return finish_boxes; }
+  [[nodiscard]] Finish* finish(const SphereView& /*spheres*/) const noexcept { return finish_spheres; }
 };
 
 struct Kernels {
@@ -179,12 +183,13 @@ struct Kernels {
   Test* boxes_planes;
   Test* spheres_slab;
   Test* spheres_planes;
-  Test* boxed_spheres_slab;  ///< as spheres_slab, with the six streams of box_spheres() after the spheres' four
+  Test*
+      boxed_spheres_slab;  ///< as spheres_slab, with the six streams of boxes_around_spheres() after the spheres' four
   KeepsOne* keeps_box;
   KeepsOne* keeps_sphere;
   ClassifyOne* classify_box;
   ClassifyOne* classify_sphere;
-  BoxSpheres* box_spheres;
+  BoxesAroundSpheres* boxes_around_spheres;
   GridKernels grid;
   CompilePair* compile_pair;
   CompileBatch* compile_batch;

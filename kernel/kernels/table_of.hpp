@@ -2,8 +2,8 @@
 #pragma once
 
 #include "compiled/with_planes.hpp"
-#include "kernels/boxes/few_inside.hpp"
-#include "kernels/boxes/few_outside.hpp"
+#include "kernels/boxes/inside_one_by_one.hpp"
+#include "kernels/boxes/outside_one_by_one.hpp"
 #include "kernels/boxes/planes.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "kernels/forming/added_planes.hpp"
@@ -24,7 +24,7 @@
 
 namespace shaftcull::kernel {
 
-/// Begins a stage that clears bits: with those of an earlier one, or with those of all `count` bounds.
+/// Writes the bits that a stage starts from: those of an earlier stage, or ones for all `count` bounds.
 template <class L>
 void copy_or_set(const std::uint64_t* from, std::size_t count, std::uint64_t* bits) noexcept {
   for (std::size_t w = 0; w < words_of(count); ++w) bits[w] = from != nullptr ? from[w] : ~std::uint64_t{0};
@@ -41,7 +41,7 @@ void begin_in_whole_words(const float* const* stream, std::size_t count, std::ui
 
 /// The last bounds of `count`, if they do not fill a word.
 template <class L>
-WordsInARow<L> words_in_a_row(std::size_t count) noexcept {
+ConsecutiveWords<L> consecutive_words(std::size_t count) noexcept {
   return {.rest = static_cast<unsigned>(count % word_bits)};
 }
 
@@ -50,7 +50,7 @@ template <class L, Form form>
 struct BoxStages {
   static constexpr unsigned streams = 6;
 
-  /// So few boxes are quicker one at a time than in vectors, of which the shaft would have to be made ready.
+  /// So few boxes are tested one at a time: that is quicker than to broadcast the shaft to whole vectors.
   static constexpr std::size_t few_boxes = 2;
 
   static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, false, form); }
@@ -66,36 +66,38 @@ struct BoxStages {
       if constexpr (L::EightFloats::in_one_register) {
         if (count <= few_boxes && SlabInLanes<L>::suits(shaft)) {
           const std::uint64_t all = first_bits(static_cast<unsigned>(count));
-          *kept = all & ~few_outside<L>(shaft, stream, 0, all);
-          return settle(shaft, stream, count, kept);
+          *kept = all & ~outside_one_by_one<L>(shaft, stream, 0, all);
+          return finish(shaft, stream, count, kept);
         }
       }
-      box_slab_stage<L>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
+      box_slab_stage<L>(shaft, stream, count / word_bits, kept, consecutive_words<L>(count));
     }
-    settle(shaft, stream, count, kept);
+    finish(shaft, stream, count, kept);
   }
 
   /// Clears the bits of boxes that are beyond an added plane.
-  static void settle(const ShaftData& shaft, const float* const* stream, std::size_t count,
+  static void finish(const ShaftData& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
     if (shaft.added_count == 0) return;
-    narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-      box_added_stage<L>(shaft, some, n, bits);
-    });
+    run_on_survivors<L, streams>(stream, count, kept,
+                                 [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                   box_added_stage<L>(shaft, some, n, bits);
+                                 });
   }
 
-  /// Writes which boxes are inside: of those kept, if anybody knows.
-  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
+  /// Writes which boxes are inside: of those in `kept`, or of all if that is null.
+  static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
     if constexpr (L::EightFloats::in_one_register) {
       if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words_of(count))) {
-        return few_inside_stage<L>(shaft, stream, words_of(count), kept, inside);
+        return box_inside_one_by_one_stage<L>(shaft, stream, words_of(count), kept, inside);
       }
     }
     copy_or_set<L>(kept, count, inside);
-    narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-      box_inside_stage<L>(shaft, some, n, bits);
-    });
+    run_on_survivors<L, streams>(stream, count, inside,
+                                 [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                   box_inside_stage<L>(shaft, some, n, bits);
+                                 });
   }
 };
 
@@ -112,23 +114,25 @@ struct SphereStages {
                             [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
                               sphere_planes_stage<L>(shaft, all, words, bits);
                             });
-    settle(shaft, stream, count, kept);
+    finish(shaft, stream, count, kept);
   }
 
-  static void settle(const ShaftData& shaft, const float* const* stream, std::size_t count,
+  static void finish(const ShaftData& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
-    narrow<L, streams>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-      sphere_settle_stage<L>(shaft, some, n, bits);
-    });
+    run_on_survivors<L, streams>(stream, count, kept,
+                                 [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                   sphere_distance_stage<L>(shaft, some, n, bits);
+                                 });
   }
 
-  /// Writes which spheres are inside: of those kept, if anybody knows.
-  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
+  /// Writes which spheres are inside: of those in `kept`, or of all if that is null.
+  static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
     copy_or_set<L>(kept, count, inside);
-    narrow<L, streams>(stream, count, inside, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-      sphere_inside_stage<L>(shaft, some, n, bits);
-    });
+    run_on_survivors<L, streams>(stream, count, inside,
+                                 [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                   sphere_inside_stage<L>(shaft, some, n, bits);
+                                 });
   }
 };
 
@@ -143,17 +147,17 @@ struct BoxedSphereStages {
                    std::uint64_t* kept) noexcept {
     if (needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
     sphere_slab_stage<L, BoxedSphereCorners>(shaft, stream + SphereStages<L>::streams, count / word_bits, kept,
-                                             words_in_a_row<L>(count));
-    SphereStages<L>::settle(shaft, stream, count, kept);
+                                             consecutive_words<L>(count));
+    SphereStages<L>::finish(shaft, stream, count, kept);
   }
 
-  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
-    SphereStages<L>::contain(shaft, stream, count, kept, inside);
+  static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    SphereStages<L>::find_inside(shaft, stream, count, kept, inside);
   }
 };
 
-/// The same for spheres that nobody has made boxes for.
+/// The same for spheres that come without boxes around them.
 template <class L>
 struct UnboxedSphereStages {
   static constexpr unsigned streams = 4;
@@ -163,13 +167,13 @@ struct UnboxedSphereStages {
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if (needs_planes(shaft)) return SphereStages<L>::cull(shaft, stream, count, kept);
-    sphere_slab_stage<L, SphereCorners>(shaft, stream, count / word_bits, kept, words_in_a_row<L>(count));
-    SphereStages<L>::settle(shaft, stream, count, kept);
+    sphere_slab_stage<L, SphereCorners>(shaft, stream, count / word_bits, kept, consecutive_words<L>(count));
+    SphereStages<L>::finish(shaft, stream, count, kept);
   }
 
-  static void contain(const ShaftData& shaft, const float* const* stream, std::size_t count, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
-    SphereStages<L>::contain(shaft, stream, count, kept, inside);
+  static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                          const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    SphereStages<L>::find_inside(shaft, stream, count, kept, inside);
   }
 };
 
@@ -178,20 +182,20 @@ template <class Stages>
 void test_block(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
   if (kept != nullptr) Stages::cull(shaft, stream, count, kept);
-  if (inside != nullptr) Stages::contain(shaft, stream, count, kept, inside);
+  if (inside != nullptr) Stages::find_inside(shaft, stream, count, kept, inside);
 }
 
 /// The test of an instruction set, as Kernels has it.
 template <class L, class Stages>
 void test_bounds(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                  std::uint64_t* inside) noexcept {
-  const WithPlanes ready(shaft, inside != nullptr || Stages::needs_planes(shaft));
+  const WithPlanes completed(shaft, inside != nullptr || Stages::needs_planes(shaft));
 
   const float* at[Stages::streams];
   for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s];
   while (true) {
     const std::size_t block = count < block_bounds ? count : block_bounds;
-    test_block<Stages>(ready.shaft(), at, block, kept, inside);
+    test_block<Stages>(completed.shaft(), at, block, kept, inside);
     count -= block;
     if (count == 0) return;
     for (const float*& s : at) s += block;
@@ -203,29 +207,29 @@ void test_bounds(const ShaftData& shaft, const float* const* stream, std::size_t
 /// The tests of a single bound, as Kernels has them.
 template <class L, class Stages>
 bool keeps_single(const ShaftData& shaft, const float* const* stream) noexcept {
-  const WithPlanes ready(shaft, Stages::needs_planes(shaft));
+  const WithPlanes completed(shaft, Stages::needs_planes(shaft));
   std::uint64_t kept = 0;
-  Stages::cull(ready.shaft(), stream, 1, &kept);
+  Stages::cull(completed.shaft(), stream, 1, &kept);
   return kept != 0;
 }
 
 template <class L, class Stages>
 Answer classify_single(const ShaftData& shaft, const float* const* stream) noexcept {
   if (!keeps_single<L, Stages>(shaft, stream)) return Answer::outside;
-  const WithPlanes ready(shaft, true);
+  const WithPlanes completed(shaft, true);
   const std::uint64_t kept = 1;
   std::uint64_t inside = 0;
-  Stages::contain(ready.shaft(), stream, 1, &kept, &inside);
+  Stages::find_inside(completed.shaft(), stream, 1, &kept, &inside);
   return inside == 0 ? Answer::overlap : Answer::inside;
 }
 
 /// As GridKernels has it.
 template <class L, class Stages>
-void settle_on_grid(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
-                    std::uint64_t* inside) noexcept {
-  const WithPlanes ready(shaft, inside != nullptr);
-  Stages::settle(ready.shaft(), stream, count, kept);
-  if (inside != nullptr) Stages::contain(ready.shaft(), stream, count, kept, inside);
+void finish_after_grid(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
+                       std::uint64_t* inside) noexcept {
+  const WithPlanes completed(shaft, inside != nullptr);
+  Stages::finish(completed.shaft(), stream, count, kept);
+  if (inside != nullptr) Stages::find_inside(completed.shaft(), stream, count, kept, inside);
 }
 
 /// Forms shafts in batches, as Kernels has it.
@@ -257,10 +261,10 @@ constexpr GridKernels grid_kernels() noexcept {
             .frame = grid_frame<L>,
             .form_shafts = form_grid_shafts<L>,
             .snap_boxes = snap_boxes<L>,
-            .look = look_on_grid<L>,
-            .decide = decide_on_grid<L>,
-            .settle_boxes = settle_on_grid<L, BoxStages<L, Form::slab>>,
-            .settle_spheres = settle_on_grid<L, SphereStages<L>>};
+            .test = test_on_grid<L>,
+            .resolve = resolve_in_floats<L>,
+            .finish_boxes = finish_after_grid<L, BoxStages<L, Form::slab>>,
+            .finish_spheres = finish_after_grid<L, SphereStages<L>>};
   } else {
     return {};
   }
@@ -279,7 +283,7 @@ inline constexpr Kernels kernels_for = {
     .keeps_sphere = keeps_single<L, UnboxedSphereStages<L>>,
     .classify_box = classify_single<L, BoxStages<L, Form::slab>>,
     .classify_sphere = classify_single<L, UnboxedSphereStages<L>>,
-    .box_spheres = box_spheres<L>,
+    .boxes_around_spheres = boxes_around_spheres<L>,
     .grid = grid_kernels<L>(),
     .compile_pair = compile_pair<FormationLanes>,
     .compile_batch = compile_pairs<FormationLanes>,

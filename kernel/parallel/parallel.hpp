@@ -34,21 +34,21 @@
 
 namespace shaftcull::kernel {
 
-/// Allocates whole cache lines, for T of any alignment up to that. A thread keeps a little of what it had last for the
-/// next time.
+/// Allocates whole cache lines, for T of any alignment up to that. Each thread caches the last array that it freed, if
+/// that is small, and reuses it.
 template <class T>
-class KeepingAllocator {
+class CachingAllocator {
  public:
   [[nodiscard]] T* allocate(std::size_t count) {
-    Kept& kept = of_this_thread();
-    if (kept.items != nullptr && count <= kept.count) return std::exchange(kept.items, nullptr);
+    Cached& cached = of_this_thread();
+    if (cached.items != nullptr && count <= cached.count) return std::exchange(cached.items, nullptr);
     return static_cast<T*>(::operator new(count * sizeof(T), line));
   }
   void deallocate(T* items, std::size_t count) noexcept {
-    Kept& kept = of_this_thread();
-    if (kept.items == nullptr && count * sizeof(T) <= most_kept) {
-      kept.items = items;
-      kept.count = count;
+    Cached& cached = of_this_thread();
+    if (cached.items == nullptr && count * sizeof(T) <= most_cached_bytes) {
+      cached.items = items;
+      cached.count = count;
     } else {
       ::operator delete(items, line);
     }
@@ -56,32 +56,31 @@ class KeepingAllocator {
 
  private:
   static constexpr std::align_val_t line{64};
-  static constexpr std::size_t most_kept = std::size_t{1} << 17U;
+  static constexpr std::size_t most_cached_bytes = std::size_t{1} << 17U;
 
-  struct Kept {
+  struct Cached {
     T* items = nullptr;
     std::size_t count = 0;
-    Kept() noexcept = default;
-    Kept(const Kept&) = delete;
-    Kept& operator=(const Kept&) = delete;
-    ~Kept() { ::operator delete(items, line); }
+    Cached() noexcept = default;
+    Cached(const Cached&) = delete;
+    Cached& operator=(const Cached&) = delete;
+    ~Cached() { ::operator delete(items, line); }
   };
-  static Kept& of_this_thread() noexcept {
-    thread_local Kept kept;
-    return kept;
+  static Cached& of_this_thread() noexcept {
+    thread_local Cached cached;
+    return cached;
   }
 };
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 
-/// Allocates memory that tasks fill and others read: oneTBB's allocator gives it again to the next call, where that of
-/// the C library hands it back to the system, and page faults cost more than the copying.
+/// Allocates memory that tasks fill and others read. oneTBB's allocator reuses it for the next call. That of the C
+/// library returns it to the system, and page faults cost more than the copying.
 ///
-/// ThreadSanitizer does not see oneTBB's hand memory from a thread that is done with it to the next one, and knows that
-/// of the C library.
+/// ThreadSanitizer knows how the C library's allocator passes memory from thread to thread, but not how oneTBB's does.
 #ifdef SHAFTCULL_THREAD_SANITIZER
 template <class T>
-using TaskAllocator = KeepingAllocator<T>;
+using TaskAllocator = CachingAllocator<T>;
 #else
 template <class T>
 using TaskAllocator = tbb::cache_aligned_allocator<T>;
@@ -166,7 +165,7 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
     worked[i % slots].release();
     return i;
   };
-  const auto hand_out = [&](std::size_t i) {
+  const auto deliver_next = [&](std::size_t i) {
     started.acquire();
     worked[i % slots].acquire();
     delivered.acquire();
@@ -177,14 +176,14 @@ void ordered_pipeline(std::size_t count, std::size_t slots, const Work& work, co
   };
   const auto stages = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, enter) &
                       tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work_on) &
-                      tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, hand_out);
+                      tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, deliver_next);
   apart_from_caller([&](tbb::task_group_context& context) { tbb::parallel_pipeline(slots, stages, context); });
 }
 
 #else
 
 template <class T>
-using TaskAllocator = KeepingAllocator<T>;
+using TaskAllocator = CachingAllocator<T>;
 
 [[nodiscard]] inline int threads_here() noexcept { return 1; }
 

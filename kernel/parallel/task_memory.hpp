@@ -1,4 +1,4 @@
-/// Memory that tasks fill: not initialised, and the next call gets it again.
+/// Memory that tasks fill. It is not initialised, and its allocator reuses it for the next call.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace shaftcull::kernel {
 
-/// Room for `size` items, which are numbers or aggregates of them.
+/// Memory for `size` items, which are numbers or aggregates of them.
 template <class T>
 class TaskMemory {
  public:
@@ -38,18 +38,19 @@ struct alignas(64) CacheLine {
   std::byte bytes[64];
 };
 
-/// Room for `size` items that a task uses itself: on the stack, of which a call may take 64 KiB, where they are few.
-template <class T, std::size_t few>
-class TaskRoom {
+/// Scratch memory of one task for `size` items: on the stack if they are at most `most_on_stack`, else allocated. A
+/// call may take 64 KiB of stack.
+template <class T, std::size_t most_on_stack>
+class TaskScratch {
  public:
-  explicit TaskRoom(std::size_t size) : many_(size <= few ? 0 : size) {}
-  TaskRoom(const TaskRoom&) = delete;
-  TaskRoom& operator=(const TaskRoom&) = delete;
-  [[nodiscard]] T* get() noexcept { return many_.get() != nullptr ? many_.get() : few_; }
+  explicit TaskScratch(std::size_t size) : allocated_(size <= most_on_stack ? 0 : size) {}
+  TaskScratch(const TaskScratch&) = delete;
+  TaskScratch& operator=(const TaskScratch&) = delete;
+  [[nodiscard]] T* get() noexcept { return allocated_.get() != nullptr ? allocated_.get() : on_stack_; }
 
  private:
-  T few_[few];
-  TaskMemory<T> many_;
+  T on_stack_[most_on_stack];
+  TaskMemory<T> allocated_;
 };
 
 }  // namespace shaftcull::kernel

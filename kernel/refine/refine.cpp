@@ -21,12 +21,12 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
-/// Candidates ahead of the one collected whose bounds are fetched, and for trees those whose leaves are looked up.
+/// How far ahead of the candidate that is gathered bounds are prefetched, and for trees the positions of leaves.
 constexpr std::size_t prefetched_bounds = 16;
 constexpr std::size_t prefetched_places = 32;
 
 /// Where candidates are in a view: at themselves.
-struct InView {
+struct PositionInView {
   template <class Index>
   [[nodiscard]] Index operator()(Index candidate) const noexcept {
     return candidate;
@@ -37,7 +37,7 @@ struct InView {
 
 /// Where candidates are among the leaves of a tree.
 template <class Index>
-struct InTree {
+struct PositionInTree {
   const Index* place;
 
   [[nodiscard]] Index operator()(Index candidate) const noexcept { return place[candidate]; }
@@ -46,10 +46,10 @@ struct InTree {
   }
 };
 
-/// Copies the bounds of candidates [first, first + size) side by side.
+/// Gathers the bounds of candidates [first, first + size).
 template <class View, class Index, class Position>
-void collect(const View& view, std::span<const Index> candidates, const Position& position, std::size_t first,
-             std::size_t size, const kernel::RowsOf<View>& row) noexcept {
+void gather(const View& view, std::span<const Index> candidates, const Position& position, std::size_t first,
+            std::size_t size, const kernel::RowsOf<View>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
     if (first + i + prefetched_places < candidates.size()) position.prefetch(candidates[first + i + prefetched_places]);
     if (first + i + prefetched_bounds < candidates.size()) {
@@ -78,7 +78,7 @@ template <class View, class Index, class Position>
 std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::span<const Index> candidates,
                         const Position& position, std::span<Index> kept) {
   kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);
-  const kernel::WithPlanes ready(  // once, not block by block
+  const kernel::WithPlanes with_planes(  // once, not block by block
       shaft, kernel::outside_needs_planes(shaft, std::is_same_v<View, SphereView>, Form::fastest));
   const kernel::FloatEnvironment environment;
   constexpr std::size_t block = 1024;
@@ -88,9 +88,9 @@ std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::s
   std::size_t count = 0;
   for (std::size_t first = 0; first < candidates.size(); first += block) {
     some.count = std::min(block, candidates.size() - first);
-    collect(view, candidates, position, first, some.count, row);
+    gather(view, candidates, position, first, some.count, row);
     std::uint64_t bits[block / 64];
-    test(ready.shaft(), some.stream.data(), some.count, bits, nullptr);
+    test(with_planes.shaft(), some.stream.data(), some.count, bits, nullptr);
     for (std::size_t w = 0; w != words_for(some.count); ++w) {
       for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
         // Never ahead of what is read, so `kept` may be the candidates' own memory.
@@ -117,7 +117,7 @@ void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::
   constexpr std::size_t block = 16384;
   kernel::parallel_for(kernel::chunk_count(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
     const kernel::IndexRange task = kernel::chunk_at(candidates.size(), block, b);
-    collect(view, candidates, position, task.first, task.size, kernel::StreamAccess::rows(packed, task.first));
+    gather(view, candidates, position, task.first, task.size, kernel::StreamAccess::rows(packed, task.first));
   });
   list_many(shafts, packed.view(), lists);
   kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
@@ -134,7 +134,7 @@ std::size_t refine_view(const CompiledShaft& shaft, const View& view, std::span<
   kernel::require_view(view);
   const kernel::ShaftData& data = kernel::data_of(shaft);
   require_refinable<Index>(data, std::is_same_v<View, SphereView>, view.count, candidates, kept);
-  return refine_list(data, view, candidates, InView(), kept);
+  return refine_list(data, view, candidates, PositionInView(), kept);
 }
 
 template <class View, class Index>
@@ -143,13 +143,13 @@ void refine_view_lists(std::span<const CompiledShaft> shafts, const View& view, 
   kernel::require_view(view);
   kernel::require_below("candidates", candidates, view.count);
   require_apart(candidates, lists);
-  refine_lists(shafts, view, candidates, InView(), lists);
+  refine_lists(shafts, view, candidates, PositionInView(), lists);
 }
 
 /// Where the bounds of a tree are, which must not need a refit: nobody may ask for its bounds then, as with all
 /// queries.
 template <class Bound, class Index>
-InTree<Index> places_of(const BoundsTree<Bound, Index>& tree) {
+PositionInTree<Index> places_of(const BoundsTree<Bound, Index>& tree) {
   const kernel::TreeParts<Bound, Index>* const parts = kernel::TreeAccess::parts(tree);
   return {parts == nullptr ? nullptr : parts->places.of(parts->order)};
 }

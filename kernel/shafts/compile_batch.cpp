@@ -1,4 +1,4 @@
-/// compile_batch(): checks of what is given, and the way from views and index pairs to vectors of pairs.
+/// compile_batch(): checks of its arguments, and gathering of boxes by index pairs.
 #include <algorithm>
 #include <cstddef>
 #include <span>

@@ -94,7 +94,7 @@ concept FloatOperations = EightFloatOperations<typename F::EightFloats> &&
     requires(typename F::Vector a, typename F::Mask mask, const float* from, float* to, const std::uint16_t* index,
              const std::uint32_t* integers, std::uint32_t* packed, const void* const (&rows)[F::width],
              typename F::Vector (&four)[4], const typename F::Vector (&eight)[8],
-             typename F::EightFloats::Vector (&things)[F::width], float x, std::uint64_t bits, std::size_t count,
+             typename F::EightFloats::Vector (&transposed)[F::width], float x, std::uint64_t bits, std::size_t count,
              int lanes, typename F::SignCollector& collector) {
   /// 1, 4, 8 or 16: a divisor of 64.
   requires std::same_as<decltype(F::width), const unsigned> && 64 % F::width == 0;
@@ -105,8 +105,8 @@ concept FloatOperations = EightFloatOperations<typename F::EightFloats> &&
   { F::gather(from, index) } -> std::same_as<typename F::Vector>;
   /// Reads four floats, 16 bytes of any object, at each of `rows`: lane i of four[c] is float c at rows[i].
   { F::load_columns(rows, four) } -> std::same_as<void>;
-  /// Lane i of the eight vectors becomes things[i].
-  { F::transpose(eight, things) } -> std::same_as<void>;
+  /// Lane i of the eight vectors becomes transposed[i].
+  { F::transpose(eight, transposed) } -> std::same_as<void>;
 
   /// The first `lanes` lanes: none if that is negative, all if it is `width` or more. load(p) reads p[i] for those
   /// lanes alone, and gives 0 in the others; choose(a, b) gives b in the others.

@@ -203,11 +203,11 @@ struct PortableFloats {
       columns[c] = column;
     }
   }
-  static void transpose(const Vector (&columns)[8], typename EightFloats::Vector (&things)[width]) noexcept {
+  static void transpose(const Vector (&columns)[8], typename EightFloats::Vector (&transposed)[width]) noexcept {
     float column[8][width];
     for (unsigned c = 0; c < 8; ++c) store(column[c], columns[c]);
     for (unsigned i = 0; i < width; ++i) {
-      for (unsigned c = 0; c < 8; ++c) things[i].of[c] = column[c][i];
+      for (unsigned c = 0; c < 8; ++c) transposed[i].of[c] = column[c][i];
     }
   }
 

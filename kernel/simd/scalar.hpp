@@ -24,8 +24,8 @@ struct Floats {
   static void load_columns(const void* const (&rows)[1], Vector (&columns)[4]) noexcept {
     __builtin_memcpy(columns, rows[0], sizeof columns);
   }
-  static void transpose(const Vector (&columns)[8], EightFloats::Vector (&things)[1]) noexcept {
-    for (unsigned c = 0; c < 8; ++c) things[0].of[c] = columns[c];
+  static void transpose(const Vector (&columns)[8], EightFloats::Vector (&transposed)[1]) noexcept {
+    for (unsigned c = 0; c < 8; ++c) transposed[0].of[c] = columns[c];
   }
 
   class FirstLanes {

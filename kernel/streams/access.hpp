@@ -1,4 +1,5 @@
-/// The kernel's way into streams: to make them without writing them twice, and to write them.
+/// Access to the memory of streams, which is private in the public classes: to make streams without writing them twice,
+/// and to write them.
 #pragma once
 
 #include <cstddef>

@@ -96,7 +96,7 @@ void read_rows(const Reader& reader, Which which, std::size_t count, float* cons
 /// The first of records [first, end) that may not be packed; `end` if there is none.
 template <class Reader>
 std::size_t first_illegal(const Reader& reader, std::size_t first, std::size_t end) noexcept {
-  constexpr std::size_t block = 256;  // records looked at between two branches
+  constexpr std::size_t block = 256;  // records checked between two branches
   for (; first < end; first += block) {
     const std::size_t block_end = end - first < block ? end : first + block;
     if (reader.are_clearly_legal(first, block_end)) continue;

@@ -50,7 +50,7 @@ void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
                         counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts)));
 }
 
-void refuse_reach(const char* call, std::size_t bounds) {
+void refuse_index_width(const char* call, std::size_t bounds) {
   throw InvalidArgument(std::string(call) + " got " + std::to_string(bounds) + " bounds, but 32-bit indices reach " +
                         std::to_string(std::numeric_limits<std::uint32_t>::max()) + "; use 64-bit ones");
 }

@@ -25,7 +25,7 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
 [[noreturn]] void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts);
-[[noreturn]] void refuse_reach(const char* call, std::size_t bounds);
+[[noreturn]] void refuse_index_width(const char* call, std::size_t bounds);
 [[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
 [[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
 
@@ -86,12 +86,12 @@ inline void require_shaft_bits(const char* what, std::span<const std::uint64_t> 
   require_memory(what, words, "words");
 }
 
-/// So many bounds can be told apart by an Index.
+/// An Index is wide enough for so many bounds.
 template <class Index>
-void require_reach(const char* call, std::size_t bounds) {
+void require_index_width(const char* call, std::size_t bounds) {
   if constexpr (sizeof(Index) < sizeof(bounds)) {
     if (bounds > std::uint64_t{std::numeric_limits<Index>::max()} + 1) [[unlikely]]
-      refuse_reach(call, bounds);
+      refuse_index_width(call, bounds);
   }
 }
 

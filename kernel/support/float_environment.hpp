@@ -93,7 +93,7 @@ class FloatEnvironment {
   }
   ~FloatEnvironment() {
     asm volatile("" : : : "memory");
-    saved_.set();  // without a look at what the flags are now, which would wait for all arithmetic to end
+    saved_.set();  // without reading the flags, which would wait for all arithmetic to end
   }
   FloatEnvironment(const FloatEnvironment&) = delete;
   FloatEnvironment& operator=(const FloatEnvironment&) = delete;

@@ -10,7 +10,7 @@ extern float accept_margin_factor;   // on the margin of spheres that are accept
 extern float bound_margin_factor;    // on the margin of spheres that are culled without the exact predicate
 extern float radius_margin_factor;   // on what a sphere's radius adds to the margin of joining planes
 extern float grid_slack_factor;      // on what snapping and rounding on a grid may be off by
-extern float grid_limit_factor;      // of the room above which a bound on a grid is certainly not outside
+extern float grid_limit_factor;      // on the interval length above which a bound on a grid is certainly not outside
 extern float measured_error_factor;  // on the rounding errors that exact predicates measure
 #else
 inline constexpr bool drops_exact_step = false;

@@ -1,14 +1,14 @@
-/// Fetching memory before it is read.
+/// Prefetching memory before it is read.
 #pragma once
 
 #include <cstddef>
 
 namespace shaftcull::kernel {
 
-/// Fetches into the second-level cache: `count` items from the beginning of a cache line on, or one anywhere. Not into
-/// the first, which waits for some ten or twenty lines at a time, and the second for many more.
+/// Prefetches into the second-level cache: `count` items from the beginning of a cache line on, or one anywhere. Not
+/// into the first, which waits for some ten or twenty lines at a time, and the second for many more.
 ///
-/// Always inlined, because a call of a function that only fetches is no call to g++ 12: it leaves it out.
+/// Always inlined, because a call of a function that only prefetches is no call to g++ 12: it leaves it out.
 template <class Item>
 [[gnu::always_inline]] inline void prefetch_to_second_level(const Item* item, std::size_t count) noexcept {
   constexpr std::size_t line = 64 / sizeof(Item);

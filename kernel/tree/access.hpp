@@ -1,4 +1,4 @@
-/// The kernel's way to what a bounds tree is made of.
+/// Access to the parts of a bounds tree, which are private in the public class.
 #pragma once
 
 #include "tree/parts.hpp"

@@ -54,7 +54,7 @@ TreeParts<Bound, Index> build(const Source& source) {
   return build_in(BuildScratch<Bound, Index>(source.count()), source);
 }
 
-/// Records ahead of the one written that are fetched: they are all over memory. It saves 6 ms of 51 for a million
+/// Records ahead of the one written that are prefetched: they are all over memory. It saves 6 ms of 51 for a million
 /// boxes.
 constexpr std::size_t prefetched_records = 16;
 

@@ -105,13 +105,13 @@ class Chunk {
 /// Writes the record and the entry of every bound in the user's order and counts classes; returns whether all bounds
 /// are legal.
 template <class Bound, class Index, class Source>
-bool write_in_order(const Source& source, const IndexRange& run, float node_size,
+bool write_in_order(const Source& source, const IndexRange& range, float node_size,
                     const BuildScratch<Bound, Index>& scratch, std::array<std::size_t, size_classes>& counts) noexcept {
   const EntryStreams<Index> entries = scratch.entries();
   const WordWriter writer(scratch.bytes());
   bool is_legal = true;
-  for (std::size_t first = run.first; first < run.end(); first += Chunk<Bound>::most) {
-    const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, run.end() - first));
+  for (std::size_t first = range.first; first < range.end(); first += Chunk<Bound>::most) {
+    const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, range.end() - first));
     is_legal &= chunk.is_legal();
     chunk.write_records(scratch.record(first), writer);
     chunk.write_entries(entries, writer);
@@ -122,10 +122,10 @@ bool write_in_order(const Source& source, const IndexRange& run, float node_size
 
 /// Writes entries where those of their class go next.
 template <class Bound, class Index>
-void write_by_class(const BuildScratch<Bound, Index>& scratch, const IndexRange& run, float node_size,
+void write_by_class(const BuildScratch<Bound, Index>& scratch, const IndexRange& range, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
   const EntryStreams<Index> entries = scratch.entries();
-  for (std::size_t i = run.first; i != run.end(); ++i) {
+  for (std::size_t i = range.first; i != range.end(); ++i) {
     float bound[rows_of<Bound>];
     std::copy_n(scratch.record(i), rows_of<Bound>, bound);
     const Placement place = placement(bound);

@@ -62,7 +62,7 @@ class BuildScratch {
   [[nodiscard]] std::size_t bytes() const noexcept { return (entries_.size() + records_.size()) * sizeof(float); }
 
  private:
-  /// Streams a power of two apart would share few places in the caches.
+  /// Streams a power of two apart would map to the same few cache sets.
   static constexpr std::size_t apart = 80;
   static constexpr std::size_t entry_streams = std::tuple_size_v<EntryStreams<Index>>;
 

@@ -18,16 +18,16 @@ namespace shaftcull::kernel {
 template <class Index>
 class LeafIndices {
  public:
-  /// `fetches` as TreeLevels::is_worth_prefetching().
-  LeafIndices(const std::vector<Index>& order, bool fetches, const Kernels& kernels) noexcept
+  /// `prefetches` as TreeLevels::is_worth_prefetching().
+  LeafIndices(const std::vector<Index>& order, bool prefetches, const Kernels& kernels) noexcept
       : order_(order.data()),
         in_whole_words_(order.size() / fanout * fanout),
-        prefetched_(fetches ? in_whole_words_ : 0),
+        prefetched_(prefetches ? in_whole_words_ : 0),
         compress_(kernels.compress_indices) {}
 
   [[nodiscard]] Index operator[](std::size_t leaf) const noexcept { return order_[leaf]; }
 
-  /// Fetches the indices of the word of leaves from `first` on.
+  /// Prefetches the indices of the word of leaves from `first` on.
   [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept {
     if (first >= prefetched_) return;
     prefetch_to_second_level(order_ + first, fanout);
@@ -39,15 +39,15 @@ class LeafIndices {
     return std::copy_n(order_ + first, size, out);
   }
 
-  /// Writes those of the leaves `first` + i, for every set bit i, ascending. There must be room for 64, and the rest of
-  /// it may be scribbled on. Returns how many.
+  /// Writes those of the leaves `first` + i, for every set bit i, ascending. `out` must have space for 64, all of which
+  /// may be overwritten. Returns how many.
   std::size_t compress(std::size_t first, std::uint64_t bits, Index* out) const noexcept {
     if constexpr (std::is_same_v<Index, std::uint32_t>) {
       if (first < in_whole_words_) return compress_(order_ + first, bits, out);
     }
     return compress_exactly(first, bits, out);
   }
-  /// The same, and nothing is scribbled on.
+  /// The same, but nothing past them is overwritten.
   std::size_t compress_exactly(std::size_t first, std::uint64_t bits, Index* out) const noexcept {
     Index* end = out;
     for (; bits != 0; bits &= bits - 1) *end++ = order_[first + static_cast<std::size_t>(std::countr_zero(bits))];
@@ -57,7 +57,7 @@ class LeafIndices {
  private:
   const Index* order_;
   std::size_t in_whole_words_;  // leaves before this one are in whole words, which vectors may read to their end
-  std::size_t prefetched_;      // leaves before this one are worth fetching
+  std::size_t prefetched_;      // leaves before this one are worth prefetching
   CompressIndices* compress_;
 };
 

@@ -31,8 +31,9 @@ template <class Index>
 using LeafRanges = kernel::ChunkedOutput<LeafRangeOf<Index>>;
 
 template <class Index>
-kernel::FoundList<Index> list_of(const kernel::LeafIndices<Index>& /*indices*/, kernel::FoundOutput<Index>& output) {
-  return kernel::FoundList<Index>(output);
+kernel::KeptLeavesList<Index> list_of(const kernel::LeafIndices<Index>& /*indices*/,
+                                      kernel::KeptLeavesOutput<Index>& output) {
+  return kernel::KeptLeavesList<Index>(output);
 }
 template <class Index>
 kernel::LeafRangeList<Index, LeafRanges<Index>> list_of(const kernel::LeafIndices<Index>& indices,
@@ -41,7 +42,7 @@ kernel::LeafRangeList<Index, LeafRanges<Index>> list_of(const kernel::LeafIndice
 }
 
 template <class Index>
-void write(const kernel::FoundOutput<Index>& found, const kernel::LeafIndices<Index>& indices, Index* out) {
+void write(const kernel::KeptLeavesOutput<Index>& found, const kernel::LeafIndices<Index>& indices, Index* out) {
   found.write(indices, out);
 }
 template <class Index>
@@ -51,11 +52,11 @@ void write(const LeafRanges<Index>& ranges, const kernel::LeafIndices<Index>& /*
 }
 
 template <class Index>
-kernel::FoundOutput<Index> output_for(const IndexListsOf<Index>&);
+kernel::KeptLeavesOutput<Index> output_for(const IndexListsOf<Index>&);
 template <class Index>
 LeafRanges<Index> output_for(const LeafRangeListsOf<Index>&);
 
-/// What tasks leave, to be put side by side.
+/// The tasks' outputs, to be concatenated.
 template <class Lists>
 class TaskOutputs {
  public:
@@ -69,11 +70,11 @@ class TaskOutputs {
     lists.offsets.assign(shafts + 1, 0);
   }
   [[nodiscard]] Output& operator[](std::size_t task) noexcept { return output_[task]; }
-  /// Shaft s is done; what it added is at the end of its task's output.
-  void close(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = output_[task].count(); }
+  /// Ends the list of shaft s, which is the last one in its task's output so far.
+  void end_list(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = output_[task].count(); }
 
   template <class Index>
-  void put_together(const kernel::LeafIndices<Index>& indices) {
+  void concatenate(const kernel::LeafIndices<Index>& indices) {
     std::uint64_t before = 0;
     for (std::size_t t = 0; t != output_.size(); ++t) {
       const IndexRange task = chunk_at(shafts_, task_shafts, t);
@@ -87,7 +88,7 @@ class TaskOutputs {
       write(done, indices, items.data() + lists_.offsets[t * task_shafts]);
     });
   }
-  /// All lists of the call are put together: they are not emptied at the end.
+  /// All lists of the call are concatenated: they are not emptied at the end.
   void complete() noexcept { in_progress_.complete(); }
 
  private:
@@ -115,10 +116,10 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
     for (std::size_t s = task.first; s != task.end(); ++s) {
       kernel::KeptLister lister(list_of(query.indices(), all[t]));
       query.walk(s, lister);
-      all.close(t, s);
+      all.end_list(t, s);
     }
   });
-  all.put_together(query.indices());
+  all.concatenate(query.indices());
   all.complete();
 }
 
@@ -136,12 +137,12 @@ void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound,
     for (std::size_t s = task.first; s != task.end(); ++s) {
       kernel::ClassLister lister(list_of(query.indices(), overlaps[t]), list_of(query.indices(), insides[t]));
       query.walk(s, lister);
-      overlaps.close(t, s);
-      insides.close(t, s);
+      overlaps.end_list(t, s);
+      insides.end_list(t, s);
     }
   });
-  overlaps.put_together(query.indices());
-  insides.put_together(query.indices());
+  overlaps.concatenate(query.indices());
+  insides.concatenate(query.indices());
   overlaps.complete();
   insides.complete();
 }
@@ -157,7 +158,7 @@ void require_callback(const Callback& callback) {
 /// Walks with the visitor that visitor_of(slot) makes, for every shaft in parallel, and then calls deliver(s, slot),
 /// one at a time in their order. `Slot` is where a shaft's answers wait; it can be cleared.
 template <class Slot, class Bound, class Index, class VisitorOf, class Deliver>
-void hand_out(const kernel::Query<Bound, Index>& query, const VisitorOf& visitor_of, const Deliver& deliver) {
+void deliver_in_order(const kernel::Query<Bound, Index>& query, const VisitorOf& visitor_of, const Deliver& deliver) {
   std::vector<Slot> slots(slots_per_thread * static_cast<std::size_t>(kernel::threads_here()));
   const auto work = [&](std::size_t s, std::size_t slot) {
     slots[slot].clear();
@@ -242,7 +243,7 @@ void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound
                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
   require_callback(callback);
-  hand_out<Ranges<Index>>(
+  deliver_in_order<Ranges<Index>>(
       query, [&](Ranges<Index>& kept) { return kernel::KeptLister(RangeList<Index>(query.indices(), kept)); },
       [&](std::size_t s, const Ranges<Index>& kept) {
         callback({s, span_of(kept)});
@@ -263,7 +264,7 @@ void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree
       inside.clear();
     }
   };
-  hand_out<Slot>(
+  deliver_in_order<Slot>(
       query,
       [&](Slot& slot) {
         return kernel::ClassLister(RangeList<Index>(query.indices(), slot.overlap),

@@ -9,7 +9,7 @@ using kernel::LeafRangeList;
 using kernel::Question;
 using kernel::SpanOutput;
 
-/// What a null span of them is said to have no room for.
+/// What messages about a null span call its items.
 template <class Item>
 constexpr const char* items = std::is_integral_v<Item> ? "indices" : "leaf ranges";
 

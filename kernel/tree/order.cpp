@@ -35,8 +35,9 @@ void order_part(const Part<Index>& part, std::size_t parts, const Kernels& kerne
     for (std::size_t i = part.first; i != part.last; ++i) order[i] = index_of<Index>(*part.entries, i);
     return;
   }
-  const bool threads_are_idle = part.size() >= fewest_together && parts < static_cast<std::size_t>(threads_here());
-  const Halves<Index> halves = threads_are_idle ? split_together(part, cut, kernels) : split(part, cut, kernels);
+  const bool threads_are_idle =
+      part.size() >= fewest_for_parallel_split && parts < static_cast<std::size_t>(threads_here());
+  const Halves<Index> halves = threads_are_idle ? split_in_parallel(part, cut, kernels) : split(part, cut, kernels);
   if (part.size() <= task_entries) {
     order_part(halves.low, 2 * parts, kernels, order);
     order_part(halves.high, 2 * parts, kernels, order);

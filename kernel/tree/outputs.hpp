@@ -16,29 +16,31 @@ namespace shaftcull::kernel {
 //   last()          the item added last, or null if it was not written
 //   count()         how many there are
 // and that in the caller's memory also:
-//   room()          where `most_added` items may be written, or null
+//   next()          where `most_added` items may be written, or null
 //   advance(items)  so many were written there
 
-/// Items that a list adds at most between two looks at the room there is: a word of leaves.
+/// Most items that a list adds between two calls of next(): a word of leaves.
 inline constexpr std::size_t most_added = 64;
 
-/// Room in the caller's memory: what does not fit is counted only.
+/// The caller's memory. What does not fit is only counted.
 template <class Item>
 class SpanOutput {
  public:
-  explicit SpanOutput(std::span<Item> room) noexcept : room_(room) {}
+  explicit SpanOutput(std::span<Item> items) noexcept : items_(items) {}
 
-  [[nodiscard]] Item* room() noexcept { return count_ + most_added <= room_.size() ? room_.data() + count_ : nullptr; }
+  [[nodiscard]] Item* next() noexcept {
+    return count_ + most_added <= items_.size() ? items_.data() + count_ : nullptr;
+  }
   void advance(std::size_t items) noexcept { count_ += items; }
   void push(Item item) noexcept {
-    if (count_ < room_.size()) room_[count_] = item;
+    if (count_ < items_.size()) items_[count_] = item;
     ++count_;
   }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  [[nodiscard]] Item* last() noexcept { return count_ <= room_.size() ? room_.data() + count_ - 1 : nullptr; }
+  [[nodiscard]] Item* last() noexcept { return count_ <= items_.size() ? items_.data() + count_ - 1 : nullptr; }
 
  private:
-  std::span<Item> room_;
+  std::span<Item> items_;
   std::size_t count_ = 0;
 };
 
@@ -88,7 +90,7 @@ template <class Item>
 class ChunkedOutput {
  public:
   void push(Item item) {
-    if (chunks_.empty() || chunks_.back().size == chunks_.back().room) {
+    if (chunks_.empty() || chunks_.back().size == chunks_.back().capacity) {
       chunks_.emplace_back(std::clamp(count_, least_chunk, most_chunk));
     }
     *chunks_.back().end() = item;
@@ -110,16 +112,17 @@ class ChunkedOutput {
   static constexpr std::size_t most_chunk = std::size_t{1} << 17;
 
   struct Chunk {
-    explicit Chunk(std::size_t items_at_most) : items(Allocator().allocate(items_at_most)), room(items_at_most) {}
-    Chunk(Chunk&& other) noexcept : items(std::exchange(other.items, nullptr)), room(other.room), size(other.size) {}
+    explicit Chunk(std::size_t items_at_most) : items(Allocator().allocate(items_at_most)), capacity(items_at_most) {}
+    Chunk(Chunk&& other) noexcept
+        : items(std::exchange(other.items, nullptr)), capacity(other.capacity), size(other.size) {}
     Chunk& operator=(Chunk&&) = delete;
     ~Chunk() {
-      if (items != nullptr) Allocator().deallocate(items, room);
+      if (items != nullptr) Allocator().deallocate(items, capacity);
     }
     [[nodiscard]] Item* end() const noexcept { return items + size; }
 
     Item* items;
-    std::size_t room;
+    std::size_t capacity;
     std::size_t size = 0;
   };
 

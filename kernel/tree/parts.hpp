@@ -19,7 +19,7 @@ inline constexpr std::size_t fanout = 64;
 /// A tree is not made narrower than this many words at the top: visiting them all costs less than one more level.
 inline constexpr std::size_t top_words = 2;
 
-/// What second-level caches hold. Fetching leaves that one holds costs a walk a tenth, and gains nothing.
+/// What second-level caches hold. Prefetching leaves that one holds costs a walk a tenth, and gains nothing.
 inline constexpr std::size_t second_level_bytes = std::size_t{2} << 20U;
 
 /// A tree's levels hold at most this many bounds.

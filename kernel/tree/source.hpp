@@ -71,10 +71,10 @@ using CentreExtentSource = RecordSource<Box, CentreExtentRecords, CentreExtentRe
 template <class Source>
 inline constexpr bool shows_faults_when_packed = !std::is_same_v<Source, CentreExtentSource>;
 
-/// Bounds that a task looks at.
+/// Bounds in a block, which one task reads.
 inline constexpr std::size_t source_block = 16384;
 
-/// Throws BadBound for the first illegal bound; looks in parallel, whatever floating-point mode the caller runs in.
+/// Throws BadBound for the first illegal bound; checks in parallel, in the standard floating-point modes.
 template <class Bound, class Source>
 void require_legal(const Source& source) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();

@@ -1,5 +1,5 @@
-/// By one thread a part is halved in place, which moves half of it. By many it is cut into chunks: when all have told
-/// how many of their entries go where, each scatters its own, out of place.
+/// One thread halves a part in place, which moves half of it. Many threads cut it into chunks: they first count which
+/// of their entries go where, and then scatter them, out of place.
 #include "tree/split.hpp"
 
 #include <vector>
@@ -10,7 +10,7 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Entries that a task looks at.
+/// Entries in a chunk, which one task handles.
 constexpr std::size_t chunk_entries = 16384;
 
 template <class Index>
@@ -37,19 +37,19 @@ template <class Index>
 PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitKernels& kernels) {
   const std::size_t count = part.size();
   const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
-  const EntryStreams<Index> room = moved_by<Index>(*part.room, part.first);
-  const SampleBracket bracket = kernels.bracket(entries.data(), count, rank, room.data());
+  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first);
+  const SampleBracket bracket = kernels.bracket(entries.data(), count, rank, scratch.data());
   const float* const key = entries[bracket.axis];
-  float* const some = room[bracket.axis];  // what a chunk has within the bracket is where the chunk is
+  float* const some = scratch[bracket.axis];  // what a chunk has within the bracket is where the chunk is
   const std::size_t chunks = chunk_count(count, chunk_entries);
-  std::vector<Collected> found(chunks);
+  std::vector<BracketCounts> found(chunks);
   parallel_for_nested(chunks, 1, [&](std::size_t c, std::size_t) {
     const IndexRange chunk = chunk_at(count, chunk_entries, c);
-    found[c] = kernels.collect(key + chunk.first, chunk.size, bracket, some + chunk.first);
+    found[c] = kernels.collect_in_bracket(key + chunk.first, chunk.size, bracket, some + chunk.first);
   });
   std::size_t below = 0;
   std::size_t all_between = 0;
-  for (const Collected& of_chunk : found) all_between += of_chunk.between;
+  for (const BracketCounts& of_chunk : found) all_between += of_chunk.between;
   std::vector<float> between;
   between.reserve(all_between);
   for (std::size_t c = 0; c != chunks; ++c) {
@@ -82,13 +82,13 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
 template <class Index>
 Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
   const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
-  const EntryStreams<Index> room = moved_by<Index>(*part.room, part.first);
-  kernels_for<Index>(kernels).whole(entries.data(), room.data(), part.size(), cut - part.first);
-  return {{part.first, cut, part.entries, part.room}, {cut, part.last, part.room, part.entries}};
+  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first);
+  kernels_for<Index>(kernels).halve(entries.data(), scratch.data(), part.size(), cut - part.first);
+  return {{part.first, cut, part.entries, part.scratch}, {cut, part.last, part.scratch, part.entries}};
 }
 
 template <class Index>
-Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Kernels& kernels) {
+Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const Kernels& kernels) {
   const SplitKernels& its_kernels = kernels_for<Index>(kernels);
   const std::size_t rank = cut - part.first;
   const PivotOfChunks pivot = find_pivot(part, rank, its_kernels);
@@ -121,18 +121,18 @@ Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Ker
     const std::size_t first = part.first + chunk_at(part.size(), chunk_entries, c).first;
     const std::size_t size = chunk_at(part.size(), chunk_entries, c).size;
     const EntryStreams<Index> chunk = moved_by<Index>(*part.entries, first);
-    const EntryStreams<Index> less = moved_by<Index>(*part.room, places[c].less);
-    const EntryStreams<Index> equal = moved_by<Index>(*part.room, places[c].equal);
-    const EntryStreams<Index> larger = moved_by<Index>(*part.room, places[c].larger);
+    const EntryStreams<Index> less = moved_by<Index>(*part.scratch, places[c].less);
+    const EntryStreams<Index> equal = moved_by<Index>(*part.scratch, places[c].equal);
+    const EntryStreams<Index> larger = moved_by<Index>(*part.scratch, places[c].larger);
     its_kernels.scatter(chunk.data(), size, pivot.axis, pivot.key, pivot.counts[c], less.data(),
                         are_apart ? equal.data() : nullptr, larger.data());
   });
-  return {{part.first, cut, part.room, part.entries}, {cut, part.last, part.room, part.entries}};
+  return {{part.first, cut, part.scratch, part.entries}, {cut, part.last, part.scratch, part.entries}};
 }
 
 template Halves<std::uint32_t> split(const Part<std::uint32_t>&, std::size_t, const Kernels&) noexcept;
 template Halves<std::uint64_t> split(const Part<std::uint64_t>&, std::size_t, const Kernels&) noexcept;
-template Halves<std::uint32_t> split_together(const Part<std::uint32_t>&, std::size_t, const Kernels&);
-template Halves<std::uint64_t> split_together(const Part<std::uint64_t>&, std::size_t, const Kernels&);
+template Halves<std::uint32_t> split_in_parallel(const Part<std::uint32_t>&, std::size_t, const Kernels&);
+template Halves<std::uint64_t> split_in_parallel(const Part<std::uint64_t>&, std::size_t, const Kernels&);
 
 }  // namespace shaftcull::kernel

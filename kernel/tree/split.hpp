@@ -8,13 +8,13 @@
 
 namespace shaftcull::kernel {
 
-/// Entries [first, last) of some streams; others have room for them at the same place.
+/// Entries [first, last) of some streams. Scratch streams have space for them at the same place.
 template <class Index>
 struct Part {
   std::size_t first;
   std::size_t last;
   const EntryStreams<Index>* entries;
-  const EntryStreams<Index>* room;
+  const EntryStreams<Index>* scratch;
 
   [[nodiscard]] std::size_t size() const noexcept { return last - first; }
 };
@@ -29,9 +29,9 @@ struct Halves {
 template <class Index>
 Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept;
 
-/// The same halves, made by all threads of the caller's arena. For parts of at least so many entries.
-inline constexpr std::size_t fewest_together = 65536;
+/// The same halves, made by all threads of the caller's arena. Worth it for parts of at least so many entries.
+inline constexpr std::size_t fewest_for_parallel_split = 65536;
 template <class Index>
-Halves<Index> split_together(const Part<Index>& part, std::size_t cut, const Kernels& kernels);
+Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const Kernels& kernels);
 
 }  // namespace shaftcull::kernel

@@ -19,7 +19,7 @@ namespace {
 
 /// `bounds`, or an exception.
 template <class Index, class Bounds>
-const Bounds& few_enough(const Bounds& bounds) {
+const Bounds& within_capacity(const Bounds& bounds) {
   constexpr std::uint64_t most = std::min<std::uint64_t>(std::numeric_limits<Index>::max(), kernel::most_bounds);
   if (bounds.count <= most) return bounds;
   throw InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: with " +
@@ -58,17 +58,17 @@ BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(BoundsTree&& other
 
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const View& bounds)
-    : parts_(built_from<Bound, Index>(kernel::ViewSource<Bound>(few_enough<Index>(bounds)))) {}
+    : parts_(built_from<Bound, Index>(kernel::ViewSource<Bound>(within_capacity<Index>(bounds)))) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
-    : parts_(built_from<Bound, Index>(kernel::RecordSource<Bound>(few_enough<Index>(bounds)))) {}
+    : parts_(built_from<Bound, Index>(kernel::RecordSource<Bound>(within_capacity<Index>(bounds)))) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>
     : parts_([&] {
       if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
-        return built_from<Bound, Index>(kernel::CentreExtentSource(few_enough<Index>(bounds)));
+        return built_from<Bound, Index>(kernel::CentreExtentSource(within_capacity<Index>(bounds)));
       } else {
         return nullptr;
       }

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "shaftcull/query.hpp"
-#include "tree/found.hpp"
+#include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
 #include "tree/outputs.hpp"
 
@@ -20,10 +20,10 @@ class IndexList {
  public:
   IndexList(const LeafIndices<Index>& indices, Output& output) noexcept : indices_(indices), output_(output) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.prefetch(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
-    if (Index* const out = output_.room()) {
+    if (Index* const out = output_.next()) {
       output_.advance(indices_.compress(first, bits, out));
     } else {
       for (; bits != 0; bits &= bits - 1) {
@@ -34,7 +34,7 @@ class IndexList {
   /// Whole words.
   void range(std::size_t first, std::size_t size) {
     for (std::size_t word = first; word != first + size; word += fanout) {
-      if (Index* const out = output_.room()) {
+      if (Index* const out = output_.next()) {
         indices_.copy(word, fanout, out);
         output_.advance(fanout);
       } else {
@@ -50,16 +50,16 @@ class IndexList {
 
 /// Leaves as they were found, to be written as the user's indices when it is known where to.
 template <class Index>
-class FoundList {
+class KeptLeavesList {
  public:
-  explicit FoundList(FoundOutput<Index>& output) noexcept : output_(output) {}
+  explicit KeptLeavesList(KeptLeavesOutput<Index>& output) noexcept : output_(output) {}
 
-  void expect(std::size_t /*first*/) const noexcept {}
+  void prefetch(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) { output_.add_word(first, bits); }
   void range(std::size_t first, std::size_t size) { output_.add_range(first, size); }
 
  private:
-  FoundOutput<Index>& output_;
+  KeptLeavesOutput<Index>& output_;
 };
 
 /// Leaves as ranges, each as long as can be.
@@ -68,7 +68,7 @@ class LeafRangeList {
  public:
   LeafRangeList(const LeafIndices<Index>& /*indices*/, Output& output) noexcept : output_(output) {}
 
-  void expect(std::size_t /*first*/) const noexcept {}
+  void prefetch(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) {
     while (bits != 0) {
       const int start = std::countr_zero(bits);
@@ -99,7 +99,7 @@ class IndexBits {
  public:
   IndexBits(const LeafIndices<Index>& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.prefetch(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) noexcept {
     for (; bits != 0; bits &= bits - 1) set(first + static_cast<std::size_t>(std::countr_zero(bits)));
   }
@@ -120,7 +120,7 @@ class IndexBits {
 /// Visitor that sees whether anything is kept, and then ends the walk.
 class Finder {
  public:
-  void expect(std::size_t /*first*/) const noexcept {}
+  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept { found_ |= kept != 0; }
   void range(std::size_t /*first*/, std::size_t size) noexcept { found_ |= size != 0; }
   [[nodiscard]] bool is_done() const noexcept { return found_; }
@@ -132,7 +132,7 @@ class Finder {
 /// Visitor that counts what overlaps and what is inside.
 class ClassCounter {
  public:
-  void expect(std::size_t /*first*/) const noexcept {}
+  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t inside) noexcept {
     counts_.overlap += static_cast<std::size_t>(std::popcount(kept & ~inside));
     counts_.inside += static_cast<std::size_t>(std::popcount(inside));
@@ -147,7 +147,7 @@ class ClassCounter {
 /// Visitor that counts what is kept.
 class Counter {
  public:
-  void expect(std::size_t /*first*/) const noexcept {}
+  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     count_ += static_cast<std::size_t>(std::popcount(kept));
   }
@@ -164,7 +164,7 @@ class KeptLister {
  public:
   explicit KeptLister(const List& kept) noexcept : kept_(kept) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { kept_.expect(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
   void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
 
@@ -178,7 +178,7 @@ class InsideLister {
  public:
   explicit InsideLister(const List& inside) noexcept : inside_(inside) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { inside_.expect(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { inside_.prefetch(first); }
   void word(std::size_t first, std::uint64_t /*kept*/, std::uint64_t inside) { inside_.bits(first, inside); }
   void range(std::size_t first, std::size_t size) { inside_.range(first, size); }
 
@@ -192,7 +192,7 @@ class KeptAndInsideLister {
  public:
   KeptAndInsideLister(const List& kept, const List& inside) noexcept : kept_(kept), inside_(inside) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { kept_.expect(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     kept_.bits(first, kept);
     inside_.bits(first, inside);
@@ -213,7 +213,7 @@ class ClassLister {
  public:
   ClassLister(const List& overlap, const List& inside) noexcept : overlap_(overlap), inside_(inside) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { overlap_.expect(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { overlap_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     overlap_.bits(first, kept & ~inside);
     inside_.bits(first, inside);
@@ -236,7 +236,7 @@ class Filter {
          Visitor& visitor) noexcept
       : indices_(indices), own_(own), mask_(mask), visitor_(visitor) {}
 
-  [[gnu::always_inline]] void expect(std::size_t first) const noexcept { indices_.prefetch(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     const std::uint64_t left = kept & ~excluded(first, kept);
     if (left != 0) visitor_.word(first, left, inside & left);

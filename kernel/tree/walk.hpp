@@ -1,8 +1,8 @@
 /// The walk of one shaft through a tree: word by word of answers, from the top down, in tree order.
 ///
-/// Entries that are not outside name the words to test one level down, some at once: the memory of each is on its way
-/// from when it is named, since a walk takes as long as what it reads. An entry that is inside, and has nothing empty
-/// below, accepts its leaves as one range.
+/// Entries that are not outside name words to test one level down. A word is prefetched when it is named, and tested a
+/// little later with others, because most of the time of a walk is that of reading memory. An entry that is inside, and
+/// has nothing empty below, accepts its leaves as one range.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ enum class Question : std::uint8_t { kept, kept_and_inside, inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
 ///
-///     visitor.expect(first)              leaves first … first + 63 will be tested
+///     visitor.prefetch(first)              leaves first … first + 63 will be tested
 ///     visitor.word(first, kept, inside)  leaves first … first + 63, some of which are kept; inside is 0 for
 ///                                        Question::kept
 ///     visitor.range(first, size)         leaves that are all inside, whole words
@@ -67,13 +67,13 @@ class Walk {
   /// For Question::kept a range only saves time, so only nodes with many kept children are tested for inside.
   static constexpr unsigned many_kept = 48;
 
-  /// Fetches a word of entries of level `k`.
+  /// Prefetches a word of entries of level `k`.
   [[gnu::always_inline]] void prefetch(std::size_t k, std::size_t word) const noexcept {
     if (!prefetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {
       for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
-      visitor_.expect(first);
+      visitor_.prefetch(first);
     } else {
       for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
     }

@@ -11,24 +11,25 @@
 
 namespace shaftcull::kernel {
 
-/// Leaves ahead of those read whose bounds are fetched, because tree order jumps about in the user's memory.
+/// Leaves ahead of those read whose bounds are prefetched, because tree order jumps about in the user's memory.
 inline constexpr std::size_t prefetched_leaves = 64;
 
-/// Writes leaves [run.first, run.end()), leaf p being bound order[p] of the source, and fits level 1 above them. run is
-/// whole words but for the tree's last one; if others write leaves at the same time, whole blocks of gap_leaves.
+/// Writes leaves [range.first, range.end()), leaf p being bound order[p] of the source, and fits level 1 above them.
+/// range is whole words but for the tree's last one; if others write leaves at the same time, whole blocks of
+/// gap_leaves.
 ///
 /// Written one leaf at a time, every leaf would write as many cache lines as there are streams, and keep the next one
 /// waiting for them.
 template <class Bound, class Index, class Source>
-void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, const IndexRange& run,
+void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, const IndexRange& range,
                   const Source& source) noexcept {
   constexpr std::size_t rows = rows_of<Bound>;
   const auto row = parts.leaf_rows();
   const WordWriter writer(parts.leaves.memory_bytes());
   alignas(64) float word[rows][fanout];
   const RowsOf<ViewOf<Bound>> to = rows_in(word);
-  for (std::size_t first = run.first; first < run.end(); first += fanout) {
-    const std::size_t count = std::min(fanout, run.end() - first);
+  for (std::size_t first = range.first; first < range.end(); first += fanout) {
+    const std::size_t count = std::min(fanout, range.end() - first);
     // Inlined, as prefetch_to_second_level() is.
     const auto prefetch_ahead = [ =, &source, end = parts.is_worth_prefetching() ? parts.size : 0 ](std::size_t i)
         __attribute__((always_inline)) {

@@ -85,7 +85,7 @@ void expect_all(const ShaftInput& input, const std::vector<Bound>& bounds, const
     const UseIsa use(isa);
     expect_right(input, bounds, right, all_answers(input, bounds, Form::slab), "slab");
     expect_right(input, bounds, right, all_answers(input, bounds, Form::planes), "planes");
-    // Few in a word are settled in another way than many.
+    // Few undecided bounds in a word take another path than many.
     const std::size_t far_apart = bounds_on_grid / std::max<std::size_t>(bounds.size(), 1);
     for (const auto& [doublings, apart] :
          {std::pair(0U, std::size_t{1}), std::pair(0U, far_apart), std::pair(6U, std::size_t{1})}) {

@@ -41,7 +41,7 @@ inline void expect_equal(const CompiledShaft& one, const CompiledShaft& other) {
   EXPECT_EQ(shaft.slab_form, expected.slab_form);
   EXPECT_EQ(bits(shaft.a), bits(expected.a));
   EXPECT_EQ(bits(shaft.b), bits(expected.b));
-  EXPECT_EQ(shaft.reach, expected.reach);
+  EXPECT_EQ(shaft.largest_coordinate, expected.largest_coordinate);
   ASSERT_EQ(shaft.added_count, expected.added_count);
   for (std::size_t i = 0; i != expected.added_count; ++i) {
     using Words = std::array<std::uint32_t, sizeof(kernel::ShaftData::AddedPlane) / sizeof(std::uint32_t)>;

@@ -26,7 +26,7 @@ using kernel::GridShaft;
 /// A face on a grid, as a near corner is compared with it.
 struct GridFace {
   double middle;
-  double way;
+  double travel;
 };
 
 GridFace face_of(const CompiledShaft& shaft, const GridFrame& frame, std::uint8_t near_stream) {
@@ -44,38 +44,38 @@ int product(int coordinate, int scale) { return (coordinate * scale + (1 << 14))
 
 void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& frame, const GridShaft& grid) {
   constexpr double floats = 0.01;
-  const unsigned moving = 6U - grid.standing;
-  GridFace leading{};
+  const unsigned moving = 6U - grid.stationary;
+  GridFace reference{};
   if (moving != 0) {
-    leading = face_of(shaft, frame, grid.near_stream[0]);
-    const double half = 0.5 * std::abs(leading.way);
-    EXPECT_LE(grid.begin, leading.middle - half + floats);
-    EXPECT_GE(grid.begin, leading.middle - half - 1 - static_cast<double>(kernel::float_slack) - floats);
-    EXPECT_GE(grid.end, leading.middle + half - floats);
-    EXPECT_LE(grid.end, leading.middle + half + 1 + static_cast<double>(kernel::float_slack) + floats);
+    reference = face_of(shaft, frame, grid.near_stream[0]);
+    const double half = 0.5 * std::abs(reference.travel);
+    EXPECT_LE(grid.begin, reference.middle - half + floats);
+    EXPECT_GE(grid.begin, reference.middle - half - 1 - static_cast<double>(kernel::float_slack) - floats);
+    EXPECT_GE(grid.end, reference.middle + half - floats);
+    EXPECT_LE(grid.end, reference.middle + half + 1 + static_cast<double>(kernel::float_slack) + floats);
   }
   for (unsigned i = moving == 0 ? 0 : 1; i != 6; ++i) {
     const GridFace face = face_of(shaft, frame, grid.near_stream[i]);
-    const bool stands = i >= moving;
+    const bool is_stationary = i >= moving;
     const bool is_upper = i <= grid.uppers;
-    const double half = 0.5 * std::abs(face.way);
-    const double scale = leading.way / face.way;
-    ASSERT_EQ(stands, 2 * half < static_cast<double>(kernel::standing_way));
-    ASSERT_TRUE(stands || is_upper == (scale < 0));
-    ASSERT_TRUE(stands || std::abs(scale) <= 1) << "the leading face moves least";
+    const double half = 0.5 * std::abs(face.travel);
+    const double scale = reference.travel / face.travel;
+    ASSERT_EQ(is_stationary, 2 * half < static_cast<double>(kernel::most_stationary_travel));
+    ASSERT_TRUE(is_stationary || is_upper == (scale < 0));
+    ASSERT_TRUE(is_stationary || std::abs(scale) <= 1) << "the reference face moves least";
     // What is cut off, too, stays within 16 bits.
     constexpr auto most = static_cast<int>(kernel::grid_top);
     for (const int q : {-most, most}) {
-      const int computed = stands ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
+      const int computed = is_stationary ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
       ASSERT_LE(std::abs(computed), std::numeric_limits<std::int16_t>::max());
     }
-    const double by_scale = stands ? 0 : half * std::abs(static_cast<double>(grid.scale[i]) * 0x1p-15 - scale);
+    const double by_scale = is_stationary ? 0 : half * std::abs(static_cast<double>(grid.scale[i]) * 0x1p-15 - scale);
     const double step = std::max(1.0, half / 500);
     for (double at = face.middle - half; at <= face.middle + half; at += step) {
       const int q = static_cast<int>(std::floor(at));
-      const int computed = stands ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
-      const double exact = stands ? face.middle + half - q : leading.middle + scale * (q - face.middle);
-      const double permissive = stands || is_upper ? computed - exact : exact - computed;
+      const int computed = is_stationary ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
+      const double exact = is_stationary ? face.middle + half - q : reference.middle + scale * (q - face.middle);
+      const double permissive = is_stationary || is_upper ? computed - exact : exact - computed;
       ASSERT_GT(permissive, -0.5) << "at " << q << ", constraint "
                                   << i;  // two of them: less than one step, and all are integers
       ASSERT_LT(permissive, static_cast<double>(kernel::bound_slack + kernel::bound_error) + 2 * by_scale + floats)

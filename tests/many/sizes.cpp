@@ -38,7 +38,7 @@ std::vector<std::size_t> bound_counts() {
   return counts;
 }
 
-/// Shafts of every form: around all bounds, with added planes, of faces that stand, too large for floats; the others
+/// Shafts of every form: around all bounds, with added planes, of stationary faces, too large for floats; the others
 /// drawn.
 std::vector<CompiledShaft> mixed_shafts() {
   std::vector<CompiledShaft> shafts = random_shafts(seed, most_shafts);

@@ -16,9 +16,9 @@ std::array<Rational, 6> coordinates(const Box& box) {
 bool narrow(const Rational& p, const Rational& q, float x, Rational& lower, Rational& upper) {
   if (std::isinf(x)) return x > 0;
   const Rational slope = q - p;
-  const Rational room = Rational(x) - p;
-  if (slope == 0) return room >= 0;
-  const Rational bound = room / slope;
+  const Rational distance = Rational(x) - p;
+  if (slope == 0) return distance >= 0;
+  const Rational bound = distance / slope;
   if (slope > 0) {
     upper = std::min(upper, bound);
   } else {

@@ -207,7 +207,7 @@ std::optional<Answer> QuickHull::answer(const Sphere& sphere) const {
   return inside == Truth::yes ? Answer::inside : Answer::overlap;
 }
 
-double QuickHull::reach(const Vec3& point) const {
+double QuickHull::distance_to_surface(const Vec3& point) const {
   const std::array<double, 3> centre{point[0], point[1], point[2]};
   const double t = nearest_t(centre);
   double squared_distance = 0;

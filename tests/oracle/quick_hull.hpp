@@ -26,7 +26,7 @@ class QuickHull {
   [[nodiscard]] std::optional<Answer> answer(const Sphere& sphere) const;
 
   /// About the radius of the sphere around `point` that touches conv(a ∪ b), from outside or from inside.
-  [[nodiscard]] double reach(const Vec3& point) const;
+  [[nodiscard]] double distance_to_surface(const Vec3& point) const;
 
  private:
   enum class Truth : unsigned char { no, unknown, yes };

@@ -10,14 +10,14 @@
 #include "instruction_sets.hpp"
 #include "kernels/table.hpp"
 #include "oracle/random.hpp"
-#include "tree/found.hpp"
+#include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
 
 namespace shaftcull {
 namespace {
 
 constexpr std::uint32_t untouched = 0xffffffff;
-constexpr std::size_t room = 64;
+constexpr std::size_t space = 64;
 constexpr std::size_t margin = 16;
 
 /// Words of which some share of bits is set, none and all among them.
@@ -51,12 +51,12 @@ TEST(CompressIndices, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const std::uint64_t bits : words_of_bits()) {
-      std::vector<std::uint32_t> out(margin + room + margin, untouched);
+      std::vector<std::uint32_t> out(margin + space + margin, untouched);
       const std::size_t picked = kernel::active_kernels().compress_indices(from.data(), bits, out.data() + margin);
       const auto start = out.begin() + margin;
       ASSERT_EQ(std::vector(start, start + static_cast<std::ptrdiff_t>(picked)), those_of(from, 0, bits)) << name(isa);
       ASSERT_EQ(std::vector(out.begin(), start), std::vector(margin, untouched)) << name(isa);
-      ASSERT_EQ(std::vector(start + room, out.end()), std::vector(margin, untouched)) << name(isa);
+      ASSERT_EQ(std::vector(start + space, out.end()), std::vector(margin, untouched)) << name(isa);
     }
   }
 }
@@ -78,7 +78,7 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
       for (std::uint64_t bits : words_of_bits()) {
         const std::size_t first = (size - 1) / 64 * 64;
         if (size - first < 64) bits &= (std::uint64_t{1} << (size - first)) - 1;
-        std::vector<TypeParam> out(room);
+        std::vector<TypeParam> out(space);
         indices.prefetch(first);
         out.resize(indices.compress(first, bits, out.data()));
         ASSERT_EQ(out, those_of(order, first, bits)) << size << " leaves, " << name(isa);
@@ -98,7 +98,7 @@ TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
     const UseIsa use(isa);
     const kernel::LeafIndices<TypeParam> indices(order, true, kernel::active_kernels());
     for (const std::size_t last : {std::size_t{0}, std::size_t{1}, std::size_t{200}, whole}) {
-      kernel::FoundOutput<TypeParam> found;
+      kernel::KeptLeavesOutput<TypeParam> found;
       std::vector<TypeParam> expected;
       for (std::size_t w = 0; w <= last; ++w) {
         const std::uint64_t bits =
@@ -112,9 +112,9 @@ TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
                         order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 4)));
       }
       ASSERT_EQ(found.count(), expected.size());
-      std::vector<TypeParam> out(expected.size() + room, TypeParam{untouched});
+      std::vector<TypeParam> out(expected.size() + space, TypeParam{untouched});
       found.write(indices, out.data());
-      ASSERT_EQ(std::vector(out.end() - room, out.end()), std::vector(room, TypeParam{untouched})) << name(isa);
+      ASSERT_EQ(std::vector(out.end() - space, out.end()), std::vector(space, TypeParam{untouched})) << name(isa);
       out.resize(expected.size());
       ASSERT_EQ(out, expected) << last << ", " << name(isa);
     }

@@ -88,7 +88,7 @@ Entries split(const Entries& entries, std::size_t first_half, bool wide) {
   Streams to(entries.size());
   const kernel::Kernels& kernels = kernel::active_kernels();
   (wide ? kernels.split_wide : kernels.split)
-      .whole(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
+      .halve(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
   EXPECT_TRUE(from.margins_are_untouched());
   EXPECT_TRUE(to.margins_are_untouched());
   Entries halves;
@@ -110,18 +110,18 @@ Entries split_together(const Entries& entries, std::size_t first_half) {
   Streams streams(all);
   Streams spare(all.size());
   kernel::EntryStreams<Index> of_entries;
-  kernel::EntryStreams<Index> of_room;
+  kernel::EntryStreams<Index> of_scratch;
   std::copy_n(streams.pointers().begin(), of_entries.size(), of_entries.begin());
-  std::copy_n(spare.pointers().begin(), of_room.size(), of_room.begin());
+  std::copy_n(spare.pointers().begin(), of_scratch.size(), of_scratch.begin());
   const std::size_t cut = part_first + first_half;
-  const kernel::Halves<Index> halves =
-      kernel::split_together<Index>({part_first, all.size(), &of_entries, &of_room}, cut, kernel::active_kernels());
+  const kernel::Halves<Index> halves = kernel::split_in_parallel<Index>(
+      {part_first, all.size(), &of_entries, &of_scratch}, cut, kernel::active_kernels());
   EXPECT_EQ(halves.low.first, part_first);
   EXPECT_EQ(halves.low.last, cut);
   EXPECT_EQ(halves.high.first, cut);
   EXPECT_EQ(halves.high.last, all.size());
-  EXPECT_NE(halves.low.entries, halves.low.room);
-  EXPECT_NE(halves.high.entries, halves.high.room);
+  EXPECT_NE(halves.low.entries, halves.low.scratch);
+  EXPECT_NE(halves.high.entries, halves.high.scratch);
   EXPECT_TRUE(streams.margins_are_untouched());
   EXPECT_TRUE(spare.margins_are_untouched());
   for (std::size_t i = 0; i != part_first; ++i) EXPECT_EQ(streams[i], all[i]);
@@ -167,13 +167,13 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
                                 std::to_string(first_half) + " first, " + std::string(name(isa)) + mode;
       ASSERT_EQ(split(entries, first_half, false) == expected, true) << which;
       ASSERT_EQ(split(entries, first_half, true) == expected, true) << which << ", five streams";
-      if (entries.size() < kernel::fewest_together) return;
+      if (entries.size() < kernel::fewest_for_parallel_split) return;
       ASSERT_EQ(split_together<std::uint32_t>(entries, first_half) == expected, true) << which << ", together";
       ASSERT_EQ(split_together<std::uint64_t>(entries, first_half) == expected, true) << which << ", together, five";
     };
     expect_halves("");
 #ifdef __SSE__
-    if (entries.size() >= kernel::fewest_together) continue;  // takes long, and says no more
+    if (entries.size() >= kernel::fewest_for_parallel_split) continue;  // takes long, and says no more
     const InMode in(modes[0]);
     const kernel::FloatEnvironment environment;  // as every call that gets here
     expect_halves(", denormals are zero");

@@ -110,7 +110,7 @@ void box_planes_stage(const ShaftData& shaft, const float* const* stream, std::s
     kept[w] = ~outside;
     if (kept[w] == 0) continue;
     for (unsigned lane = 0; lane < word_bits; lane += at_once * L::width) {
-      // Wide vectors nearly always have a lane left, and guessing wrong costs more than the planes.
+      // Wide vectors nearly always have a lane left, and a mispredicted branch costs more than the planes.
       if (L::width < 8 && (kept[w] & lanes_of<L>(lane)) == 0) continue;
       typename L::Vector value[at_once];
       planes.largest_values(w * word_bits + lane, value);

@@ -7,7 +7,7 @@
 
 namespace shaftcull::kernel {
 
-/// The room of what is outside, in lanes without a bound.
+/// An interval length that says outside, for lanes without a bound.
 inline constexpr float outside_for_certain = -1.0F;
 
 /// A compiled shaft's slab constraints in registers, `uppers` of them bounding t from above.
@@ -36,7 +36,7 @@ struct Slab {
       shift[i] = L::all(shaft.slab_shift[i]);
     }
     if constexpr (relative) {
-      end = L::all(FarWay<L>(shaft).length);
+      end = L::all(TravelFromNearer<L>(shaft).length);
       narrower = L::all(1 - error_margin);
       wider = L::all(1 + error_margin);
       two_margins = L::all(__FLT_MAX__);
@@ -56,11 +56,11 @@ struct Slab {
     }
   }
 
-  /// Smallest upper bound − largest lower bound + margin, where coordinate(i) is what constraint i reads: negative if
-  /// certainly outside, above two margins if certainly not. Never NaN, because minimum and maximum pass over a NaN in
-  /// their first argument.
+  /// Length of the interval of t that all constraints allow, plus the margin: smallest upper bound − largest lower
+  /// bound + margin. Negative if certainly outside, above two margins if certainly not. coordinate(i) is what
+  /// constraint i reads. Never NaN, because minimum and maximum pass over a NaN in their first argument.
   template <class Coordinate>
-  [[nodiscard]] Vector room(Coordinate coordinate) const noexcept {
+  [[nodiscard]] Vector interval_length(Coordinate coordinate) const noexcept {
     Vector upper = end;
     Vector lower = begin;
 #pragma GCC unroll 6
@@ -75,7 +75,8 @@ struct Slab {
     if constexpr (fused) {
       return L::subtract(upper, lower);
     } else if constexpr (relative) {
-      // Certainly not outside is +∞. Otherwise negative if certainly outside, and neither else.
+      // No length here, but with the same signs: +∞ if certainly not outside, negative if certainly outside, else
+      // undecided.
       const Vector least = L::multiply_add(upper, narrower, L::all(-relative_denormals));
       const Vector most = L::multiply_add(upper, wider, L::all(relative_denormals));
       return L::choose(L::less_equal(lower, least), L::all(__builtin_inff()), L::subtract(most, lower));
@@ -85,18 +86,18 @@ struct Slab {
   }
 };
 
-/// Bits of the boxes of the word at `at` that are outside, where some lane is too close to call.
+/// Bits of the boxes of the word at `at` that are outside, where some lane is undecided.
 template <class L, class SlabType, class Word>
-[[gnu::noinline, gnu::cold]] std::uint64_t settle_slab_word(const ShaftData& shaft, const SlabType& slab,
-                                                            const float* const (&x)[6], const float* const* stream,
-                                                            std::size_t at, const Word& word) noexcept {
+[[gnu::noinline, gnu::cold]] std::uint64_t resolve_slab_word(const ShaftData& shaft, const SlabType& slab,
+                                                             const float* const (&x)[6], const float* const* stream,
+                                                             std::size_t at, const Word& word) noexcept {
   std::uint64_t outside = 0;
   std::uint64_t near = 0;
   for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
-    const auto room = word.choose(lane, slab.room([&](unsigned i) { return word.load(x[i], at, lane); }),
-                                  L::all(outside_for_certain));
-    outside |= L::bits(L::less(room, L::all(0.0F))) << lane;
-    near |= L::bits(L::less_equal(room, slab.two_margins)) << lane;
+    const auto length = word.choose(lane, slab.interval_length([&](unsigned i) { return word.load(x[i], at, lane); }),
+                                    L::all(outside_for_certain));
+    outside |= L::bits(L::less(length, L::all(0.0F))) << lane;
+    near |= L::bits(L::less_equal(length, slab.two_margins)) << lane;
   }
   const SlabPredicate exact(shaft);
   return outside | decide_lanes<L>(near & ~outside, [&](unsigned lane) {
@@ -121,14 +122,14 @@ struct BoxCorners {
   }
 };
 
-/// Likewise of boxes around spheres, whose answers are not the last word.
+/// Likewise of boxes around spheres. Later stages test the spheres themselves.
 template <class L>
 struct BoxedSphereCorners : BoxCorners<L> {
   static constexpr bool exactly = false;
   using BoxCorners<L>::BoxCorners;
 };
 
-/// Likewise of spheres that nobody has made boxes for.
+/// Likewise of spheres that come without boxes around them.
 template <class L>
 struct SphereCorners {
   static constexpr bool exactly = false;
@@ -150,9 +151,9 @@ struct SphereCorners {
   }
 };
 
-/// Where words are: one behind the other. operator()(w) is the position of the first bound of word w.
+/// Positions of consecutive words. operator()(w) is the position of the first bound of word w.
 template <class L>
-struct WordsInARow {
+struct ConsecutiveWords {
   std::size_t first = 0;
   unsigned rest = 0;  ///< bounds of one more word, which they do not fill
 
@@ -167,25 +168,26 @@ template <class L, class SlabType, class Corners, class Word>
   std::uint64_t outside = 0;
   typename L::SignCollector signs(slab.two_margins);
   for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
-    typename L::Vector room[4];
+    typename L::Vector length[4];
 #pragma GCC unroll 4
     for (unsigned v = 0; v < 4; ++v) {
       // Not by way of an object for the vector: with one, g++ 12 does not put four scalar lanes into a register.
-      room[v] = slab.room([&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); });
+      length[v] =
+          slab.interval_length([&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); });
       if constexpr (Corners::has_radius) {
-        room[v] = L::either_negative(room[v], word.load(corners.radius, at, four + v * L::width));
+        length[v] = L::either_negative(length[v], word.load(corners.radius, at, four + v * L::width));
       }
-      room[v] = word.choose(four + v * L::width, room[v], L::all(outside_for_certain));
+      length[v] = word.choose(four + v * L::width, length[v], L::all(outside_for_certain));
     }
     if constexpr (Corners::exactly) {
-      outside |= signs.collect(room) << four;
+      outside |= signs.collect(length) << four;
     } else {
-      outside |= L::signs(room) << four;
+      outside |= L::signs(length) << four;
     }
   }
   if constexpr (Corners::exactly) {
     if (signs.any_undecided()) [[unlikely]] {
-      outside = settle_slab_word<L>(shaft, slab, corners.x, stream, at, word);
+      outside = resolve_slab_word<L>(shaft, slab, corners.x, stream, at, word);
     }
   }
   return ~outside;
@@ -203,7 +205,7 @@ void slab_words(const ShaftData& shaft, float margin, const float* const* stream
   }
   if constexpr (requires { position.rest; }) {
     if (position.rest == 0) return;
-    kept[words] = slab_word<L>(shaft, slab, corners, stream, position(words), PartOfWord<L>{position.rest}) &
+    kept[words] = slab_word<L>(shaft, slab, corners, stream, position(words), PartialWord<L>{position.rest}) &
                   first_bits(position.rest);
   }
 }
@@ -224,8 +226,8 @@ void box_exact_words(const ShaftData& shaft, const float* const* stream, const W
   }
 }
 
-/// Runs the slab_words() that suits a shaft: by form and by how many constraints bound t from above, the leading face's
-/// always in the fused form.
+/// Runs the slab_words() that suits a shaft: by its form, and by how many constraints bound t from above. In the fused
+/// form the reference face's always does.
 template <class L, template <class> class Corners, class Words>
 void slab_words_of(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
                    std::size_t words, std::uint64_t* kept) noexcept {
@@ -255,7 +257,7 @@ void slab_words_of(const ShaftData& shaft, float margin, const float* const* str
 
 /// First stage of the slab form: writes the kept bits of `words` whole words, and of the rest behind them if there is
 /// one.
-template <class L, class Words = WordsInARow<L>>
+template <class L, class Words = ConsecutiveWords<L>>
 void box_slab_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                     const Words& position = {}) noexcept {
   if (shaft.slab_form == ShaftData::SlabForm::exact) [[unlikely]] {
@@ -267,7 +269,7 @@ void box_slab_stage(const ShaftData& shaft, const float* const* stream, std::siz
 /// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside
 /// for certain. Their corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12
 /// (docs/exactness.md).
-template <class L, template <class> class Corners, class Words = WordsInARow<L>>
+template <class L, template <class> class Corners, class Words = ConsecutiveWords<L>>
 void sphere_slab_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                        const Words& position = {}) noexcept {
   constexpr float wider = 1.17F;

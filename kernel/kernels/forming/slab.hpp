@@ -2,8 +2,8 @@
 ///
 /// Face f of box(u) is at p + u q, with p = a's face and q = b's face − p. A bound's coordinate x on that axis, at the
 /// corner nearest to the shaft, bounds u by (x − p) / q: from above if only a touches that face of the shaft box (red),
-/// from below if only b does (blue). Instead of u the kernels use the position t of face 0, the *leading* face: its own
-/// bound on t is x itself, an operation less in six. kernel/compiled/slab.hpp has the margins.
+/// from below if only b does (blue). Instead of u the kernels use the position t of face 0, the *reference* face: its
+/// own bound on t is x itself, an operation less in six. kernel/compiled/slab.hpp has the margins.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@
 
 namespace shaftcull::kernel {
 
-/// Whether every box is finite with lo ≤ hi and hi − lo does not overflow. Boxes of which that is not true deserve a
-/// second look.
+/// Whether every box is finite with lo ≤ hi and hi − lo does not overflow. Boxes of which that is not true may be
+/// finite all the same.
 template <class L>
-bool all_fine(const float* const* box, std::size_t count) noexcept {
+bool all_clearly_finite(const float* const* box, std::size_t count) noexcept {
   auto largest = L::all(0.0F);  // as unsigned integers: negative floats, infinities and NaN are above all others
-  bool fine = true;
+  bool finite = true;
   for (unsigned k = 0; k < 3; ++k) {
     const float* lo = box[k];
     const float* hi = box[k + 3];
@@ -29,22 +29,22 @@ bool all_fine(const float* const* box, std::size_t count) noexcept {
     }
     for (; i < count; ++i) {
       const float extent = hi[i] - lo[i];
-      fine = fine && extent >= 0 && extent <= __FLT_MAX__;
+      finite = finite && extent >= 0 && extent <= __FLT_MAX__;
     }
   }
   // As integers again: as a float, the −0 of a flat box would pass, and the NaN that it was above with it.
   float lane[L::width];
   L::store(lane, largest);
   for (unsigned i = 0; i < L::width; ++i) {
-    fine = fine && __builtin_bit_cast(std::uint32_t, lane[i]) <= __builtin_bit_cast(std::uint32_t, __FLT_MAX__);
+    finite = finite && __builtin_bit_cast(std::uint32_t, lane[i]) <= __builtin_bit_cast(std::uint32_t, __FLT_MAX__);
   }
-  return fine;
+  return finite;
 }
 
 /// Whether every box is finite with lo ≤ hi.
 template <class L>
 bool all_finite(const float* const* box, std::size_t count) noexcept {
-  if (all_fine<L>(box, count)) [[likely]]
+  if (all_clearly_finite<L>(box, count)) [[likely]]
     return true;
   for (unsigned k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -62,7 +62,7 @@ void write_difference_slab(ShaftData& shaft) noexcept {
   const float* const other = shaft.b;
   unsigned negative = 0;
   float inverse[6];
-  bool regular = shaft.reach <= regular_limit;
+  bool regular = shaft.largest_coordinate <= regular_limit;
   for (unsigned f = 0; f < 6; ++f) {
     const float slope = other[f] - p[f];
     const float size = __builtin_fabsf(slope);
@@ -83,44 +83,44 @@ void write_difference_slab(ShaftData& shaft) noexcept {
   shaft.slab_margin = regular ? difference_margin : __builtin_inff();
 }
 
-/// The way from the nearer to the farther box of a shaft, in floats of its faces.
+/// How a shaft's faces move from the box nearer to the origin to the farther one.
 template <class L>
-struct FarWay {
+struct TravelFromNearer {
   const float* from;
   const float* to;
-  float from_reach;  ///< largest magnitude of a coordinate
-  float length;      ///< largest magnitude of a slope: the end of t in the relative form
+  float from_largest;  ///< largest magnitude of a coordinate
+  float length;        ///< largest magnitude of a slope: the end of t in the relative form
 
-  explicit FarWay(const ShaftData& shaft) noexcept : from(shaft.a), to(shaft.b), from_reach(0), length(0) {
-    float to_reach = 0;
+  explicit TravelFromNearer(const ShaftData& shaft) noexcept : from(shaft.a), to(shaft.b), from_largest(0), length(0) {
+    float to_largest = 0;
     const auto enlarge = [](float& largest, float x) {
       largest = __builtin_fabsf(x) > largest ? __builtin_fabsf(x) : largest;
     };
     for (unsigned f = 0; f < 6; ++f) {
-      enlarge(from_reach, from[f]);
-      enlarge(to_reach, to[f]);
+      enlarge(from_largest, from[f]);
+      enlarge(to_largest, to[f]);
       enlarge(length, to[f] - from[f]);
     }
-    if (from_reach <= to_reach) return;
+    if (from_largest <= to_largest) return;
     const float* const farther = from;
     from = to;
     to = farther;
-    from_reach = to_reach;
+    from_largest = to_largest;
   }
 };
 
 /// Overwrites the slab coefficients of a shaft by those of the relative form, if it suits.
 template <class L>
 bool write_relative_slab(ShaftData& shaft) noexcept {
-  const FarWay<L> way(shaft);
-  if (!(way.from_reach <= far_apart * shaft.reach && way.length <= 0x1p127F)) return false;
+  const TravelFromNearer<L> travel(shaft);
+  if (!(travel.from_largest <= far_apart * shaft.largest_coordinate && travel.length <= 0x1p127F)) return false;
   unsigned negative = 0;
   float scale[6];
   for (unsigned f = 0; f < 6; ++f) {
-    const float slope = way.to[f] - way.from[f];
+    const float slope = travel.to[f] - travel.from[f];
     // A purple face as in the difference form. Other scales are 1 or more in magnitude, so that no product loses its
     // sign.
-    scale[f] = slope == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : way.length / slope;
+    scale[f] = slope == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : travel.length / slope;
     if (slope != 0 && !(__builtin_fabsf(scale[f]) <= __FLT_MAX__)) return false;
     if (scale[f] < 0) negative |= 1U << f;
   }
@@ -128,7 +128,7 @@ bool write_relative_slab(ShaftData& shaft) noexcept {
   for (unsigned i = 0; i < 6; ++i) {
     const unsigned f = order.face[i];
     shaft.slab_scale[i] = scale[f];
-    shaft.slab_shift[i] = way.from[f];
+    shaft.slab_shift[i] = travel.from[f];
     shaft.slab_near[i] = near_stream[f];
   }
   shaft.slab_uppers = order.selectors.uppers;
@@ -141,7 +141,7 @@ bool write_relative_slab(ShaftData& shaft) noexcept {
 /// those of the form that does, if that is another.
 template <class L>
 [[gnu::noinline, gnu::cold]] void rewrite_slab(ShaftData& shaft, bool fused_suits) noexcept {
-  if (shaft.reach > largest_plain_reach && write_relative_slab<L>(shaft)) return;
+  if (shaft.largest_coordinate > largest_plain_coordinate && write_relative_slab<L>(shaft)) return;
   if (!fused_suits) write_difference_slab<L>(shaft);
 }
 
@@ -168,32 +168,32 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     lowest = L::minimum(L::minimum(p[k], other[k]), lowest);
     highest = L::maximum(L::maximum(p[k + 3], other[k + 3]), highest);
   }
-  const Vector reach = L::maximum(highest, L::subtract(zero, lowest));
+  const Vector largest_coordinate = L::maximum(highest, L::subtract(zero, lowest));
 
   Vector scale[8];
   Vector shift[8];
-  Vector top_shift = zero;
+  Vector largest_shift = zero;
   scale[0] = L::all(1.0F);
   shift[0] = zero;
   for (unsigned f = 1; f < 6; ++f) {
     scale[f] = L::divide(slope[0], slope[f]);
     shift[f] = L::subtract(p[0], L::multiply(p[f], scale[f]));
-    top_shift = L::maximum(L::magnitude(shift[f]), top_shift);
+    largest_shift = L::maximum(L::magnitude(shift[f]), largest_shift);
   }
   const Vector length = L::magnitude(slope[0]);
-  const Vector position = L::add(L::maximum(L::magnitude(p[0]), L::magnitude(other[0])), top_shift);
+  const Vector position = L::add(L::maximum(L::magnitude(p[0]), L::magnitude(other[0])), largest_shift);
   const std::uint64_t fused =
-      L::bits(L::both(L::less_equal(reach, L::all(fused_regular_limit)),
+      L::bits(L::both(L::less_equal(largest_coordinate, L::all(fused_regular_limit)),
                       L::both(L::less_equal(L::all(1 / fused_regular_limit), least_slope),
                               L::less_equal(position, L::multiply(length, L::all(fused_limit))))));
 
   // The rows of ShaftRow.
   scale[6] = L::add(L::multiply(position, L::all(fused_margin_per_position)),
-                    L::multiply(length, L::all(fused_margin_per_way)));
-  scale[7] = reach;
+                    L::multiply(length, L::all(fused_margin_per_travel)));
+  scale[7] = largest_coordinate;
   shift[6] = shift[7] = p[6] = p[7] = zero;
-  other[6] = L::all(batch_mark.of[0]);
-  other[7] = L::all(batch_mark.of[1]);
+  other[6] = L::all(batch_flags.of[0]);
+  other[7] = L::all(batch_flags.of[1]);
   using EightFloats = typename L::EightFloats;
   typename EightFloats::Vector scale_row[width];
   typename EightFloats::Vector shift_row[width];
@@ -215,7 +215,7 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
     __builtin_memcpy(row_of(shaft, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
   }
 
-  const std::uint64_t plain = fused & L::bits(L::less_equal(reach, L::all(largest_plain_reach)));
+  const std::uint64_t plain = fused & L::bits(L::less_equal(largest_coordinate, L::all(largest_plain_coordinate)));
   if (plain != (std::uint64_t{1} << width) - 1) {
     for (unsigned lane = 0; lane < width; ++lane) {
       if ((plain >> lane & 1) == 0) rewrite_slab<L>(out[lane], (fused >> lane & 1) != 0);

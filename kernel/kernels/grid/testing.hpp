@@ -1,7 +1,7 @@
 /// Tests on a grid: the first stage of many shafts against the same bounds (kernel/kernels/grid/forming.hpp).
 #pragma once
 
-#include "kernels/boxes/few_outside.hpp"
+#include "kernels/boxes/outside_one_by_one.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/shared/word.hpp"
@@ -9,8 +9,8 @@
 
 namespace shaftcull::kernel {
 
-/// Writes `count` bounds' coordinates on the grid, rounded outwards, in whole words: hi coordinates are negated. What
-/// fills the last word up is beyond everything.
+/// Writes `count` bounds' coordinates on the grid, rounded outwards, in whole words. Hi coordinates are negated. The
+/// padding of the last word is beyond everything.
 template <class L>
 void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count,
                 std::int16_t* const* grid) noexcept {
@@ -32,18 +32,18 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
     };
     std::size_t i = 0;
     for (; i + word_bits <= count; i += word_bits) snap_word(WholeWord<L>{}, i);
-    if (i != count) snap_word(PartOfWord<L>{static_cast<unsigned>(count - i)}, i);
+    if (i != count) snap_word(PartialWord<L>{static_cast<unsigned>(count - i)}, i);
   }
 }
 
-/// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold bounds
-/// which may be either. Returns how many those are.
-template <class L, unsigned uppers, unsigned standing>
+/// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold
+/// undecided bounds. Returns how many words it lists.
+template <class L, unsigned uppers, unsigned stationary>
 std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words, std::uint64_t* kept,
                        std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
   using S = typename L::Integers16;
   using Vector = typename S::Vector;
-  constexpr unsigned moving = 6 - standing;
+  constexpr unsigned moving = 6 - stationary;
   Vector scale[6];
   Vector shift[6];
   const std::int16_t* x[6];
@@ -58,7 +58,7 @@ std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, 
 
   std::size_t listed = 0;
   for (std::size_t w = 0; w < words; ++w) {
-    Vector room[S::vectors];
+    Vector length[S::vectors];
 #pragma GCC unroll 8
     for (unsigned v = 0; v < S::vectors; ++v) {
       const auto coordinate = [&](unsigned i) { return S::load(x[i] + w * word_bits + v * S::width); };
@@ -73,11 +73,11 @@ std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, 
           lower = S::maximum(lower, t);
         }
       }
-      room[v] = S::subtract_saturated(upper, lower);
+      length[v] = S::subtract_saturated(upper, lower);
 #pragma GCC unroll 6
-      for (unsigned i = moving; i < 6; ++i) room[v] = S::minimum(room[v], S::subtract(shift[i], coordinate(i)));
+      for (unsigned i = moving; i < 6; ++i) length[v] = S::minimum(length[v], S::subtract(shift[i], coordinate(i)));
     }
-    const auto outcomes = S::outcomes(room, limit);
+    const auto outcomes = S::outcomes(length, limit);
     kept[w] = ~outcomes.yes;
     undecided[listed] = {outcomes.undecided, static_cast<std::uint32_t>(w), shaft_number};
     listed += outcomes.undecided != 0 ? 1 : 0;
@@ -87,11 +87,11 @@ std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, 
 
 /// As GridKernels has it.
 template <class L>
-std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words,
+std::size_t test_on_grid(const GridShaft& shaft, const std::int16_t* const* grid, std::size_t words,
                          std::uint64_t* kept, std::uint32_t shaft_number, UndecidedWord* undecided) noexcept {
   using Words = std::size_t(const GridShaft&, const std::int16_t* const*, std::size_t, std::uint64_t*, std::uint32_t,
                             UndecidedWord*) noexcept;
-  static constexpr Words* by_standing_and_uppers[7][6] = {
+  static constexpr Words* by_stationary_and_uppers[7][6] = {
       {grid_words<L, 0, 0>, grid_words<L, 1, 0>, grid_words<L, 2, 0>, grid_words<L, 3, 0>, grid_words<L, 4, 0>,
        grid_words<L, 5, 0>},
       {grid_words<L, 0, 1>, grid_words<L, 1, 1>, grid_words<L, 2, 1>, grid_words<L, 3, 1>, grid_words<L, 4, 1>},
@@ -100,24 +100,24 @@ std::size_t look_on_grid(const GridShaft& shaft, const std::int16_t* const* grid
       {grid_words<L, 0, 4>, grid_words<L, 1, 4>},
       {grid_words<L, 0, 5>},
       {grid_words<L, 0, 6>}};
-  return by_standing_and_uppers[shaft.standing][shaft.uppers](shaft, grid, words, kept, shaft_number, undecided);
+  return by_stationary_and_uppers[shaft.stationary][shaft.uppers](shaft, grid, words, kept, shaft_number, undecided);
 }
 
-/// A word of `count` boxes, maybe the last one, that the grid could not decide, in floats.
+/// Kept bits of one word of `count` boxes, maybe the last one, by the slab form in floats.
 template <class L>
-std::uint64_t decided_word(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                           std::size_t word) noexcept {
+std::uint64_t test_word_in_floats(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                  std::size_t word) noexcept {
   std::uint64_t kept;
   const bool whole = (word + 1) * word_bits <= count;
   const unsigned rest = whole ? 0 : static_cast<unsigned>(count % word_bits);
-  box_slab_stage<L>(shaft, stream, whole ? 1 : 0, &kept, WordsInARow<L>{.first = word * word_bits, .rest = rest});
+  box_slab_stage<L>(shaft, stream, whole ? 1 : 0, &kept, ConsecutiveWords<L>{.first = word * word_bits, .rest = rest});
   return kept;
 }
 
 /// As GridKernels has it.
 template <class L>
-void decide_on_grid(const ShaftData* const* shaft, const float* const* stream, std::size_t count,
-                    const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept {
+void resolve_in_floats(const ShaftData* const* shaft, const float* const* stream, std::size_t count,
+                       const UndecidedWord* undecided, std::size_t words, std::uint64_t* const* kept) noexcept {
   for (std::size_t u = 0; u < words; ++u) {
     const ShaftData& its_shaft = *shaft[undecided[u].shaft];
     const std::size_t word = undecided[u].word;
@@ -126,11 +126,11 @@ void decide_on_grid(const ShaftData* const* shaft, const float* const* stream, s
     if constexpr (L::EightFloats::in_one_register) {
       constexpr int few = 4;  // with more, testing the whole word in vectors is no slower
       if (__builtin_popcountll(lanes) <= few && SlabInLanes<L>::suits(its_shaft)) {
-        bits &= ~few_outside<L>(its_shaft, stream, word * word_bits, lanes);
+        bits &= ~outside_one_by_one<L>(its_shaft, stream, word * word_bits, lanes);
         continue;
       }
     }
-    bits &= decided_word<L>(its_shaft, stream, count, word) | ~lanes;
+    bits &= test_word_in_floats<L>(its_shaft, stream, count, word) | ~lanes;
   }
 }
 

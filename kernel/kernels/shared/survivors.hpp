@@ -8,7 +8,7 @@
 
 namespace shaftcull::kernel {
 
-/// Blocks with a larger share of survivors are cheaper to work through as they are.
+/// In blocks with a larger share of survivors it is cheaper to run the stage on all bounds.
 inline constexpr unsigned dense_share = 4;  // one in four
 
 /// Positions of the set bits of one block.
@@ -115,7 +115,7 @@ template <class L>
 /// Runs stage(stream, words, bits), which clears bits, on those of a block's `count` bounds whose bits are set. Bits
 /// behind the last bound are not.
 template <class L, unsigned streams, class Stage>
-void narrow(const float* const* stream, std::size_t count, std::uint64_t* bits, Stage stage) noexcept {
+void run_on_survivors(const float* const* stream, std::size_t count, std::uint64_t* bits, Stage stage) noexcept {
   if (!are_sparse<L>(bits, words_of(count))) {
     constexpr float any[streams] = {};
     return in_whole_words<L>(stream, count, bits, any, stage);

@@ -58,11 +58,11 @@ struct WholeWord {
 /// Likewise of a word of `bounds`, fewer than 64, where they lie: nothing behind them is read, and lanes behind them
 /// are 0.
 template <class L>
-struct PartOfWord {
+struct PartialWord {
   unsigned bounds;
 
   [[nodiscard]] typename L::Vector load(const float* stream, std::size_t at, std::size_t lane) const noexcept {
-    // A vector without a bound starts with the word: to read nothing of memory that is not there may take long.
+    // A vector without a bound takes the address of the word: a masked load of no lane is slow at an unmapped address.
     return part(lane).load(stream + at + (lane < bounds ? lane : 0));
   }
   [[nodiscard]] typename L::Vector choose(std::size_t lane, typename L::Vector a, typename L::Vector b) const noexcept {
@@ -81,7 +81,7 @@ class PaddedWord {
  public:
   /// Of the `bounds` from `first` on, with `padding` a stream behind them.
   PaddedWord(const float* const* stream, std::size_t first, unsigned bounds, const float (&padding)[streams]) noexcept {
-    const PartOfWord<L> word{bounds};
+    const PartialWord<L> word{bounds};
     for (unsigned s = 0; s < streams; ++s) {
       const auto behind = L::all(padding[s]);
       unsigned lane = 0;
@@ -102,8 +102,8 @@ class PaddedWord {
   const float* stream_[streams];
 };
 
-/// Runs stage(stream, words, bits), which reads whole words, on `count` bounds. Bits behind the last bound say what the
-/// stage makes of the padding.
+/// Runs stage(stream, words, bits), which reads whole words, on `count` bounds. Bits behind the last bound are those of
+/// the padding.
 template <class L, unsigned streams, class Stage>
 void in_whole_words(const float* const* stream, std::size_t count, std::uint64_t* bits, const float (&padding)[streams],
                     Stage stage) noexcept {
@@ -115,8 +115,8 @@ void in_whole_words(const float* const* stream, std::size_t count, std::uint64_t
   stage(last.stream(), 1, bits + words);
 }
 
-/// Calls decide(lane) for every bit of `lanes`, and returns the bits for which it was true. A vector type that wants to
-/// know how often floats are not enough has a note_undecided().
+/// Calls decide(lane), an exact predicate, for every bit of `lanes`, and returns the bits for which it was true. A
+/// vector type may have a note_undecided(), which is told of the lanes: tests count by it.
 template <class L, class Decide>
 [[gnu::noinline, gnu::cold]] std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
   if constexpr (requires { L::note_undecided(lanes); }) L::note_undecided(lanes);

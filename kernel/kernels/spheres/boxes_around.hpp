@@ -5,10 +5,10 @@
 
 namespace shaftcull::kernel {
 
-/// As BoxSpheres. Corners are rounded to nearest, which the margin of the sphere's stage allows for; a negative radius
-/// makes a box that is outside of everything.
+/// As BoxesAroundSpheres. Corners are rounded to nearest, which the margin of the sphere's stage allows for; a negative
+/// radius makes a box that is outside of everything.
 template <class L>
-void box_spheres(const float* const* sphere, std::size_t count, float* const* box) noexcept {
+void boxes_around_spheres(const float* const* sphere, std::size_t count, float* const* box) noexcept {
   const auto zero = L::all(0.0F);
   const auto minus_infinity = L::all(-__builtin_inff());
   const auto box_word = [&](const auto& word, std::size_t at) {
@@ -24,7 +24,7 @@ void box_spheres(const float* const* sphere, std::size_t count, float* const* bo
   };
   std::size_t i = 0;
   for (; i + word_bits <= count; i += word_bits) box_word(WholeWord<L>{}, i);
-  if (i != count) box_word(PartOfWord<L>{static_cast<unsigned>(count - i)}, i);
+  if (i != count) box_word(PartialWord<L>{static_cast<unsigned>(count - i)}, i);
 }
 
 }  // namespace shaftcull::kernel

@@ -57,8 +57,8 @@ void sphere_planes_stage(const ShaftData& shaft, const float* const* stream, std
   }
 }
 
-/// How far spheres' centres are from boxes on the way from a to b: f(u) = square of the distance to box(u), u from 0 to
-/// 1, and half of its derivative. f is convex, so its values anywhere bound its minimum from both sides.
+/// Squares of the distances of spheres' centres from box(u), u from 0 at a to 1 at b: f(u), and half of its derivative.
+/// f is convex, so its value and slope at any u bound its minimum from both sides.
 template <class L>
 class SquareDistance {
  public:
@@ -71,14 +71,14 @@ class SquareDistance {
     float t_at_a = fused ? a[0] : 0.0F;
     float t_at_b = fused ? b[0] : 1.0F;
     if (shaft.slab_form == ShaftData::SlabForm::relative) {
-      const FarWay<L> way(shaft);
-      (way.from == a ? t_at_b : t_at_a) = way.length;
-      (way.from == a ? t_at_a : t_at_b) = 0;
+      const TravelFromNearer<L> travel(shaft);
+      (travel.from == a ? t_at_b : t_at_a) = travel.length;
+      (travel.from == a ? t_at_a : t_at_b) = 0;
     }
     t_at_a_ = L::all(t_at_a);
     first_ = L::all(__builtin_fminf(t_at_a, t_at_b));
     last_ = L::all(__builtin_fmaxf(t_at_a, t_at_b));
-    inverse_way_ = L::all(1 / (t_at_b - t_at_a));
+    inverse_travel_ = L::all(1 / (t_at_b - t_at_a));
     float slopes = 0;
     for (unsigned k = 0; k < 3; ++k) {
       const float lo_slope = b[k] - a[k];
@@ -92,14 +92,16 @@ class SquareDistance {
       slopes += __builtin_fmaxf(__builtin_fabsf(lo_slope), __builtin_fabsf(hi_slope));
     }
     // docs/exactness.md, spheres.
-    const float reach = shaft.reach;
-    const float error = bound_margin_factor * float_unit * reach * (17 * slopes + 0x1p-13F * reach);
-    error_ = L::all(reach > fused_regular_limit ? __builtin_inff()
-                                                : error);  // products with slopes may overflow: nothing is certain
-    error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * reach + 25 * slopes));
+    const float largest_coordinate = shaft.largest_coordinate;
+    const float error =
+        bound_margin_factor * float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
+    error_ = L::all(largest_coordinate > fused_regular_limit
+                        ? __builtin_inff()
+                        : error);  // products with slopes may overflow: nothing is certain
+    error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * largest_coordinate + 25 * slopes));
   }
 
-  /// The middle of those u at which box(u) meets the box around the sphere, which is rarely a bad guess.
+  /// A first guess at where the minimum is: the middle of those u at which box(u) meets the box around the sphere.
   [[nodiscard]] Vector guess(const Vector (&centre)[3], Vector radius) const noexcept {
     Vector upper = last_;
     Vector lower = first_;
@@ -115,7 +117,7 @@ class SquareDistance {
     for (; i < shaft_.slab_uppers; ++i) upper = L::minimum(bound(i), upper);
     for (; i < 6; ++i) lower = L::maximum(bound(i), lower);
     const Vector middle = L::multiply(L::all(0.5F), L::add(lower, upper));
-    return clamped(L::multiply(L::subtract(middle, t_at_a_), inverse_way_));
+    return clamped(L::multiply(L::subtract(middle, t_at_a_), inverse_travel_));
   }
 
   struct Value {
@@ -150,7 +152,7 @@ class SquareDistance {
     return clamped(L::subtract(u, L::choose(L::less(zero, value.half_curvature), step, zero)));
   }
 
-  /// What the square is certainly not below, anywhere: the tangent's end, less what rounding may have added.
+  /// A lower bound on the square for any u: the lower end of the tangent, less what rounding may have added.
   [[nodiscard]] Vector bound(Vector u, const Value& value) const noexcept {
     const Vector zero = L::all(0.0F);
     const Vector fall = L::maximum(L::multiply(u, value.half_slope),
@@ -169,7 +171,7 @@ class SquareDistance {
   Vector t_at_a_;
   Vector first_;
   Vector last_;
-  Vector inverse_way_;
+  Vector inverse_travel_;
   Vector lo_[3];
   Vector hi_[3];
   Vector lo_slope_[3];
@@ -180,16 +182,16 @@ class SquareDistance {
   Vector error_per_gap_;
 };
 
-/// Accepts every kept sphere that a point of one well-chosen box on the way from a to b is certainly within reach of,
-/// clears those that all are certainly beyond the reach of, and asks the exact predicate about the others, and about
-/// those near an added plane.
+/// Accepts the kept spheres whose centre is certainly no farther than their radius from one well-chosen box between a
+/// and b. Clears those that are certainly farther from all of these boxes. Asks the exact predicate about the others,
+/// and about those near an added plane.
 template <class L>
-void sphere_settle_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
-                         std::uint64_t* kept) noexcept {
+void sphere_distance_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
+                           std::uint64_t* kept) noexcept {
   using Vector = typename L::Vector;
   const SquareDistance<L> square_distance(shaft);
-  // A gap is off by 8 units of reach and one of itself; over three axes √3 · 8 < 16.
-  const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * shaft.reach);
+  // A gap is off by 8 units of the largest coordinate and one of itself; over three axes √3 · 8 < 16.
+  const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * shaft.largest_coordinate);
   const Vector shrink = L::all(1 - 16 * float_unit * accept_margin_factor);
   const Vector grow = L::all(1 + 4 * float_unit * bound_margin_factor);
   const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away,

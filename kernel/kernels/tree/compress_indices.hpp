@@ -1,11 +1,11 @@
-/// Picking indices by the bits of a word: what a shaft keeps of a word of leaves, as the user knows it.
+/// Compressing indices by the bits of a word: the user's indices of the leaves in a word that a shaft keeps.
 #pragma once
 
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {
 
-/// As CompressIndices in kernels/table.hpp. Without a branch that depends on the bits, which nobody could foresee.
+/// As CompressIndices in kernels/table.hpp. No branch depends on the bits: it would be mispredicted.
 template <class L>
 std::size_t compress_indices(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept {
   const std::uint32_t* const start = out;

@@ -31,10 +31,10 @@ void for_each_word(const float* const* stream, const std::uint32_t* word, std::s
 
 /// Runs stage(stream, words, bits), which clears bits, on the bounds of listed words whose bits are set.
 template <class L, unsigned streams, class Stage>
-void narrow_listed(const float* const* stream, const std::uint32_t* word, std::size_t words, std::uint64_t* bits,
-                   Stage stage) noexcept {
+void run_on_listed_survivors(const float* const* stream, const std::uint32_t* word, std::size_t words,
+                             std::uint64_t* bits, Stage stage) noexcept {
   for_each_word<L, streams>(stream, word, words, bits, 1, [&](const float* const* at, std::size_t i) {
-    narrow<L, streams>(at, word_bits, bits + i, stage);
+    run_on_survivors<L, streams>(at, word_bits, bits + i, stage);
   });
 }
 
@@ -46,9 +46,10 @@ void cull_listed_words(const ShaftData& shaft, const float* const* stream, const
   if constexpr (Stages::streams == 6) {
     box_slab_stage<L>(shaft, stream, words, kept, position);
     if (shaft.added_count == 0) return;
-    narrow_listed<L, 6>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-      box_added_stage<L>(shaft, some, n, bits);
-    });
+    run_on_listed_survivors<L, 6>(stream, word, words, kept,
+                                  [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                    box_added_stage<L>(shaft, some, n, bits);
+                                  });
   } else if (Stages::needs_planes(shaft)) {
     for (std::size_t i = 0; i < words; ++i) {
       const float* at[Stages::streams];
@@ -58,9 +59,10 @@ void cull_listed_words(const ShaftData& shaft, const float* const* stream, const
     }
   } else {
     sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept, position);
-    narrow_listed<L, 4>(stream, word, words, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-      sphere_settle_stage<L>(shaft, some, n, bits);
-    });
+    run_on_listed_survivors<L, 4>(stream, word, words, kept,
+                                  [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                    sphere_distance_stage<L>(shaft, some, n, bits);
+                                  });
   }
 }
 
@@ -72,7 +74,7 @@ void test_listed_words(const ShaftData& shaft, const float* const* stream, const
   if (inside == nullptr) return;
   for (std::size_t i = 0; i < words; ++i) inside[i] = 0;
   for_each_word<L, Stages::streams>(stream, word, words, kept, least_kept, [&](const float* const* at, std::size_t i) {
-    Stages::contain(shaft, at, word_bits, kept + i, inside + i);
+    Stages::find_inside(shaft, at, word_bits, kept + i, inside + i);
   });
 }
 

@@ -5,14 +5,14 @@
 
 namespace shaftcull::kernel {
 
-/// Floats ahead of those read or written that are fetched. Processors foresee reads, but not these writes: without it
-/// parts that the L2 cache holds take half as long again.
+/// How many floats ahead of those read or written are prefetched. Processors prefetch reads by themselves, but not
+/// these writes: without it parts that the L2 cache holds take half as long again.
 inline constexpr std::size_t prefetched_floats = 48;
 
 /// Keeps the `low` entries whose key is below the limit in `from`, and moves the others to `to`, from place `low` on.
 template <class L, unsigned streams>
-void part_by(float* const* from, float* const* to, std::size_t count, unsigned axis, float limit,
-             std::size_t low) noexcept {
+void partition_by(float* const* from, float* const* to, std::size_t count, unsigned axis, float limit,
+                  std::size_t low) noexcept {
   const auto limits = L::all(limit);
   std::size_t kept = 0;
   std::size_t moved = low;
@@ -48,18 +48,18 @@ void part_by(float* const* from, float* const* to, std::size_t count, unsigned a
   }
 }
 
-/// As SplitKernels::whole.
+/// As SplitKernels::halve.
 template <class L, unsigned streams>
 void split_entries(float* const* from, float* const* to, std::size_t count, std::size_t first_half) noexcept {
   constexpr std::size_t few = 1024;  // the same for all, since the axis depends on it
   const Halving halving =
       count <= few ? halving_of_few<L>(from, count, first_half) : halving_of_many<L>(from, count, first_half, to);
   const auto [key, less] = halving.pivot;
-  part_by<L, streams>(from, to, count, halving.axis, key, less);
+  partition_by<L, streams>(from, to, count, halving.axis, key, less);
   if (less == first_half) return;
 
-  // Some of those that equal the pivot are needed in front. They are set apart from larger ones, and all come back
-  // before they are cut.
+  // Entries that equal the pivot are on both sides of the cut. They are separated from larger ones, and then both are
+  // copied to their sides.
   const float next = next_key<L>(key);
   const std::size_t equal = count_less<L>(to[halving.axis] + less, count - less, next);
   float* equals[streams];
@@ -68,23 +68,23 @@ void split_entries(float* const* from, float* const* to, std::size_t count, std:
     equals[s] = to[s] + less;
     larger[s] = from[s] + less;
   }
-  part_by<L, streams>(equals, larger, count - less, halving.axis, next, equal);
+  partition_by<L, streams>(equals, larger, count - less, halving.axis, next, equal);
   for (unsigned s = 0; s < streams; ++s) {
     __builtin_memcpy(from[s] + less, to[s] + less, (first_half - less) * sizeof(float));
     __builtin_memcpy(to[s] + less + equal, from[s] + less + equal, (count - less - equal) * sizeof(float));
   }
 }
 
-/// Where a group of entries goes next.
+/// Appends entries to streams that have space for a given number of them.
 template <class L, unsigned streams>
-class Group {
+class EntryWriter {
  public:
-  Group(float* const* to, std::size_t size) noexcept : left_(size) {
+  EntryWriter(float* const* to, std::size_t size) noexcept : left_(size) {
     for (unsigned s = 0; s < streams; ++s) to_[s] = to[s];
   }
 
   /// Writes those of some vectors' lanes, one vector of each stream, whose bits are set.
-  void take(std::uint64_t lanes, const typename L::Vector (&x)[streams]) noexcept {
+  void write(std::uint64_t lanes, const typename L::Vector (&x)[streams]) noexcept {
     const typename L::Compressor ones(lanes);
     const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
     const bool has_room = left_ >= L::width;
@@ -99,7 +99,7 @@ class Group {
     }
     left_ -= count;
   }
-  void take(const float* const* from, std::size_t i) noexcept {
+  void write(const float* const* from, std::size_t i) noexcept {
     for (unsigned s = 0; s < streams; ++s) *to_[s]++ = from[s][i];
     --left_;
   }
@@ -115,9 +115,9 @@ void scatter(const float* const* from, std::size_t count, unsigned axis, float p
              float* const* less, float* const* equal, float* const* larger) noexcept {
   const bool are_apart = equal != nullptr;
   const float next = are_apart ? next_key<L>(pivot) : pivot;
-  Group<L, streams> lesses(less, counts.less);
-  Group<L, streams> equals(are_apart ? equal : larger, are_apart ? counts.equal : 0);
-  Group<L, streams> others(larger, count - counts.less - (are_apart ? counts.equal : 0));
+  EntryWriter<L, streams> lesses(less, counts.less);
+  EntryWriter<L, streams> equals(are_apart ? equal : larger, are_apart ? counts.equal : 0);
+  EntryWriter<L, streams> others(larger, count - counts.less - (are_apart ? counts.equal : 0));
   const auto pivots = L::all(pivot);
   const auto nexts = L::all(next);
   std::size_t i = 0;
@@ -127,23 +127,23 @@ void scatter(const float* const* from, std::size_t count, unsigned axis, float p
     const auto key = L::load(from[axis] + i);
     const std::uint64_t is_less = L::bits(L::less(key, pivots));
     const std::uint64_t is_before = L::bits(L::less(key, nexts));
-    lesses.take(is_less, x);
-    if (are_apart) equals.take(is_before & ~is_less, x);
-    others.take(~is_before & lanes_of<L>(0), x);
+    lesses.write(is_less, x);
+    if (are_apart) equals.write(is_before & ~is_less, x);
+    others.write(~is_before & lanes_of<L>(0), x);
   }
   for (; i < count; ++i) {
     const float key = from[axis][i];
-    (key < pivot ? lesses : key < next ? equals : others).take(from, i);
+    (key < pivot ? lesses : key < next ? equals : others).write(from, i);
   }
 }
 
 template <class L, unsigned streams>
 inline constexpr SplitKernels split_kernels = {
-    .whole = split_entries<L, streams>,
+    .halve = split_entries<L, streams>,
     .bracket = [](const float* const* entry, std::size_t count, std::size_t rank,
-                  float* const* room) noexcept { return bracket_of<L>(entry, count, rank, room); },
-    .collect = [](const float* key, std::size_t count, const SampleBracket& bracket,
-                  float* some) noexcept { return collect<L>(key, count, bracket, some); },
+                  float* const* scratch) noexcept { return bracket_of<L>(entry, count, rank, scratch); },
+    .collect_in_bracket = [](const float* key, std::size_t count, const SampleBracket& bracket,
+                             float* some) noexcept { return collect_in_bracket<L>(key, count, bracket, some); },
     .pivot = [](const float* key, std::size_t count,
                 std::size_t rank) noexcept { return pivot_at<L>(key, count, rank, range_of<L>(key, count)).key; },
     .count_keys =

@@ -1,8 +1,8 @@
 /// Where to halve entries of a bounds tree: the key of an exact rank is found by counting.
 ///
-/// Counting has no branch that depends on a key, and is quick on vectors. Of many entries a sample tells between which
-/// two keys the rank must be, and one pass collects the few that are (Floyd and Rivest, "Expected time bounds for
-/// selection", 1975).
+/// Counting has no branch that depends on a key, and is quick on vectors. Of many entries, a sample brackets the key of
+/// the rank, and one pass collects the few keys in the bracket (Floyd and Rivest, "Expected time bounds for selection",
+/// 1975).
 #pragma once
 
 #include "kernels/shared/word.hpp"
@@ -34,7 +34,8 @@ struct KeyRange {
   float hi;
 };
 
-/// Those of some streams of at least one key, looked for together: a minimum waits for the one before.
+/// Ranges of some streams, each of at least one key. They are found together, because a minimum waits for the one
+/// before.
 template <class L, unsigned streams>
 struct KeyRanges {
   KeyRange stream[streams];
@@ -129,8 +130,8 @@ struct Pivot {
   std::size_t less;
 };
 
-/// Of `count` keys within `range`, one that `rank` are less than; if equal ones straddle that rank, those. rank <
-/// count.
+/// Of `count` keys within `range`, one that exactly `rank` are less than. If several keys equal the one of that rank,
+/// it is their value. rank < count.
 template <class L>
 Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyRange& range) noexcept {
   using Number = FloatNumber<L>;
@@ -162,13 +163,14 @@ Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyR
 
 /// As SplitKernels::bracket.
 template <class L>
-SampleBracket bracket_of(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
-  const std::size_t step = count <= 4096 ? 16 : 64;  // the fewer, the rougher would be what a sample says
+SampleBracket bracket_of(const float* const* entry, std::size_t count, std::size_t rank,
+                         float* const* scratch) noexcept {
+  const std::size_t step = count <= 4096 ? 16 : 64;  // a sample of fewer would be too rough
   const std::size_t samples = count / step;
   for (unsigned k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < samples; ++i) room[k][i] = entry[k][i * step];
+    for (std::size_t i = 0; i < samples; ++i) scratch[k][i] = entry[k][i * step];
   }
-  const KeyRanges<L, 3> range(room, samples);
+  const KeyRanges<L, 3> range(scratch, samples);
   const unsigned axis = widest_axis<L>(range.stream);
 
   // The sample's ranks scatter with a standard deviation of √(s p (1 − p)): beyond three of them is once in hundreds of
@@ -178,13 +180,14 @@ SampleBracket bracket_of(const float* const* entry, std::size_t count, std::size
   const double off = 3 * __builtin_sqrt(middle * (1 - share));
   const auto lo = static_cast<std::size_t>(middle > off ? middle - off : 0);
   const auto hi = static_cast<std::size_t>(middle + off + 1);
-  return {axis, pivot_at<L>(room[axis], samples, lo, range.stream[axis]).key,
-          pivot_at<L>(room[axis], samples, hi < samples ? hi : samples - 1, range.stream[axis]).key};
+  return {axis, pivot_at<L>(scratch[axis], samples, lo, range.stream[axis]).key,
+          pivot_at<L>(scratch[axis], samples, hi < samples ? hi : samples - 1, range.stream[axis]).key};
 }
 
-/// As SplitKernels::collect.
+/// As SplitKernels::collect_in_bracket.
 template <class L>
-Collected collect(const float* key, std::size_t count, const SampleBracket& bracket, float* some) noexcept {
+BracketCounts collect_in_bracket(const float* key, std::size_t count, const SampleBracket& bracket,
+                                 float* some) noexcept {
   const auto froms = L::all(bracket.from);
   const auto tos = L::all(bracket.to);
   std::size_t below = 0;
@@ -222,13 +225,14 @@ Halving halving_of_few(const float* const* entry, std::size_t count, std::size_t
   return {axis, pivot_at<L>(entry[axis], count, rank, range.stream[axis])};
 }
 
-/// Looks at a sample, and then once at all keys of one axis. `room` is three streams of `count` floats.
+/// Looks at a sample, and then once at all keys of one axis. `scratch` is three streams of `count` floats.
 template <class L>
-Halving halving_of_many(const float* const* entry, std::size_t count, std::size_t rank, float* const* room) noexcept {
-  const SampleBracket bracket = bracket_of<L>(entry, count, rank, room);
+Halving halving_of_many(const float* const* entry, std::size_t count, std::size_t rank,
+                        float* const* scratch) noexcept {
+  const SampleBracket bracket = bracket_of<L>(entry, count, rank, scratch);
   const float* const key = entry[bracket.axis];
-  float* const some = room[bracket.axis];
-  const Collected found = collect<L>(key, count, bracket, some);
+  float* const some = scratch[bracket.axis];
+  const BracketCounts found = collect_in_bracket<L>(key, count, bracket, some);
   if (rank < found.below || rank >= found.below + found.between) {  // the sample was not like the rest
     return {bracket.axis, pivot_at<L>(key, count, rank, range_of<L>(key, count))};
   }

@@ -49,15 +49,15 @@ struct Floats {
       columns[c] = _mm512_insertf32x8(_mm512_castps256_ps512(low_columns[c]), high_columns[c], 1);
     }
   }
-  static void transpose(const Vector (&columns)[8], __m256 (&things)[16]) noexcept {
+  static void transpose(const Vector (&columns)[8], __m256 (&transposed)[16]) noexcept {
     __m256 low[8];
     __m256 high[8];
     for (unsigned c = 0; c < 8; ++c) {
       low[c] = lower_half(columns[c]);
       high[c] = upper_half(columns[c]);
     }
-    EightFloats::transpose(low, things);
-    EightFloats::transpose(high, things + 8);
+    EightFloats::transpose(low, transposed);
+    EightFloats::transpose(high, transposed + 8);
   }
 
   class FirstLanes {

@@ -44,11 +44,11 @@ struct Floats {
     _MM_TRANSPOSE4_PS(row[0], row[1], row[2], row[3]);
     for (unsigned c = 0; c < 4; ++c) columns[c] = row[c];
   }
-  static void transpose(const Vector (&columns)[8], EightFloats::Vector (&things)[4]) noexcept {
+  static void transpose(const Vector (&columns)[8], EightFloats::Vector (&transposed)[4]) noexcept {
     float column[8][4];
     for (unsigned c = 0; c < 8; ++c) store(column[c], columns[c]);
     for (unsigned i = 0; i < 4; ++i) {
-      for (unsigned c = 0; c < 8; ++c) things[i].of[c] = column[c][i];
+      for (unsigned c = 0; c < 8; ++c) transposed[i].of[c] = column[c][i];
     }
   }
 

@@ -175,10 +175,10 @@ struct FloatsOf {
     columns[2] = _mm256_shuffle_ps(last[0], last[1], 0x44);
     columns[3] = _mm256_shuffle_ps(last[0], last[1], 0xee);
   }
-  static void transpose(const Vector (&columns)[8], __m256 (&things)[8]) noexcept {
+  static void transpose(const Vector (&columns)[8], __m256 (&transposed)[8]) noexcept {
     const __m256 eight[8] = {columns[0], columns[1], columns[2], columns[3],
                              columns[4], columns[5], columns[6], columns[7]};
-    EightFloats::transpose(eight, things);
+    EightFloats::transpose(eight, transposed);
   }
 
   class FirstLanes {

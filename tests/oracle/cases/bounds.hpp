@@ -73,17 +73,18 @@ inline Box touching_box(Random& random, const ShaftInput& input) {
 /// A touching_box() of a far_sweep_shaft() that is cut short: the sweep ends 2⁻¹⁰ to 2⁷ from where it starts, so that
 /// boxes touch it near its start.
 inline Box touching_far_sweep(Random& random, const ShaftInput& input) {
-  const auto reach = [](const Box& box) {
+  const auto largest_coordinate = [](const Box& box) {
     double largest = 0;
     for (std::size_t k = 0; k != 3; ++k) {
       largest = std::max({largest, static_cast<double>(std::abs(box.lo[k])), static_cast<double>(std::abs(box.hi[k]))});
     }
     return largest;
   };
-  const bool starts_at_a = reach(input.a) <= reach(input.b);
+  const bool starts_at_a = largest_coordinate(input.a) <= largest_coordinate(input.b);
   const Box& near = starts_at_a ? input.a : input.b;
   const Box& far = starts_at_a ? input.b : input.a;
-  const double t = random.one_in(8) ? 0.0 : std::exp2(static_cast<double>(random.uniform(-10, 7))) / reach(far);
+  const double t =
+      random.one_in(8) ? 0.0 : std::exp2(static_cast<double>(random.uniform(-10, 7))) / largest_coordinate(far);
   Box box{};
   const bool inwards = random.one_in(3);
   for (std::size_t k = 0; k != 3; ++k) {
@@ -102,7 +103,7 @@ inline Box touching_far_sweep(Random& random, const ShaftInput& input) {
 
 /// A sphere around `centre` whose radius is, to an ulp or two, its distance from the shaft, or its depth in it.
 inline Sphere touching_sphere(Random& random, const oracle::QuickHull& hull, const Vec3& centre) {
-  return {centre, std::max(0.0F, random.nudge(static_cast<float>(std::min(hull.reach(centre), 3e38))))};
+  return {centre, std::max(0.0F, random.nudge(static_cast<float>(std::min(hull.distance_to_surface(centre), 3e38))))};
 }
 
 /// A sphere of a few ulps, or none, beside the path of a corner of the moving box: rounding errors are as large as its
@@ -155,7 +156,7 @@ inline Sphere whole_sphere(Random& random, int exponent = 0) {
 /// Likewise, with as radius the distance from the shaft, which is whole as often as not.
 inline Sphere whole_touching_sphere(Random& random, const oracle::QuickHull& hull, int exponent = 0) {
   Sphere sphere = whole_sphere(random, exponent);
-  const float radius = static_cast<float>(hull.reach(sphere.centre));
+  const float radius = static_cast<float>(hull.distance_to_surface(sphere.centre));
   const float whole = std::ldexp(std::round(std::ldexp(radius, -exponent)), exponent);
   sphere.radius = std::max(0.0F, random.one_in(2) ? whole : random.nudge(radius));
   return sphere;
@@ -167,15 +168,15 @@ inline Sphere sphere_beside_huge(Random& random, const ShaftInput& input, const 
   const float radius = random.one_in(2) ? 0x1p60F : power(44, 60);
   std::size_t along = 0;
   for (std::size_t k = 1; k != 3; ++k) {
-    const auto way = [&](std::size_t axis) { return std::abs(input.b.lo[axis] - input.a.lo[axis]); };
-    if (way(k) > way(along)) along = k;
+    const auto travel = [&](std::size_t axis) { return std::abs(input.b.lo[axis] - input.a.lo[axis]); };
+    if (travel(k) > travel(along)) along = k;
   }
   const float passed = power(60, 64);
   Vec3 centre = input.a.lo;
   for (std::size_t k = 0; k != 3; ++k) {
-    const float way = input.b.lo[k] - input.a.lo[k];
+    const float travel = input.b.lo[k] - input.a.lo[k];
     if (k == along) {
-      centre[k] += way > 0 ? passed : -passed;
+      centre[k] += travel > 0 ? passed : -passed;
     } else {
       const float beside = power(-4, 0) * radius;
       centre[k] += random.one_in(2) ? beside : -beside;

@@ -27,8 +27,8 @@ inline ShaftInput pythagorean_shaft(Random& random, int exponent = 0) {
   const int steps = static_cast<int>(random.integer(1, 4));
   for (std::size_t i = 0; i != 3; ++i) {
     const std::size_t k = (first + i) % 3;
-    int way = i == 2 ? static_cast<int>(random.integer(-6, 6)) : (3 + static_cast<int>(i)) * steps;
-    if (random.one_in(2)) way = -way;
+    int travel = i == 2 ? static_cast<int>(random.integer(-6, 6)) : (3 + static_cast<int>(i)) * steps;
+    if (random.one_in(2)) travel = -travel;
     const auto at = [&](int x) { return std::ldexp(static_cast<float>(x), exponent); };
     const int lo = static_cast<int>(random.integer(0, 8));
     const int hi = lo + static_cast<int>(random.integer(0, 4));
@@ -36,8 +36,8 @@ inline ShaftInput pythagorean_shaft(Random& random, int exponent = 0) {
     const int more = random.one_in(4) ? static_cast<int>(random.integer(0, 2)) : 0;
     input.a.lo[k] = at(lo);
     input.a.hi[k] = at(hi);
-    input.b.lo[k] = at(lo + way - less);
-    input.b.hi[k] = at(hi + way + more);
+    input.b.lo[k] = at(lo + travel - less);
+    input.b.hi[k] = at(hi + travel + more);
   }
   return input;
 }
@@ -172,10 +172,10 @@ inline ShaftInput far_sweep_shaft(Random& random) {
   const float length = std::ldexp(random.uniform(1.0F, 2.0F), static_cast<int>(random.integer(21, 125)));
   const bool alike = random.one_in(3);
   for (std::size_t k = 0; k != 3; ++k) {
-    float way = random.one_in(4) ? 0.0F : length * (alike ? 1.0F : std::exp2(-random.uniform(0.0F, 12.0F)));
-    if (random.one_in(2)) way = -way;
-    input.b.lo[k] = input.a.lo[k] + way;
-    input.b.hi[k] = input.a.hi[k] + way + (random.one_in(4) ? std::abs(way) * random.uniform(0.0F, 1.0F) : 0.0F);
+    float travel = random.one_in(4) ? 0.0F : length * (alike ? 1.0F : std::exp2(-random.uniform(0.0F, 12.0F)));
+    if (random.one_in(2)) travel = -travel;
+    input.b.lo[k] = input.a.lo[k] + travel;
+    input.b.hi[k] = input.a.hi[k] + travel + (random.one_in(4) ? std::abs(travel) * random.uniform(0.0F, 1.0F) : 0.0F);
   }
   return random.one_in(4) ? ShaftInput{input.b, input.a} : input;
 }

@@ -1,5 +1,5 @@
-/// Boxes inside the shaft, for a few boxes here and there: in the lanes of a vector are the planes of the shaft, not
-/// boxes.
+/// Boxes inside the shaft, one box at a time: the lanes of a vector hold the planes of the shaft. For few boxes that
+/// lie apart.
 #pragma once
 
 #include "exact/predicates.hpp"
@@ -15,7 +15,7 @@ class PlanesInLanes {
   using EightFloats = typename L::EightFloats;
   using Vector = typename EightFloats::Vector;
 
-  /// Whether they say all there is to say of this shaft.
+  /// Whether these planes are all that the shaft has, and their margin is finite.
   [[nodiscard]] static bool suits(const ShaftData& shaft) noexcept {
     return shaft.added_count == 0 && shaft.joining_margin < __builtin_inff();
   }
@@ -26,8 +26,8 @@ class PlanesInLanes {
         faces_(EightFloats::negate_hi(EightFloats::load_six(shaft.face, -__builtin_inff()))),
         two_margins_(2 * shaft.joining_margin) {
     for (unsigned s = 0; s < 6; ++s) stream_[s] = stream[s];
-    // A plane that there is not is never beyond anything: −∞, or NaN for boxes with an infinite coordinate, which are
-    // not within the faces.
+    // Unused lanes have a plane whose value is −∞, so that every box is behind it. For boxes with an infinite
+    // coordinate it is NaN, but those are not within the faces.
     const auto exists = EightFloats::first(shaft.joining_count);
     const Vector shift =
         EightFloats::add(EightFloats::load(shaft.joining_minus_offset), EightFloats::all(shaft.joining_margin));
@@ -36,7 +36,7 @@ class PlanesInLanes {
     shift_ = EightFloats::choose(exists, shift, EightFloats::all(-__builtin_inff()));
   }
 
-  /// What the lanes say of a box.
+  /// Values of a box, lane by lane.
   struct Verdict {
     typename EightFloats::Mask
         within;    ///< its faces are within the shaft box's; and, in the last lanes, it is not empty
@@ -51,7 +51,7 @@ class PlanesInLanes {
         EightFloats::multiply_add(EightFloats::permuted(box, corner0_), normal0_,
                                   EightFloats::multiply_add(EightFloats::permuted(box, corner1_), normal1_, shift_))};
   }
-  /// Of values, the lanes that are neither for certain.
+  /// Lanes whose value is neither certainly behind nor certainly beyond.
   [[nodiscard]] unsigned undecided(Vector value) const noexcept {
     return EightFloats::signs(EightFloats::less_equal(value, EightFloats::all(two_margins_))) &
            ~EightFloats::signs(value);
@@ -70,11 +70,12 @@ class PlanesInLanes {
 
 inline constexpr unsigned all_eight = 0xff;
 
-/// Writes which of the boxes at `positions` are inside, some of which are too close to call.
+/// Writes which of the boxes at `positions` are inside, where some are undecided.
 template <class L>
-[[gnu::noinline, gnu::cold]] void settle_few_inside(const ShaftData& shaft, const PlanesInLanes<L>& planes,
-                                                    const float* const* stream, std::size_t words,
-                                                    const Positions<L>& positions, std::uint64_t* inside) noexcept {
+[[gnu::noinline, gnu::cold]] void resolve_inside_one_by_one(const ShaftData& shaft, const PlanesInLanes<L>& planes,
+                                                            const float* const* stream, std::size_t words,
+                                                            const Positions<L>& positions,
+                                                            std::uint64_t* inside) noexcept {
   using EightFloats = typename L::EightFloats;
   std::uint64_t undecided[most_block_words];
   for (std::size_t w = 0; w < words; ++w) inside[w] = undecided[w] = 0;
@@ -98,10 +99,10 @@ template <class L>
   }
 }
 
-/// Writes which of the kept boxes, few of them, are inside of a shaft that planes in lanes suit.
+/// Writes which of the kept boxes, few of them, are inside of a shaft that PlanesInLanes suits.
 template <class L>
-void few_inside_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, const std::uint64_t* kept,
-                      std::uint64_t* inside) noexcept {
+void box_inside_one_by_one_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
+                                 const std::uint64_t* kept, std::uint64_t* inside) noexcept {
   using EightFloats = typename L::EightFloats;
   const PlanesInLanes<L> planes(shaft, stream);
   const Positions<L> positions(kept, words);
@@ -115,7 +116,7 @@ void few_inside_stage(const ShaftData& shaft, const float* const* stream, std::s
     inside[i / word_bits] |= std::uint64_t{(signs + 1) / (all_eight + 1)} << (i % word_bits);
   }
   if (planes.undecided(least) != 0) [[unlikely]]
-    settle_few_inside<L>(shaft, planes, stream, words, positions, inside);
+    resolve_inside_one_by_one<L>(shaft, planes, stream, words, positions, inside);
 }
 
 }  // namespace shaftcull::kernel

@@ -1,4 +1,4 @@
-/// What many shafts keep, until it is known where the indices go.
+/// Leaves that shafts keep, until it is known where their indices are written.
 #pragma once
 
 #include <bit>
@@ -13,15 +13,15 @@ namespace shaftcull::kernel {
 /// Leaves that a shaft keeps, before it is known where their indices go: words of them, and ranges that are kept as a
 /// whole. From four leaves a word on that takes less memory than indices, and these are not copied once more.
 template <class Index>
-class FoundOutput {
+class KeptLeavesOutput {
  public:
   void add_word(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
-    found_.push({bits, static_cast<Index>(first), 0});
+    items_.push({bits, static_cast<Index>(first), 0});
     count_ += static_cast<std::size_t>(std::popcount(bits));
   }
   void add_range(std::size_t first, std::size_t size) {
-    found_.push({0, static_cast<Index>(first), static_cast<Index>(size)});
+    items_.push({0, static_cast<Index>(first), static_cast<Index>(size)});
     count_ += size;
   }
   /// Number of leaves.
@@ -30,10 +30,10 @@ class FoundOutput {
   /// Writes their indices from `out` on, count() of them and nothing else.
   void write(const LeafIndices<Index>& indices, Index* out) const noexcept {
     const Index* const end = out + count_;
-    found_.for_each_chunk([&](const Found* found, std::size_t size) {
+    items_.for_each_chunk([&](const WordOrRange* item, std::size_t size) {
       for (std::size_t i = 0; i != size; ++i) {
-        if (i + prefetched_words < size) indices.prefetch(found[i + prefetched_words].first);
-        const auto [bits, first, range] = found[i];
+        if (i + prefetched_words < size) indices.prefetch(item[i + prefetched_words].first);
+        const auto [bits, first, range] = item[i];
         if (range != 0) {
           out = indices.copy(first, range, out);
         } else if (end - out >= static_cast<std::ptrdiff_t>(most_added)) {
@@ -47,15 +47,15 @@ class FoundOutput {
 
  private:
   /// A word's bits, or a range of whole words.
-  struct Found {
+  struct WordOrRange {
     std::uint64_t bits;
     Index first;
     Index range;  ///< size, or 0 for a word
   };
-  /// Words ahead of the one written whose indices are fetched.
+  /// Words ahead of the one written whose indices are prefetched.
   static constexpr std::size_t prefetched_words = 16;
 
-  ChunkedOutput<Found> found_;
+  ChunkedOutput<WordOrRange> items_;
   std::size_t count_ = 0;
 };
 

@@ -1,5 +1,5 @@
-/// Boxes outside the shaft, in slab form, for a few boxes here and there: in the lanes of a vector are the constraints
-/// of the shaft, not boxes. So boxes need not be collected, and of the shaft nothing is broadcast.
+/// Boxes outside the shaft, in slab form, one box at a time: the lanes of a vector hold the constraints of the shaft.
+/// For few boxes that lie apart, which then need not be gathered, nor the shaft be broadcast.
 #pragma once
 
 #include "exact/predicates.hpp"
@@ -7,7 +7,7 @@
 
 namespace shaftcull::kernel {
 
-/// The slab constraints of a shaft in eight lanes: the last two are the ends of t.
+/// The slab constraints of a shaft in six lanes, and the ends of t in the last two.
 template <class L>
 class SlabInLanes {
  public:
@@ -26,13 +26,13 @@ class SlabInLanes {
     // As in Slab, lower bounds carry the margin.
     const Vector margin = EightFloats::choose(is_upper_, EightFloats::all(0.0F), EightFloats::all(shaft.slab_margin));
     ends_ = EightFloats::subtract(EightFloats::sorted_last_two(shaft.a[0], shaft.b[0]), margin);
-    // What follows the six shifts is no number, and arithmetic with denormals takes a hundred cycles.
+    // What follows the six shifts in memory are bytes, which may be denormals as floats: those take a hundred cycles.
     shift_ = EightFloats::with_last_two(
         EightFloats::subtract(EightFloats::load(row_of(shaft, ShaftRow::shift)), margin), ends_);
   }
 
-  /// As Slab::room().
-  [[nodiscard]] float room(const float* const* stream, std::size_t i) const noexcept {
+  /// As Slab::interval_length().
+  [[nodiscard]] float interval_length(const float* const* stream, std::size_t i) const noexcept {
     const Vector box = EightFloats::gather(stream, i);
     const Vector bound = EightFloats::with_last_two(
         EightFloats::multiply_add(EightFloats::permuted(box, corner_), scale_, shift_), ends_);
@@ -52,18 +52,18 @@ class SlabInLanes {
   float two_margins_;
 };
 
-/// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that this suits.
+/// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that SlabInLanes suits.
 template <class L>
-std::uint64_t few_outside(const ShaftData& shaft, const float* const* stream, std::size_t first,
-                          std::uint64_t lanes) noexcept {
+std::uint64_t outside_one_by_one(const ShaftData& shaft, const float* const* stream, std::size_t first,
+                                 std::uint64_t lanes) noexcept {
   const SlabInLanes<L> slab(shaft);
   std::uint64_t outside = 0;
   std::uint64_t undecided = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
     const unsigned lane = L::lowest_bit(lanes);
-    const float room = slab.room(stream, first + lane);
-    outside |= static_cast<std::uint64_t>(room < 0) << lane;
-    undecided |= static_cast<std::uint64_t>((room >= 0) & (room <= slab.two_margins())) << lane;
+    const float length = slab.interval_length(stream, first + lane);
+    outside |= static_cast<std::uint64_t>(length < 0) << lane;
+    undecided |= static_cast<std::uint64_t>((length >= 0) & (length <= slab.two_margins())) << lane;
   }
   if (undecided == 0) [[likely]]
     return outside;
