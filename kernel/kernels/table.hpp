@@ -101,8 +101,8 @@ struct SplitKernels {
   /// Writes the keys in a bracket to `some`, which has space for `count`.
   BracketCounts (*collect_in_bracket)(const float* key, std::size_t count, const SampleBracket& bracket,
                                       float* some) noexcept;
-  /// A key that exactly `rank` keys are less than. If several keys equal the one of that rank, it is their value. rank
-  /// < count.
+  /// A value that exactly `rank` keys are less than. If there is none, since equal keys straddle that rank, their
+  /// value. rank < count.
   float (*pivot)(const float* key, std::size_t count, std::size_t rank) noexcept;
   /// Counts keys.
   KeyCounts (*count_keys)(const float* key, std::size_t count, float pivot) noexcept;
@@ -183,8 +183,7 @@ struct Kernels {
   Test* boxes_planes;
   Test* spheres_slab;
   Test* spheres_planes;
-  Test*
-      boxed_spheres_slab;  ///< as spheres_slab, with the six streams of boxes_around_spheres() after the spheres' four
+  Test* boxed_spheres_slab;  ///< as spheres_slab, with the streams of boxes_around_spheres() after their own
   KeepsOne* keeps_box;
   KeepsOne* keeps_sphere;
   ClassifyOne* classify_box;

@@ -24,7 +24,7 @@ enum class Question : std::uint8_t { kept, kept_and_inside, inside };
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
 ///
-///     visitor.prefetch(first)              leaves first … first + 63 will be tested
+///     visitor.prefetch(first)            leaves first … first + 63 will be tested
 ///     visitor.word(first, kept, inside)  leaves first … first + 63, some of which are kept; inside is 0 for
 ///                                        Question::kept
 ///     visitor.range(first, size)         leaves that are all inside, whole words

@@ -35,7 +35,7 @@ struct alignas(64) GridShaft {
   std::int16_t scale[6];  ///< in 2⁻¹⁵: travel of the reference face / travel, negative for constraints from above
   std::int16_t shift[6];  ///< the reference face's middle − scale · middle, moved to the permissive side; for
                           ///< stationary faces where they are most permissive
-  std::int16_t begin;  ///< of t
+  std::int16_t begin;     ///< of t
   std::int16_t end;
   std::uint8_t near_stream[6];
   std::uint8_t uppers;

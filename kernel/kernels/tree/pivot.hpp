@@ -130,8 +130,8 @@ struct Pivot {
   std::size_t less;
 };
 
-/// Of `count` keys within `range`, one that exactly `rank` are less than. If several keys equal the one of that rank,
-/// it is their value. rank < count.
+/// A value that exactly `rank` of `count` keys are less than. If there is none, since equal keys straddle that rank,
+/// their value. All keys are within `range`; rank < count.
 template <class L>
 Pivot pivot_at(const float* key, std::size_t count, std::size_t rank, const KeyRange& range) noexcept {
   using Number = FloatNumber<L>;
