@@ -9,6 +9,7 @@
 #include "float_modes.hpp"
 #include "many/workload.hpp"
 #include "parallel/parallel.hpp"
+#include "sanitizers.hpp"
 
 namespace shaftcull {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 #ifdef __SSE__
 
 TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
-  const EveryCall every(EveryCall::shafts(9), 2500);
+  const EveryCall every(EveryCall::shafts(9), random_cases(2500));
   with_threads(2, [&] {
     for (const PublicCall& call : every.calls()) {
       AnswerWords right;

@@ -15,6 +15,7 @@
 
 #include "calls/every_call.hpp"
 #include "many/workload.hpp"
+#include "sanitizers.hpp"
 
 namespace shaftcull {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 constexpr int threads = 4;
 
 TEST(InsideTasks, AnswersAreRightWhereTheCallersGroupIsCancelled) {
-  const EveryCall every(EveryCall::shafts(70), 5000);
+  const EveryCall every(EveryCall::shafts(70), random_cases(5000));
   with_threads(threads, [&] {
     for (const PublicCall& call : every.calls()) {
       AnswerWords right;

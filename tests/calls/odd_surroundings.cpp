@@ -24,7 +24,7 @@ namespace shaftcull {
 namespace {
 
 TEST(OddSurroundings, InstructionSetsMayBeChosenWhileOthersAsk) {
-  const EveryCall every(EveryCall::shafts(9), 2500);
+  const EveryCall every(EveryCall::shafts(9), random_cases(2500));
   std::vector<AnswerWords> right(every.calls().size());
   for (std::size_t i = 0; i != right.size(); ++i) every.calls()[i].call(right[i]);
   const Isa before = active_isa();
@@ -56,7 +56,7 @@ TEST(OddSurroundings, InstructionSetsMayBeChosenWhileOthersAsk) {
 }
 
 TEST(OddSurroundings, MoreThreadsThanProcessorsAnswerTheSame) {
-  const EveryCall every(EveryCall::shafts(70), 5000);
+  const EveryCall every(EveryCall::shafts(70), random_cases(5000));
   for (const PublicCall& call : every.calls()) {
     AnswerWords right;
     AnswerWords words;

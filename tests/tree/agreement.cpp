@@ -108,10 +108,10 @@ TEST(TreeAgreement, HoldsForEveryShapeAndCount) {
   std::uint64_t seed = 500;
   for (const Shape shape : shapes) {
     for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 128U, 129U, 4096U, 4097U, 8193U}) {
-      expect_flat_answers<Box>(++seed, shape, count, 10);
-      expect_flat_answers<Sphere>(++seed, shape, count, 10);
-      expect_flat_answers<Box, std::uint64_t>(++seed, shape, count, 10);
-      expect_flat_answers<Sphere, std::uint64_t>(++seed, shape, count, 10);
+      expect_flat_answers<Box>(++seed, shape, count, random_cases(10));
+      expect_flat_answers<Sphere>(++seed, shape, count, random_cases(10));
+      expect_flat_answers<Box, std::uint64_t>(++seed, shape, count, random_cases(10));
+      expect_flat_answers<Sphere, std::uint64_t>(++seed, shape, count, random_cases(10));
       if (HasFailure()) return;
     }
   }
