@@ -19,7 +19,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// later.
 ///
 /// What it holds is the library's own affair, and may change with any version and any processor: keep the boxes, not
-/// the bytes. Its members take some nanoseconds, never fail, allocate nothing, and are safe to call from many threads.
+/// the bytes. Its members take some nanoseconds, never fail and allocate nothing; const ones are safe to call from many
+/// threads.
 class alignas(64) CompiledShaft {
  public:
   /// Never formed. Writes 8 of the bytes: the others mean nothing until then.
@@ -39,6 +40,8 @@ class alignas(64) CompiledShaft {
   [[nodiscard]] bool has_planes() const noexcept;
 
  private:
+  friend struct CompiledShaftLayout;  // checks the numbers below against what the library keeps there
+
   static constexpr std::size_t size = 832;
   static constexpr std::size_t answers_at = 112;  ///< where the bytes say what the shaft answers: nothing if they are 0
   static constexpr std::size_t answers_size = 8;
@@ -70,9 +73,11 @@ struct BatchPlanes {
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
 ///
 /// The shafts answer everything and equal compile(Shaft(a[i], b[i])) with planes added, but for joining planes, which
-/// are left pending. Tests in plane form, every question about inside, and some spheres need them, and compute them on
-/// the fly, once a call: spheres against a shaft with a face that both boxes touch, or nearly, or whose boxes are much
-/// farther apart than one of them is from the origin. complete() a shaft that is to answer many such small calls.
+/// are left pending. Tests in plane form, every question about inside, and some spheres need them: spheres against a
+/// shaft with a face that both boxes touch, or nearly, or whose boxes are much farther apart than one of them is from
+/// the origin, or have coordinates above 2⁶⁰. A call computes planes that are pending on the fly: once a shaft, but for
+/// many shafts against a view once a shaft and tile of some 1,000 to 2,500 bounds. complete() a shaft that is to answer
+/// such questions more than once.
 ///
 /// Throws InvalidArgument if the three sizes differ, if planes are not equally many for each box, more than
 /// max_added_planes in all, not finite or without a normal; BadBound for the first pair with a box that is not finite

@@ -5,8 +5,8 @@
 /// all words are written. Lists are in tree order (BoundsTree::order()), which depends on nothing but the bounds,
 /// by index, that the tree was last built or rebuilt from: not on threads, instruction sets, or what happened before.
 ///
-/// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`, `{.own = {3,
-/// 7}}`, `{.mask = words}` or indices and a mask (ExcludingOf).
+/// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`,
+/// `{.own = {3, 7}}`, `{.mask = words}` or indices and a mask (ExcludingOf).
 ///
 /// *Results that do not fit* are counted and not written: see results.hpp.
 ///
@@ -47,10 +47,12 @@ struct LeafRangeOf {
   friend bool operator==(const LeafRangeOf&, const LeafRangeOf&) = default;
 };
 
-/// Indices that a call reads: a span, which may be made of braces as those of C++26. What braces hold is gone when the
-/// call is over, so write them in the call itself.
+/// Indices that a call reads: a span, which may be made of braces as those of C++26. What braces hold is gone at the
+/// end of the statement, so write them in the call itself: `Excluding excluding{.own = {3, 7}};` refers to nothing
+/// afterwards.
 template <BoundIndex Index>
 struct IndicesOf : std::span<const Index> {
+  constexpr IndicesOf() noexcept = default;
   using std::span<const Index>::span;
   constexpr IndicesOf(std::span<const Index> indices) noexcept  // NOLINT(google-explicit-constructor)
       : std::span<const Index>(indices) {}

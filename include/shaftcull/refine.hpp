@@ -42,7 +42,7 @@ template <class Bound, BoundIndex Index>
                                  std::type_identity_t<std::span<Index>> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
-/// collected once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`;
+/// gathered once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`;
 /// if this throws, they are as they were or empty. Errors as refine(), InvalidArgument if candidates are a part of
 /// `lists`, and std::bad_alloc if memory runs out.
 template <BoundIndex Index>

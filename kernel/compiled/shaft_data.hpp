@@ -120,8 +120,6 @@ static_assert(std::is_aggregate_v<ShaftData> && std::is_trivially_destructible_v
 static_assert(std::is_trivially_copyable_v<ShaftData> && std::is_trivially_copyable_v<CompiledShaft>);
 static_assert(std::is_trivially_default_constructible_v<ShaftData>, "kernels have some on the stack");
 static_assert(std::is_standard_layout_v<CompiledShaft>, "its address is that of its storage");
-static_assert(offsetof(ShaftData, joining_count) == 112 && offsetof(ShaftData, answers_spheres) < 112 + 8,
-              "what the constructor of CompiledShaft writes");
 
 /// The data of a shaft: the one place where a CompiledShaft is looked into.
 [[nodiscard, gnu::always_inline]] inline const ShaftData& data_of(const CompiledShaft& shaft) noexcept {
@@ -140,3 +138,15 @@ static_assert(offsetof(ShaftData, joining_count) == 112 && offsetof(ShaftData, a
 }
 
 }  // namespace shaftcull::kernel
+
+namespace shaftcull {
+
+/// What the header of CompiledShaft says in numbers of the data in it.
+struct CompiledShaftLayout {
+  static_assert(offsetof(kernel::ShaftData, joining_count) == CompiledShaft::answers_at &&
+                    offsetof(kernel::ShaftData, answers_spheres) <
+                        CompiledShaft::answers_at + CompiledShaft::answers_size,
+                "what its constructor writes");
+};
+
+}  // namespace shaftcull

@@ -24,7 +24,7 @@ template <class View>
 class Chunks {
  public:
   Chunks(const CompiledShaft& shaft, const View& bounds, bool inside, Form form)
-      : Chunks(askable(kernel::data_of(shaft), bounds, inside, form), bounds, inside, form) {}
+      : Chunks(checked(kernel::data_of(shaft), bounds, inside, form), bounds, inside, form) {}
 
   [[nodiscard]] const kernel::SetBits& set_bits() const noexcept { return kernels_.set_bits; }
 
@@ -49,7 +49,7 @@ class Chunks {
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
 
   /// The shaft, if the question can be answered; otherwise throws InvalidArgument.
-  static const kernel::ShaftData& askable(const kernel::ShaftData& shaft, const View& bounds, bool inside, Form form) {
+  static const kernel::ShaftData& checked(const kernel::ShaftData& shaft, const View& bounds, bool inside, Form form) {
     kernel::require_answers(shaft, true, inside, is_sphere, 0);
     kernel::require_form(form);
     kernel::require_view(bounds);

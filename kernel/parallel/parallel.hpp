@@ -34,8 +34,8 @@
 
 namespace shaftcull::kernel {
 
-/// Allocates whole cache lines, for T of any alignment up to that. Each thread caches the last array that it freed, if
-/// that is small, and reuses it.
+/// Allocates whole cache lines, for T of any alignment up to that. Each thread keeps one small array that it freed,
+/// and reuses it.
 template <class T>
 class CachingAllocator {
  public:

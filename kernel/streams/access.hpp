@@ -23,9 +23,10 @@ struct StreamAccess {
     return Stream(typename Stream::NotWritten(), count);
   }
 
-  /// The rows of a stream from bound `first` on.
+  /// The rows of a stream that is not const, from bound `first` on.
   template <class Stream>
   [[nodiscard]] static auto rows(Stream& stream, std::size_t first = 0) noexcept {
+    static_assert(!std::is_const_v<Stream>);
     RowsOf<decltype(stream.view())> row;
     for (std::size_t s = 0; s != row.size(); ++s) {
       row[s] = const_cast<float*>(stream.view_.stream[s]) + first;  // the stream's own memory, which is not const

@@ -42,8 +42,8 @@ kernel::LeafRangeList<Index, LeafRanges<Index>> list_of(const kernel::LeafIndice
 }
 
 template <class Index>
-void write(const kernel::KeptLeavesOutput<Index>& found, const kernel::LeafIndices<Index>& indices, Index* out) {
-  found.write(indices, out);
+void write(const kernel::KeptLeavesOutput<Index>& kept, const kernel::LeafIndices<Index>& indices, Index* out) {
+  kept.write(indices, out);
 }
 template <class Index>
 void write(const LeafRanges<Index>& ranges, const kernel::LeafIndices<Index>& /*indices*/, LeafRangeOf<Index>* out) {
