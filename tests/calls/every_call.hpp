@@ -156,7 +156,7 @@ class EveryCall {
     add("BoxStream", false, [this](AnswerWords& words) {
       BoxStream stream(boxes_);
       stream.update(3, std::span<const Box>(boxes_).first(9));
-      for (std::size_t i = 0; i != stream.size(); i += 5) note(words, stream[i]);
+      for (std::size_t i = 0; i < stream.size(); i += 5) note(words, stream[i]);
       note(words, BoxStream(stream)[2]);
     });
     for (int i = 0; i != 70; ++i) {
@@ -172,7 +172,7 @@ class EveryCall {
     add("SphereStream", false, [this](AnswerWords& words) {
       SphereStream stream(spheres_);
       stream.update(3, std::span<const Sphere>(spheres_).first(9));
-      for (std::size_t i = 0; i != stream.size(); i += 5) note(words, stream[i]);
+      for (std::size_t i = 0; i < stream.size(); i += 5) note(words, stream[i]);
     });
   }
 
