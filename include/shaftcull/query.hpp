@@ -53,7 +53,7 @@ struct LeafRangeOf {
 template <BoundIndex Index>
 struct IndicesOf : std::span<const Index> {
   constexpr IndicesOf() noexcept = default;
-  using std::span<const Index>::span;
+  using std::span<const Index>::span;  // NOLINT(modernize-use-equals-default): clang-tidy 14 takes it for a constructor
   constexpr IndicesOf(std::span<const Index> indices) noexcept  // NOLINT(google-explicit-constructor)
       : std::span<const Index>(indices) {}
   constexpr IndicesOf(std::initializer_list<Index> indices) noexcept
