@@ -11,10 +11,6 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/export.hpp"
 
-namespace shaftcull::kernel {
-struct StreamAccess;
-}  // namespace shaftcull::kernel
-
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Number of 64-bit words that hold one bit for each of `bounds` bounds: word w, bit i is bound 64 w + i.
@@ -137,7 +133,7 @@ class BoxStream {
   [[nodiscard]] Box operator[](std::size_t i) const noexcept { return view_[i]; }
 
  private:
-  friend kernel::StreamAccess;
+  friend struct StreamAccess;  // the library writes rows without a copy
   struct NotWritten {};
   struct Free {
     void operator()(float* rows) const noexcept;
@@ -179,7 +175,7 @@ class SphereStream {
   [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view_[i]; }
 
  private:
-  friend kernel::StreamAccess;
+  friend struct StreamAccess;  // the library writes rows without a copy
   struct NotWritten {};
   struct Free {
     void operator()(float* rows) const noexcept;

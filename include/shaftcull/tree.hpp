@@ -12,12 +12,6 @@
 #include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
-namespace shaftcull::kernel {
-template <class Bound, class Index>
-struct TreeParts;
-struct TreeAccess;
-}  // namespace shaftcull::kernel
-
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Many bounds of one kind, in streams and in records.
@@ -120,8 +114,9 @@ class BoundsTree {
   void renumber() noexcept;
 
  private:
-  friend kernel::TreeAccess;
-  std::unique_ptr<kernel::TreeParts<Bound, Index>> parts_;
+  friend struct TreeAccess;  // queries read the parts
+  struct Parts;
+  std::unique_ptr<Parts> parts_;  // null for a tree that was never given any bounds
 };
 
 extern template class BoundsTree<Box>;

@@ -113,11 +113,11 @@ void require_apart(std::span<const Index> candidates, const IndexListsOf<Index>&
 template <class View, class Index, class Position>
 void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
                   const Position& position, IndexListsOf<Index>& lists) {
-  auto packed = kernel::StreamAccess::not_written<kernel::StreamOf<View>>(candidates.size());
+  auto packed = StreamAccess::not_written<kernel::StreamOf<View>>(candidates.size());
   constexpr std::size_t block = 16384;
   kernel::parallel_for(kernel::chunk_count(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
     const kernel::IndexRange task = kernel::chunk_at(candidates.size(), block, b);
-    gather(view, candidates, position, task.first, task.size, kernel::StreamAccess::rows(packed, task.first));
+    gather(view, candidates, position, task.first, task.size, StreamAccess::rows(packed, task.first));
   });
   list_many(shafts, packed.view(), lists);
   kernel::IncompleteLists in_progress(lists.offsets, lists.indices);
@@ -150,7 +150,7 @@ void refine_view_lists(std::span<const CompiledShaft> shafts, const View& view, 
 /// queries.
 template <class Bound, class Index>
 PositionInTree<Index> places_of(const BoundsTree<Bound, Index>& tree) {
-  const kernel::TreeParts<Bound, Index>* const parts = kernel::TreeAccess::parts(tree);
+  const kernel::TreeParts<Bound, Index>* const parts = TreeAccess::parts(tree);
   return {parts == nullptr ? nullptr : parts->places.of(parts->order)};
 }
 

@@ -16,6 +16,10 @@ namespace shaftcull::kernel {
 template <class View>
 using StreamOf = std::conditional_t<std::is_same_v<View, BoxView>, BoxStream, SphereStream>;
 
+}  // namespace shaftcull::kernel
+
+namespace shaftcull {
+
 struct StreamAccess {
   /// A stream of `count` bounds that are to be written; the padding behind them is.
   template <class Stream>
@@ -27,7 +31,7 @@ struct StreamAccess {
   template <class Stream>
   [[nodiscard]] static auto rows(Stream& stream, std::size_t first = 0) noexcept {
     static_assert(!std::is_const_v<Stream>);
-    RowsOf<decltype(stream.view())> row;
+    kernel::RowsOf<decltype(stream.view())> row;
     for (std::size_t s = 0; s != row.size(); ++s) {
       row[s] = const_cast<float*>(stream.view_.stream[s]) + first;  // the stream's own memory, which is not const
     }
@@ -37,8 +41,8 @@ struct StreamAccess {
   /// All memory of a stream, padding included.
   template <class Stream>
   [[nodiscard]] static std::span<const std::byte> memory(const Stream& stream) noexcept {
-    return bytes_of(stream.memory_.get(), stream.memory_bytes() / sizeof(float));
+    return kernel::bytes_of(stream.memory_.get(), stream.memory_bytes() / sizeof(float));
   }
 };
 
-}  // namespace shaftcull::kernel
+}  // namespace shaftcull

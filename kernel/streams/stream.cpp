@@ -36,7 +36,7 @@ View view_in(const float* memory, std::size_t count) noexcept {
 template <class Stream, std::size_t rows>
 void fill_from(Stream& stream, std::size_t first, const float (&bound)[rows]) noexcept {
   const std::size_t places = words_for(stream.size()) * 64 - first;
-  const auto row = kernel::StreamAccess::rows(stream, first);
+  const auto row = StreamAccess::rows(stream, first);
   for (std::size_t s = 0; s != rows; ++s) std::fill_n(row[s], places, bound[s]);
 }
 

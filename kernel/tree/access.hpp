@@ -3,18 +3,21 @@
 
 #include "tree/parts.hpp"
 
-namespace shaftcull::kernel {
+namespace shaftcull {
+
+template <class Bound, BoundIndex Index>
+struct BoundsTree<Bound, Index>::Parts : kernel::TreeParts<Bound, Index> {};
 
 struct TreeAccess {
   /// Null for a tree that was never given any bounds.
   template <class Bound, class Index>
-  [[nodiscard]] static const TreeParts<Bound, Index>* parts(const BoundsTree<Bound, Index>& tree) noexcept {
+  [[nodiscard]] static const kernel::TreeParts<Bound, Index>* parts(const BoundsTree<Bound, Index>& tree) noexcept {
     return tree.parts_.get();
   }
   template <class Bound, class Index>
-  [[nodiscard]] static TreeParts<Bound, Index>* parts(BoundsTree<Bound, Index>& tree) noexcept {
+  [[nodiscard]] static kernel::TreeParts<Bound, Index>* parts(BoundsTree<Bound, Index>& tree) noexcept {
     return tree.parts_.get();
   }
 };
 
-}  // namespace shaftcull::kernel
+}  // namespace shaftcull

@@ -9,8 +9,8 @@
 #include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
 #include "support/float_environment.hpp"
+#include "tree/access.hpp"
 #include "tree/build.hpp"
-#include "tree/parts.hpp"
 #include "tree/source.hpp"
 #include "tree/update.hpp"
 
@@ -27,21 +27,22 @@ const Bounds& within_capacity(const Bounds& bounds) {
                         (most < kernel::most_bounds ? "; use a BoundsTree<…, std::uint64_t>" : "; build several"));
 }
 
-template <class Bound, class Index, class Source>
-std::unique_ptr<kernel::TreeParts<Bound, Index>> built_from(const Source& source) {
+/// A tree's parts, built from `source`.
+template <class Parts, class Bound, class Index, class Source>
+std::unique_ptr<Parts> built_from(const Source& source) {
   return kernel::in_float_environment(
-      [&] { return std::make_unique<kernel::TreeParts<Bound, Index>>(kernel::build<Bound, Index>(source)); });
+      [&] { return std::make_unique<Parts>(Parts{kernel::build<Bound, Index>(source)}); });
 }
 
-template <class Bound, BoundIndex Index>
-std::unique_ptr<kernel::TreeParts<Bound, Index>> copy_of(const kernel::TreeParts<Bound, Index>* parts) {
-  return parts == nullptr ? nullptr : std::make_unique<kernel::TreeParts<Bound, Index>>(*parts);
+template <class Parts>
+std::unique_ptr<Parts> copy_of(const std::unique_ptr<Parts>& parts) {
+  return parts ? std::make_unique<Parts>(*parts) : nullptr;
 }
 
 /// Parts to update: those of an empty tree are made when needed.
-template <class Bound, BoundIndex Index>
-kernel::TreeParts<Bound, Index>& of(std::unique_ptr<kernel::TreeParts<Bound, Index>>& parts) {
-  if (!parts) parts = std::make_unique<kernel::TreeParts<Bound, Index>>();
+template <class Parts>
+Parts& of(std::unique_ptr<Parts>& parts) {
+  if (!parts) parts = std::make_unique<Parts>();
   return *parts;
 }
 
@@ -58,26 +59,26 @@ BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(BoundsTree&& other
 
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const View& bounds)
-    : parts_(built_from<Bound, Index>(kernel::ViewSource<Bound>(within_capacity<Index>(bounds)))) {}
+    : parts_(built_from<Parts, Bound, Index>(kernel::ViewSource<Bound>(within_capacity<Index>(bounds)))) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
-    : parts_(built_from<Bound, Index>(kernel::RecordSource<Bound>(within_capacity<Index>(bounds)))) {}
+    : parts_(built_from<Parts, Bound, Index>(kernel::RecordSource<Bound>(within_capacity<Index>(bounds)))) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>
     : parts_([&] {
       if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
-        return built_from<Bound, Index>(kernel::CentreExtentSource(within_capacity<Index>(bounds)));
+        return built_from<Parts, Bound, Index>(kernel::CentreExtentSource(within_capacity<Index>(bounds)));
       } else {
         return nullptr;
       }
     }()) {}
 template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_.get())) {}
+BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_)) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(const BoundsTree& other) {
-  if (this != &other) parts_ = copy_of(other.parts_.get());
+  if (this != &other) parts_ = copy_of(other.parts_);
   return *this;
 }
 
@@ -185,7 +186,7 @@ double BoundsTree<Bound, Index>::growth() const {
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::rebuild() {
   if (!parts_) return;
-  *parts_ = kernel::in_float_environment([&] { return kernel::rebuild(*parts_); });
+  *parts_ = Parts{kernel::in_float_environment([&] { return kernel::rebuild<Bound, Index>(*parts_); })};
 }
 
 template <class Bound, BoundIndex Index>

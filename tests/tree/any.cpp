@@ -32,8 +32,7 @@ std::size_t words_tested_by(Visitor& visitor, const BoxTree& tree, const Compile
   real_test = kernels.listed_boxes;
   kernels.listed_boxes = count_words;
   words_tested = 0;
-  kernel::Walk<Box, Visitor>(*kernel::TreeAccess::parts(tree), kernels, kernel::data_of(shaft), kernel::Question::kept,
-                             visitor)
+  kernel::Walk<Box, Visitor>(*TreeAccess::parts(tree), kernels, kernel::data_of(shaft), kernel::Question::kept, visitor)
       .run();
   return words_tested;
 }

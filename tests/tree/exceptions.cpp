@@ -93,7 +93,7 @@ TYPED_TEST(TreeExceptions, AnUpdateThatDidNotEndAsksForARefit) {
     std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, count);
     const std::vector<Bound> news = scene<Bound>(random, Shape::uniform, count);
     TypeParam tree{std::span<const Bound>(bounds)};
-    auto& parts = *kernel::TreeAccess::parts(tree);
+    auto& parts = *TreeAccess::parts(tree);
     parts.mark_all_dirty();
     const auto row = parts.leaf_rows();
     for (std::size_t p = 0; p < count; p += 3) {

@@ -69,8 +69,8 @@ TreeLevels<Box> origins() {
     nodes += tree.level[tree.levels].words() * 64;
     ++tree.levels;
   }
-  tree.leaves = kernel::StreamAccess::not_written<BoxStream>(size);
-  tree.nodes = kernel::StreamAccess::not_written<BoxStream>(nodes);
+  tree.leaves = StreamAccess::not_written<BoxStream>(size);
+  tree.nodes = StreamAccess::not_written<BoxStream>(nodes);
   tree.gaps.assign(nodes / 64, 0);
   return tree;
 }
