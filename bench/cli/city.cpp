@@ -31,8 +31,10 @@ float uniform(std::mt19937& random, float lo, float hi) {
 Box building(std::mt19937& random, float x, float y, std::size_t lot, float tallest) {
   constexpr float width = (block_pitch - street_width) / lots_across;
   constexpr float depth = (block_pitch - street_width) / lots_up;
-  const float left = x + street_width / 2 + width * static_cast<float>(lot % lots_across) + uniform(random, 0.5F, 3);
-  const float front = y + street_width / 2 + depth * static_cast<float>(lot / lots_across) + uniform(random, 0.5F, 3);
+  const std::size_t column = lot % lots_across;
+  const std::size_t row = lot / lots_across;
+  const float left = x + street_width / 2 + width * static_cast<float>(column) + uniform(random, 0.5F, 3);
+  const float front = y + street_width / 2 + depth * static_cast<float>(row) + uniform(random, 0.5F, 3);
   const float height = uniform(random, 6, tallest);
   return {{left, front, 0}, {left + width - uniform(random, 4, 7), front + depth - uniform(random, 4, 7), height}};
 }
@@ -48,8 +50,10 @@ City::City(std::size_t count) : buildings_(count - count / 4) {
   boxes.reserve(count);
   for (std::size_t i = 0; i < buildings_; ++i) {
     const std::size_t block = i / lots;
-    const float x = static_cast<float>(block % blocks_) * block_pitch;
-    const float y = static_cast<float>(block / blocks_) * block_pitch;
+    const std::size_t column = block % blocks_;
+    const std::size_t row = block / blocks_;
+    const float x = static_cast<float>(column) * block_pitch;
+    const float y = static_cast<float>(row) * block_pitch;
     // Towers in the middle, houses at the edge.
     const float from_middle = std::hypot(x - side / 2, y - side / 2) / side;
     boxes.push_back(building(random, x, y, i % lots, 15 + 200 * std::exp(-8 * from_middle)));
@@ -61,7 +65,8 @@ City::City(std::size_t count) : buildings_(count - count / 4) {
   for (std::size_t i = 0; i < cars; ++i) {
     const std::size_t street = i * streets / cars;
     const bool forward = i % 2 == 0;
-    const float middle = static_cast<float>(street / 2) * block_pitch;
+    const std::size_t number = street / 2;  // one of each direction has it
+    const float middle = static_cast<float>(number) * block_pitch;
     const float speed = uniform(random, 8, 20);
     cars_.push_back(
         {middle + (forward ? -3.0F : 3.0F), uniform(random, 0, side), forward ? speed : -speed, street % 2 == 0});

@@ -125,7 +125,8 @@ void Sphereflake::place_shafts(double time, std::span<Box> a, std::span<Box> b) 
     const double light = 2 * pi * static_cast<double>(i % lights) / lights - 0.2 * time;
     a[i] = box_around({static_cast<float>(2.5 * std::cos(light)), static_cast<float>(2.5 * std::sin(light)), 3.0F},
                       {0.2F, 0.2F, 0.0F});
-    const double tile = 2 * pi * static_cast<double>(i / lights) / static_cast<double>(tiles) + 0.1 * time;
+    const std::size_t place = i / lights;
+    const double tile = 2 * pi * static_cast<double>(place) / static_cast<double>(tiles) + 0.1 * time;
     b[i] = box_around({static_cast<float>(1.2 * std::cos(tile)), static_cast<float>(1.2 * std::sin(tile)), -2.2F},
                       {0.15F, 0.15F, 0.0F});
   }

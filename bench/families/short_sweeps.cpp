@@ -165,7 +165,7 @@ void declare_short_sweeps(Suite& suite, const Workload& /*workload*/) {
     SweepGrid* const sweep = sweep_grid(isa);
     if (sweep == nullptr) continue;
     const auto add = [&](const char* what, auto body) {
-      const std::string row = fmt::format("tree/equal_short/{}/{}", what, name(isa));
+      std::string row = fmt::format("tree/equal_short/{}/{}", what, name(isa));
       suite.add(row, "", [=](benchmark::State& state) {
         select_isa(isa);
         body(state);

@@ -17,7 +17,7 @@
 
 namespace shaftcull::bench {
 
-struct UniformGrid {
+struct UniformGrid {  // NOLINT(bugprone-reserved-identifier): of a loop in the copy that nobody wrote
   /// The boxes must all be of the first one's size, to a few roundings. `cell` is the side of a cell.
   UniformGrid(std::span<const Box> boxes, float cell);
 

@@ -106,10 +106,9 @@ std::optional<Plot> plot_bounds(const BenchSummary& summary) {
   std::string script = preamble({.right = 0.74}) + axes(top, "boxes") + cache_lines(summary, least, most);
   script += "set logscale x 2\nset xtics (";
   const char* separator = "";
-  for (double at = 1024; at <= most; at *= 4) {
-    script +=
-        fmt::format("{}'{}' {}", separator,
-                    at < 1048576 ? fmt::format("{:.0f} K", at / 1024) : fmt::format("{:.0f} M", at / 1048576), at);
+  for (std::uint64_t at = 1024; static_cast<double>(at) <= most; at *= 4) {
+    script += fmt::format("{}'{}' {}", separator,
+                          at < 1048576 ? fmt::format("{} K", at / 1024) : fmt::format("{} M", at / 1048576), at);
     separator = ", ";
   }
   script += fmt::format(")\nset xrange [{}:{}]\n", least, most);

@@ -112,9 +112,9 @@ std::vector<double> label_heights(const std::vector<Roof>& roofs) {
 /// Points at 1, 2, 4, … shafts.
 std::vector<Point> points_of(const BenchSummary& summary, const Look& look) {
   std::vector<Point> points;
-  for (double shafts = 1; shafts <= 1024; shafts *= 2) {
-    const auto speed = summary.speed(fmt::format("sweep/shafts/{:.0f}/{}", shafts, look.isa));
-    if (speed) points.push_back({shafts, *speed});
+  for (int shafts = 1; shafts <= 1024; shafts *= 2) {
+    const auto speed = summary.speed(fmt::format("sweep/shafts/{}/{}", shafts, look.isa));
+    if (speed) points.push_back({static_cast<double>(shafts), *speed});
   }
   return points;
 }

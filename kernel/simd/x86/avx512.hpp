@@ -144,8 +144,8 @@ struct Floats {
     explicit SignCollector(Vector limit) noexcept : limit_(limit) {}
 
     std::uint64_t collect(const Vector (&of)[4]) noexcept {
-      for (unsigned v = 0; v < 4; ++v) {  // as unsigned integers, negative floats are above all others
-        undecided_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(of[v]), _mm512_castps_si512(limit_));
+      for (const Vector& v : of) {  // as unsigned integers, negative floats are above all others
+        undecided_ |= _mm512_cmple_epu32_mask(_mm512_castps_si512(v), _mm512_castps_si512(limit_));
       }
       return signs(of);
     }
