@@ -20,8 +20,8 @@ UniformGrid::UniformGrid(std::span<const Box> boxes, float cell) : inverse_cell(
   const auto cell_of = [this](const Box& box) {
     int at[3];
     for (std::size_t k = 0; k < 3; ++k) at[k] = static_cast<int>((centre_of(box, k) - origin[k]) * inverse_cell);
-    const int cell = (at[2] * cells[1] + at[1]) * cells[0] + at[0];
-    return static_cast<std::size_t>(cell);
+    const int number = (at[2] * cells[1] + at[1]) * cells[0] + at[0];
+    return static_cast<std::size_t>(number);
   };
   first.assign(
       static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]) + 1,

@@ -243,7 +243,7 @@ TEST_F(CliCull, SaysTheSameWithATree) {
   for (const char* format : {"text", "json", "csv"}) {
     const std::vector<std::string> arguments = {"--random", "10", "--bounds", "triangle", "--format", format};
     std::vector<std::string> with_tree = arguments;
-    with_tree.push_back("--tree");
+    with_tree.emplace_back("--tree");
     const Outcome scanned = cull(arguments);
     const Outcome outcome = cull(with_tree);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
