@@ -71,8 +71,9 @@ void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& fra
     }
     const double by_scale = is_stationary ? 0 : half * std::abs(static_cast<double>(grid.scale[i]) * 0x1p-15 - scale);
     const double step = std::max(1.0, half / 500);
-    for (double at = face.middle - half; at <= face.middle + half; at += step) {
-      const int q = static_cast<int>(std::floor(at));
+    const int steps = static_cast<int>(2 * half / step);
+    for (int at = 0; at <= steps; ++at) {
+      const int q = static_cast<int>(std::floor(face.middle - half + at * step));
       const int computed = is_stationary ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
       const double exact = is_stationary ? face.middle + half - q : reference.middle + scale * (q - face.middle);
       const double permissive = is_stationary || is_upper ? computed - exact : exact - computed;
