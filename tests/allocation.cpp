@@ -124,6 +124,22 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
             0U);
 }
 
+TEST_F(Allocation, ShaftsOfMovingBoxesDoNone) {
+  const SphereColumns spheres(spheres_);
+  std::vector<std::uint64_t> kept(words_for(bound_count));
+  std::vector<std::uint64_t> inside(kept.size());
+  const std::vector<Plane> planes(3, Plane{{1, 2, 3}, 4});
+  EXPECT_EQ(allocations_in([&] {
+              for (const CompiledShaft& shaft :
+                   {swept(boxes_[0], {1, 2, 3}, planes), swept_without_end(boxes_[0], {1, 2, 3}),
+                    shadow(Box{{9, 9, 9}, {9, 9, 9}}, boxes_[0]), shadow(Box{{9, 9, 9}, {9, 9, 9}}, boxes_[0], 4)}) {
+                classify(shaft, spheres.view(), kept, inside);
+                (void)classify(shaft, boxes_[0]);
+              }
+            }),
+            0U);
+}
+
 TEST_F(Allocation, MakingAStreamDoesOneAndAnEmptyOneNone) {
   EXPECT_EQ(allocations_in([&] { const BoxStream stream(boxes_); }), 1U);
   EXPECT_EQ(allocations_in([&] { const SphereStream stream(spheres_); }), 1U);

@@ -29,6 +29,7 @@ constexpr std::array families{
     declare_paper,
     declare_form,
     declare_many,
+    declare_kinds,
     declare_outputs,
     declare_memory,
     declare_small,

@@ -90,6 +90,8 @@ void declare_paper(Suite& suite, const Workload& workload);
 void declare_form(Suite& suite, const Workload& workload);
 /// test/…: many shafts × many bounds
 void declare_many(Suite& suite, const Workload& workload);
+/// kinds/…: shafts of moving boxes × many boxes
+void declare_kinds(Suite& suite, const Workload& workload);
 /// outputs/…: counts and index lists instead of bits
 void declare_outputs(Suite& suite, const Workload& workload);
 /// memory/…: one shaft × all bounds, and reading them

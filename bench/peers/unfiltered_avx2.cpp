@@ -12,7 +12,7 @@ template <unsigned uppers>
 void cull_words(const kernel::ShaftData& shaft, const float* const* stream, std::size_t words,
                 std::uint64_t* kept) noexcept {
   using L = UnfilteredLanes;
-  const kernel::Slab<L, uppers, kernel::ShaftData::SlabForm::fused> slab(shaft, 0.0F);
+  const kernel::Slab<L, uppers, kernel::ShaftData::SlabForm::fused> slab(shaft, 0.0F, true);
   const float* x[6];
   for (unsigned i = 0; i < 6; ++i) x[i] = stream[shaft.slab_near[i]];
   for (std::size_t w = 0; w < words; ++w) {

@@ -28,10 +28,12 @@ class alignas(64) CompiledShaft {
     for (std::size_t i = 0; i != answers_size; ++i) storage_[answers_at + i] = std::byte{0};
   }
 
-  /// Whether a call of compile() or compile_batch() made this shaft, or the one that it is a copy of.
+  /// Whether a call made this shaft, or the one that it is a copy of.
   [[nodiscard]] bool formed() const noexcept;
 
   /// The boxes that the shaft is between, as they were given; empty boxes, lo = +∞ and hi = −∞, if it was never formed.
+  /// Of a moving box (kinds.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If it
+  /// moves without end, b is somewhere on its way.
   [[nodiscard]] Box a() const noexcept;
   [[nodiscard]] Box b() const noexcept;
 

@@ -10,6 +10,7 @@
 #include "shaftcull/geometry.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/kinds.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/records.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiled/moving_faces.hpp"
 #include "compiled/shaft_box.hpp"
 #include "compiled/slab.hpp"
 #include "formation/table.hpp"
@@ -68,6 +69,18 @@ void compile_joining_planes(const JoinedEdges& edges, const JoinedPlanes& planes
 void add_joining_planes(ShaftData& shaft) noexcept {
   in_float_environment([&] {
     const Faces6 a = std::to_array(shaft.a);
+    if (shaft.kind != ShaftData::Kind::between) {
+      const MovingFaces faces(shaft);
+      std::array<double, face_count> step;
+      Faces6 direction;  // has the colours of the faces, as a second box
+      for (Face f = 0; f < face_count; ++f) {
+        step[f] = std::fabs(faces.slope(f));
+        direction[f] = faces.is_purple(f) ? 0.0F : faces.is_blue(f) == is_hi(f) ? 1.0F : -1.0F;
+      }
+      const JoinedEdges& edges = table729_edges(Faces6{}, direction);
+      compile_joining_planes(edges, join(a, step, edges, ShaftOptions{}.spheres), shaft);
+      return;
+    }
     const Faces6 b = std::to_array(shaft.b);
     const JoinedEdges& edges = table729_edges(a, b);
     compile_joining_planes(edges, join(a, b, edges, ShaftOptions{}.spheres), shaft);

@@ -36,7 +36,17 @@ struct alignas(64) ShaftData {
     difference,  ///< t = (x − p) · scale; shift holds p. For purple faces, and where shifts are too large
     relative,    ///< likewise, but slab_margin is relative to the bounds on t. For boxes much farther apart than one is
                  ///< from the origin
+    endless,     ///< likewise, of a box that moves without end: t is how far the first constraint's face has moved
     exact,  ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
+  };
+
+  /// What moves: face f of box(t) is at a[f] + t · slope[f], t from 0 to an end. MovingFaces has the slopes, unrounded.
+  enum class Kind : std::uint8_t {
+    between,             ///< from box a to box b, to t = 1
+    swept,               ///< box a by a displacement, motion, to t = 1
+    swept_without_end,   ///< likewise, but t has no end
+    shadow,              ///< away from the corners of a light, motion, to t = reach − 1; a is the occluder
+    shadow_without_end,  ///< likewise, but t has no end
   };
 
   // First cache line: the slab constraints, bounds on t from above first.
@@ -49,13 +59,14 @@ struct alignas(64) ShaftData {
   SlabForm slab_form;
 
   // Second cache line: what the shaft is.
-  float a[6];                  ///< faces of box a
-  float b[6];                  ///< faces of box b
+  float a[6];  ///< faces of box a
+  float b[6];  ///< faces of box b; of other kinds, where the box ends, rounded, or on its way if it never does
   std::uint8_t joining_count;  ///< planes_pending until completed
   std::uint8_t added_count;
   bool answers_outside;
   bool answers_inside;
   bool answers_spheres;
+  Kind kind;
 
   /// A plane that was added. Two of them fill a cache line.
   struct alignas(32) AddedPlane {
@@ -68,8 +79,9 @@ struct alignas(64) ShaftData {
   };
   AddedPlane added[max_added_planes];
 
-  // The shaft box and joining planes; not written while they are pending.
-  float face[6];         ///< of the shaft box
+  // The shaft box and joining planes; not written while they are pending, but for the faces of kinds other than
+  // `between`.
+  float face[6];         ///< of the shaft box; if that is no float, the next one inside it
   float joining_margin;  ///< for all joining planes
   float joining_normal0[max_joining_planes];
   float joining_normal1[max_joining_planes];
@@ -79,12 +91,19 @@ struct alignas(64) ShaftData {
   std::uint8_t joining_far0[max_joining_planes];
   std::uint8_t joining_far1[max_joining_planes];
 
+  // Not written in a shaft between two boxes.
+  float motion[6];  ///< swept: the displacement, once for each face. Shadow: the light's face that faces of a move from
+  float reach;      ///< of a shadow that ends: the end of t, and 1
+
   /// Value of joining_count in a shaft whose planes nobody has asked for yet, from compile_batch() or two boxes.
   static constexpr std::uint8_t planes_pending = 0xff;
 
   // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
   [[nodiscard, gnu::always_inline]] bool has_planes() const noexcept { return joining_count != planes_pending; }
   [[nodiscard, gnu::always_inline]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
+  [[nodiscard, gnu::always_inline]] bool is_endless() const noexcept {
+    return kind == Kind::swept_without_end || kind == Kind::shadow_without_end;
+  }
 };
 
 /// Parts of a shaft that are read and written at once: rows of eight floats, each six of a member and what follows it,

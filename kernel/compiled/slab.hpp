@@ -56,7 +56,8 @@ struct BatchFlags {
   std::uint8_t joining_count = ShaftData::planes_pending;
   std::uint8_t added_count = 0;
   bool answers[3] = {true, true, true};
-  std::uint8_t padding[3] = {};
+  ShaftData::Kind kind = ShaftData::Kind::between;
+  std::uint8_t padding[2] = {};
 };
 struct TwoFloats {
   float of[2];
@@ -65,6 +66,7 @@ inline constexpr TwoFloats batch_flags = __builtin_bit_cast(TwoFloats, BatchFlag
 
 static_assert(offsetof(ShaftData, answers_outside) ==
               offsetof(ShaftData, joining_count) + offsetof(BatchFlags, answers));
+static_assert(offsetof(ShaftData, kind) == offsetof(ShaftData, joining_count) + offsetof(BatchFlags, kind));
 
 /// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
 inline constexpr float float_unit = 0x1p-24F;
@@ -88,6 +90,17 @@ inline constexpr float fused_margin_per_travel = 12 * float_unit * margin_slack;
 inline constexpr float difference_margin = 16 * float_unit * margin_slack;
 inline constexpr float relative_margin = 12 * float_unit;  // 1 ± this is a float
 inline constexpr float relative_denormals = 0x1p-124F;     // far above what underflow may take away
+
+// The endless form. Lower bounds on t are lowered by the margin; what exceeds them by the second factor, and by three
+// of the denormals, is not outside.
+inline constexpr float endless_margin = 16 * float_unit;        // 1 − this is a float
+inline constexpr float endless_kept_per_margin = 2.5F;          // 1 + 40 units is a float
+inline constexpr float endless_corner_margin = 4 * float_unit;  // of the start of the box, for corners of spheres
+inline constexpr float endless_limit = 0x1p100F;                // coordinates above it, and slopes, have no such form
+
+/// The rounding of where a moving box ends adds less than a quarter to the margins of the fused form, and to what
+/// depends on the largest coordinate.
+inline constexpr float rounded_end_factor = 1.25F;
 
 /// The relative form is used where the farther box has a coordinate above the first, and the nearer one no coordinate
 /// above that times the second: a sweep through a scene and far beyond it. Margins of the other forms grow with the

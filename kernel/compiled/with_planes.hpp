@@ -9,11 +9,12 @@ namespace shaftcull::kernel {
 
 // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
 
-/// Whether a test for outside reads the joining planes of a shaft. Spheres have a slab form for shafts in the fused
-/// form alone.
+/// Whether a test for outside reads the joining planes of a shaft. Spheres have a slab form for shafts in the fused and
+/// the endless form alone.
 [[nodiscard, gnu::always_inline]] inline bool outside_needs_planes(const ShaftData& shaft, bool spheres,
                                                                    Form form) noexcept {
-  return form == Form::planes || (spheres && shaft.slab_form != ShaftData::SlabForm::fused);
+  return form == Form::planes ||
+         (spheres && shaft.slab_form != ShaftData::SlabForm::fused && shaft.slab_form != ShaftData::SlabForm::endless);
 }
 
 /// A shaft, or a copy of it with its planes if they are needed and pending.

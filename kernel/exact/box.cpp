@@ -14,12 +14,11 @@ unsigned opposite(unsigned stream) noexcept { return stream < 3 ? stream + 3 : s
 
 }  // namespace
 
-SlabPredicate::SlabPredicate(const ShaftData& shaft) noexcept : shaft_(shaft) {
+SlabPredicate::SlabPredicate(const ShaftData& shaft) noexcept : faces_(shaft) {
   for (unsigned f = 0; f < 6; ++f) face_[f] = shaft_face(shaft, f);
-  const Faces faces(shaft.a, shaft.b);
+  const Faces faces(faces_);
   const auto constraint = [&](unsigned f) {
-    const double p = shaft.a[f];
-    return Constraint{f, opposite(f), p, 1 / (shaft.b[f] - p)};
+    return Constraint{f, opposite(f), double{faces_.p[f]}, 1 / faces_.slope(f)};
   };
   for (unsigned r = 0; r < faces.reds; ++r) upper_[uppers_++] = constraint(faces.red[r]);
   for (unsigned b = 0; b < faces.blues; ++b) lower_[lowers_++] = constraint(faces.blue[b]);
@@ -29,9 +28,6 @@ bool SlabPredicate::outside(const float (&bound)[6]) const noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (bound[k + 3] < face_[k] || bound[k] > face_[k + 3]) return true;
   }
-  // Within the shaft box every lower bound on t is at most 1 and every upper one at least 0, so a pair can only
-  // separate where both are in [0, 1]. Four roundings leave those within 2⁻⁵¹, and a difference of them within 2⁻⁵⁰.
-  constexpr double margin = 0x1p-48;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double upper[6];
   double lower[6];
@@ -49,13 +45,17 @@ bool SlabPredicate::outside(const float (&bound)[6]) const noexcept {
     lower[i] = value(lower_[i], -infinity);
     largest_lower = std::fmax(largest_lower, lower[i]);
   }
+  // Within the shaft box every lower bound on t is at most the end of t and every upper one at least 0, so a pair can
+  // only separate where both are between these. Four roundings leave the computed ones within 2⁻⁵¹ of their size, and a
+  // difference of them within 2⁻⁵⁰ of the larger one, which is the lower bound or nearly so where they matter.
+  const double margin = 0x1p-48 * (faces_.is_endless() ? std::fmax(largest_lower, 0.0) : faces_.end());
   if (largest_lower > smallest_upper + margin) return true;
   if (largest_lower < smallest_upper - margin) return false;
   for (unsigned i = 0; i < uppers_; ++i) {
     if (upper[i] > smallest_upper + 4 * margin) continue;
     for (unsigned j = 0; j < lowers_; ++j) {
       if (lower[j] < largest_lower - 4 * margin) continue;
-      const Edge edge(shaft_.a, shaft_.b, upper_[i].face, lower_[j].face);
+      const Edge edge(faces_, upper_[i].face, lower_[j].face);
       if (edge.side(bound[upper_[i].near], bound[lower_[j].near]) > 0) return true;
     }
   }
@@ -67,7 +67,8 @@ bool box_outside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
     if (bound[k + 3] < shaft_face(shaft, k) || bound[k] > shaft_face(shaft, k + 3)) return true;
   }
   // A lo face is tested against the bound's hi, its near corner, and a hi face against the bound's lo.
-  const Faces faces(shaft.a, shaft.b);
+  const MovingFaces moving(shaft);
+  const Faces faces(moving);
   for (unsigned r = 0; r < faces.reds; ++r) {
     const float x = bound[opposite(faces.red[r])];
     if (!std::isfinite(x)) continue;
@@ -75,7 +76,7 @@ bool box_outside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
       if (faces.blue[b] == opposite(faces.red[r])) continue;
       const float y = bound[opposite(faces.blue[b])];
       if (!std::isfinite(y)) continue;
-      if (Edge(shaft.a, shaft.b, faces.red[r], faces.blue[b]).side(x, y) > 0) return true;
+      if (Edge(moving, faces.red[r], faces.blue[b]).side(x, y) > 0) return true;
     }
   }
   for (unsigned i = 0; i < shaft.added_count; ++i) {
@@ -94,12 +95,12 @@ bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept {
   for (unsigned k = 0; k < 3; ++k) {
     if (!(bound[k] >= shaft_face(shaft, k) && bound[k + 3] <= shaft_face(shaft, k + 3))) return false;
   }
-  const Faces faces(shaft.a, shaft.b);
+  const MovingFaces moving(shaft);
+  const Faces faces(moving);
   for (unsigned r = 0; r < faces.reds; ++r) {
     for (unsigned b = 0; b < faces.blues; ++b) {
       if (faces.blue[b] == opposite(faces.red[r])) continue;
-      if (Edge(shaft.a, shaft.b, faces.red[r], faces.blue[b]).side(bound[faces.red[r]], bound[faces.blue[b]]) > 0)
-        return false;
+      if (Edge(moving, faces.red[r], faces.blue[b]).side(bound[faces.red[r]], bound[faces.blue[b]]) > 0) return false;
     }
   }
   for (unsigned i = 0; i < shaft.added_count; ++i) {

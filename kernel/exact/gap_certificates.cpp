@@ -8,8 +8,8 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Decides for certain if f is least at t = 0, or at t = 1, and what matters is computed without rounding, or nearly
-/// so.
+/// Decides for certain if f is least at t = 0, or at t = 1 of a shaft between two boxes, and what matters is computed
+/// without rounding, or nearly so.
 Verdict certify_at_end(const Gaps& gaps, bool at_one, double radius) noexcept {
   const Gap* positive[6];
   Measured distance[6];
@@ -32,12 +32,12 @@ Verdict certify_at_end(const Gaps& gaps, bool at_one, double radius) noexcept {
   return (at_one ? half_slope.is_not_positive() : half_slope.is_not_negative()) ? Verdict::outside : Verdict::undecided;
 }
 
-/// Decides for certain if f is least within (0, 1) where the gaps of `positive` are, and what matters is computed
-/// without rounding, or nearly so.
+/// Decides for certain if f is least between the ends of t, where the gaps of `positive` are, and what matters is
+/// computed without rounding, or nearly so.
 ///
 /// Let S be these gaps, α their starts and β their slopes. Their sum of squares is least at t = N / D with N = −Σ α β
 /// and D = Σ β², where any gap is (α D + β N) / D; by Lagrange's identity it is Σ (α_g β_h − α_h β_g)² / D there. That
-/// is the minimum of f if 0 ≤ N ≤ D, gaps of S are not negative at N / D, and all others are not positive.
+/// is the minimum of f if 0 ≤ N ≤ end · D, gaps of S are not negative at N / D, and all others are not positive.
 Verdict certify_between(const Gaps& gaps, unsigned positive, double radius) noexcept {
   Measured start[3];
   Measured slope[3];
@@ -65,7 +65,13 @@ Verdict certify_between(const Gaps& gaps, unsigned positive, double radius) noex
   if (!denominator.is_positive()) return Verdict::undecided;
   const Measured excess = crosses - denominator * Measured(radius * radius);
   if (!excess.is_known()) return Verdict::undecided;
-  if (!minus_n.is_not_positive() || !(minus_n + denominator).is_not_negative()) return Verdict::undecided;
+  if (!minus_n.is_not_positive()) return Verdict::undecided;
+  if (gaps.ends_at_b) {
+    if (!(minus_n + denominator).is_not_negative()) return Verdict::undecided;
+  } else if (!gaps.is_endless()) {
+    const Measured end = Measured::difference(gaps.end_minuend, gaps.end_subtrahend);
+    if (!(minus_n + end * denominator).is_not_negative()) return Verdict::undecided;
+  }
   const auto scaled = [&](const Measured& of_start, const Measured& of_slope) {
     return of_start * denominator - of_slope * minus_n;
   };
@@ -108,7 +114,9 @@ Verdict certify_constant(const ShaftData& shaft, const Gaps& gaps, unsigned posi
 
 Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool constant,
                 const float (&sphere)[4]) noexcept {
-  if (least.t == 0 || least.t == 1) return certify_at_end(gaps, least.t == 1, sphere[3]);
+  if (least.where == Minimum::Where::end && !gaps.ends_at_b) return Verdict::undecided;
+  if (least.where != Minimum::Where::between)
+    return certify_at_end(gaps, least.where == Minimum::Where::end, sphere[3]);
   return constant ? certify_constant(shaft, gaps, least.positive, sphere)
                   : certify_between(gaps, least.positive, sphere[3]);
 }

@@ -77,15 +77,23 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
 }  // namespace
 
 bool exactly_outside(const Gaps& gaps, double radius) noexcept {
-  Ratio low{{}, Expansion<2>(1.0)};
-  Ratio high{Expansion<2>(1.0), Expansion<2>(1.0)};
-  if (derivative_sign(gaps, low) >= 0) return farther_at(gaps, low, radius);
-  if (derivative_sign(gaps, high) <= 0) return farther_at(gaps, high, radius);
-
-  // From here on f′(low) < 0 < f′(high): narrow to an interval without a breakpoint.
   const auto less = [](const Ratio& s, const Ratio& t) {
     return (s.numerator * t.denominator - t.numerator * s.denominator).sign() < 0;
   };
+  Ratio low{{}, Expansion<2>(1.0)};
+  if (derivative_sign(gaps, low) >= 0) return farther_at(gaps, low, radius);
+  Ratio high = low;
+  if (!gaps.is_endless()) {
+    high.numerator = Expansion<2>::difference(gaps.end_minuend, gaps.end_subtrahend);
+  } else {
+    for (unsigned g = 0; g < gaps.count; ++g) {  // where the last gap that shrinks is zero
+      const Ratio t{gaps.gap[g].exact_start(), -gaps.gap[g].exact_slope()};
+      if (t.numerator.sign() > 0 && t.denominator.sign() > 0 && less(high, t)) high = t;
+    }
+  }
+  if (derivative_sign(gaps, high) <= 0) return farther_at(gaps, high, radius);
+
+  // From here on f′(low) < 0 < f′(high): narrow to an interval without a breakpoint.
   for (unsigned g = 0; g < gaps.count; ++g) {
     Ratio t{-gaps.gap[g].exact_start(), gaps.gap[g].exact_slope()};
     const int direction = t.denominator.sign();

@@ -1,10 +1,11 @@
 /// Exact answers for single bounds: what the kernels ask about the lanes that their float arithmetic cannot decide.
 ///
-/// Every predicate starts again from the floats that the user gave, the boxes a and b of the shaft, never from
-/// compiled coefficients, and returns the answer of real arithmetic. Coordinates of the bound that are infinite or
-/// NaN put no constraint on it unless they are beyond a face of the shaft box.
+/// Every predicate starts again from the floats that the user gave (MovingFaces), never from compiled coefficients, and
+/// returns the answer of real arithmetic. Coordinates of the bound that are infinite or NaN put no constraint on it
+/// unless they are beyond a face of the shaft box.
 #pragma once
 
+#include "compiled/moving_faces.hpp"
 #include "compiled/shaft_data.hpp"
 
 namespace shaftcull::kernel {
@@ -24,10 +25,10 @@ class SlabPredicate {
   struct Constraint {
     unsigned face;
     unsigned near;   // stream of the bound that it reads
-    double p;        // a's face
-    double inverse;  // 1 / (b's face − a's face)
+    double p;        // the face at t = 0
+    double inverse;  // 1 / its slope
   };
-  const ShaftData& shaft_;
+  MovingFaces faces_;
   float face_[6];
   Constraint upper_[6];
   Constraint lower_[6];

@@ -22,19 +22,25 @@ inline double larger(double x, double y) noexcept { return x < y ? y : x; }
 class RoundedGaps {
  public:
   explicit RoundedGaps(const Gaps& gaps) noexcept {
-    double largest_term = 0;  // largest magnitude that a rounding error of a gap can be relative to
+    double largest_start = 0;
+    double largest_slope = 0;
     slopes_ = 0;
+    end_ = gaps.is_endless() ? 0 : gaps.end_minuend - gaps.end_subtrahend;
     for (unsigned g = 0; g < gaps.count; ++g) {
       const double start = gaps.gap[g].start();
       const double slope = gaps.gap[g].slope();
       start_[g / 2][g % 2] = start;
       slope_[g / 2][g % 2] = slope;
       slopes_ += std::fabs(slope);
-      largest_term = larger(largest_term, std::fabs(start) + std::fabs(slope));
+      largest_start = larger(largest_start, std::fabs(start));
+      largest_slope = larger(largest_slope, std::fabs(slope));
+      // Without an end, up to where the last gap that shrinks is zero, and a bit further for the rounding of that.
+      if (gaps.is_endless() && start > 0 && slope < 0) end_ = larger(end_, start / -slope * (1 + 8 * unit));
     }
-    // A gap is off by at most 4 units of the largest term: its start and slope by one each, product and sum by one
+    ends_ = !gaps.is_endless();
+    // A gap is off by at most 4 units of the largest terms: its start and slope by one each, product and sum by one
     // each.
-    gap_error_ = 4 * unit * largest_term;
+    gap_error_ = 4 * unit * (largest_start + end_ * largest_slope);
   }
 
   /// Whether all gaps in `some` (gap g as bit g) are the same for every t.
@@ -46,23 +52,23 @@ class RoundedGaps {
 
   /// Decides in double arithmetic, with a bound on its own error, or tells where f seems to be least.
   ///
-  /// f is convex. If it neither rises from t = 0 on nor falls up to t = 1, it is least where its derivative is 0. The
+  /// f is convex. If it neither rises from t = 0 on nor falls up to the end, it is least where its derivative is 0. The
   /// derivative is linear while the same gaps are positive, so a few of Newton's steps lead there, kept from going
   /// round in circles by the interval between steps that led to either side.
   Verdict decide(double radius, Minimum& least) const noexcept {
     constexpr unsigned most_steps = 16;
     const double radius_square = radius * radius;  // exact: 24-bit factor
-    const Value at_a = at(0);
-    const Value at_b = at(1);
-    Value value = at(0.5);  // all three at once take hardly longer than one
-    if (at_a.half_slope >= 0 || at_b.half_slope <= 0) {
-      const bool is_at_b = at_a.half_slope < 0;
-      least = {is_at_b ? 1.0 : 0.0, 0};
-      return compare(is_at_b ? at_b : at_a, least.t, radius_square);
+    const Value at_start = at(0);
+    const Value at_end = at(end_);
+    Value value = at(0.5 * end_);  // all three at once take hardly longer than one
+    if (at_start.half_slope >= 0 || (ends_ && at_end.half_slope <= 0)) {
+      const bool is_at_end = at_start.half_slope < 0;
+      least = {is_at_end ? Minimum::Where::end : Minimum::Where::start, 0};
+      return compare(is_at_end ? at_end : at_start, is_at_end ? end_ : 0, radius_square);
     }
-    double t = 0.5;
+    double t = 0.5 * end_;
     double low = 0;
-    double high = 1;
+    double high = end_;
     for (unsigned step = 0; step < most_steps; ++step) {
       const Verdict verdict = compare(value, t, radius_square);
       if (verdict != Verdict::undecided) return verdict;
@@ -72,7 +78,7 @@ class RoundedGaps {
       t = next > low && next < high ? next : 0.5 * (low + high);
       value = at(t);
     }
-    least = {t, positive(t)};
+    least = {Minimum::Where::between, positive(t)};
     return Verdict::undecided;
   }
 
@@ -95,10 +101,11 @@ class RoundedGaps {
     return 2 * slopes_ * (gap_error_ + 4 * unit * value.gaps);
   }
 
-  /// As f is convex, min f ≤ f(t), and min f ≥ f(t) + min(f′(t) (0 − t), f′(t) (1 − t), 0).
+  /// As f is convex, min f ≤ f(t), and min f ≥ f(t) + min(f′(t) (0 − t), f′(t) (end − t), 0).
   [[nodiscard]] Verdict compare(const Value& value, double t, double radius_square) const noexcept {
     if (value.square + square_error(value) < radius_square) return Verdict::meets;
-    const double descent = larger(value.half_slope * t, -value.half_slope * (1 - t)) + half_slope_error(value);
+    const double descent =
+        larger(value.half_slope * t, -value.half_slope * (end_ - t)) + end_ * half_slope_error(value);
     const double least = value.square - square_error(value) - 2 * larger(descent, 0.0) * (1 + 4 * unit);
     return least * (1 - 8 * unit) > radius_square ? Verdict::outside : Verdict::undecided;
   }
@@ -130,6 +137,8 @@ class RoundedGaps {
 
   Two start_[3] = {};
   Two slope_[3] = {};
+  double end_;     // of t, or beyond where f is least
+  bool ends_;      // whether t does
   double slopes_;  // sum of their magnitudes
   double gap_error_;
 };

@@ -65,13 +65,28 @@ bool is_within(double x, double face, double radius) noexcept {
   return distance.sum > radius || (distance.sum == radius && distance.error >= 0);
 }
 
+/// As is_within(), for face `f` of the shaft box of a moving box, which need not be a float.
+bool is_within_face(const ShaftData& shaft, const MovingFaces& faces, unsigned f, double c, double radius) noexcept {
+  const double sign = f < 3 ? 1 : -1;
+  if (is_within(sign * c, sign * shaft.face[f], radius)) return true;  // a face no farther out
+  if (!faces.is_blue(f)) return false;                                 // which is where it is
+  if (faces.is_endless()) return true;
+  const auto distance = Expansion<2>::difference(faces.end_minuend, faces.end_subtrahend) *
+                        Expansion<2>::difference(faces.minuend[f], faces.subtrahend[f]);
+  Expansion<11> sum(-sign * radius);
+  sum.grow(c);
+  sum.grow(-double{faces.p[f]});
+  for (std::size_t i = 0; i < distance.size(); ++i) sum.grow(-distance[i]);
+  return static_cast<double>(sum.sign()) * sign >= 0;
+}
+
 /// Whether a sphere of finite radius ≥ 0 is outside the hull of a and b.
 bool outside_hull(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   const double radius = sphere[3];
   if (radius == 0) {  // a point is a box
     return SlabPredicate(shaft).outside({sphere[0], sphere[1], sphere[2], sphere[0], sphere[1], sphere[2]});
   }
-  const Gaps gaps(shaft.a, shaft.b, sphere);
+  const Gaps gaps(shaft, sphere);
   const RoundedGaps rounded(gaps);
   Minimum least{};
   Verdict verdict = rounded.decide(radius, least);
@@ -106,18 +121,24 @@ bool sphere_outside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
 bool sphere_inside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   const double radius = sphere[3];
   if (!(radius >= 0) || std::isinf(radius)) return false;
+  const MovingFaces moving(shaft);
   for (unsigned k = 0; k < 3; ++k) {
     const double c = sphere[k];
     if (!std::isfinite(c)) return false;
-    if (!is_within(c, shaft_face(shaft, k), radius) || !is_within(shaft_face(shaft, k + 3), c, radius)) return false;
+    if (shaft.kind != ShaftData::Kind::between) {
+      if (!is_within_face(shaft, moving, k, c, radius) || !is_within_face(shaft, moving, k + 3, c, radius))
+        return false;
+    } else if (!is_within(c, shaft_face(shaft, k), radius) || !is_within(shaft_face(shaft, k + 3), c, radius)) {
+      return false;
+    }
   }
-  const Faces faces(shaft.a, shaft.b);
+  const Faces faces(moving);
   for (unsigned r = 0; r < faces.reds; ++r) {
     for (unsigned b = 0; b < faces.blues; ++b) {
       const unsigned red = faces.red[r];
       const unsigned blue = faces.blue[b];
       if (red % 3 == blue % 3) continue;
-      const Edge edge(shaft.a, shaft.b, red, blue);
+      const Edge edge(moving, red, blue);
       if (!beyond(JoiningPlaneFromInside{edge, sphere[red % 3], sphere[blue % 3]}, radius, true)) return false;
     }
   }

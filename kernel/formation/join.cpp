@@ -21,14 +21,18 @@ constexpr std::array<double, face_count> outwards = {-1, -1, -1, 1, 1, 1};
 }  // namespace
 
 JoinedPlanes join(const Faces6& a, const Faces6& b, const JoinedEdges& edges, bool unit) noexcept {
+  std::array<double, face_count> step;
+  for (Face f = 0; f < face_count; ++f) step[f] = std::fabs(double{b[f]} - double{a[f]});
+  return join(a, step, edges, unit);
+}
+
+JoinedPlanes join(const Faces6& a, const std::array<double, face_count>& step, const JoinedEdges& edges,
+                  bool unit) noexcept {
   // In the plane of the two axes the boxes' edges are points. Going from a's to b's leads away from the red face, which
   // only a touches, and towards the blue one; the normal is that step turned by a right angle, outwards.
   // No product of two differences of floats over- or underflows a double.
   //
   // All columns are worked out, without branches: how many there are, and which way they face, is random.
-  std::array<double, face_count> step;
-  for (Face f = 0; f < face_count; ++f) step[f] = std::fabs(double{b[f]} - double{a[f]});
-
   double red_step[max_joining_planes];
   double blue_step[max_joining_planes];
   double red_normal[max_joining_planes];

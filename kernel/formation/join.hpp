@@ -20,4 +20,8 @@ struct JoinedPlanes {
 /// farther than the largest float from the origin is scaled down, so that its offset stays finite.
 [[nodiscard]] JoinedPlanes join(const Faces6& a, const Faces6& b, const JoinedEdges& edges, bool unit) noexcept;
 
+/// The same for a box with faces at `a` that move by `step`, a magnitude for each face.
+[[nodiscard]] JoinedPlanes join(const Faces6& a, const std::array<double, face_count>& step, const JoinedEdges& edges,
+                                bool unit) noexcept;
+
 }  // namespace shaftcull::kernel

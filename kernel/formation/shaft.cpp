@@ -9,6 +9,7 @@
 #include "formation/rule.hpp"
 #include "formation/search.hpp"
 #include "formation/table.hpp"
+#include "formation/usable_box.hpp"
 #include "formation/usable_plane.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
@@ -18,8 +19,9 @@ namespace {
 
 using kernel::text;
 
-/// Throws unless `box`, called `name` in messages, is finite with lo ≤ hi.
-void require_finite(const Box& box, const char* name) {
+}  // namespace
+
+void kernel::require_finite(const Box& box, const char* name) {
   for (std::size_t k = 0; k < 3; ++k) {
     const float lo = box.lo[k];
     const float hi = box.hi[k];
@@ -37,12 +39,10 @@ void require_finite(const Box& box, const char* name) {
   }
 }
 
-}  // namespace
-
 Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b_(b), options_(options) {
   kernel::in_float_environment([&] {
-    require_finite(a, "a");
-    require_finite(b, "b");
+    kernel::require_finite(a, "a");
+    kernel::require_finite(b, "b");
     if (!options.outside && !options.inside) {
       throw InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both");
     }

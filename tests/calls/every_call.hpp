@@ -54,14 +54,22 @@ class EveryCall {
 
   [[nodiscard]] const std::vector<PublicCall>& calls() const noexcept { return calls_; }
 
-  /// Shafts of all kinds: in slab form, with purple faces, with added planes, with and without their planes.
+  /// Shafts of all kinds: in slab form, with purple faces, with added planes, with and without their planes, and of
+  /// moving boxes.
   static std::vector<CompiledShaft> shafts(std::size_t count) {
     Random random(4712);
     std::vector<CompiledShaft> shafts(count);
     for (std::size_t s = 0; s != count; ++s) {
       Shaft shaft(s % 2 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.2F, 2.0F), random.grid_box(-5, 5));
       if (s % 4 == 0) shaft.add_plane({{1, 2, 3}, 4});
-      if (s % 3 != 0 || s % 4 == 0) {
+      if (s % 7 == 6) {
+        const Box& body = shaft.a();
+        const Vec3 way{1, 0.25F, s % 2 == 0 ? 0.0F : -3.0F};
+        const Vec3 light{body.hi[0] + 2, body.lo[1], body.lo[2]};
+        shafts[s] = s % 3 == 0   ? swept(body, way)
+                    : s % 3 == 1 ? swept_without_end(body, way)
+                                 : shadow({light, light}, body);
+      } else if (s % 3 != 0 || s % 4 == 0) {
         shafts[s] = compile(shaft);
       } else {
         compile_batch(BoxStream(std::span(&shaft.a(), 1)).view(), BoxStream(std::span(&shaft.b(), 1)).view(),
@@ -132,6 +140,16 @@ class EveryCall {
     });
     add("compile of boxes", false, [this](AnswerWords& words) {
       note_shaft(words, compile(boxes_[1], boxes_[2]), box_stream_.view().slice(0, 64));
+    });
+    add("swept, swept_without_end, shadow", false, [this](AnswerWords& words) {
+      const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
+      const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
+      for (const CompiledShaft& shaft :
+           {swept(boxes_[1], {0.1F, 2, 1e-30F}), swept(boxes_[1], {0.1F, 2, 1e-30F}, planes),
+            swept_without_end(boxes_[1], {0.3F, -1, 1e-40F}), swept_without_end(boxes_[1], {0, -1, 0}, planes),
+            shadow(light, boxes_[1]), shadow(light, boxes_[1], 3.3F), shadow(light, boxes_[1], 1.1F, planes)}) {
+        note_shaft(words, shaft, box_stream_.view().slice(0, 64));
+      }
     });
     add("compile_batch, complete", false, [this](AnswerWords& words) {
       constexpr std::size_t pairs = 21;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shaftcull/cull.hpp"
+#include "shaftcull/kinds.hpp"
 
 namespace shaftcull {
 namespace {
@@ -35,6 +36,19 @@ TEST(CompiledShaft, GivesTheBoxesItIsBetweenToTheBit) {
     EXPECT_TRUE(same_bits(shaft.a(), lamp));
     EXPECT_TRUE(same_bits(shaft.b(), table));
   }
+}
+
+TEST(CompiledShaft, OfAMovingBoxGivesWhereItStartsAndEnds) {
+  const CompiledShaft moved = swept(table, {1, 2, 3});
+  EXPECT_TRUE(same_bits(moved.a(), table));
+  EXPECT_EQ(moved.b(), (Box{{-6, 3, -6}, {1, 13, 15}}));
+  const Box light{{-20, 0, 0}, {-19, 1, 1}};
+  const CompiledShaft shade = shadow(light, table, 3);
+  EXPECT_TRUE(same_bits(shade.a(), table));
+  EXPECT_EQ(shade.b(), (Box{{-7 + 2 * 12, 1, -9 - 2 * 10}, {40, 11 + 2 * 11, 12 + 2 * 12}}));
+  EXPECT_TRUE(same_bits(swept_without_end(table, {1, 0, 0}).a(), table));
+  EXPECT_TRUE(same_bits(shadow(light, table).a(), table));
+  EXPECT_FALSE(shade.has_planes());
 }
 
 TEST(CompiledShaft, HasPlanesFromAShaftAtOnceAndOtherwiseFromComplete) {

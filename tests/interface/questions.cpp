@@ -22,7 +22,9 @@ const sc::Vec3 travel{0, 0, 9};
 const sc::Box light{{0, 0, 10}, {1, 1, 10}};
 const sc::Box receiver{{0, 0, 0}, {1, 1, 1}};
 const sc::Vec3 light_position{0.5F, 0.5F, 10};
-const sc::Vec3 far_towards_sun{0, 0, 1e30F};
+const sc::Vec3 towards_sun{0, 0, 1};
+const sc::Box occluder{{0, 0, 8}, {1, 1, 9}};
+constexpr float reach = 9;
 constexpr sc::ClipDepth depth = sc::ClipDepth::minus_one_to_one;
 // Looks along z from the origin: w = z, a right angle wide and high, near plane 1, far plane 51.
 constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
@@ -44,10 +46,12 @@ struct Question {
 
 std::vector<Question> questions() {
   return {QUESTION(sc::compile(patch, other_patch)),
-          QUESTION(sc::compile(body, sc::translated(body, travel))),
+          QUESTION(sc::swept(body, travel)),
           QUESTION(sc::compile(light, receiver)),
           QUESTION(sc::compile(sc::Box{light_position, light_position}, receiver)),
-          QUESTION(sc::compile(receiver, sc::translated(receiver, far_towards_sun))),
+          QUESTION(sc::swept_without_end(receiver, towards_sun)),
+          QUESTION(sc::shadow(light, occluder)),
+          QUESTION(sc::shadow(light, occluder, reach)),
           QUESTION(see_through(sc::view_planes(matrix, depth)))};
 }
 

@@ -10,6 +10,7 @@
 
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -123,6 +124,18 @@ inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) 
   while (shafts.size() != count) {
     Box a{};
     Box b{};
+    if (random.one_in(4)) {  // moving boxes
+      a = random.one_in(2) ? random.grid_box(-5, 5) : random.box(-5, 5, 0, 0.5F);
+      const Vec3 d{random.integer(-4, 4), random.uniform(-4, 4), random.integer(1, 3)};
+      b = a;
+      b.lo[0] = b.hi[0] = a.hi[0] + random.uniform(0.5F, 2.0F);
+      const unsigned kind = random.below(4);
+      shafts.push_back(kind == 0   ? swept(a, d)
+                       : kind == 1 ? swept_without_end(a, d)
+                       : kind == 2 ? shadow(b, a, 3.0F)
+                                   : shadow(a, b));
+      continue;
+    }
     switch (random.below(5)) {
       case 0:
         a = random.box(-5, 5, 0.2F, 1.0F), b = random.box(-5, 5, 0.2F, 1.0F);

@@ -15,6 +15,7 @@ template <class L, unsigned uppers, ShaftData::SlabForm form>
 struct Slab {
   static constexpr bool fused = form == ShaftData::SlabForm::fused;
   static constexpr bool relative = form == ShaftData::SlabForm::relative;
+  static constexpr bool endless = form == ShaftData::SlabForm::endless;
   using Vector = typename L::Vector;
   Vector scale[6];
   Vector shift[6];
@@ -24,8 +25,9 @@ struct Slab {
   Vector two_margins;
   Vector narrower;  ///< 1 ∓ the margin, in the relative form
   Vector wider;
+  Vector direction;  ///< of the first face, in the endless form: −0 if it moves down
 
-  Slab(const ShaftData& shaft, float error_margin) noexcept
+  Slab(const ShaftData& shaft, float error_margin, bool exactly) noexcept
       : margin(L::all(error_margin)), two_margins(L::all(2 * error_margin)) {
     const float t_at_a = fused ? shaft.a[0] : 0.0F;
     const float t_at_b = fused ? shaft.b[0] : 1.0F;
@@ -41,6 +43,24 @@ struct Slab {
       wider = L::all(1 + error_margin);
       two_margins = L::all(__FLT_MAX__);
     }
+    if constexpr (endless) {  // lower bounds carry the margin
+      float denormals = relative_denormals;
+      if (!exactly) {  // corners of spheres are rounded once more, relatively to where they are
+        float largest = 0;
+        for (unsigned i = 0; i < 6; ++i) {
+          const float shifted = __builtin_fabsf(shaft.slab_shift[i] * shaft.slab_scale[i]);
+          if (shifted <= __FLT_MAX__) largest = shifted > largest ? shifted : largest;  // purple faces need none
+        }
+        denormals += endless_corner_margin * largest;
+      }
+      begin = L::all(-denormals);
+      end = L::all(__FLT_MAX__);
+      direction = L::all(shaft.slab_scale[0] < 0 ? -0.0F : 0.0F);
+      narrower = L::all(-(1 + endless_kept_per_margin * error_margin));
+      margin = L::all(3 * denormals);
+      two_margins = L::all(__FLT_MAX__);
+      for (unsigned i = uppers; i < 6; ++i) scale[i] = L::all(shaft.slab_scale[i] * (1 - error_margin));
+    }
     if constexpr (fused) {  // lower bounds carry the margin
       begin = L::subtract(begin, margin);
       for (unsigned i = uppers; i < 6; ++i) shift[i] = L::subtract(shift[i], margin);
@@ -51,6 +71,11 @@ struct Slab {
   [[nodiscard]] Vector bound(unsigned i, Vector x) const noexcept {
     if constexpr (fused) {
       return i == 0 ? x : L::multiply_add(x, scale[i], shift[i]);
+    } else if constexpr (endless) {
+      const Vector distance = L::subtract(x, shift[i]);
+      return i == 0       ? L::flip_sign(distance, direction)
+             : i < uppers ? L::multiply(distance, scale[i])
+                          : L::multiply_add(distance, scale[i], begin);
     } else {
       return L::multiply(L::subtract(x, shift[i]), scale[i]);
     }
@@ -60,20 +85,16 @@ struct Slab {
   /// bound + margin. Negative if certainly outside, above two margins if certainly not. coordinate(i) is what
   /// constraint i reads. Never NaN, because minimum and maximum pass over a NaN in their first argument.
   template <class Coordinate>
-  [[nodiscard]] Vector interval_length(Coordinate coordinate) const noexcept {
+  [[nodiscard, gnu::always_inline]] Vector interval_length(Coordinate coordinate) const noexcept {
     Vector upper = end;
     Vector lower = begin;
-#pragma GCC unroll 6
-    for (unsigned i = 0; i < 6; ++i) {
-      const Vector t = bound(i, coordinate(i));
-      if (i < uppers) {
-        upper = L::minimum(t, upper);
-      } else {
-        lower = L::maximum(t, lower);
-      }
-    }
+    narrow(coordinate, upper, lower);
     if constexpr (fused) {
       return L::subtract(upper, lower);
+    } else if constexpr (endless) {
+      Vector excess;
+      const Vector length = endless_length(upper, lower, excess);
+      return L::choose(L::less_equal(L::all(0.0F), excess), L::all(__builtin_inff()), length);
     } else if constexpr (relative) {
       // No length here, but with the same signs: +∞ if certainly not outside, negative if certainly outside, else
       // undecided.
@@ -83,6 +104,35 @@ struct Slab {
     } else {
       return L::subtract(margin, L::subtract(lower, upper));
     }
+  }
+
+  /// In the endless form: negative if certainly outside. If not, then `excess` is negative unless it is certainly not.
+  template <class Coordinate>
+  [[nodiscard, gnu::always_inline]] Vector endless_length_and_excess(Coordinate coordinate,
+                                                                     Vector& excess) const noexcept {
+    Vector upper = end;
+    Vector lower = begin;
+    narrow(coordinate, upper, lower);
+    return endless_length(upper, lower, excess);
+  }
+
+ private:
+  /// The smallest upper and the largest lower bound on t.
+  template <class Coordinate>
+  [[gnu::always_inline]] void narrow(Coordinate coordinate, Vector& upper, Vector& lower) const noexcept {
+#pragma GCC unroll 6
+    for (unsigned i = 0; i < 6; ++i) {
+      const Vector t = bound(i, coordinate(i));
+      if (i < uppers) {
+        upper = L::minimum(t, upper);
+      } else {
+        lower = L::maximum(t, lower);
+      }
+    }
+  }
+  [[nodiscard]] Vector endless_length(Vector upper, Vector lower, Vector& excess) const noexcept {
+    excess = L::multiply_add(lower, narrower, L::subtract(upper, margin));
+    return L::subtract(upper, lower);
   }
 };
 
@@ -166,6 +216,26 @@ template <class L, class SlabType, class Corners, class Word>
                                                       const Corners& corners, const float* const* stream,
                                                       std::size_t at, const Word& word) noexcept {
   std::uint64_t outside = 0;
+  if constexpr (SlabType::endless && Corners::exactly) {
+    std::uint64_t undecided = 0;
+    for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
+      typename L::Vector length[4];
+      typename L::Vector excess[4];
+#pragma GCC unroll 4
+      for (unsigned v = 0; v < 4; ++v) {
+        length[v] = slab.endless_length_and_excess(
+            [&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); }, excess[v]);
+        length[v] = word.choose(four + v * L::width, length[v], L::all(outside_for_certain));
+      }
+      const std::uint64_t negative = L::signs(length);
+      outside |= negative << four;
+      undecided |= L::signs(excess) & ~negative;
+    }
+    if (undecided != 0) [[unlikely]] {
+      outside = resolve_slab_word<L>(shaft, slab, corners.x, stream, at, word);
+    }
+    return ~outside;
+  }
   typename L::SignCollector signs(slab.two_margins);
   for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
     typename L::Vector length[4];
@@ -198,7 +268,7 @@ template <class L, class SlabType, class Corners, class Word>
 template <class L, template <class> class Corners, class Words, unsigned uppers, ShaftData::SlabForm form>
 void slab_words(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
                 std::size_t words, std::uint64_t* kept) noexcept {
-  const Slab<L, uppers, form> slab(shaft, margin);
+  const Slab<L, uppers, form> slab(shaft, margin, Corners<L>::exactly);
   const Corners<L> corners(shaft, stream);
   for (std::size_t w = 0; w < words; ++w) {
     kept[w] = slab_word<L>(shaft, slab, corners, stream, position(w), WholeWord<L>{});
@@ -244,6 +314,17 @@ void slab_words_of(const ShaftData& shaft, float margin, const float* const* str
       return relative_by_uppers[shaft.slab_uppers](shaft, margin, stream, position, words, kept);
     }
   }
+  // A box that moves without end has a face that bounds t from above, and one that bounds it from below.
+  static constexpr TestWords* endless_by_uppers[7] = {nullptr,
+                                                      slab_words<L, Corners, Words, 1, endless>,
+                                                      slab_words<L, Corners, Words, 2, endless>,
+                                                      slab_words<L, Corners, Words, 3, endless>,
+                                                      slab_words<L, Corners, Words, 4, endless>,
+                                                      slab_words<L, Corners, Words, 5, endless>,
+                                                      nullptr};
+  if (shaft.slab_form == endless) {
+    return endless_by_uppers[shaft.slab_uppers](shaft, margin, stream, position, words, kept);
+  }
   static constexpr TestWords* by_uppers[2][7] = {
       {nullptr, slab_words<L, Corners, Words, 1, fused>, slab_words<L, Corners, Words, 2, fused>,
        slab_words<L, Corners, Words, 3, fused>, slab_words<L, Corners, Words, 4, fused>,
@@ -266,9 +347,9 @@ void box_slab_stage(const ShaftData& shaft, const float* const* stream, std::siz
   slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, position, words, kept);
 }
 
-/// Likewise for spheres, or boxes around them, and a shaft in the fused form: clears the bits of those that are outside
-/// for certain. Their corners are rounded once more than those of boxes: 22 and 14 units instead of 20 and 12
-/// (docs/exactness.md).
+/// Likewise for spheres, or boxes around them, and a shaft in the fused or the endless form: clears the bits of those
+/// that are outside for certain. Their corners are rounded once more than those of boxes: 22 and 14 units instead of 20
+/// and 12 (docs/exactness.md).
 template <class L, template <class> class Corners, class Words = ConsecutiveWords<L>>
 void sphere_slab_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                        const Words& position = {}) noexcept {

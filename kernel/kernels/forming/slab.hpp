@@ -54,17 +54,16 @@ bool all_finite(const float* const* box, std::size_t count) noexcept {
   return true;
 }
 
-/// Overwrites the slab coefficients of a shaft by those of the difference form, for pairs that the fused form does not
-/// suit.
+/// Overwrites the slab coefficients of a shaft whose faces move by `slopes` by those of the difference form, for shafts
+/// that the fused form does not suit.
 template <class L>
-void write_difference_slab(ShaftData& shaft) noexcept {
+void write_difference_slab(ShaftData& shaft, const float (&slopes)[6]) noexcept {
   const float* const p = shaft.a;
-  const float* const other = shaft.b;
   unsigned negative = 0;
   float inverse[6];
   bool regular = shaft.largest_coordinate <= regular_limit;
   for (unsigned f = 0; f < 6; ++f) {
-    const float slope = other[f] - p[f];
+    const float slope = slopes[f];
     const float size = __builtin_fabsf(slope);
     regular = regular && (size == 0 || size >= 1 / regular_limit);
     // A purple face bounds u from above, by +∞ (met) or −∞ (not met).
@@ -109,15 +108,15 @@ struct TravelFromNearer {
   }
 };
 
-/// Overwrites the slab coefficients of a shaft by those of the relative form, if it suits.
+/// Overwrites the slab coefficients of a shaft whose faces move by `slopes`, from the nearer box on, by those of the
+/// relative form, if it suits.
 template <class L>
-bool write_relative_slab(ShaftData& shaft) noexcept {
-  const TravelFromNearer<L> travel(shaft);
+bool write_relative_slab(ShaftData& shaft, const TravelFromNearer<L>& travel, const float (&slopes)[6]) noexcept {
   if (!(travel.from_largest <= far_apart * shaft.largest_coordinate && travel.length <= 0x1p127F)) return false;
   unsigned negative = 0;
   float scale[6];
   for (unsigned f = 0; f < 6; ++f) {
-    const float slope = travel.to[f] - travel.from[f];
+    const float slope = slopes[f];
     // A purple face as in the difference form. Other scales are 1 or more in magnitude, so that no product loses its
     // sign.
     scale[f] = slope == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : travel.length / slope;
@@ -141,8 +140,15 @@ bool write_relative_slab(ShaftData& shaft) noexcept {
 /// those of the form that does, if that is another.
 template <class L>
 [[gnu::noinline, gnu::cold]] void rewrite_slab(ShaftData& shaft, bool fused_suits) noexcept {
-  if (shaft.largest_coordinate > largest_plain_coordinate && write_relative_slab<L>(shaft)) return;
-  if (!fused_suits) write_difference_slab<L>(shaft);
+  float slopes[6];
+  if (shaft.largest_coordinate > largest_plain_coordinate) {
+    const TravelFromNearer<L> travel(shaft);
+    for (unsigned f = 0; f < 6; ++f) slopes[f] = travel.to[f] - travel.from[f];
+    if (write_relative_slab<L>(shaft, travel, slopes)) return;
+  }
+  if (fused_suits) return;
+  for (unsigned f = 0; f < 6; ++f) slopes[f] = shaft.b[f] - shaft.a[f];
+  write_difference_slab<L>(shaft, slopes);
 }
 
 /// Compiles out[i] from boxes a[·][first + i] and b[·][first + i], for one whole vector of pairs; joining planes are

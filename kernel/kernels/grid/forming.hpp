@@ -67,7 +67,7 @@ template <class L>
   for (float& each : least) each = __builtin_inff();
   float largest_coordinate = 0;
   for (std::size_t s = 0; s < count; ++s) {
-    if (shafts[s].largest_coordinate > fused_regular_limit) continue;
+    if (shafts[s].largest_coordinate > fused_regular_limit || shafts[s].is_endless()) continue;
     largest_coordinate =
         shafts[s].largest_coordinate > largest_coordinate ? shafts[s].largest_coordinate : largest_coordinate;
     const float* const boxes[2] = {shafts[s].a, shafts[s].b};
@@ -118,7 +118,10 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const GridFrame
       column[f][lane] = shaft[lane]->a[f];
       column[f + faces][lane] = shaft[lane]->b[f];
     }
-    column[2 * faces][lane] = shaft[lane]->largest_coordinate;
+    // Where a box ends that moves may be rounded, as corners of spheres are. If it never ends, there is no such place.
+    const bool suits =
+        shaft[lane]->kind == ShaftData::Kind::between || (frame.suits_spheres && !shaft[lane]->is_endless());
+    column[2 * faces][lane] = suits ? shaft[lane]->largest_coordinate : __builtin_inff();
   }
   Vector middle[faces];
   Vector travel[faces];

@@ -19,6 +19,21 @@ struct CentreStreams {
   }
 };
 
+/// Faces of the shaft box, or where they may lie between floats, further out.
+template <class L>
+struct OuterFaces {
+  float face[6];
+
+  explicit OuterFaces(const ShaftData& shaft) noexcept {
+    const bool is_rounded = shaft.kind != ShaftData::Kind::between;
+    for (unsigned f = 0; f < 6; ++f) {
+      const float x = shaft.face[f];
+      const float step = is_rounded ? __builtin_fabsf(x) * (4 * float_unit) + __FLT_DENORM_MIN__ : 0.0F;
+      face[f] = f < 3 ? x - step : x + step;
+    }
+  }
+};
+
 /// Plane form: centres against faces and unit-normal planes moved out by the radius. Clears nothing that could meet the
 /// shaft; where faces nearly coincide or are purple it serves the slab form too.
 template <class L>
@@ -31,6 +46,7 @@ void sphere_planes_stage(const ShaftData& shaft, const float* const* stream, std
   const auto minus_widened = L::all(-(1.0F + 8 * float_unit * radius_margin_factor));
   const auto zero = L::all(0.0F);
   const auto largest = L::all(__FLT_MAX__);  // beyond it a sum has overflowed and proves nothing
+  const OuterFaces<L> outer(shaft);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
@@ -40,8 +56,8 @@ void sphere_planes_stage(const ShaftData& shaft, const float* const* stream, std
       for (unsigned k = 0; k < 3; ++k) {
         const auto centre = L::load(stream[k] + at);
         // The rounded difference exceeds r only if the exact one does: r is a float.
-        beyond = L::either(beyond, L::less(radius, L::subtract(L::all(shaft.face[k]), centre)));
-        beyond = L::either(beyond, L::less(radius, L::subtract(centre, L::all(shaft.face[k + 3]))));
+        beyond = L::either(beyond, L::less(radius, L::subtract(L::all(outer.face[k]), centre)));
+        beyond = L::either(beyond, L::less(radius, L::subtract(centre, L::all(outer.face[k + 3]))));
       }
       outside |= L::bits(beyond) << lane;
     }
@@ -75,6 +91,10 @@ class SquareDistance {
       (travel.from == a ? t_at_b : t_at_a) = travel.length;
       (travel.from == a ? t_at_a : t_at_b) = 0;
     }
+    if (shaft.slab_form == ShaftData::SlabForm::endless) {
+      const unsigned first_face = (shaft.slab_near[0] + 3U) % 6U;
+      t_at_b = __builtin_fabsf(b[first_face] - a[first_face]);
+    }
     t_at_a_ = L::all(t_at_a);
     first_ = L::all(__builtin_fminf(t_at_a, t_at_b));
     last_ = L::all(__builtin_fmaxf(t_at_a, t_at_b));
@@ -95,9 +115,8 @@ class SquareDistance {
     const float largest_coordinate = shaft.largest_coordinate;
     const float error =
         bound_margin_factor * float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
-    error_ = L::all(largest_coordinate > fused_regular_limit
-                        ? __builtin_inff()
-                        : error);  // products with slopes may overflow: nothing is certain
+    // Products with slopes may overflow: nothing is certain. Nor is it of a box that moves on from b.
+    error_ = L::all(largest_coordinate > fused_regular_limit || shaft.is_endless() ? __builtin_inff() : error);
     error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * largest_coordinate + 25 * slopes));
   }
 
@@ -251,6 +270,7 @@ void sphere_inside_stage(const ShaftData& shaft, const float* const* stream, std
                          std::uint64_t* inside) noexcept {
   using Vector = typename L::Vector;
   const CentreStreams<L> centres(stream);
+  const OuterFaces<L> outer(shaft);
   const Vector zero = L::all(0.0F);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t candidates = 0;
@@ -266,7 +286,8 @@ void sphere_inside_stage(const ShaftData& shaft, const float* const* stream, std
         const Vector above_lo = L::subtract(centre, L::all(shaft.face[k]));
         const Vector below_hi = L::subtract(L::all(shaft.face[k + 3]), centre);
         // A rounded difference that is not equal to r is on the same side of it as the exact one.
-        possible = L::both(possible, L::both(L::less_equal(radius, above_lo), L::less_equal(radius, below_hi)));
+        possible = L::both(possible, L::both(L::less_equal(radius, L::subtract(centre, L::all(outer.face[k]))),
+                                             L::less_equal(radius, L::subtract(L::all(outer.face[k + 3]), centre))));
         sure = L::both(sure, L::both(L::less(radius, above_lo), L::less(radius, below_hi)));
       }
       std::uint64_t within = L::bits(possible) << lane & inside[w];

@@ -1,0 +1,44 @@
+/// Shafts of moving boxes: what a body sweeps over, and what an occluder shadows from a light.
+///
+/// A shaft between two boxes is a box that moves from one to the other. Here it moves by a displacement, with or
+/// without an end, or away from a light. These shafts answer every question that compile(a, b) answers, exactly for the
+/// floats given: no end box is rounded. Joining planes are left pending.
+///
+/// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for planes that are not finite or have
+/// no normal, and if there are more than max_added_planes. Planes are added as Shaft::add_plane() does. A call takes
+/// some 0.5 µs, allocates nothing and is safe from many threads.
+#pragma once
+
+#include <span>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/export.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+/// What a body sweeps over that moves by a displacement: all body + t · displacement, t from 0 to 1. A displacement of
+/// 0 leaves the body itself. Throws InvalidArgument if `displacement` is not finite.
+[[nodiscard]] CompiledShaft swept(const Box& body, const Vec3& displacement, std::span<const Plane> planes = {});
+
+/// What a body sweeps over that moves in a direction without end: all body + t · direction, t ≥ 0. What can cast the
+/// sun's shadow on a receiver is swept_without_end(receiver, towards_sun); what can be below something that falls,
+/// swept_without_end(body, down). The direction need not have unit length. Throws InvalidArgument if it is not finite,
+/// or 0.
+[[nodiscard]] CompiledShaft swept_without_end(const Box& body, const Vec3& direction,
+                                              std::span<const Plane> planes = {});
+
+/// All that an occluder can shadow from a light: every point p such that some segment from the light to p meets the
+/// occluder. It holds the occluder, and goes on behind it without end. A light, or a viewpoint, may be a point: then it
+/// is what the occluder hides from there.
+///
+/// Throws InvalidArgument unless light and occluder are apart. If they touch, segments from a common point meet the
+/// occluder at once, so that all of space is in its shadow.
+[[nodiscard]] CompiledShaft shadow(const Box& light, const Box& occluder, std::span<const Plane> planes = {});
+
+/// The same up to `reach` times the distance of the occluder: every l + s (o − l), s from 1 to reach, for points l of
+/// the light and o of the occluder. Throws InvalidArgument if `reach` is below 1 or not finite, too.
+[[nodiscard]] CompiledShaft shadow(const Box& light, const Box& occluder, float reach,
+                                   std::span<const Plane> planes = {});
+
+}  // namespace shaftcull

@@ -1,0 +1,250 @@
+/// Forms shafts of moving boxes.
+#include "shaftcull/kinds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "compiled/moving_faces.hpp"
+#include "compiled/shaft_data.hpp"
+#include "compiled/slab.hpp"
+#include "dispatch/active_kernels.hpp"
+#include "exact/end_face.hpp"
+#include "formation/rule.hpp"
+#include "formation/usable_box.hpp"
+#include "formation/usable_plane.hpp"
+#include "kernels/forming/slab.hpp"
+#include "kernels/table.hpp"
+#include "simd/scalar.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
+
+namespace shaftcull {
+namespace {
+
+using kernel::Faces6;
+using kernel::MovingFaces;
+using kernel::ShaftData;
+using Kind = ShaftData::Kind;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float largest_float = std::numeric_limits<float>::max();
+
+/// How far a box that moves without end is followed for certain acceptances of spheres: so many times its largest
+/// coordinate.
+constexpr double followed = 16;
+
+/// Overwrites the slab coefficients of a shaft without end by those of the endless form, if it suits.
+///
+/// The first constraint is that of the face that moves fastest of those that follow the box. It bounds t from above,
+/// wherever the bound is.
+bool write_endless_slab(ShaftData& shaft, const float (&slope)[6]) noexcept {
+  unsigned first = 6;
+  for (unsigned f = 0; f < 6; ++f) {
+    const float size = std::fabs(slope[f]);
+    if (std::fabs(shaft.a[f]) > kernel::endless_limit || size > kernel::endless_limit) return false;
+    if (size != 0 && size < 1 / kernel::endless_limit) return false;
+    const bool follows = f < 3 ? slope[f] > 0 : slope[f] < 0;
+    if (follows && (first == 6 || size > std::fabs(slope[first]))) first = f;
+  }
+  const float speed = std::fabs(slope[first]);
+  float scale[6];
+  for (unsigned f = 0; f < 6; ++f) {
+    // A face that does not move bounds t from above, by +∞ (met) or −∞ (not met).
+    scale[f] = slope[f] == 0 ? (f < 3 ? infinity : -infinity) : speed / slope[f];
+    if (slope[f] != 0 && !(std::fabs(scale[f]) <= largest_float)) return false;
+  }
+  unsigned next = 0;
+  const auto write = [&](unsigned f) {
+    shaft.slab_scale[next] = scale[f];
+    shaft.slab_shift[next] = shaft.a[f];
+    shaft.slab_near[next++] = kernel::near_stream[f];
+  };
+  const auto bounds_from_above = [&](unsigned f) { return (scale[f] > 0) == (f < 3); };
+  write(first);
+  for (unsigned f = 0; f < 6; ++f) {
+    if (f != first && bounds_from_above(f)) write(f);
+  }
+  shaft.slab_uppers = static_cast<std::uint8_t>(next);
+  for (unsigned f = 0; f < 6; ++f) {
+    if (!bounds_from_above(f)) write(f);
+  }
+  shaft.slab_form = ShaftData::SlabForm::endless;
+  shaft.slab_margin = kernel::endless_margin;
+  return true;
+}
+
+/// Overwrites the slab coefficients of a shaft whose ends are rounded by those that the faces' own slopes give.
+void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
+  using Lanes = kernel::scalar::Floats;
+  float slope[6];
+  bool is_regular = true;
+  for (unsigned f = 0; f < 6; ++f) {
+    const double travel = faces.slope(f) * (faces.is_endless() ? 1 : faces.end());
+    is_regular = is_regular && std::fabs(travel) <= 2 * double{kernel::regular_limit} &&
+                 (travel == 0 || std::fabs(travel) >= 1 / double{kernel::regular_limit});
+    slope[f] = static_cast<float>(std::clamp(travel, -double{largest_float}, double{largest_float}));
+  }
+  if (faces.is_endless()) {
+    if (write_endless_slab(shaft, slope)) return;
+    is_regular = false;
+  } else if (is_regular && shaft.largest_coordinate > kernel::largest_plain_coordinate) {
+    const kernel::TravelFromNearer<Lanes> travel(shaft);
+    if (travel.from == shaft.a && kernel::write_relative_slab<Lanes>(shaft, travel, slope)) return;
+  }
+  kernel::write_difference_slab<Lanes>(shaft, slope);
+  if (is_regular) return;
+  shaft.slab_form = ShaftData::SlabForm::exact;
+  shaft.slab_margin = infinity;
+}
+
+/// What moves, as ShaftData has it.
+struct Movement {
+  Kind kind;
+  Box start;
+  Faces6 motion;
+  float reach;
+};
+
+CompiledShaft form(const Movement& movement, std::span<const Plane> planes) {
+  CompiledShaft formed;
+  const kernel::FloatEnvironment environment;
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  ShaftData& shaft = kernel::data_of(formed);
+  const auto write_movement = [&] {
+    shaft.kind = movement.kind;
+    std::copy(movement.motion.begin(), movement.motion.end(), shaft.motion);
+    shaft.reach = movement.reach;
+  };
+  write_movement();
+  const Faces6 start = kernel::positions(movement.start);
+  std::copy(start.begin(), start.end(), shaft.a);
+  const MovingFaces faces(shaft);
+
+  Faces6 end;
+  if (faces.is_endless()) {
+    double speed = 0;
+    double largest = 0;
+    for (unsigned f = 0; f < 6; ++f) {
+      speed = std::max(speed, std::fabs(faces.slope(f)));
+      largest = std::max(largest, std::fabs(double{start[f]}));
+    }
+    const double t = (largest == 0 ? speed : followed * largest) / speed;
+    for (unsigned f = 0; f < 6; ++f) {
+      const double x = start[f] + t * faces.slope(f);
+      end[f] = static_cast<float>(std::clamp(x, -double{largest_float}, double{largest_float}));
+      shaft.face[f] = !faces.is_blue(f) ? start[f] : f < 3 ? -largest_float : largest_float;
+    }
+  } else {
+    for (unsigned f = 0; f < 6; ++f) {
+      const kernel::EndFace face = kernel::end_face(faces, f);
+      end[f] = face.nearest;
+      shaft.face[f] = faces.is_blue(f) ? face.within : start[f];
+    }
+  }
+  for (unsigned k = 0; k < 3; ++k)
+    end[k + 3] = std::max(end[k], end[k + 3]);  // rounding may swap what is as good as equal
+  static_cast<void>(kernels.compile_pair(movement.start, std::bit_cast<Box>(end), shaft));  // both are finite
+  write_movement();
+  if (shaft.slab_form == ShaftData::SlabForm::fused && !faces.is_endless()) {
+    shaft.slab_margin *= kernel::rounded_end_factor;
+  } else {
+    write_slab(shaft, faces);
+  }
+  shaft.largest_coordinate *= kernel::rounded_end_factor;
+
+  if (planes.empty()) return formed;
+  const float* a[6];
+  const float* b[6];
+  for (unsigned f = 0; f < 6; ++f) {
+    a[f] = &shaft.a[f];
+    b[f] = &shaft.face[f];
+  }
+  const Plane* const first = planes.data();
+  kernels.add_planes(a, b, &first, planes.size(), 1, &shaft);
+  return formed;
+}
+
+void require_planes(std::span<const Plane> planes) {
+  kernel::require_memory("planes", planes, "planes");
+  if (planes.size() > max_added_planes) {
+    throw InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) + " added planes only, not for " +
+                          std::to_string(planes.size()));
+  }
+  for (std::size_t i = 0; i != planes.size(); ++i) kernel::require_usable(planes[i], {"planes[", i, "]"});
+}
+
+void require_vector(const Vec3& vector, const char* name) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (std::isfinite(vector[k])) continue;
+    throw InvalidArgument(std::string(name) + "." + "xyz"[k] + " = " + kernel::text(vector[k]) + " is not finite");
+  }
+}
+
+Faces6 twice(const Vec3& vector) noexcept { return {vector[0], vector[1], vector[2], vector[0], vector[1], vector[2]}; }
+
+void require_apart(const Box& light, const Box& occluder) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (light.hi[k] < occluder.lo[k] || occluder.hi[k] < light.lo[k]) return;
+  }
+  throw InvalidArgument(
+      "shadow: light and occluder overlap or touch, and all of space is in the shadow; they must be apart on some "
+      "axis");
+}
+
+/// The light's corners, each opposite to the occluder's corner that moves away from it.
+Faces6 inverted(const Box& light) noexcept {
+  return {light.hi[0], light.hi[1], light.hi[2], light.lo[0], light.lo[1], light.lo[2]};
+}
+
+}  // namespace
+
+CompiledShaft swept(const Box& body, const Vec3& displacement, std::span<const Plane> planes) {
+  kernel::in_float_environment([&] {
+    kernel::require_finite(body, "body");
+    require_vector(displacement, "displacement");
+    require_planes(planes);
+  });
+  return form({Kind::swept, body, twice(displacement), 1}, planes);
+}
+
+CompiledShaft swept_without_end(const Box& body, const Vec3& direction, std::span<const Plane> planes) {
+  kernel::in_float_environment([&] {
+    kernel::require_finite(body, "body");
+    require_vector(direction, "direction");
+    if (direction == Vec3{0, 0, 0}) throw InvalidArgument("swept_without_end: direction is 0, which leads nowhere");
+    require_planes(planes);
+  });
+  return form({Kind::swept_without_end, body, twice(direction), 1}, planes);
+}
+
+CompiledShaft shadow(const Box& light, const Box& occluder, std::span<const Plane> planes) {
+  kernel::in_float_environment([&] {
+    kernel::require_finite(light, "light");
+    kernel::require_finite(occluder, "occluder");
+    require_apart(light, occluder);
+    require_planes(planes);
+  });
+  return form({Kind::shadow_without_end, occluder, inverted(light), 1}, planes);
+}
+
+CompiledShaft shadow(const Box& light, const Box& occluder, float reach, std::span<const Plane> planes) {
+  kernel::in_float_environment([&] {
+    kernel::require_finite(light, "light");
+    kernel::require_finite(occluder, "occluder");
+    require_apart(light, occluder);
+    if (!(reach >= 1 && reach <= largest_float)) {
+      throw InvalidArgument("shadow: reach = " + kernel::text(reach) + "; it must be finite, and 1 or more");
+    }
+    require_planes(planes);
+  });
+  return form({Kind::shadow, occluder, inverted(light), reach}, planes);
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,379 @@
+/// Shafts of moving boxes: swept bodies and shadows, with and without an end. Every answer equals the one of exact
+/// arithmetic, in every form, and on every instruction set.
+#include "shaftcull/kinds.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "columns.hpp"
+#include "cull/agreement.hpp"
+#include "instruction_sets.hpp"
+#include "message_of.hpp"
+#include "oracle/grid_answers.hpp"
+#include "oracle/moving_hull.hpp"
+#include "oracle/random.hpp"
+#include "oracle/shaft_input.hpp"
+#include "sanitizers.hpp"
+
+namespace shaftcull {
+namespace {
+
+using Kind = MovingInput::Kind;
+constexpr Kind kinds[] = {Kind::swept, Kind::swept_without_end, Kind::shadow, Kind::shadow_without_end};
+
+CompiledShaft compiled(const MovingInput& input) {
+  CompiledShaft shaft = input.kind == Kind::swept ? swept(input.box, input.displacement, input.added)
+                        : input.kind == Kind::swept_without_end
+                            ? swept_without_end(input.box, input.displacement, input.added)
+                        : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
+                                                     : shadow(input.light, input.box, input.added);
+  if (mutate != nullptr) mutate(shaft);
+  return shaft;
+}
+
+Answer answer_at(const std::vector<std::uint64_t>& kept, const std::vector<std::uint64_t>& inside, std::size_t i) {
+  const auto bit = [&](const std::vector<std::uint64_t>& words) { return (words[i / 64] >> i % 64 & 1U) != 0; };
+  return !bit(kept) ? Answer::outside : bit(inside) ? Answer::inside : Answer::overlap;
+}
+
+/// Fails, with a reproducer for the first wrong one, unless all answers of all calls are the oracle's.
+template <class Bound>
+void expect_exact(const MovingInput& input, const std::vector<Bound>& bounds) {
+  const oracle::MovingHull hull(input);
+  std::vector<Answer> right;
+  for (const Bound& bound : bounds) right.push_back(hull.answer(bound));
+  const auto memory = columns(bounds);
+  const auto check = [&](const char* form, const auto& answer) {
+    for (std::size_t i = 0; i != bounds.size(); ++i) {
+      const Answer is = answer(i);
+      if (is == right[i]) continue;
+      ADD_FAILURE() << "on " << name(active_isa()) << ", form " << form << "; bound " << i << ":\n  "
+                    << source_text(input) << "\n  " << source_text(bounds[i]) << "\n  is " << text(right[i])
+                    << ", answered " << text(is);
+      return;
+    }
+  };
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    CompiledShaft shaft = compiled(input);
+    for (const bool is_complete : {false, true}) {
+      if (is_complete) complete(shaft);
+      for (const auto& [form, form_name] : {std::pair(Form::slab, "slab"), std::pair(Form::planes, "planes")}) {
+        std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
+        std::vector<std::uint64_t> kept = culled;
+        std::vector<std::uint64_t> inside = culled;
+        cull(shaft, memory.view(), culled, form);
+        classify(shaft, memory.view(), kept, inside, form);
+        EXPECT_EQ(culled, kept) << "cull() and classify() keep different bounds of " << source_text(input);
+        check(form_name, [&](std::size_t i) { return answer_at(kept, inside, i); });
+      }
+    }
+    check("one", [&](std::size_t i) { return classify(shaft, bounds[i]); });
+    const GridAnswers on_grid = grid_answers(shaft, memory.view(), 0);
+    check("grid", [&](std::size_t i) { return answer_at(on_grid.kept, on_grid.inside, i); });
+  }
+}
+
+/// Where the face of box(t) on axis k is, and t from 0 to `end`, roughly.
+struct Path {
+  double start;
+  double slope;
+};
+Path path(const MovingInput& input, std::size_t k, bool hi) {
+  const auto at = [&](const Box& box, bool of_hi) { return static_cast<double>(of_hi ? box.hi[k] : box.lo[k]); };
+  return {at(input.box, hi),
+          input.is_shadow() ? at(input.box, hi) - at(input.light, !hi) : static_cast<double>(input.displacement[k])};
+}
+double random_t(Random& random, const MovingInput& input) {
+  const double end = input.kind == Kind::shadow ? static_cast<double>(input.reach) - 1 : 1;
+  if (input.is_endless() && random.one_in(2)) return std::exp2(static_cast<double>(random.uniform(-3, 12)));
+  if (random.one_in(4)) return end * static_cast<double>(random.integer(0, 1));
+  return end * static_cast<double>(random.uniform(0, 1));
+}
+float as_float(double x) { return static_cast<float>(std::clamp(x, -3e38, 3e38)); }
+
+/// A box with a corner on the path of a corner of the moving box, but for an ulp or two; it extends outwards, inwards,
+/// or lies across.
+Box touching_box(Random& random, const MovingInput& input) {
+  const double t = random_t(random, input);
+  const bool inwards = random.one_in(3);
+  const double size = static_cast<double>(random.uniform(0, random.one_in(3) ? 3.0F : 0.3F));
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const bool hi = random.one_in(2);
+    const Path on = path(input, k, hi);
+    const float point = random.nudge(as_float(on.start + t * on.slope));
+    const double extent =
+        random.one_in(4) ? 0 : size * std::max({std::abs(on.start), std::abs(on.slope), std::abs(double{point}) / 64});
+    const bool across = random.one_in(5);
+    const bool upwards = hi != inwards;
+    box.lo[k] = across || !upwards ? std::min(point, as_float(double{point} - extent)) : point;
+    box.hi[k] = across || upwards ? std::max(point, as_float(double{point} + extent)) : point;
+  }
+  return box;
+}
+
+Vec3 nearby_point(Random& random, const MovingInput& input) {
+  const double t = random_t(random, input);
+  Vec3 point{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const Path lo = path(input, k, false);
+    const Path hi = path(input, k, true);
+    const double at = static_cast<double>(random.uniform(-0.7F, 1.7F));
+    point[k] = as_float((1 - at) * (lo.start + t * lo.slope) + at * (hi.start + t * hi.slope) +
+                        0.2 * static_cast<double>(random.uniform(-1, 1)) * std::abs(lo.slope));
+  }
+  return point;
+}
+
+/// A sphere, as often as not one that touches the shaft from outside or inside, but for an ulp or two.
+Sphere nearby_sphere(Random& random, const MovingInput& input, const oracle::MovingHull& hull) {
+  const Vec3 centre = nearby_point(random, input);
+  if (random.one_in(3)) {
+    const double size = std::abs(path(input, random.below(3), false).slope);
+    return {centre, random.one_in(4) ? 0.0F : as_float(size * static_cast<double>(random.uniform(0, 1)))};
+  }
+  const mpq_class distance = hull.squared_distance(centre);
+  const mpq_class square = distance > 0 ? distance : hull.squared_depth(centre);
+  return {centre, std::max(0.0F, random.nudge(as_float(std::sqrt(mpf_class(square, 256).get_d()))))};
+}
+
+/// Checks `shafts` inputs of each kind.
+template <class MakeInput>
+void check(std::uint64_t seed, std::size_t shafts, const MakeInput& input_of) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (std::size_t i = 0; i != random_cases(shafts); ++i) {
+    for (const Kind kind : kinds) {
+      if (testing::Test::HasFailure()) return;
+      const MovingInput input = input_of(random, kind);
+      std::vector<Box> boxes;
+      for (int k = 0; k != 40; ++k) boxes.push_back(touching_box(random, input));
+      for (int k = 0; k != 12; ++k) {
+        const Vec3 p = nearby_point(random, input);
+        boxes.push_back(Random::sorted(p, random.one_in(2) ? p : nearby_point(random, input)));
+      }
+      for (int k = 0; k != 16; ++k) boxes.push_back(random.box(-6, 6, 0.01F, 2.0F));
+      expect_exact(input, boxes);
+      const oracle::MovingHull hull(input);
+      std::vector<Sphere> spheres;
+      for (int k = 0; k != 24; ++k) spheres.push_back(nearby_sphere(random, input, hull));
+      expect_exact(input, spheres);
+    }
+  }
+}
+
+bool are_apart(const Box& light, const Box& occluder) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (light.hi[k] < occluder.lo[k] || occluder.hi[k] < light.lo[k]) return true;
+  }
+  return false;
+}
+
+/// An input of boxes and displacements that `box` and `vector` make.
+template <class MakeBox, class MakeVector>
+MovingInput input_of(Random& random, Kind kind, const MakeBox& box, const MakeVector& vector) {
+  MovingInput input{kind, box()};
+  do {
+    input.displacement = vector();
+  } while (input.displacement == Vec3{0, 0, 0});
+  do {
+    input.light = box();
+    if (random.one_in(4)) input.light.hi = input.light.lo;  // a point light
+    if (!are_apart(input.light, input.box)) input.box = box();
+  } while (!are_apart(input.light, input.box));
+  constexpr float reaches[] = {1.0F, 1.5F, 2.0F, 10.0F};
+  input.reach = random.one_in(2) ? reaches[random.below(4)] : 1 + std::exp2(random.uniform(-12, 6));
+  return input;
+}
+
+MovingInput random_input(Random& random, Kind kind) {
+  const float size = random.one_in(2) ? 5.0F : 1.0F;
+  return input_of(
+      random, kind, [&] { return random.box(-5, 5, 0.05F, 1.0F); }, [&] { return random.vec3(-size, size); });
+}
+
+TEST(Kinds, OrdinaryShaftsAnswerExactly) { check(1, 40, random_input); }
+
+TEST(Kinds, ShaftsOnAGridAnswerExactly) {
+  check(2, 40, [](Random& random, Kind kind) {
+    MovingInput input = input_of(
+        random, kind, [&] { return random.grid_box(0, 8); },
+        [&] {
+          return Vec3{random.integer(-4, 4), random.integer(-4, 4), random.integer(-4, 4)};
+        });
+    input.reach = random.integer(1, 4);
+    return input;
+  });
+}
+
+TEST(Kinds, ShaftsAlongAnAxisOrAPlaneAnswerExactly) {
+  check(3, 40, [](Random& random, Kind kind) {
+    return input_of(
+        random, kind, [&] { return random.one_in(2) ? random.grid_box(0, 3) : random.box(-3, 3, 0.1F, 1.0F); },
+        [&] {
+          Vec3 d = random.vec3(-3, 3);
+          d[random.below(3)] = 0;
+          if (random.one_in(2)) d[random.below(3)] = -0.0F;
+          return d;
+        });
+  });
+}
+
+TEST(Kinds, DisplacementsOfAFewUlpsAreNotRoundedAway) {
+  check(4, 30, [](Random& random, Kind kind) {
+    return input_of(
+        random, kind, [&] { return random.box(-5, 5, 0.05F, 1.0F); },
+        [&] {
+          Vec3 d{};
+          for (float& x : d) x = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.integer(-40, 1)));
+          return d;
+        });
+  });
+}
+
+TEST(Kinds, ShaftsFarFromTheOriginAnswerExactly) {
+  check(5, 30, [](Random& random, Kind kind) {
+    const float distance = std::pow(10.0F, random.uniform(1, 7));
+    return input_of(
+        random, kind,
+        [&] {
+          Box box = random.box(-5, 5, 0.05F, 1.0F);
+          for (std::size_t k = 0; k != 3; ++k) {
+            box.lo[k] += distance;
+            box.hi[k] += distance;
+          }
+          return box;
+        },
+        [&] { return random.vec3(-5, 5); });
+  });
+}
+
+TEST(Kinds, ShaftsThatEndFarBeyondTheSceneAnswerExactly) {
+  check(6, 30, [](Random& random, Kind kind) {
+    MovingInput input = input_of(
+        random, kind, [&] { return random.box(-5, 5, 0.05F, 1.0F); },
+        [&] {
+          const int exponent = static_cast<int>(random.integer(15, 125));
+          Vec3 d{};
+          for (float& x : d) x = std::ldexp(random.uniform(-1, 1), exponent - static_cast<int>(random.integer(0, 20)));
+          return d;
+        });
+    input.reach = std::exp2(random.uniform(10, 120));
+    return input;
+  });
+}
+
+TEST(Kinds, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
+  check(7, 60, [](Random& random, Kind kind) {
+    const bool mixed = random.one_in(3);
+    const int low = mixed ? -149 : static_cast<int>(random.integer(-149, 122));
+    const int high = mixed ? 127 : low + 5;
+    const auto vector = [&] { return Vec3{random.wild(low, high), random.wild(low, high), random.wild(low, high)}; };
+    return input_of(
+        random, kind,
+        [&] {
+          const Vec3 p = vector();
+          return Random::sorted(p, vector());
+        },
+        vector);
+  });
+}
+
+/// A body at rest and one that moves; boxes on either side.
+TEST(Kinds, MeanWhatTheirNamesSay) {
+  const Box body{{0, 0, 0}, {1, 1, 1}};
+  const Box beyond{{10, 0, 0}, {11, 1, 1}};
+  const Box behind{{-3, 0, 0}, {-2, 1, 1}};
+  EXPECT_EQ(classify(swept(body, {0, 0, 0}), body), Answer::inside);
+  EXPECT_FALSE(cull(swept(body, {0, 0, 0}), beyond));
+  EXPECT_TRUE(cull(swept(body, {9, 0, 0}), beyond)) << "it touches";
+  EXPECT_FALSE(cull(swept(body, {std::nextafter(9.0F, 0.0F), 0, 0}), beyond));
+  EXPECT_EQ(classify(swept_without_end(body, {1e-30F, 0, 0}), beyond), Answer::inside);
+  EXPECT_FALSE(cull(swept_without_end(body, {1, 0, 0}), behind));
+
+  const Box lamp{{-9, 0.5F, 0.5F}, {-9, 0.5F, 0.5F}};
+  EXPECT_EQ(classify(shadow(lamp, body), beyond), Answer::inside);
+  EXPECT_FALSE(cull(shadow(lamp, body), behind)) << "between lamp and occluder is light";
+  EXPECT_EQ(classify(shadow(lamp, body, 1), body), Answer::inside);
+  EXPECT_FALSE(cull(shadow(lamp, body, 1.9F), beyond))
+      << "the float is less than 1.9, at which the shadow ends at x = 10";
+  EXPECT_TRUE(cull(shadow(lamp, body, std::nextafter(1.9F, 2.0F)), beyond));
+}
+
+TEST(Kinds, AreRefusedWhereTheyMeanNothing) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  const Box light{{5, 0, 0}, {6, 1, 1}};
+  const Box bad{{0, 0, 0}, {1, -1, 1}};
+  const std::vector<Plane> many(max_added_planes + 1, Plane{{1, 0, 0}, 1});
+  const Plane flat[] = {{{1, 0, 0}, 1}, {{0, 0, 0}, 1}};
+  using testing::HasSubstr;
+  EXPECT_THAT(message_of([&] { (void)swept(bad, {1, 0, 0}); }), HasSubstr("box body: lo.y = 0 is above hi.y = -1"));
+  EXPECT_THAT(message_of([&] { (void)swept(box, {1, infinity, 0}); }), HasSubstr("displacement.y = inf"));
+  EXPECT_THAT(message_of([&] { (void)swept(box, {1, 0, 0}, many); }), HasSubstr("16 added planes only, not for 17"));
+  EXPECT_THAT(message_of([&] { (void)swept(box, {1, 0, 0}, flat); }), HasSubstr("planes[1]"));
+  EXPECT_THAT(message_of([&] { (void)swept_without_end(bad, {1, 0, 0}); }), HasSubstr("box body"));
+  EXPECT_THAT(message_of([&] { (void)swept_without_end(box, {0, -0.0F, 0}); }), HasSubstr("direction is 0"));
+  EXPECT_THAT(message_of([&] { (void)swept_without_end(box, {0, 0, std::nanf("")}); }), HasSubstr("direction.z = nan"));
+  EXPECT_THAT(message_of([&] { (void)shadow(bad, box); }), HasSubstr("box light"));
+  EXPECT_THAT(message_of([&] { (void)shadow(light, bad); }), HasSubstr("box occluder"));
+  EXPECT_THAT(message_of([&] { (void)shadow(light, bad, 2); }), HasSubstr("box occluder"));
+  EXPECT_THAT(message_of([&] { (void)shadow(box, box); }), HasSubstr("overlap or touch"));
+  EXPECT_THAT(message_of([&] { (void)shadow(box, {{1, 0, 0}, {2, 1, 1}}, 2); }), HasSubstr("overlap or touch"));
+  for (const float reach : {std::nextafter(1.0F, 0.0F), -2.0F, infinity, std::nanf("")}) {
+    EXPECT_THAT(message_of([&] { (void)shadow(light, box, reach); }), HasSubstr("reach = "));
+  }
+}
+
+TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const Box light{{-9, 0, 0}, {-8, 1, 1}};
+  const Box body{{0, 0, 0}, {1, 1, 1}};
+  const std::vector<Box> boxes{
+      {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}},  // the empty box
+      {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}},
+      {{-infinity, 0.2F, 0.2F}, {infinity, 0.3F, 0.3F}},
+      {{0, infinity, 0}, {1, infinity, 1}},
+      {{nan, nan, nan}, {nan, nan, nan}},
+  };
+  const std::vector<Answer> right{Answer::outside, Answer::overlap, Answer::overlap, Answer::outside, Answer::overlap};
+  const auto memory = columns(boxes);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const CompiledShaft& shaft :
+         {swept(body, {2, 1, 0.5F}), swept_without_end(body, {2, 1, 0.5F}), swept_without_end(body, {1, 0, 0}),
+          swept_without_end(body, {-1, 0, 0}), shadow(light, body, 2), shadow(light, body)}) {
+      for (const Form form : {Form::slab, Form::planes}) {
+        std::vector<std::uint64_t> kept(1);
+        std::vector<std::uint64_t> inside(1);
+        classify(shaft, memory.view(), kept, inside, form);
+        for (std::size_t i = 0; i != boxes.size(); ++i) {
+          EXPECT_EQ(text(answer_at(kept, inside, i)), text(right[i])) << name(isa) << ", box " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(Kinds, AddedPlanesAreAnsweredExactly) {
+  check(8, 30, [](Random& random, Kind kind) {
+    MovingInput input = random_input(random, kind);
+    for (unsigned planes = 1 + random.below(3); planes != 0; --planes) {
+      const Vec3 p = nearby_point(random, input);
+      const Vec3 n = random.vec3(-1, 1);
+      input.added.push_back({n, n[0] * p[0] + n[1] * p[1] + n[2] * p[2]});
+    }
+    return input;
+  });
+}
+
+}  // namespace
+}  // namespace shaftcull
