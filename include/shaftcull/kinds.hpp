@@ -14,6 +14,7 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
+#include "shaftcull/streams.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
@@ -40,5 +41,33 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// the light and o of the occluder. Throws InvalidArgument if `reach` is below 1 or not finite, too.
 [[nodiscard]] CompiledShaft shadow(const Box& light, const Box& occluder, float reach,
                                    std::span<const Plane> planes = {});
+
+/// swept(bodies[i], displacements[i]) into out[i]. Bodies have equally many planes, k = planes.size() / bodies.count
+/// each: body i has planes k · i to k · i + k − 1.
+///
+/// Of this and the calls below: throws InvalidArgument if sizes differ or planes are not as they must be, and BadBound
+/// for the first shaft that the call for one refuses. Nothing is written then. O(shafts and planes), some 0.5 µs a
+/// shaft; no allocation; safe to call from many threads.
+void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements, std::span<CompiledShaft> out,
+                 std::span<const Plane> planes = {});
+
+/// swept_without_end(bodies[i], directions[i]) into out[i], as above.
+void swept_without_end_batch(const BoxView& bodies, std::span<const Vec3> directions, std::span<CompiledShaft> out,
+                             std::span<const Plane> planes = {});
+
+/// shadow(lights[i], occluders[i]) into out[i]. `planes.a` are those of the lights, `planes.b` those of the occluders.
+void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<CompiledShaft> out,
+                  const BatchPlanes& planes = {});
+/// The same up to a reach, which is one for all.
+void shadow_batch(const BoxView& lights, const BoxView& occluders, float reach, std::span<CompiledShaft> out,
+                  const BatchPlanes& planes = {});
+
+/// shadow(lights[pairs[i].a], occluders[pairs[i].b]) into out[i]. Throws InvalidArgument for the first pair with an
+/// index that is not below the number of boxes, too. Boxes that no pair names are not looked at; planes are.
+void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs,
+                  std::span<CompiledShaft> out, const BatchPlanes& planes = {});
+/// The same up to a reach, which is one for all.
+void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs, float reach,
+                  std::span<CompiledShaft> out, const BatchPlanes& planes = {});
 
 }  // namespace shaftcull

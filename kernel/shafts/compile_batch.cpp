@@ -6,14 +6,13 @@
 
 #include "compiled/shaft_data.hpp"
 #include "dispatch/active_kernels.hpp"
-#include "formation/usable_plane.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shafts/batch_arguments.hpp"
 #include "simd/baseline_four_floats.hpp"
 #include "streams/rows.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
-#include "support/text.hpp"
 
 namespace shaftcull {
 namespace {
@@ -63,24 +62,6 @@ void require_memory(const BoxView& a, const BoxView& b, std::span<const Compiled
   kernel::require_memory("planes.b", planes.b, "planes");
 }
 
-void require_indices(std::span<const IndexPair> pairs, std::size_t a_count, std::size_t b_count) {
-  // A difference below 0 leaves the sign in what all differences have, which takes no comparison a pair.
-  const auto last_a = static_cast<std::int64_t>(a_count) - 1;
-  const auto last_b = static_cast<std::int64_t>(b_count) - 1;
-  std::int64_t differences = 0;
-  for (const IndexPair& pair : pairs) differences |= (last_a - pair.a) | (last_b - pair.b);
-  if (differences >= 0) return;
-  for (std::size_t i = 0; i != pairs.size(); ++i) {
-    const auto require = [&](const char* name, std::size_t index, std::size_t count) {
-      if (index < count) return;
-      throw InvalidArgument("pairs[" + std::to_string(i) + "]." + name + " = " + std::to_string(index) +
-                            ", and there are " + std::to_string(count) + " boxes " + name);
-    };
-    require("a", pairs[i].a, a_count);
-    require("b", pairs[i].b, b_count);
-  }
-}
-
 /// Throws BadBound for the first pair with a box that is not finite or has lo > hi.
 void require_pairs(const kernel::Kernels& kernels, const BoxView& a, const BoxView& b,
                    std::span<const IndexPair> pairs) {
@@ -103,53 +84,13 @@ void require_pairs(const kernel::Kernels& kernels, const BoxView& a, const BoxVi
   }
 }
 
-/// Planes of the boxes of one view, equally many for each.
-class PlanesOfBoxes {
- public:
-  /// Throws InvalidArgument if they cannot be. `name` is "a" or "b".
-  PlanesOfBoxes(const kernel::Kernels& kernels, std::span<const Plane> planes, std::size_t boxes, const char* name)
-      : planes_(planes.data()) {
-    if (planes.empty()) return;
-    if (boxes == 0 || planes.size() % boxes != 0) {
-      throw InvalidArgument("planes." + std::string(name) + " has " + kernel::counted(planes.size(), "plane") +
-                            ", not equally many for each of " + std::to_string(boxes) + " boxes " + name);
-    }
-    each_ = planes.size() / boxes;
-    if (kernels.all_planes_usable(planes.data(), planes.size())) return;
-    const std::string before = "planes." + std::string(name) + "[";
-    for (std::size_t i = 0; i != planes.size(); ++i) kernel::require_usable(planes[i], {before.c_str(), i, "]"});
-  }
-
-  [[nodiscard]] std::size_t each() const noexcept { return each_; }
-  /// The first one of a box.
-  [[nodiscard]] const Plane* of(std::size_t box) const noexcept { return planes_ + box * each_; }
-
- private:
-  const Plane* planes_;
-  std::size_t each_ = 0;
-};
-
-/// The planes of both boxes.
-struct PlanesOfPairs {
-  PlanesOfBoxes a;
-  PlanesOfBoxes b;
-
-  PlanesOfPairs(const kernel::Kernels& kernels, const BatchPlanes& planes, std::size_t a_count, std::size_t b_count)
-      : a(kernels, planes.a, a_count, "a"), b(kernels, planes.b, b_count, "b") {
-    if (a.each() <= max_added_planes && a.each() + b.each() <= max_added_planes) return;
-    throw InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) + " added planes, not for " +
-                          std::to_string(a.each()) + " of box a and " + std::to_string(b.each()) + " of box b");
-  }
-  [[nodiscard]] bool empty() const noexcept { return a.each() == 0 && b.each() == 0; }
-};
-
 /// Adds the planes of shafts between boxes in `a` and `b`; box_a(i) and box_b(i) are their positions in the user's
 /// views.
 template <class Position>
-void add_planes(const kernel::Kernels& kernels, const PlanesOfPairs& planes, const float* const* a,
+void add_planes(const kernel::Kernels& kernels, const kernel::PlanesOfPairs& planes, const float* const* a,
                 const float* const* b, std::span<kernel::ShaftData> out, const Position& box_a, const Position& box_b) {
   const Plane* first[chunk];
-  const auto add = [&](const PlanesOfBoxes& of, const Position& box) {
+  const auto add = [&](const kernel::PlanesOfBoxes& of, const Position& box) {
     if (of.each() == 0) return;
     for (std::size_t i = 0; i != out.size(); ++i) first[i] = of.of(box(i));
     kernels.add_planes(a, b, first, of.each(), out.size(), out.data());
@@ -169,7 +110,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
   require_memory(a, b, out, planes);
   const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
-  const PlanesOfPairs added(kernels, planes, a.count, b.count);
+  const kernel::PlanesOfPairs added(kernels, planes, a.count, b.count);
   const std::span<kernel::ShaftData> data = kernel::data_of(out);
   const auto reject = [&] {
     for (std::size_t i = 0; i != a.count; ++i) require_pair(a[i], b[i], i);
@@ -198,10 +139,10 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair
   }
   require_memory(a, b, out, planes);
   kernel::require_memory("pairs", pairs, "pairs");
-  require_indices(pairs, a.count, b.count);
+  kernel::require_indices(pairs, a.count, b.count);
   const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
-  const PlanesOfPairs added(kernels, planes, a.count, b.count);
+  const kernel::PlanesOfPairs added(kernels, planes, a.count, b.count);
   require_pairs(kernels, a, b, pairs);
   const std::span<kernel::ShaftData> data = kernel::data_of(out);
   GatheredBoxes from;

@@ -20,6 +20,7 @@
 #include "formation/usable_plane.hpp"
 #include "kernels/forming/slab.hpp"
 #include "kernels/table.hpp"
+#include "shafts/batch_arguments.hpp"
 #include "simd/scalar.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
@@ -112,11 +113,8 @@ struct Movement {
   float reach;
 };
 
-CompiledShaft form(const Movement& movement, std::span<const Plane> planes) {
-  CompiledShaft formed;
-  const kernel::FloatEnvironment environment;
-  const kernel::Kernels& kernels = kernel::active_kernels();
-  ShaftData& shaft = kernel::data_of(formed);
+/// Writes the shaft, without planes.
+void form(const kernel::Kernels& kernels, const Movement& movement, ShaftData& shaft) noexcept {
   const auto write_movement = [&] {
     shaft.kind = movement.kind;
     std::copy(movement.motion.begin(), movement.motion.end(), shaft.motion);
@@ -158,8 +156,11 @@ CompiledShaft form(const Movement& movement, std::span<const Plane> planes) {
     write_slab(shaft, faces);
   }
   shaft.largest_coordinate *= kernel::rounded_end_factor;
+}
 
-  if (planes.empty()) return formed;
+/// Adds planes to a shaft that was formed.
+void add_planes(const kernel::Kernels& kernels, std::span<const Plane> planes, ShaftData& shaft) noexcept {
+  if (planes.empty()) return;
   const float* a[6];
   const float* b[6];
   for (unsigned f = 0; f < 6; ++f) {
@@ -168,6 +169,14 @@ CompiledShaft form(const Movement& movement, std::span<const Plane> planes) {
   }
   const Plane* const first = planes.data();
   kernels.add_planes(a, b, &first, planes.size(), 1, &shaft);
+}
+
+CompiledShaft form(const Movement& movement, std::span<const Plane> planes) noexcept {
+  CompiledShaft formed;
+  const kernel::FloatEnvironment environment;
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  form(kernels, movement, kernel::data_of(formed));
+  add_planes(kernels, planes, kernel::data_of(formed));
   return formed;
 }
 
@@ -203,48 +212,188 @@ Faces6 inverted(const Box& light) noexcept {
   return {light.hi[0], light.hi[1], light.hi[2], light.lo[0], light.lo[1], light.lo[2]};
 }
 
+/// The movement of each kind, or the InvalidArgument that its call throws.
+Movement swept_movement(const Box& body, const Vec3& displacement) {
+  kernel::require_finite(body, "body");
+  require_vector(displacement, "displacement");
+  return {Kind::swept, body, twice(displacement), 1};
+}
+
+Movement endless_movement(const Box& body, const Vec3& direction) {
+  kernel::require_finite(body, "body");
+  require_vector(direction, "direction");
+  if (direction == Vec3{0, 0, 0}) throw InvalidArgument("swept_without_end: direction is 0, which leads nowhere");
+  return {Kind::swept_without_end, body, twice(direction), 1};
+}
+
+Movement shadow_movement(const Box& light, const Box& occluder) {
+  kernel::require_finite(light, "light");
+  kernel::require_finite(occluder, "occluder");
+  require_apart(light, occluder);
+  return {Kind::shadow_without_end, occluder, inverted(light), 1};
+}
+
+void require_reach(float reach) {
+  if (reach >= 1 && reach <= largest_float) return;
+  throw InvalidArgument("shadow: reach = " + kernel::text(reach) + "; it must be finite, and 1 or more");
+}
+
+Movement shadow_movement(const Box& light, const Box& occluder, float reach) {
+  Movement movement = shadow_movement(light, occluder);
+  require_reach(reach);
+  movement.kind = Kind::shadow;
+  movement.reach = reach;
+  return movement;
+}
+
+/// A call for one shaft.
+template <class MovementOf>
+CompiledShaft one(std::span<const Plane> planes, const MovementOf& movement_of) {
+  const Movement movement = kernel::in_float_environment([&] {
+    const Movement checked = movement_of();
+    require_planes(planes);
+    return checked;
+  });
+  return form(movement, planes);
+}
+
+/// A call for many: movement_of(i) is that of shaft i, which has planes of box a_of(i) and of box b_of(i).
+template <class MovementOf, class PositionA, class PositionB>
+void many(std::span<CompiledShaft> out, const kernel::PlanesOfPairs& planes, const kernel::Kernels& kernels,
+          const MovementOf& movement_of, const PositionA& a_of, const PositionB& b_of) {
+  for (std::size_t i = 0; i != out.size(); ++i) {
+    try {
+      static_cast<void>(movement_of(i));
+    } catch (const InvalidArgument& error) {
+      throw BadBound(i, "shaft " + std::to_string(i) + ": " + error.what());
+    }
+  }
+  for (std::size_t i = 0; i != out.size(); ++i) {
+    ShaftData& shaft = kernel::data_of(out[i]);
+    form(kernels, movement_of(i), shaft);
+    add_planes(kernels, {planes.a.of(planes.a.each() == 0 ? 0 : a_of(i)), planes.a.each()}, shaft);
+    add_planes(kernels, {planes.b.of(planes.b.each() == 0 ? 0 : b_of(i)), planes.b.each()}, shaft);
+  }
+}
+
+void require_counts(const char* call, const char* what, std::size_t a, std::size_t b, std::size_t out) {
+  if (a == out && b == out) return;
+  throw InvalidArgument(std::string(call) + " needs as many " + what + " and shafts to write, not " +
+                        std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(out));
+}
+
+/// swept_batch() and swept_without_end_batch().
+template <class MovementOf>
+void sweep_many(const char* call, const BoxView& bodies, std::span<const Vec3> ways, std::span<CompiledShaft> out,
+                std::span<const Plane> planes, const MovementOf& movement_of) {
+  require_counts(call, "bodies, vectors", bodies.count, ways.size(), out.size());
+  kernel::require_view(bodies);
+  kernel::require_memory("vectors", ways, "vectors");
+  kernel::require_memory("out", out, "shafts");
+  kernel::require_memory("planes", planes, "planes");
+  const kernel::FloatEnvironment environment;
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  const kernel::PlanesOfPairs added(kernels, {.a = planes}, bodies.count, 0);
+  const auto position = [](std::size_t i) { return i; };
+  many(
+      out, added, kernels, [&](std::size_t i) { return movement_of(bodies[i], ways[i]); }, position, position);
+}
+
+/// shadow_batch(), with a reach unless it is null.
+template <class PositionA, class PositionB>
+void shadow_many(const BoxView& lights, const BoxView& occluders, const float* reach, std::span<CompiledShaft> out,
+                 const BatchPlanes& planes, const PositionA& light_of, const PositionB& occluder_of) {
+  const kernel::FloatEnvironment environment;
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  if (reach != nullptr) require_reach(*reach);
+  const kernel::PlanesOfPairs added(kernels, planes, lights.count, occluders.count);
+  many(
+      out, added, kernels,
+      [&](std::size_t i) {
+        const Box light = lights[light_of(i)];
+        const Box occluder = occluders[occluder_of(i)];
+        return reach == nullptr ? shadow_movement(light, occluder) : shadow_movement(light, occluder, *reach);
+      },
+      light_of, occluder_of);
+}
+
+void require_shadow_memory(const BoxView& lights, const BoxView& occluders, std::span<CompiledShaft> out,
+                           const BatchPlanes& planes) {
+  kernel::require_view(lights);
+  kernel::require_view(occluders);
+  kernel::require_memory("out", out, "shafts");
+  kernel::require_memory("planes.a", planes.a, "planes");
+  kernel::require_memory("planes.b", planes.b, "planes");
+}
+
+void shadow_each(const BoxView& lights, const BoxView& occluders, const float* reach, std::span<CompiledShaft> out,
+                 const BatchPlanes& planes) {
+  require_counts("shadow_batch", "lights, occluders", lights.count, occluders.count, out.size());
+  require_shadow_memory(lights, occluders, out, planes);
+  const auto position = [](std::size_t i) { return i; };
+  shadow_many(lights, occluders, reach, out, planes, position, position);
+}
+
+void shadow_pairs(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs, const float* reach,
+                  std::span<CompiledShaft> out, const BatchPlanes& planes) {
+  if (pairs.size() != out.size()) {
+    throw InvalidArgument("shadow_batch needs as many pairs as shafts to write, not " + std::to_string(pairs.size()) +
+                          " and " + std::to_string(out.size()));
+  }
+  require_shadow_memory(lights, occluders, out, planes);
+  kernel::require_memory("pairs", pairs, "pairs");
+  kernel::require_indices(pairs, lights.count, occluders.count);
+  shadow_many(
+      lights, occluders, reach, out, planes, [&](std::size_t i) { return std::size_t{pairs[i].a}; },
+      [&](std::size_t i) { return std::size_t{pairs[i].b}; });
+}
+
 }  // namespace
 
 CompiledShaft swept(const Box& body, const Vec3& displacement, std::span<const Plane> planes) {
-  kernel::in_float_environment([&] {
-    kernel::require_finite(body, "body");
-    require_vector(displacement, "displacement");
-    require_planes(planes);
-  });
-  return form({Kind::swept, body, twice(displacement), 1}, planes);
+  return one(planes, [&] { return swept_movement(body, displacement); });
 }
 
 CompiledShaft swept_without_end(const Box& body, const Vec3& direction, std::span<const Plane> planes) {
-  kernel::in_float_environment([&] {
-    kernel::require_finite(body, "body");
-    require_vector(direction, "direction");
-    if (direction == Vec3{0, 0, 0}) throw InvalidArgument("swept_without_end: direction is 0, which leads nowhere");
-    require_planes(planes);
-  });
-  return form({Kind::swept_without_end, body, twice(direction), 1}, planes);
+  return one(planes, [&] { return endless_movement(body, direction); });
 }
 
 CompiledShaft shadow(const Box& light, const Box& occluder, std::span<const Plane> planes) {
-  kernel::in_float_environment([&] {
-    kernel::require_finite(light, "light");
-    kernel::require_finite(occluder, "occluder");
-    require_apart(light, occluder);
-    require_planes(planes);
-  });
-  return form({Kind::shadow_without_end, occluder, inverted(light), 1}, planes);
+  return one(planes, [&] { return shadow_movement(light, occluder); });
 }
 
 CompiledShaft shadow(const Box& light, const Box& occluder, float reach, std::span<const Plane> planes) {
-  kernel::in_float_environment([&] {
-    kernel::require_finite(light, "light");
-    kernel::require_finite(occluder, "occluder");
-    require_apart(light, occluder);
-    if (!(reach >= 1 && reach <= largest_float)) {
-      throw InvalidArgument("shadow: reach = " + kernel::text(reach) + "; it must be finite, and 1 or more");
-    }
-    require_planes(planes);
-  });
-  return form({Kind::shadow, occluder, inverted(light), reach}, planes);
+  return one(planes, [&] { return shadow_movement(light, occluder, reach); });
+}
+
+void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements, std::span<CompiledShaft> out,
+                 std::span<const Plane> planes) {
+  sweep_many("swept_batch", bodies, displacements, out, planes, swept_movement);
+}
+
+void swept_without_end_batch(const BoxView& bodies, std::span<const Vec3> directions, std::span<CompiledShaft> out,
+                             std::span<const Plane> planes) {
+  sweep_many("swept_without_end_batch", bodies, directions, out, planes, endless_movement);
+}
+
+void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<CompiledShaft> out,
+                  const BatchPlanes& planes) {
+  shadow_each(lights, occluders, nullptr, out, planes);
+}
+
+void shadow_batch(const BoxView& lights, const BoxView& occluders, float reach, std::span<CompiledShaft> out,
+                  const BatchPlanes& planes) {
+  shadow_each(lights, occluders, &reach, out, planes);
+}
+
+void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs,
+                  std::span<CompiledShaft> out, const BatchPlanes& planes) {
+  shadow_pairs(lights, occluders, pairs, nullptr, out, planes);
+}
+
+void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs, float reach,
+                  std::span<CompiledShaft> out, const BatchPlanes& planes) {
+  shadow_pairs(lights, occluders, pairs, &reach, out, planes);
 }
 
 }  // namespace shaftcull

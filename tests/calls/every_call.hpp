@@ -151,6 +151,30 @@ class EveryCall {
         note_shaft(words, shaft, box_stream_.view().slice(0, 64));
       }
     });
+    add("swept_batch, swept_without_end_batch, shadow_batch", false, [this](AnswerWords& words) {
+      const Box body{{0, 0, 0}, {1, 1.5F, 2}};
+      const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
+      const BoxStream bodies(std::span(&body, 1));
+      const BoxStream lights(std::span(&light, 1));
+      const Vec3 way{0.1F, 2, 1e-30F};
+      const Plane plane{{1, 2, 3}, 4};
+      const IndexPair pair{0, 0};
+      CompiledShaft shaft;
+      const std::span<CompiledShaft> out(&shaft, 1);
+      const BoxView some = box_stream_.view().slice(0, 64);
+      swept_batch(bodies.view(), std::span(&way, 1), out, std::span(&plane, 1));
+      note_shaft(words, shaft, some);
+      swept_without_end_batch(bodies.view(), std::span(&way, 1), out);
+      note_shaft(words, shaft, some);
+      shadow_batch(lights.view(), bodies.view(), out, {.a = std::span(&plane, 1)});
+      note_shaft(words, shaft, some);
+      shadow_batch(lights.view(), bodies.view(), 3.3F, out);
+      note_shaft(words, shaft, some);
+      shadow_batch(lights.view(), bodies.view(), std::span(&pair, 1), out);
+      note_shaft(words, shaft, some);
+      shadow_batch(lights.view(), bodies.view(), std::span(&pair, 1), 3.3F, out, {.b = std::span(&plane, 1)});
+      note_shaft(words, shaft, some);
+    });
     add("compile_batch, complete", false, [this](AnswerWords& words) {
       constexpr std::size_t pairs = 21;
       std::vector<CompiledShaft> out(pairs);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "columns.hpp"
@@ -330,6 +332,127 @@ TEST(Kinds, AreRefusedWhereTheyMeanNothing) {
   for (const float reach : {std::nextafter(1.0F, 0.0F), -2.0F, infinity, std::nanf("")}) {
     EXPECT_THAT(message_of([&] { (void)shadow(light, box, reach); }), HasSubstr("reach = "));
   }
+}
+
+/// Bits of what each shaft says of some boxes.
+std::vector<std::uint64_t> bits_of(const std::vector<CompiledShaft>& shafts) {
+  Random random(71);
+  std::vector<Box> boxes;
+  for (int i = 0; i != 200; ++i) boxes.push_back(random.one_in(2) ? random.grid_box(-6, 6) : random.box(-6, 6, 0, 1));
+  const auto memory = columns(boxes);
+  const std::size_t words = words_for(boxes.size());
+  std::vector<std::uint64_t> bits(2 * words * shafts.size());
+  for (std::size_t s = 0; s != shafts.size(); ++s) {
+    const std::span<std::uint64_t> of = std::span(bits).subspan(2 * words * s, 2 * words);
+    classify(shafts[s], memory.view(), of.first(words), of.last(words));
+  }
+  return bits;
+}
+
+/// Bodies, lights and vectors, any light apart from any body, and a plane for each.
+struct BatchInput {
+  std::vector<Box> bodies;
+  std::vector<Box> lights;
+  std::vector<Vec3> vectors;
+  std::vector<Plane> body_planes;   // two each
+  std::vector<Plane> light_planes;  // one each
+
+  explicit BatchInput(std::size_t count) {
+    Random random(70);
+    for (std::size_t i = 0; i != count; ++i) {
+      bodies.push_back(random.one_in(2) ? random.grid_box(-3, 3) : random.box(-3, 3, 0.1F, 1.0F));
+      lights.push_back(random.box(-3, 3, 0, 0.3F));
+      lights.back().lo[0] += 9;
+      lights.back().hi[0] += 9;
+      vectors.push_back(random.vec3(-4, 4));
+      light_planes.push_back({random.vec3(-1, 1), random.uniform(0, 3)});
+      for (int plane = 0; plane != 2; ++plane) body_planes.push_back({random.vec3(-1, 1), random.uniform(0, 3)});
+    }
+  }
+};
+
+TEST(Kinds, BatchesGiveTheShaftsOfSingleCalls) {
+  constexpr std::size_t count = 50;
+  const BatchInput input(count);
+  const BoxStream bodies(input.bodies);
+  const BoxStream lights(input.lights);
+  std::vector<IndexPair> pairs;
+  for (std::uint32_t i = 0; i != count; ++i) pairs.push_back({i * 7 % 50, i * i % 50});
+  const auto check = [&](const char* call, bool has_planes, const auto& batch, const auto& single) {
+    std::vector<CompiledShaft> shafts(count);
+    batch(shafts);
+    std::vector<CompiledShaft> right;
+    for (std::size_t i = 0; i != count; ++i) {
+      right.push_back(single(i));
+    }
+    EXPECT_EQ(bits_of(shafts), bits_of(right)) << call << (has_planes ? " with planes" : "");
+  };
+  for (const bool has_planes : {false, true}) {
+    const std::span<const Plane> of_bodies =
+        has_planes ? std::span<const Plane>(input.body_planes) : std::span<const Plane>();
+    const BatchPlanes of_both = has_planes ? BatchPlanes{input.light_planes, input.body_planes} : BatchPlanes{};
+    const auto planes_of = [&](std::size_t body) { return has_planes ? of_bodies.subspan(2 * body, 2) : of_bodies; };
+    const auto planes_of_both = [&](std::size_t light, std::size_t body) {
+      std::vector<Plane> planes;
+      if (has_planes) planes = {input.light_planes[light], of_bodies[2 * body], of_bodies[2 * body + 1]};
+      return planes;
+    };
+    check(
+        "swept_batch", has_planes, [&](auto& out) { swept_batch(bodies.view(), input.vectors, out, of_bodies); },
+        [&](std::size_t i) { return swept(input.bodies[i], input.vectors[i], planes_of(i)); });
+    check(
+        "swept_without_end_batch", has_planes,
+        [&](auto& out) { swept_without_end_batch(bodies.view(), input.vectors, out, of_bodies); },
+        [&](std::size_t i) { return swept_without_end(input.bodies[i], input.vectors[i], planes_of(i)); });
+    check(
+        "shadow_batch", has_planes, [&](auto& out) { shadow_batch(lights.view(), bodies.view(), out, of_both); },
+        [&](std::size_t i) { return shadow(input.lights[i], input.bodies[i], planes_of_both(i, i)); });
+    check(
+        "shadow_batch, reach", has_planes,
+        [&](auto& out) { shadow_batch(lights.view(), bodies.view(), 1.5F, out, of_both); },
+        [&](std::size_t i) { return shadow(input.lights[i], input.bodies[i], 1.5F, planes_of_both(i, i)); });
+    check(
+        "shadow_batch, pairs", has_planes,
+        [&](auto& out) { shadow_batch(lights.view(), bodies.view(), pairs, out, of_both); },
+        [&](std::size_t i) {
+          const auto [l, o] = pairs[i];
+          return shadow(input.lights[l], input.bodies[o], planes_of_both(l, o));
+        });
+    check(
+        "shadow_batch, pairs, reach", has_planes,
+        [&](auto& out) { shadow_batch(lights.view(), bodies.view(), pairs, 1.5F, out, of_both); },
+        [&](std::size_t i) {
+          const auto [l, o] = pairs[i];
+          return shadow(input.lights[l], input.bodies[o], 1.5F, planes_of_both(l, o));
+        });
+  }
+}
+
+TEST(Kinds, BatchesRefuseBeforeTheyWrite) {
+  BatchInput input(4);
+  const BoxStream lights(input.lights);
+  const BoxStream bodies(input.bodies);
+  std::vector<CompiledShaft> out(4);
+  const IndexPair bad_pairs[] = {{0, 0}, {1, 4}, {0, 0}, {0, 0}};
+  const std::vector<Plane> uneven(5, Plane{{1, 0, 0}, 1});
+  using testing::HasSubstr;
+  EXPECT_THAT(message_of([&] { swept_batch(bodies.view(), std::span(input.vectors).first(3), out); }),
+              HasSubstr("not 4, 3 and 4"));
+  EXPECT_THAT(message_of([&] { swept_batch(bodies.view(), input.vectors, out, uneven); }),
+              HasSubstr("planes.a has 5 planes"));
+  EXPECT_THAT(message_of([&] { shadow_batch(lights.view(), bodies.view(), std::span(out).first(2)); }),
+              HasSubstr("not 4, 4 and 2"));
+  EXPECT_THAT(message_of([&] { shadow_batch(lights.view(), bodies.view(), bad_pairs, out); }),
+              HasSubstr("pairs[1].b = 4"));
+  EXPECT_THAT(message_of([&] { shadow_batch(lights.view(), bodies.view(), std::span(bad_pairs).first(1), out); }),
+              HasSubstr("not 1 and 4"));
+  EXPECT_THAT(message_of([&] { shadow_batch(lights.view(), bodies.view(), 0.5F, out); }), HasSubstr("reach = 0.5"));
+  EXPECT_THAT(message_of<BadBound>([&] { shadow_batch(bodies.view(), bodies.view(), out); }),
+              HasSubstr("shaft 0: shadow: light and occluder overlap"));
+  input.vectors[2] = {0, 0, 0};
+  EXPECT_THAT(message_of<BadBound>([&] { swept_without_end_batch(bodies.view(), input.vectors, out); }),
+              HasSubstr("shaft 2: swept_without_end: direction is 0"));
+  for (const CompiledShaft& shaft : out) EXPECT_FALSE(shaft.formed()) << "written before the error was found";
 }
 
 TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
