@@ -85,16 +85,26 @@ struct Slab {
   /// bound + margin. Negative if certainly outside, above two margins if certainly not. coordinate(i) is what
   /// constraint i reads. Never NaN, because minimum and maximum pass over a NaN in their first argument.
   template <class Coordinate>
-  [[nodiscard, gnu::always_inline]] Vector interval_length(Coordinate coordinate) const noexcept {
+  [[nodiscard]] Vector interval_length(Coordinate coordinate) const noexcept {
+    if constexpr (endless) {
+      Vector excess;
+      const Vector length = endless_length(coordinate, excess);
+      return L::choose(L::less_equal(L::all(0.0F), excess), L::all(__builtin_inff()), length);
+    }
+    // Its own loop, not one that endless_length() shares: g++ 12 then puts four scalar lanes into a register.
     Vector upper = end;
     Vector lower = begin;
-    narrow(coordinate, upper, lower);
+#pragma GCC unroll 6
+    for (unsigned i = 0; i < 6; ++i) {
+      const Vector t = bound(i, coordinate(i));
+      if (i < uppers) {
+        upper = L::minimum(t, upper);
+      } else {
+        lower = L::maximum(t, lower);
+      }
+    }
     if constexpr (fused) {
       return L::subtract(upper, lower);
-    } else if constexpr (endless) {
-      Vector excess;
-      const Vector length = endless_length(upper, lower, excess);
-      return L::choose(L::less_equal(L::all(0.0F), excess), L::all(__builtin_inff()), length);
     } else if constexpr (relative) {
       // No length here, but with the same signs: +∞ if certainly not outside, negative if certainly outside, else
       // undecided.
@@ -106,20 +116,12 @@ struct Slab {
     }
   }
 
-  /// In the endless form: negative if certainly outside. If not, then `excess` is negative unless it is certainly not.
+  /// The same in the endless form: negative if certainly outside. If not, then `excess` is negative unless it is
+  /// certainly not outside.
   template <class Coordinate>
-  [[nodiscard, gnu::always_inline]] Vector endless_length_and_excess(Coordinate coordinate,
-                                                                     Vector& excess) const noexcept {
+  [[nodiscard]] Vector endless_length(Coordinate coordinate, Vector& excess) const noexcept {
     Vector upper = end;
     Vector lower = begin;
-    narrow(coordinate, upper, lower);
-    return endless_length(upper, lower, excess);
-  }
-
- private:
-  /// The smallest upper and the largest lower bound on t.
-  template <class Coordinate>
-  [[gnu::always_inline]] void narrow(Coordinate coordinate, Vector& upper, Vector& lower) const noexcept {
 #pragma GCC unroll 6
     for (unsigned i = 0; i < 6; ++i) {
       const Vector t = bound(i, coordinate(i));
@@ -129,8 +131,6 @@ struct Slab {
         lower = L::maximum(t, lower);
       }
     }
-  }
-  [[nodiscard]] Vector endless_length(Vector upper, Vector lower, Vector& excess) const noexcept {
     excess = L::multiply_add(lower, narrower, L::subtract(upper, margin));
     return L::subtract(upper, lower);
   }
@@ -223,7 +223,7 @@ template <class L, class SlabType, class Corners, class Word>
       typename L::Vector excess[4];
 #pragma GCC unroll 4
       for (unsigned v = 0; v < 4; ++v) {
-        length[v] = slab.endless_length_and_excess(
+        length[v] = slab.endless_length(
             [&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); }, excess[v]);
         length[v] = word.choose(four + v * L::width, length[v], L::all(outside_for_certain));
       }
