@@ -17,7 +17,6 @@ namespace {
 
 using kernel::Colour;
 using kernel::Colouring;
-using kernel::JoinedEdges;
 using kernel::table729;
 
 struct Pair {

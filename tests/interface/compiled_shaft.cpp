@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -24,7 +25,10 @@ static_assert(!std::is_aggregate_v<CompiledShaft>, "nobody writes its bytes by t
 constexpr Box lamp{{-0.0F, 1, 2}, {3, 4, 5}};
 constexpr Box table{{-7, 1, -9}, {0x1p-149F, 11, 12}};
 
-bool same_bits(const Box& one, const Box& other) { return std::memcmp(&one, &other, sizeof(Box)) == 0; }
+bool same_bits(const Box& one, const Box& other) {
+  using Bits = std::array<std::uint32_t, 6>;
+  return std::bit_cast<Bits>(one) == std::bit_cast<Bits>(other);
+}
 
 TEST(CompiledShaft, GivesTheBoxesItIsBetweenToTheBit) {
   std::array<CompiledShaft, 1> batch;
