@@ -64,6 +64,7 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
   std::vector<std::uint64_t> kept(words_for(bound_count));
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint32_t> listed(bound_count);
+  const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 8.5F}, {-9, 9, 8}};
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
@@ -83,6 +84,11 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                   (void)count(shaft, boxes.view());
                   (void)count_classified(shaft, spheres.view());
                   (void)any(shaft, spheres.view());
+                  (void)blocked(shaft, boxes_[0]);
+                  (void)blocked(shaft, boxes.view());
+                  (void)blocked(shaft, corners);
+                  (void)blocked_by(shaft, boxes.view());
+                  (void)list_blocking(shaft, boxes.view(), listed);
                   (void)list(shaft, boxes.view(), listed);
                   (void)list_classified(shaft, boxes.view(), listed, std::span<std::uint32_t>());
                 }
@@ -189,6 +195,9 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
                   classify(shaft, spheres, bits, other_bits, {.own = own});
                   contained(shaft, spheres, bits);
                   (void)any(shaft, boxes);
+                  (void)blocked(shaft, boxes, {.own = own});
+                  (void)blocked_by(shaft, boxes);
+                  (void)list_blocking(shaft, boxes, std::span(kept));
                 }
               }),
               0U)
@@ -231,6 +240,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
       };
       ask(boxes.view());
       ask(spheres.view());
+      blocked_many(shafts_, boxes.view(), std::span(counts).first(1));
     }
   };
   calls();  // threads are started once

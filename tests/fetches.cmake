@@ -4,7 +4,7 @@
 # OBJDUMP, OBJECTS (the object files).
 cmake_minimum_required(VERSION 3.22)
 
-set(sources_of_walks tree/one.cpp tree/many.cpp)
+set(sources_of_walks tree/blocked.cpp tree/one.cpp tree/many.cpp)
 set(other_sources tree/build.cpp tree/update.cpp refine/refine.cpp flat/bits.cpp flat/counts.cpp flat/lists.cpp)
 
 # disassemble(SOURCE): sets tokens to the functions of its object file, and what they fetch after that.

@@ -352,6 +352,9 @@ TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   const auto list = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists); };
   expect_lists_or_none(indices, list);
   expect_lists_or_none(ranges, list);
+  if constexpr (std::is_same_v<BoundOf<TypeParam>, Box>) {
+    expect_lists_or_none(indices, [&](auto& lists) { list_blocking_many(this->shafts_, this->tree_, lists); });
+  }
   const auto refine = [&](auto& lists) {
     refine_many(this->shafts_, this->tree_.leaves(), this->tree_.order(), lists);
   };
@@ -378,6 +381,7 @@ TYPED_TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
   const IndexListsOf<TypeParam> before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, spheres.view(), lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, boxes.view(), lists); });
   expect_both_lists_or_none(
       before, [&](auto& overlap, auto& inside) { list_classified_many(shafts, boxes.view(), overlap, inside); });
 }

@@ -12,6 +12,7 @@
 #include "columns.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/grid_answers.hpp"
+#include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 /// What all answers below hash to. Exact answers do not change: if this does, an answer was or is wrong.
 constexpr std::uint64_t recorded = 2012080876133702002U;
+constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
 
 constexpr std::size_t shafts = 600;
 constexpr std::size_t bounds = 131;  // two words and a rest
@@ -104,8 +106,8 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-/// How answers are asked for: alone in either form, or among many.
-enum class Way { slab, planes, grid };
+/// How answers are asked for: alone in either form, or among many; or what blocks.
+enum class Way { slab, planes, grid, blocking };
 
 template <class View>
 void add_answers(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
@@ -124,6 +126,27 @@ void add_answers(const CompiledShaft& shaft, const View& view, Way way, Digest& 
   classify(shaft, view, kept, inside, form);
   digest.add(kept);
   digest.add(inside);
+}
+
+void add_blocking(const CompiledShaft& shaft, const BoxView& view, Digest& digest) {
+  std::vector<std::uint64_t> listed(view.count);
+  listed.resize(list_blocking(shaft, view, listed));
+  listed.push_back(view.count);
+  digest.add(listed);
+}
+
+/// A box around the moving box half-way from a to b, or an ulp or two beside it; now and then one face is far away.
+Box around_middle(Numbers& numbers, const Box& a, const Box& b) {
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    // Exact in doubles for coordinates from fine() and grid(), so rounded once; halves of floats do not overflow.
+    const auto middle = [&](float from, float to) {
+      return numbers.near(static_cast<float>(0.5 * static_cast<double>(from) + 0.5 * static_cast<double>(to)));
+    };
+    box.lo[k] = numbers.below(4) == 0 ? -3e38F : middle(a.lo[k], b.lo[k]);
+    box.hi[k] = numbers.below(4) == 0 ? 3e38F : middle(a.hi[k], b.hi[k]);
+  }
+  return sorted(box.lo, box.hi);
 }
 
 std::uint64_t answers(Way way) {
@@ -159,6 +182,13 @@ std::uint64_t answers(Way way) {
     spheres[s % bounds].centre[s % 3] = nan;
 
     const CompiledShaft compiled = compile(shaft);
+    if (way == Way::blocking) {
+      for (Box& box : boxes) {
+        if (numbers.below(2) == 0) box = around_middle(numbers, a, b);
+      }
+      add_blocking(compiled, BoxColumns(boxes).view(), digest);
+      continue;
+    }
     add_answers(compiled, BoxColumns(boxes).view(), way, digest);
     add_answers(compiled, SphereColumns(spheres).view(), way, digest);
   }
@@ -171,6 +201,7 @@ TEST(SameBits, EveryBuildInstructionSetAndFormGivesTheAnswersOnRecord) {
     EXPECT_EQ(answers(Way::slab), recorded) << name(isa) << ", slab form";
     EXPECT_EQ(answers(Way::planes), recorded) << name(isa) << ", plane form";
     EXPECT_EQ(answers(Way::grid), recorded) << name(isa) << ", on a grid";
+    EXPECT_EQ(answers(Way::blocking), recorded_blocking) << name(isa) << ", what blocks";
   }
 }
 

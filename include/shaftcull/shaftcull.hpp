@@ -1,6 +1,7 @@
 /// Everything: two boxes → Shaft → CompiledShaft; bounds → streams or trees; both → bits, numbers, lists, callbacks.
 #pragma once
 
+#include "shaftcull/blocked.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"

@@ -18,4 +18,10 @@ void refuse_shaft(const ShaftData& shaft, bool outside, bool inside, std::size_t
   throw InvalidArgument(which + " was formed without " + missing + " (see ShaftOptions) and is asked for it");
 }
 
+void refuse_kind(std::size_t position) {
+  throw InvalidArgument("shaft " + std::to_string(position) +
+                        " is that of a swept box or a shadow, and is asked what " +
+                        "blocks it; only a shaft between two boxes has two ends to hide from each other");
+}
+
 }  // namespace shaftcull::kernel

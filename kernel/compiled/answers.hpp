@@ -9,6 +9,17 @@ namespace shaftcull::kernel {
 
 [[noreturn]] void refuse_shaft(const ShaftData& shaft, bool outside, bool inside, std::size_t position);
 
+[[noreturn]] void refuse_kind(std::size_t position);
+
+/// Throws InvalidArgument unless the shaft was formed, for whatever answers, between two boxes: others have no two ends
+/// that a box could hide from each other.
+inline void require_two_ends(const ShaftData& shaft, std::size_t position) {
+  if (!shaft.is_formed()) [[unlikely]]
+    refuse_shaft(shaft, false, false, position);
+  if (shaft.kind != ShaftData::Kind::between) [[unlikely]]
+    refuse_kind(position);
+}
+
 /// Throws InvalidArgument unless the shaft was formed to answer `outside` and `inside`, where asked, for spheres or
 /// boxes. `position` is the shaft's index among many, for the message.
 inline void require_answers(const ShaftData& shaft, bool outside, bool inside, bool spheres, std::size_t position) {

@@ -37,8 +37,8 @@ struct Rows {
   }
 };
 
-/// The bits that a call wants.
-enum class Bits : std::uint8_t { kept, kept_and_inside, inside };
+/// The bits that a call wants. For `blocking`, of boxes only, *kept* are those that block the shaft.
+enum class Bits : std::uint8_t { kept, kept_and_inside, inside, blocking };
 
 /// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
 template <class View>
@@ -47,7 +47,11 @@ void require_valid_query(std::span<const ShaftData> shafts, const View& bounds, 
   require_form(form);
   require_view(bounds);
   for (std::size_t s = 0; s != shafts.size(); ++s) {
-    require_answers(shafts[s], bits != Bits::inside, bits != Bits::kept, std::is_same_v<View, SphereView>, s);
+    if (bits == Bits::blocking) {
+      require_two_ends(shafts[s], s);
+    } else {
+      require_answers(shafts[s], bits != Bits::inside, bits != Bits::kept, std::is_same_v<View, SphereView>, s);
+    }
   }
 }
 
@@ -56,7 +60,7 @@ class BatchJob {
  public:
   /// Throws InvalidArgument as require_valid_query(). Inside bits alone are for Form::planes, which has no grid.
   BatchJob(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
-      : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), form_(form) {
+      : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), bits_(bits), form_(form) {
     require_valid_query(shafts_, bounds, bits, form);
     if (shafts_.size() <= group_shafts) form_on_grid(only_group_, shafts_, bounds.count);
   }
@@ -100,7 +104,7 @@ class BatchJob {
   [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }
 
   void form_on_grid(GroupOnGrid& group, std::span<const ShaftData> shafts, std::size_t bounds) const noexcept {
-    if (form_ == Form::planes) return;
+    if (form_ == Form::planes || bits_ == Bits::blocking) return;
     const FloatEnvironment environment;
     group.form(kernels_.grid, shafts, bounds, is_sphere);
   }
@@ -111,7 +115,8 @@ class BatchJob {
       if (form_ != Form::planes && group.size >= fewest_for_boxes())
         return test_boxed_tile(tile, first, group, kept, inside);
     }
-    test_tile(kernels_.test(tile, form_), tile.stream.data(), first, tile.count, group, kept, inside);
+    Test* const kernel = bits_ == Bits::blocking ? kernels_.blocking.boxes : kernels_.test(tile, form_);
+    test_tile(kernel, tile.stream.data(), first, tile.count, group, kept, inside);
   }
 
   void test_tile(Test* kernel, const float* const* stream, std::size_t first, std::size_t count, IndexRange group,
@@ -243,6 +248,7 @@ class BatchJob {
   std::span<const ShaftData> shafts_;
   View bounds_;
   const Kernels& kernels_;
+  Bits bits_;
   Form form_;
   GroupOnGrid only_group_;  // if there is only one, it is formed once for all tasks
 };

@@ -1,5 +1,5 @@
-/// list_many() and list_classified_many(): one pass over the bounds. Tasks list what they keep in memory of their own.
-/// Once all counts are known, these lists are copied to where they belong in the user's.
+/// list_many(), list_classified_many() and list_blocking_many(): one pass over the bounds. Tasks list what they keep in
+/// memory of their own. Once all counts are known, these lists are copied to where they belong in the user's.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include "flat/batch_job.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/task_memory.hpp"
+#include "shaftcull/blocked.hpp"
 #include "shaftcull/many.hpp"
 #include "support/list_memory.hpp"
 
@@ -35,9 +36,9 @@ void turn_into_positions(std::vector<std::uint64_t>& counts, std::size_t blocks,
 /// Lists bounds of one kind, those kept, or of two: those that overlap and those inside.
 template <class View, class Index, std::size_t kinds>
 void list_rows(std::span<const CompiledShaft> shafts, const View& bounds,
-               const std::array<IndexListsOf<Index>*, kinds>& lists, const char* call, Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, kinds == 2 ? kernel::Bits::kept_and_inside : kernel::Bits::kept,
-                                   form);
+               const std::array<IndexListsOf<Index>*, kinds>& lists, const char* call, Form form,
+               kernel::Bits kind_of_bits = kinds == 2 ? kernel::Bits::kept_and_inside : kernel::Bits::kept) {
+  const kernel::BatchJob<View> job(shafts, bounds, kind_of_bits, form);
   kernel::require_index_width<Index>(call, bounds.count);
 
   const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
@@ -139,6 +140,14 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const SphereVie
                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside, Form form) {
   list_classes(shafts, spheres, overlap, inside, form);
 }
+
+template <BoundIndex Index>
+void list_blocking_many(std::span<const CompiledShaft> shafts, const BoxView& solids, IndexListsOf<Index>& lists) {
+  list_rows<BoxView, Index, 1>(shafts, solids, {&lists}, "list_blocking_many()", Form::fastest, kernel::Bits::blocking);
+}
+
+template void list_blocking_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&);
+template void list_blocking_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&);
 
 template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&, Form);
 template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&, Form);

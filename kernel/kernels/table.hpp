@@ -56,6 +56,17 @@ using TestListedWords = void(const ShaftData& shaft, const float* const* stream,
                              std::size_t words, std::uint64_t* kept, std::uint64_t* inside,
                              unsigned least_kept) noexcept;
 
+/// Boxes that block a shaft: those that every segment between its two boxes passes through (shaftcull/blocked.hpp).
+/// Added planes are left out. The shaft must have been formed.
+struct BlockingKernels {
+  /// Writes as kept bits those of boxes that block the shaft. `inside` is null.
+  Test* boxes;
+  /// Likewise for words of a list; `least_kept` says nothing.
+  TestListedWords* listed_boxes;
+  /// Likewise for boxes around boxes: zero only where no box in them can block the shaft.
+  TestListedWords* listed_nodes;
+};
+
 /// Writes from[i] for every set bit i, ascending, to `out`, and returns how many. Reads all 64 of `from`, and may
 /// overwrite all 64 of `out`.
 using CompressIndices = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
@@ -198,6 +209,7 @@ struct Kernels {
   AddPlanes* add_planes;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
+  BlockingKernels blocking;
   CompressIndices* compress_indices;
   NodeBounds* node_bounds_of_boxes;
   NodeBounds* node_bounds_of_spheres;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiled/with_planes.hpp"
+#include "kernels/blocking/boxes.hpp"
 #include "kernels/boxes/inside_one_by_one.hpp"
 #include "kernels/boxes/outside_one_by_one.hpp"
 #include "kernels/boxes/planes.hpp"
@@ -293,6 +294,7 @@ inline constexpr Kernels kernels_for = {
     .add_planes = add_planes<FormationLanes>,
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
+    .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
     .compress_indices = compress_indices<L>,
     .node_bounds_of_boxes = node_bounds_of_boxes<L>,
     .node_bounds_of_spheres = node_bounds_of_spheres<L>,

@@ -5,13 +5,14 @@ namespace shaftcull::kernel {
 
 #ifdef SHAFTCULL_MUTANT
 // Defined by the mutation tests alone: a library that is built like this by accident does not link.
-extern bool drops_exact_step;        // undecided lanes are answered "no": not outside, not inside
-extern float accept_margin_factor;   // on the margin of spheres that are accepted without the exact predicate
-extern float bound_margin_factor;    // on the margin of spheres that are culled without the exact predicate
-extern float radius_margin_factor;   // on what a sphere's radius adds to the margin of joining planes
-extern float grid_slack_factor;      // on what snapping and rounding on a grid may be off by
-extern float grid_limit_factor;      // on the interval length above which a bound on a grid is certainly not outside
-extern float measured_error_factor;  // on the rounding errors that exact predicates measure
+extern bool drops_exact_step;         // undecided lanes are answered "no": not outside, not inside
+extern float accept_margin_factor;    // on the margin of spheres that are accepted without the exact predicate
+extern float bound_margin_factor;     // on the margin of spheres that are culled without the exact predicate
+extern float radius_margin_factor;    // on what a sphere's radius adds to the margin of joining planes
+extern float grid_slack_factor;       // on what snapping and rounding on a grid may be off by
+extern float grid_limit_factor;       // on the interval length above which a bound on a grid is certainly not outside
+extern float blocking_margin_factor;  // on the margin of boxes that block a shaft
+extern float measured_error_factor;   // on the rounding errors that exact predicates measure
 #else
 inline constexpr bool drops_exact_step = false;
 inline constexpr float accept_margin_factor = 1.0F;
@@ -19,6 +20,7 @@ inline constexpr float bound_margin_factor = 1.0F;
 inline constexpr float radius_margin_factor = 1.0F;
 inline constexpr float grid_slack_factor = 1.0F;
 inline constexpr float grid_limit_factor = 1.0F;
+inline constexpr float blocking_margin_factor = 1.0F;
 inline constexpr float measured_error_factor = 1.0F;
 #endif
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "parallel/parallel.hpp"
+#include "shaftcull/blocked.hpp"
 #include "support/index_range.hpp"
 #include "support/list_memory.hpp"
 #include "tree/query.hpp"
@@ -107,9 +108,10 @@ void require_apart(const kernel::Query<Bound, Index>& query, const char* call, c
 
 template <class Bound, class Index, class Lists>
 void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& lists,
-               const ExcludingOf<Index>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
-  require_apart(query, "list_many", "lists", lists);
+               const ExcludingOf<Index>& excluding, Question question = Question::kept,
+               const char* call = "list_many") {
+  const kernel::Query<Bound, Index> query(shafts, tree, question, excluding);
+  require_apart(query, call, "lists", lists);
   TaskOutputs<Lists> all(shafts.size(), lists);
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
@@ -223,6 +225,16 @@ void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
                LeafRangeListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   list_kept(shafts, tree, lists, excluding);
 }
+
+template <BoundIndex Index>
+void list_blocking_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& solids,
+                        IndexListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  list_kept(shafts, solids, lists, excluding, Question::blocking, "list_blocking_many");
+}
+template void list_blocking_many(std::span<const CompiledShaft>, const BoundsTree<Box, std::uint32_t>&,
+                                 IndexListsOf<std::uint32_t>&, const ExcludingOf<std::uint32_t>&);
+template void list_blocking_many(std::span<const CompiledShaft>, const BoundsTree<Box, std::uint64_t>&,
+                                 IndexListsOf<std::uint64_t>&, const ExcludingOf<std::uint64_t>&);
 
 template <class Bound, BoundIndex Index>
 void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,

@@ -35,8 +35,12 @@ class Query {
     if (parts_.dirty_words != 0) throw NeedsRefit("query of a tree whose bounds were updated; call refit() first");
     require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      require_answers(shafts_[s], question != Question::inside, question != Question::kept,
-                      std::is_same_v<Bound, Sphere>, s);
+      if (question == Question::blocking) {
+        require_two_ends(shafts_[s], s);
+      } else {
+        require_answers(shafts_[s], question != Question::inside, question != Question::kept,
+                        std::is_same_v<Bound, Sphere>, s);
+      }
     }
     if (own_per_shaft_ * shafts.size() != own_.size()) {
       throw InvalidArgument("excluding.own has " + counted_indices(own_.size()) + ", which is not a multiple of the " +

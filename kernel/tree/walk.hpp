@@ -19,14 +19,19 @@
 
 namespace shaftcull::kernel {
 
-/// What a walk is asked. For Question::inside alone a visitor is told, all the same, what is kept.
-enum class Question : std::uint8_t { kept, kept_and_inside, inside };
+/// What a walk is asked. For Question::inside alone a visitor is told, all the same, what is kept. For
+/// Question::blocking, of boxes only, *kept* are those that block the shaft.
+enum class Question : std::uint8_t { kept, kept_and_inside, inside, blocking };
+
+[[nodiscard]] constexpr bool asks_for_inside(Question question) noexcept {
+  return question == Question::kept_and_inside || question == Question::inside;
+}
 
 /// Gives a visitor everything that the shaft keeps, in tree order:
 ///
 ///     visitor.prefetch(first)            leaves first … first + 63 will be tested
 ///     visitor.word(first, kept, inside)  leaves first … first + 63, some of which are kept; inside is 0 for
-///                                        Question::kept
+///                                        Question::kept and Question::blocking
 ///     visitor.range(first, size)         leaves that are all inside, whole words
 ///
 /// A visitor may also have visitor.is_done(), which says that it has seen enough: the walk ends there.
@@ -36,16 +41,17 @@ class Walk {
   Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const ShaftData& shaft, Question question,
        Visitor& visitor) noexcept
       : parts_(parts),
-        test_leaves_(kernels.listed(ViewOf<Bound>{})),
-        test_nodes_(kernels.listed_boxes),
+        test_leaves_(question == Question::blocking ? kernels.blocking.listed_boxes : kernels.listed(ViewOf<Bound>{})),
+        test_nodes_(question == Question::blocking ? kernels.blocking.listed_nodes : kernels.listed_boxes),
         prefetches_(parts.is_worth_prefetching()),
         question_(question),
         visitor_(visitor),
         leaf_(parts.leaves.view().stream),
-        with_planes_(shaft, question != Question::kept ||
-                                outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest)),
+        with_planes_(shaft, asks_for_inside(question) ||
+                                (question == Question::kept &&
+                                 outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest))),
         shaft_(with_planes_.shaft()),
-        tests_inside_(shaft_.answers_inside && shaft_.has_planes()) {}
+        tests_inside_(question != Question::blocking && shaft_.answers_inside && shaft_.has_planes()) {}
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
 
@@ -124,7 +130,7 @@ class Walk {
   void visit_leaves(const std::uint32_t* word, std::size_t words) {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
-    const bool both = question_ != Question::kept;
+    const bool both = asks_for_inside(question_);
     test_leaves_(shaft_, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
     for (std::size_t i = 0; i != words; ++i) {
       if (kept[i] == 0) continue;

@@ -53,6 +53,13 @@ class Arguments : public testing::Test {
     ask([&] { (void)list(shafts_[0], view, kept); });
     ask([&] { (void)list_classified(shafts_[0], view, kept, inside); });
     ask([&] { (void)any(shafts_[0], view); });
+    if constexpr (std::is_same_v<View, BoxView>) {
+      ask([&] { (void)blocked(shafts_[0], view); });
+      ask([&] { (void)blocked_by(shafts_[0], view); });
+      ask([&] { (void)list_blocking(shafts_[0], view, kept); });
+      ask([&] { blocked_many(shafts_, view, std::span(kept_).first(1)); });
+      ask([&] { list_blocking_many(shafts_, view, lists); });
+    }
     ask([&] { cull_many(shafts_, view, kept_); });
     ask([&] { classify_many(shafts_, view, kept_, inside_); });
     ask([&] { contained_many(shafts_, view, inside_); });

@@ -40,6 +40,9 @@ class EveryCall {
       spheres_.push_back({boxes_.back().lo, i % 5 == 0 ? random.integer(0, 3) : random.uniform(0.01F, 0.5F)});
       if (i % 7 == 0) candidates_.push_back(static_cast<std::uint32_t>(i));
     }
+    for (std::size_t s = 0; s != shafts_.size(); ++s) {
+      if (!is_moving(s)) between_.push_back(shafts_[s]);
+    }
     box_stream_ = BoxStream(boxes_);
     sphere_stream_ = SphereStream(spheres_);
     box_tree_ = BoxTree(box_stream_.view());
@@ -62,7 +65,7 @@ class EveryCall {
     for (std::size_t s = 0; s != count; ++s) {
       Shaft shaft(s % 2 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.2F, 2.0F), random.grid_box(-5, 5));
       if (s % 4 == 0) shaft.add_plane({{1, 2, 3}, 4});
-      if (s % 7 == 6) {
+      if (is_moving(s)) {
         const Box& body = shaft.a();
         const Vec3 way{1, 0.25F, s % 2 == 0 ? 0.0F : -3.0F};
         const Vec3 light{body.hi[0] + 2, body.lo[1], body.lo[2]};
@@ -80,6 +83,9 @@ class EveryCall {
   }
 
  private:
+  /// Whether a shaft of shafts() is that of a moving box, which has no two ends.
+  static bool is_moving(std::size_t shaft) { return shaft % 7 == 6; }
+
   template <class T>
   static void note(AnswerWords& words, const T& value) {
     if constexpr (std::is_same_v<T, float>) {
@@ -335,6 +341,7 @@ class EveryCall {
     add("cull one" + of, true, [=, this, &bounds](AnswerWords& words) {
       for (const CompiledShaft& shaft : shafts_) note(words, cull(shaft, bounds[1]));
     });
+    if constexpr (std::is_same_v<Bound, Box>) blocked_calls(view, bounds, tree);
     add("refine" + of, true, [=, this](AnswerWords& words) {
       std::vector<std::uint32_t> kept(candidates_.size());
       for (const CompiledShaft& shaft : shafts_) {
@@ -347,6 +354,44 @@ class EveryCall {
       note(words, lists.indices);
     });
     tree_calls<Bound>(of, view, bounds, tree);
+  }
+
+  void blocked_calls(const BoxView& view, const std::vector<Box>& boxes, const BoxTree& tree) {
+    const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 8.5F}, {-9, 9, 8}};
+    add("blocked", true, [=, this, &boxes, &tree](AnswerWords& words) {
+      for (const CompiledShaft& shaft : between_) {
+        note(words, blocked(shaft, boxes[1]));
+        note(words, blocked(shaft, view));
+        note(words, blocked(shaft, corners));
+        note(words, blocked(shaft, tree, {.own = candidates_}));
+        note(words, blocked_by(shaft, view).value_or(view.count));
+        note(words, blocked_by(shaft, tree).value_or(999));
+      }
+    });
+    add("list_blocking", true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint32_t> listed(view.count);
+      std::vector<std::uint64_t> wide(view.count);
+      for (const CompiledShaft& shaft : between_) {
+        note(words, std::span(listed).first(list_blocking(shaft, view, listed)));
+        note(words, std::span(wide).first(list_blocking(shaft, view, wide)));
+        note(words, std::span(listed).first(list_blocking(shaft, tree, listed, {.own = candidates_})));
+      }
+    });
+    add("list_blocking_many", true, [=, this, &tree](AnswerWords& words) {
+      IndexLists lists;
+      list_blocking_many(between_, view, lists);
+      note(words, lists.offsets);
+      note(words, lists.indices);
+      list_blocking_many(between_, tree, lists);
+      note(words, lists.indices);
+    });
+    add("blocked_many", true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint64_t> bits(words_for(between_.size()));
+      blocked_many(between_, view, bits);
+      note(words, bits);
+      blocked_many(between_, tree, bits);
+      note(words, bits);
+    });
   }
 
   template <class Bound>
@@ -473,6 +518,7 @@ class EveryCall {
   }
 
   std::vector<CompiledShaft> shafts_;
+  std::vector<CompiledShaft> between_;  ///< those of them that are between two boxes
   std::vector<Box> boxes_;
   std::vector<Sphere> spheres_;
   std::vector<std::uint32_t> candidates_;

@@ -64,9 +64,18 @@ TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
   }
 }
 
+TEST(ReadmeQuestions, AWallHidesAPatch) {
+  const auto is_hidden = [](const sc::BoxStream& walls) { return sc::blocked(sc::compile(patch, other_patch), walls); };
+  std::vector<sc::Box> walls{{{20, 0, 5}, {21, 1, 6}}, {{-1, -1, 5}, {2, 2, 6}}};
+  EXPECT_TRUE(is_hidden(sc::BoxStream(walls)));
+  walls[1].lo[0] = 0.5F;
+  EXPECT_FALSE(is_hidden(sc::BoxStream(walls)));
+}
+
 TEST(ReadmeQuestions, AreAskedAsTheReadmeSays) {
   std::ifstream file(SHAFTCULL_README);
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(readme.find("`sc::blocked(sc::compile(patch, other_patch), walls)`"), std::string::npos);
   for (const Question& question : questions()) {
     EXPECT_NE(readme.find("`" + std::string(question.code) + "`"), std::string::npos) << question.code;
   }

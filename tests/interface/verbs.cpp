@@ -18,7 +18,7 @@ namespace {
 
 /// The rows of the README's table, which the assertions below go through: the question, then the verbs of one shaft and
 /// of many on views and on trees.
-constexpr std::array<std::array<const char*, 5>, 10> table = {{
+constexpr std::array<std::array<const char*, 5>, 13> table = {{
     {"which are kept: bits", "cull", "cull_many", "cull", "cull_many"},
     {"which are kept, which are inside: bits of both", "classify", "classify_many", "classify", "classify_many"},
     {"which are inside: bits", "contained", "contained_many", "contained", "contained_many"},
@@ -29,6 +29,9 @@ constexpr std::array<std::array<const char*, 5>, 10> table = {{
     {"which overlap, which are inside: indices", "list_classified", "list_classified_many", "list_classified",
      "list_classified_many"},
     {"is any kept", "any", "any_many", "any", "any_many"},
+    {"does a box block every segment", "blocked", "blocked_many", "blocked", "blocked_many"},
+    {"the first box that does: its index", "blocked_by", "", "blocked_by", ""},
+    {"which boxes do: indices", "list_blocking", "list_blocking_many", "list_blocking", "list_blocking_many"},
     {"which are kept: a callback", "", "for_each_tile", "", "for_each_kept"},
     {"which overlap, which are inside: a callback", "", "for_each_classified_tile", "", "for_each_classified"},
 }};
@@ -96,6 +99,25 @@ concept TellsWhetherAny = requires(const Bounds& bounds, Given given) {
   { any_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
 };
 
+/// A matter of boxes.
+template <class Bounds>
+concept TellsWhetherBlocked = requires(const Bounds& bounds, Given given) {
+  { blocked(given.shaft, bounds) } -> std::same_as<bool>;
+  { blocked_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+  { blocked_by(given.shaft, bounds).has_value() } -> std::same_as<bool>;
+};
+
+template <class Bounds>
+concept ListsWhatBlocks = requires(const Bounds& bounds, Given given) {
+  { list_blocking(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
+  { list_blocking_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
+};
+template <class Bounds>
+concept ListsWhatBlocksWide = requires(const Bounds& bounds, Given given) {
+  { list_blocking(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
+  { list_blocking_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
+};
+
 template <class Bounds>
 concept CallsBackForTiles = requires(const Bounds& bounds, Given given) {
   { for_each_tile(given.shafts, bounds, SeeTile()) } -> std::same_as<void>;
@@ -137,6 +159,13 @@ static_assert(AnswersAsAView<SphereView>);
 static_assert(AnswersAsAView<BoxStream>, "a stream goes where a view goes");
 static_assert(AnswersAsAView<SphereStream>);
 
+static_assert(TellsWhetherBlocked<BoxView> && TellsWhetherBlocked<BoxStream>);
+static_assert(TellsWhetherBlocked<BoxTree> && TellsWhetherBlocked<BoundsTree<Box, std::uint64_t>>);
+static_assert(!TellsWhetherBlocked<SphereView> && !TellsWhetherBlocked<SphereTree>);
+static_assert(ListsWhatBlocks<BoxView> && ListsWhatBlocksWide<BoxStream> && !ListsWhatBlocks<SphereView>);
+static_assert(ListsWhatBlocks<BoxTree> && !ListsWhatBlocksWide<BoxTree> && !ListsWhatBlocks<SphereTree>);
+static_assert(ListsWhatBlocksWide<BoundsTree<Box, std::uint64_t>>);
+
 /// Lists of trees have indices of the tree's kind.
 template <class Tree>
 concept AnswersAsATree = GivesBits<Tree> && GivesNumbers<Tree> && TellsWhetherAny<Tree> && CallsBackForShafts<Tree> &&
@@ -154,6 +183,12 @@ concept IsAnsweredAlone = requires(const Bound& bound, const CompiledShaft& shaf
   { classify(shaft, bound) } -> std::same_as<Answer>;
 };
 static_assert(IsAnsweredAlone<Box> && IsAnsweredAlone<Sphere>);
+
+template <class Bound>
+concept BlocksAlone = requires(const Bound& bound, const CompiledShaft& shaft) {
+  { blocked(shaft, bound) } -> std::same_as<bool>;
+};
+static_assert(BlocksAlone<Box> && BlocksAlone<std::vector<Vec3>> && !BlocksAlone<Sphere>);
 
 /// Streams and trees are made of whatever holds bounds.
 static_assert(std::constructible_from<BoxStream, BoxView> && std::constructible_from<SphereStream, SphereView>);

@@ -16,6 +16,7 @@ float bound_margin_factor = 1.0F;
 float radius_margin_factor = 1.0F;
 float grid_slack_factor = 1.0F;
 float grid_limit_factor = 1.0F;
+float blocking_margin_factor = 1.0F;
 float measured_error_factor = 1.0F;
 
 }  // namespace kernel
@@ -56,6 +57,8 @@ bool apply(std::string_view fault) {
     kernel::grid_slack_factor = weak;
   } else if (fault == "grid_limit") {
     kernel::grid_limit_factor = weak;
+  } else if (fault == "blocking_margin") {
+    kernel::blocking_margin_factor = weak;
   } else if (fault == "measured_error") {
     kernel::measured_error_factor = weak;
   } else if (fault == "no_exact_step") {

@@ -101,6 +101,35 @@ inline Box touching_far_sweep(Random& random, const ShaftInput& input) {
   return box;
 }
 
+/// A box that blocks the shaft or, by an ulp or two, does not: on the way from a to b it holds the whole moving box, or
+/// its faces are beyond, but for one or two axes on which it is as thin as a screen.
+inline Box blocking_box(Random& random, const ShaftInput& input) {
+  const float middle = random.one_in(4) ? random.integer(1, 3) / 4 : random.uniform(0.0F, 1.0F);
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    const auto on_the_way = [&](const Vec3& from, const Vec3& to, float t) {
+      const auto p = static_cast<double>(from[k]);
+      return static_cast<float>(p + static_cast<double>(t) * (static_cast<double>(to[k]) - p));
+    };
+    const auto beyond = [&](float x, float sign) {
+      if (random.one_in(2)) return random.nudge(x);
+      const float extent = std::max(std::abs(x), 0x1p-140F) * random.uniform(0.0F, 1.0F);
+      return std::clamp(x + sign * extent, -3e38F, 3e38F);
+    };
+    const float t = random.one_in(4) ? random.uniform(0.0F, 1.0F) : middle;
+    const float lo = on_the_way(input.a.lo, input.b.lo, t);
+    const float hi = on_the_way(input.a.hi, input.b.hi, random.one_in(4) ? random.uniform(0.0F, 1.0F) : t);
+    if (random.one_in(4)) {  // a screen
+      box.lo[k] = box.hi[k] = random.nudge(random.one_in(2) ? lo : hi);
+      if (random.one_in(2)) box.hi[k] = random.nudge(std::max(lo, hi));
+    } else {
+      box.lo[k] = beyond(lo, -1);
+      box.hi[k] = beyond(hi, 1);
+    }
+  }
+  return Random::sorted(box.lo, box.hi);
+}
+
 /// A sphere around `centre` whose radius is, to an ulp or two, its distance from the shaft, or its depth in it.
 inline Sphere touching_sphere(Random& random, const oracle::QuickHull& hull, const Vec3& centre) {
   return {centre, std::max(0.0F, random.nudge(static_cast<float>(std::min(hull.distance_to_surface(centre), 3e38))))};

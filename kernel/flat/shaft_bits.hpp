@@ -1,0 +1,49 @@
+/// One bit a shaft: a task tests its bounds tile by tile, each with those shafts only whose bit is not set yet.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "flat/tiling.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull::kernel {
+
+/// Sets bit s, one of words_for(shafts) words, iff test(s, tile, bits) gives a bound a bit in some tile of the view. It
+/// writes words_for(tile.count) words.
+template <class View, class Test>
+void find_by_shaft(std::size_t shafts, const View& bounds, std::span<std::uint64_t> found_bits, const Test& test) {
+  std::fill(found_bits.begin(), found_bits.end(), 0);
+  const Tiling tiling = Tiling::unordered(bounds.count, shafts);
+  static_assert(group_shafts == std::numeric_limits<std::uint64_t>::digits, "a group's bits are one word");
+  parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const IndexRange block = tiling.block(b);
+    const IndexRange group = tiling.group(g);
+    const std::uint64_t all = ~std::uint64_t{0} >> (group_shafts - group.size);
+    const std::atomic_ref<std::uint64_t> found(found_bits[g]);
+    for (std::size_t first = block.first; first != block.end();) {
+      const View tile = bounds.slice(first, std::min(float_tile_bounds, block.end() - first));
+      std::uint64_t found_here = 0;
+      std::uint64_t left = all & ~found.load(std::memory_order_relaxed);
+      if (left == 0) return;
+      for (; left != 0; left &= left - 1) {
+        const auto s = static_cast<std::size_t>(std::countr_zero(left));
+        std::uint64_t bits[words_for(float_tile_bounds)];
+        test(group.first + s, tile, bits);
+        const bool is_any =
+            std::any_of(bits, bits + words_for(tile.count), [](std::uint64_t word) { return word != 0; });
+        found_here |= std::uint64_t{is_any} << s;
+      }
+      found.fetch_or(found_here, std::memory_order_relaxed);
+      first += tile.count;
+    }
+  });
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,223 @@
+/// Boxes that block a shaft: boxes that every segment from its one end to the other passes through.
+///
+/// Such a box satisfies lo(t) > box.lo and hi(t) < box.hi for all pairs of constraints on different axes, and on every
+/// axis it reaches across: box.lo is less than one end's lo face, and box.hi greater than one end's hi face
+/// (docs/exactness.md). Comparisons decide the second part, exactly, and leave few boxes.
+#pragma once
+
+#include "exact/blocking.hpp"
+#include "kernels/boxes/slab.hpp"
+#include "kernels/shared/word.hpp"
+#include "kernels/table.hpp"
+#include "kernels/tree/listed_words.hpp"
+
+namespace shaftcull::kernel {
+
+/// What is asked.
+enum class BlockingQuestion : std::uint8_t {
+  boxes,             ///< which boxes block the shaft
+  boxes_in_a_plane,  ///< likewise, of a shaft that is flat: flat boxes in its plane may block it
+  nodes,             ///< which boxes may hold one that blocks it
+};
+
+/// Relative error of a sum of two parameters: five roundings, and one more to spare.
+inline constexpr float blocking_margin = 6 * 0x1p-24F;
+
+/// Whether the reciprocal of a face's travel is a float with all its bits.
+template <class L>
+bool has_reciprocal(float travel) noexcept {
+  const float length = __builtin_fabsf(travel);
+  return length >= 0x1p-126F && length <= 0x1p126F;
+}
+
+/// Whether the shaft's two boxes lie in one plane across an axis.
+template <class L>
+bool is_in_a_plane(const ShaftData& shaft) noexcept {
+  for (unsigned k = 0; k < 3; ++k) {
+    if (shaft.a[k] == shaft.a[k + 3] && shaft.a[k] == shaft.b[k] && shaft.a[k] == shaft.b[k + 3]) return true;
+  }
+  return false;
+}
+
+/// A shaft's constraints in registers.
+///
+/// A constraint that bounds t from below has `since` = (x − a's face) / travel, which t exceeds; one that bounds it
+/// from above has `until` = (b's face − x) / travel, which 1 − t exceeds. No t is left for both if their sum is 1 or
+/// more. Constraints that are satisfied for all t have negative values, which count as 0.
+template <class L, BlockingQuestion question>
+class BlockingConstraints {
+  using Vector = typename L::Vector;
+  using Mask = typename L::Mask;
+
+ public:
+  explicit BlockingConstraints(const ShaftData& shaft) noexcept : shaft_(shaft) {
+    bool is_exact = false;
+    float base[6];
+    float since[6];
+    float until[6];
+    for (unsigned f = 0; f < 6; ++f) {
+      const float travel = shaft.b[f] - shaft.a[f];
+      const bool from_below = (travel > 0) == (f < 3);
+      base[f] = from_below ? shaft.a[f] : shaft.b[f];
+      since[f] = until[f] = 0;
+      if (travel == 0) continue;
+      if (!has_reciprocal<L>(travel)) is_exact = true;
+      (from_below ? since : until)[f] = (from_below ? 1.0F : -1.0F) / travel;
+    }
+    for (unsigned f = 0; f < 6; ++f) {
+      base_[f] = L::all(base[f]);
+      since_[f] = L::all(is_exact ? 0 : since[f]);
+      until_[f] = L::all(is_exact ? 0 : until[f]);
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+      largest_lo_[k] = L::all(shaft.a[k] > shaft.b[k] ? shaft.a[k] : shaft.b[k]);
+      smallest_hi_[k] = L::all(shaft.a[k + 3] < shaft.b[k + 3] ? shaft.a[k + 3] : shaft.b[k + 3]);
+    }
+    // Where floats would overflow, nothing is certain.
+    certain_ = L::all(is_exact ? -1.0F : 1 - blocking_margin * blocking_margin_factor);
+    possible_ = L::all(1 + blocking_margin * blocking_margin_factor);
+  }
+  BlockingConstraints(const BlockingConstraints&) = delete;
+  BlockingConstraints& operator=(const BlockingConstraints&) = delete;
+
+  /// Bits of the boxes of the word at `at` for which the question is to be answered yes.
+  template <class Word>
+  [[nodiscard]] std::uint64_t bits(const float* const* stream, std::size_t at, const Word& word) const noexcept {
+    std::uint64_t across = 0;
+    for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
+      across |= L::bits(reaches_across(stream, at, word, lane)) << lane;
+    }
+    if (across == 0) return 0;
+    return of_those_across(stream, at, word, across);
+  }
+
+ private:
+  static constexpr bool closed = question != BlockingQuestion::boxes;
+
+  [[nodiscard]] static Mask before(Vector x, Vector y) noexcept { return closed ? L::less_equal(x, y) : L::less(x, y); }
+
+  template <class Word>
+  [[nodiscard]] Mask reaches_across(const float* const* stream, std::size_t at, const Word& word,
+                                    unsigned lane) const noexcept {
+    Mask across = L::both(before(word.load(stream[0], at, lane), largest_lo_[0]),
+                          before(smallest_hi_[0], word.load(stream[3], at, lane)));
+#pragma GCC unroll 2
+    for (unsigned k = 1; k < 3; ++k) {
+      across = L::both(across, L::both(before(word.load(stream[k], at, lane), largest_lo_[k]),
+                                       before(smallest_hi_[k], word.load(stream[k + 3], at, lane))));
+    }
+    return across;
+  }
+
+  /// Likewise, where some box reaches across the shaft on all axes.
+  template <class Word>
+  [[nodiscard, gnu::noinline]] std::uint64_t of_those_across(const float* const* stream, std::size_t at,
+                                                             const Word& word, std::uint64_t across) const noexcept {
+    std::uint64_t certain = 0;
+    std::uint64_t possible = 0;
+    for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
+      if ((across & lanes_of<L>(lane)) == 0) continue;
+      Vector box[6];
+#pragma GCC unroll 6
+      for (unsigned f = 0; f < 6; ++f) box[f] = word.load(stream[f], at, lane);
+      const Vector sum = largest_sum(box);
+      Mask may = L::less_equal(sum, possible_);
+      Mask does = L::less(sum, certain_);
+      if constexpr (question != BlockingQuestion::nodes) {
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < 3; ++k) {
+          may = L::both(may, L::less_equal(box[k], box[k + 3]));
+          if constexpr (closed) {
+            does = L::both(does, L::both(L::less(box[k], largest_lo_[k]), L::less(smallest_hi_[k], box[k + 3])));
+          }
+        }
+      }
+      possible |= L::bits(may) << lane;
+      certain |= L::bits(does) << lane;
+    }
+    possible &= across;
+    if constexpr (question == BlockingQuestion::nodes) return possible;
+    certain &= possible;
+    if (possible == certain) return certain;
+    return certain | decide_lanes<L>(possible & ~certain, [&](unsigned lane) {
+             return box_blocks(shaft_, BoundAt<L, 6>(stream, at + lane).value);
+           });
+  }
+
+  /// The largest sum of a constraint from below and one from above on another axis. Never NaN: maximum passes over a
+  /// NaN in its first argument.
+  [[nodiscard]] Vector largest_sum(const Vector (&box)[6]) const noexcept {
+    Vector since[3];
+    Vector until[3];
+#pragma GCC unroll 3
+    for (unsigned k = 0; k < 3; ++k) {
+      const Vector lo = L::subtract(box[k], base_[k]);
+      const Vector hi = L::subtract(box[k + 3], base_[k + 3]);
+      const Vector none = L::all(0.0F);
+      since[k] = L::maximum(L::multiply(lo, since_[k]), L::maximum(L::multiply(hi, since_[k + 3]), none));
+      until[k] = L::maximum(L::multiply(lo, until_[k]), L::maximum(L::multiply(hi, until_[k + 3]), none));
+    }
+    const Vector x = L::add(since[0], L::maximum(until[1], until[2]));
+    const Vector y = L::add(since[1], L::maximum(until[2], until[0]));
+    const Vector z = L::add(since[2], L::maximum(until[0], until[1]));
+    return L::maximum(x, L::maximum(y, z));
+  }
+
+  const ShaftData& shaft_;
+  Vector largest_lo_[3];
+  Vector smallest_hi_[3];
+  Vector base_[6];
+  Vector since_[6];
+  Vector until_[6];
+  Vector certain_;
+  Vector possible_;
+};
+
+/// Writes the bits of `words` whole words, and of the rest behind them if there is one.
+template <class L, BlockingQuestion question, class Words>
+void blocking_words(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
+                    std::uint64_t* blocking) noexcept {
+  const BlockingConstraints<L, question> constraints(shaft);
+  for (std::size_t w = 0; w < words; ++w) blocking[w] = constraints.bits(stream, position(w), WholeWord<L>{});
+  if constexpr (requires { position.rest; }) {
+    if (position.rest == 0) return;
+    blocking[words] =
+        constraints.bits(stream, position(words), PartialWord<L>{position.rest}) & first_bits(position.rest);
+  }
+}
+
+/// Likewise, of boxes.
+template <class L, class Words>
+void blocking_boxes(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
+                    std::uint64_t* blocking) noexcept {
+  if (is_in_a_plane<L>(shaft)) {
+    blocking_words<L, BlockingQuestion::boxes_in_a_plane>(shaft, stream, position, words, blocking);
+  } else {
+    blocking_words<L, BlockingQuestion::boxes>(shaft, stream, position, words, blocking);
+  }
+}
+
+// As BlockingKernels has them.
+
+template <class L>
+void test_blocking(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* blocking,
+                   std::uint64_t* /*inside*/) noexcept {
+  const ConsecutiveWords<L> position{.rest = static_cast<unsigned>(count % word_bits)};
+  blocking_boxes<L>(shaft, stream, position, count / word_bits, blocking);
+}
+
+template <class L>
+void test_blocking_listed(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
+                          std::size_t words, std::uint64_t* blocking, std::uint64_t* /*inside*/,
+                          unsigned /*least_kept*/) noexcept {
+  blocking_boxes<L>(shaft, stream, ListedWords<L>{word}, words, blocking);
+}
+
+template <class L>
+void test_blocking_nodes(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
+                         std::size_t words, std::uint64_t* blocking, std::uint64_t* /*inside*/,
+                         unsigned /*least_kept*/) noexcept {
+  blocking_words<L, BlockingQuestion::nodes>(shaft, stream, ListedWords<L>{word}, words, blocking);
+}
+
+}  // namespace shaftcull::kernel
