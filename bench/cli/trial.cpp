@@ -1,16 +1,19 @@
 #include "trial.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "oracle/blocking.hpp"
 #include "oracle/cases/families.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/quick_hull.hpp"
 #include "oracle/random.hpp"
+#include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
 #include "undecided.hpp"
@@ -52,6 +55,7 @@ TrialCounts& TrialCounts::operator+=(const TrialCounts& other) noexcept {
   bounds += other.bounds;
   outside += other.outside;
   inside += other.inside;
+  blocking += other.blocking;
   undecided_slab += other.undecided_slab;
   undecided_planes += other.undecided_planes;
   touching += other.touching;
@@ -72,6 +76,7 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
       spheres_(number / std::size(families) % 2 != 0),
       kept_(words_for(bounds)),
       inside_(words_for(bounds)),
+      blocking_(words_for(bounds)),
       wrong_(words_for(bounds)) {
   Random random(mixed(seed) ^ number);
   const Family& family = families[family_];
@@ -109,17 +114,21 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
       memory_[start_[3] + i] = sphere.radius;
       answer_by_oracle(i, sphere);
     } else {
-      const Box box = family.box(random, input_);
+      const Box box = random.one_in(8) ? blocking_box(random, input_) : family.box(random, input_);
       for (std::size_t k = 0; k != 3; ++k) {
         memory_[start_[k] + i] = box.lo[k];
         memory_[start_[k + 3] + i] = box.hi[k];
       }
       answer_by_oracle(i, box);
+      // What blocks meets the shaft between the boxes; whether a plane that was added is in the way does not matter.
+      const bool is_outside = input_.added.empty() && (kept_[i / 64] & bit(i)) == 0;
+      if (!is_outside && oracle::blocks(input_.a, input_.b, box)) blocking_[i / 64] |= bit(i);
     }
   }
   counts_.bounds = count_;
   counts_.outside = count_ - population(kept_);
   counts_.inside = population(inside_);
+  counts_.blocking = population(blocking_);
   if (spheres_) {
     count_undecided(sphere_view());
   } else {
@@ -165,6 +174,25 @@ void Trial::compare(const std::vector<std::uint64_t>& got, const std::vector<std
       }
     }
   }
+}
+
+void Trial::ask_blocking(const CompiledShaft& shaft, const char* how) {
+  const auto question = [&](const char* call) {
+    return [=] { return fmt::format("{}, {}, {}", call, how, name(active_isa())); };
+  };
+  std::vector<std::uint64_t> listed(count_);
+  listed.resize(list_blocking(shaft, boxes(), listed));
+  std::vector<std::uint64_t> blocking(blocking_.size());
+  for (const std::uint64_t i : listed) blocking[i / 64] |= bit(i);
+  compare(blocking, blocking_, question("list_blocking"));
+  std::vector<std::uint64_t> alone(blocking_.size());
+  for (std::size_t i = 0; i != count_; ++i) {
+    if (blocked(shaft, boxes()[i])) alone[i / 64] |= bit(i);
+  }
+  compare(alone, blocking_, question("blocked, one box"));
+  const bool is_blocked = std::any_of(blocking_.begin(), blocking_.end(), [](std::uint64_t word) { return word != 0; });
+  if (blocked(shaft, boxes()) != is_blocked) fail(0, question("blocked, a view")());
+  if (blocked(shaft, BoxTree(boxes())) != is_blocked) fail(0, question("blocked, a tree")());
 }
 
 template <class View>
@@ -216,6 +244,7 @@ void Trial::ask(std::span<Trial> trials) {
         trial.ask(shaft, trial.sphere_view(), how);
       } else {
         trial.ask(shaft, trial.boxes(), how);
+        trial.ask_blocking(shaft, how);
       }
     };
     ask_of(trial.shaft_, "compile");

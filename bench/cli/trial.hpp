@@ -18,6 +18,7 @@ struct TrialCounts {
   std::uint64_t bounds = 0;
   std::uint64_t outside = 0;
   std::uint64_t inside = 0;
+  std::uint64_t blocking = 0;          ///< boxes that block the shaft
   std::uint64_t undecided_slab = 0;    ///< left to the exact predicates, in slab form
   std::uint64_t undecided_planes = 0;  ///< likewise, in plane form
   std::uint64_t touching = 0;          ///< of those that rationals decided, exactly on the boundary
@@ -50,6 +51,7 @@ class Trial {
   [[nodiscard]] SphereView sphere_view() const noexcept;
   template <class View>
   void ask(const CompiledShaft& shaft, const View& view, const char* how);
+  void ask_blocking(const CompiledShaft& shaft, const char* how);
   template <class View>
   void count_undecided(const View& view);
   template <class What>
@@ -68,6 +70,7 @@ class Trial {
   std::size_t start_[6] = {};  ///< of each stream in memory_
   std::vector<std::uint64_t> kept_;
   std::vector<std::uint64_t> inside_;
+  std::vector<std::uint64_t> blocking_;
   std::vector<std::uint64_t> wrong_;
   TrialCounts counts_;
   std::vector<std::string> failures_;

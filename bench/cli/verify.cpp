@@ -82,8 +82,8 @@ class Verification {
   [[nodiscard]] int interrupted() const noexcept { return compared_ < options_.cases ? interrupt_.signal() : 0; }
 
   void print_summary() const {
-    Table table(
-        {"family", "cases", "outside", "inside", "undecided, slab", "undecided, planes", "on the boundary", "wrong"});
+    Table table({"family", "cases", "outside", "inside", "blocking", "undecided, slab", "undecided, planes",
+                 "on the boundary", "wrong"});
     TrialCounts sum;
     const auto add_row = [&](const std::string& what, const TrialCounts& counts) {
       const auto share = [&](std::uint64_t part) {
@@ -91,7 +91,7 @@ class Verification {
                    ? "-"
                    : fmt::format("{:.3f} %", 100.0 * static_cast<double>(part) / static_cast<double>(counts.bounds));
       };
-      table.add_row({what, grouped(counts.bounds), share(counts.outside), share(counts.inside),
+      table.add_row({what, grouped(counts.bounds), share(counts.outside), share(counts.inside), share(counts.blocking),
                      share(counts.undecided_slab), share(counts.undecided_planes), share(counts.touching),
                      grouped(counts.wrong)});
     };

@@ -94,6 +94,8 @@ void declare_many(Suite& suite, const Workload& workload);
 void declare_kinds(Suite& suite, const Workload& workload);
 /// outputs/…: counts and index lists instead of bits
 void declare_outputs(Suite& suite, const Workload& workload);
+/// blocked/…: which solid boxes block shafts
+void declare_blocked(Suite& suite, const Workload& workload);
 /// memory/…: one shaft × all bounds, and reading them
 void declare_memory(Suite& suite, const Workload& workload);
 /// small/…: one shaft × one word of bounds

@@ -10,9 +10,11 @@
 #include "columns.hpp"
 #include "compiled/shaft_data.hpp"
 #include "fuzz/packing.hpp"
+#include "oracle/blocking.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/shaft_input.hpp"
+#include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
@@ -155,6 +157,11 @@ class Comparison {
         if (pending != nullptr && (draw_ || isa == isas().back())) require_same(*pending, scalar, isa, form);
       }
     }
+    if constexpr (std::is_same_v<Bound, Box>) {
+      for (const Isa isa : isas()) {
+        if (isa == Isa::scalar || is_drawn(isa)) require_exact_blocking(shaft, isa);
+      }
+    }
     if (slab_.culled && (!draw_ || *draw_ % 4 == 0)) {
       for (const Isa isa : isas()) {
         if (!is_drawn(isa)) continue;
@@ -185,6 +192,25 @@ class Comparison {
     };
     require_equal(as_words(on_grid.kept), *slab_.culled, "a tile (kept)", isa, Form::slab);
     if (slab_.inside) require_equal(as_words(on_grid.inside), *slab_.inside, "a tile (inside)", isa, Form::slab);
+  }
+
+  /// What blocks in a view is what blocks alone, where the exact predicate is asked.
+  void require_exact_blocking(const CompiledShaft& shaft, Isa isa) {
+    select_isa(isa);
+    std::vector<std::uint64_t> listed(bounds_.size());
+    listed.resize(list_blocking(shaft, memory_.view(), listed));
+    auto next = listed.begin();
+    for (std::size_t i = 0; i != bounds_.size(); ++i) {
+      const bool is_listed = next != listed.end() && *next == i;
+      if (is_listed) ++next;
+      if (is_listed != blocked(shaft, bounds_[i])) {
+        fail_at(i, "list_blocking() on " + std::string(name(isa)) + " and blocked() differ");
+      }
+      if (is_listed && has_nan(bounds_[i])) fail_at(i, "blocks, but has a NaN");
+      if (is_listed && slab_.culled && it_.planes.empty() && !bit(*slab_.culled, i)) fail_at(i, "blocks from outside");
+    }
+    const std::optional<std::size_t> first = blocked_by(shaft, memory_.view());
+    if (first.has_value() == listed.empty() || (first && *first != listed[0])) fail("blocked_by() differs", it_);
   }
 
   Words culled(const CompiledShaft& shaft, Form form) {
@@ -342,6 +368,10 @@ void check_exact(const Case& it, std::size_t most_bounds) {
   };
   for (std::size_t i = 0; i != std::min(most_bounds, it.boxes.size()); ++i) {
     if (is_legal(it.boxes[i])) check(it.boxes[i]);
+    const bool right = oracle::blocks(of.a, of.b, it.boxes[i]);
+    if (blocked(compiled, it.boxes[i]) != right) {
+      fail(source_text(it.boxes[i]) + (right ? "\n  blocks" : "\n  does not block") + ", answered otherwise", it);
+    }
   }
   for (std::size_t i = 0; i != std::min(most_bounds, it.spheres.size()); ++i) {
     if (is_legal(it.spheres[i])) check(it.spheres[i]);

@@ -9,6 +9,7 @@
 #include "fuzz/check.hpp"
 #include "fuzz/packing.hpp"
 #include "oracle/shaft_input.hpp"
+#include "shaftcull/blocked.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
@@ -29,9 +30,17 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
   std::vector<LeafRange> overlap(bounds.size());
   std::vector<LeafRange> inside(bounds.size());
   const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
+  bool blocks_alike = true;
+  if constexpr (std::is_same_v<Bound, Box>) {
+    Indices in_view(bounds.size());
+    in_view.resize(list_blocking(shaft, columns(bounds).view(), in_view));
+    Indices in_tree(bounds.size());
+    in_tree.resize(list_blocking(shaft, tree, in_tree));
+    blocks_alike = sorted(in_tree) == in_view;
+  }
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
-  if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
+  if (blocks_alike && sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
       sorted(inside, tree.order()) == flat.inside) {
     return;
   }
