@@ -31,6 +31,7 @@ struct CullOptions {
   std::uint64_t seed = 1;
   std::string format = "text";
   bool tree = false;
+  bool solid = false;
   InstructionSet isa;
 };
 
@@ -150,7 +151,8 @@ void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, Pair
   const KeptCounts counts = list_classified(shaft, bounds, std::span(overlap), std::span(inside));
   const auto add = [&](std::span<const std::uint32_t> indices, bool is_inside) {
     for (const std::uint32_t bound : indices) {
-      if (!pair.from.holds(all[bound]) && !pair.to.holds(all[bound])) pair.candidates.push_back({bound, is_inside});
+      if (!pair.from.holds(all[bound]) && !pair.to.holds(all[bound]))
+        pair.candidates.push_back({bound, is_inside, false});
     }
   };
   add(std::span(overlap).first(counts.overlap), false);
@@ -170,9 +172,14 @@ void find_candidates(std::span<const CullBound> all, const BoxStream& bounds, Pa
       const auto bit = static_cast<std::size_t>(std::countr_zero(left));
       const std::size_t bound = 64 * w + bit;
       if (pair.from.holds(all[bound]) || pair.to.holds(all[bound])) continue;
-      pair.candidates.push_back({bound, (inside[w] >> bit & 1) != 0});
+      pair.candidates.push_back({bound, (inside[w] >> bit & 1) != 0, false});
     }
   }
+}
+
+void find_blockers(std::span<const CullBound> all, PairResult& pair) {
+  const CompiledShaft shaft = compile(pair.from.box, pair.to.box);
+  for (Candidate& candidate : pair.candidates) candidate.blocks = blocked(shaft, all[candidate.bound].box);
 }
 
 void run(const CullOptions& options) {
@@ -182,7 +189,8 @@ void run(const CullOptions& options) {
                     std::string(name(active_isa())),
                     load_mesh_isolated(options.path, options.bounds == "triangle"),
                     {},
-                    {}};
+                    {},
+                    options.solid};
   report.pairs = pairs_of(report.scene, options);
   report.grain = grain_of(options, report.pairs.front());
   report.bounds = bounds_of(report.scene, report.grain);
@@ -194,6 +202,9 @@ void run(const CullOptions& options) {
   } else {
     const BoxStream stream(records);
     for (PairResult& pair : report.pairs) find_candidates(report.bounds, stream, pair);
+  }
+  if (options.solid) {
+    for (PairResult& pair : report.pairs) find_blockers(report.bounds, pair);
   }
   std::fputs(format_report(report, format_of(options)).c_str(), stdout);
 }
@@ -232,10 +243,13 @@ void add_cull(CLI::App& program) {
       ->type_name("FORMAT");
   cull.add_flag("--tree", options->tree,
                 "Put the bounds into a tree instead of scanning all of them: the same answers");
+  cull.add_flag("--solid", options->solid,
+                "Take bounds for solid boxes, and say which of them block: hide all of one end from the other");
   options->isa.add_option(cull);
   cull.footer(
       "The two ends themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"
-      "\"inside\" if its bound is fully inside the shaft, else \"overlap\".\n"
+      "\"inside\" if its bound is fully inside the shaft, else \"overlap\"; with --solid it is \"blocks\" if every\n"
+      "segment between the two ends passes through it.\n"
       "Parts are triangles of one object that lie close together: the object is halved along its widest axis, and so\n"
       "are its halves, until a part has no more than a 64th of the file's triangles.");
   cull.callback([options, scene] {

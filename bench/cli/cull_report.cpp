@@ -15,7 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* answer_name(bool inside) { return inside ? "inside" : "overlap"; }
+const char* answer_name(const Candidate& candidate) {
+  if (candidate.blocks) return "blocks";
+  return candidate.inside ? "inside" : "overlap";
+}
 
 const char* grain_name(Grain grain) {
   switch (grain) {
@@ -53,16 +56,23 @@ std::string as_text(const CullReport& report) {
   for (const PairResult& pair : report.pairs) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
-    text += fmt::format("\n{} -> {}: {} may lie between ({} inside, {} overlap)\n", printable(pair.from.label),
+    text += fmt::format("\n{} -> {}: {} may lie between ({} inside, {} overlap)", printable(pair.from.label),
                         printable(pair.to.label), plural(pair.candidates.size(), grain_name(report.grain)),
                         grouped(inside), grouped(pair.candidates.size() - inside));
+    if (report.solid) {
+      const auto blocking = static_cast<std::size_t>(
+          std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.blocks; }));
+      text += blocking == 0 ? ", none blocks"
+                            : fmt::format(", {} of them block{}", grouped(blocking), blocking == 1 ? "s" : "");
+    }
+    text += '\n';
     for (const Candidate& candidate : pair.candidates) {
       const CullBound& bound = report.bounds[candidate.bound];
       const std::string number = report.grain == Grain::object
                                      ? ""
                                      : fmt::format(" {} {}", grain_name(report.grain), number_in_object(report, bound));
-      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate.inside),
-                          printable(report.scene.names[bound.object]), number, to_text(bound.box));
+      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate), printable(report.scene.names[bound.object]),
+                          number, to_text(bound.box));
     }
   }
   return text;
@@ -84,7 +94,7 @@ std::string as_csv(const CullReport& report) {
       const CullBound& bound = report.bounds[candidate.bound];
       text += fmt::format("{},{},{},{},{},{},{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
                           csv_cell(report.scene.names[bound.object]), number_in_object(report, bound),
-                          answer_name(candidate.inside), to_text(bound.box));
+                          answer_name(candidate), to_text(bound.box));
     }
   }
   return text;
@@ -119,13 +129,17 @@ std::string as_json(const CullReport& report) {
       Json entry{{"object", report.scene.names[bound.object]}};
       if (report.grain == Grain::part) entry["part"] = report.scene.parts[bound.part].number;
       if (report.grain == Grain::triangle) entry["triangle"] = bound.triangle;
-      entry["answer"] = answer_name(candidate.inside);
+      entry["answer"] = answer_name(candidate);
       entry["box"] = as_json(bound.box);
       candidates.push_back(std::move(entry));
     }
     pairs.push_back(Json{{"from", as_json(report.scene, pair.from)},
                          {"to", as_json(report.scene, pair.to)},
                          {"candidates", std::move(candidates)}});
+    if (report.solid) {
+      pairs.back()["blocked"] =
+          std::any_of(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.blocks; });
+    }
   }
   const Json root{{"scene", report.path},
                   {"bounds", grain_name(report.grain)},

@@ -29,6 +29,7 @@ struct CullBound {
 struct Candidate {
   std::size_t bound;  ///< position in CullReport::bounds
   bool inside;        ///< fully inside the shaft, else it overlaps it
+  bool blocks;        ///< as a solid box it hides one end from the other; false unless that was asked
 };
 
 /// One end of a shaft: an object, a part of one, or a box of the user's.
@@ -59,6 +60,7 @@ struct CullReport {
   MeshScene scene;
   std::vector<CullBound> bounds;  ///< by object, then by part or triangle
   std::vector<PairResult> pairs;
+  bool solid;  ///< whether it was asked what blocks
 };
 
 enum class ReportFormat : std::uint8_t { text, json, csv };

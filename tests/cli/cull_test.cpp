@@ -76,6 +76,24 @@ TEST_F(CliCull, ListsWhatLiesBetweenAsText) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("aside")));
 }
 
+TEST_F(CliCull, SaysWhatBlocksIfBoundsAreSolid) {
+  const Outcome text = cull({"--from", "left", "--to", "right", "--solid"});
+  ASSERT_EQ(text.exit_code, 0) << text.error;
+  EXPECT_THAT(text.out, HasSubstr("2 objects may lie between (1 inside, 1 overlap), 1 of them blocks\n"));
+  EXPECT_THAT(text.out, HasSubstr("blocks   middle  [3,-2,-2,7,2,2]"));
+  EXPECT_THAT(text.out, HasSubstr("inside   small"));
+  EXPECT_THAT(cull({"--from", "left", "--to", "aside", "--solid"}).out, HasSubstr(", none blocks\n"));
+
+  const Outcome json = cull({"--from", "left", "--to", "right", "--solid", "--tree", "--format", "json"});
+  ASSERT_EQ(json.exit_code, 0) << json.error;
+  const auto pair = nlohmann::json::parse(json.out)["pairs"][0];
+  EXPECT_EQ(pair["blocked"], true);
+  EXPECT_EQ(pair["candidates"][0]["answer"], "blocks");
+  EXPECT_EQ(pair["candidates"][1]["answer"], "inside");
+  const Outcome csv = cull({"--from", "left", "--to", "right", "--solid", "--format", "csv"});
+  EXPECT_THAT(csv.out, HasSubstr("0,left,right,middle,,blocks,3,-2,-2,7,2,2"));
+}
+
 TEST_F(CliCull, ListsWhatLiesBetweenAsJson) {
   const Outcome outcome = cull({"--from", "left", "--to", "right", "--format", "json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
