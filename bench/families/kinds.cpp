@@ -31,7 +31,7 @@ Vec3 direction(Random& random, float length) {
 CompiledShaft shadow_of(Random& random) {
   for (;;) {
     const Box light = random.box(0.05F, 0.2F);
-    const Box occluder = random.box(0.1F, 0.5F);
+    const Box occluder = random.box(0.3F, 1.2F);
     for (std::size_t k = 0; k != 3; ++k) {
       if (light.hi[k] + 1 < occluder.lo[k] || occluder.hi[k] + 1 < light.lo[k]) return shadow(light, occluder);
     }
@@ -41,15 +41,15 @@ CompiledShaft shadow_of(Random& random) {
 const Kind kinds[] = {
     {"swept", 0.95,
      [](Random& random) {
-       const Box body = random.box(0.2F, 1.0F);
+       const Box body = random.box(0.3F, 1.4F);
        return swept(body, direction(random, 7.0F));
      }},
-    {"sun", 0.4,
+    {"sun", 0.95,
      [](Random& random) {
-       const Box receiver = random.box(0.2F, 1.0F);
+       const Box receiver = random.box(0.3F, 1.3F);
        return swept_without_end(receiver, direction(random, 1.0F));
      }},
-    {"shadow", 0.4, shadow_of},
+    {"shadow", 0.95, shadow_of},
 };
 
 /// The shafts of a kind, and their rows of bits.

@@ -1,8 +1,10 @@
 /// A batch job: many shafts × many bounds, checked, and tested block by block.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
 
@@ -62,7 +64,7 @@ class BatchJob {
   BatchJob(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
       : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), bits_(bits), form_(form) {
     require_valid_query(shafts_, bounds, bits, form);
-    if (shafts_.size() <= group_shafts) form_on_grid(only_group_, shafts_, bounds.count);
+    if (shafts_.size() <= group_shafts) form_on_grid(only_group_, shafts_, bounds, bounds.count);
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
@@ -74,7 +76,8 @@ class BatchJob {
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
   void test(IndexRange block, IndexRange group, Rows kept, Rows inside = {}) const {
     GroupOnGrid this_group;
-    if (shafts_.size() > group_shafts) form_on_grid(this_group, shafts_.subspan(group.first, group.size), block.size);
+    if (shafts_.size() > group_shafts)
+      form_on_grid(this_group, shafts_.subspan(group.first, group.size), bounds_, block.size);
     const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
     const bool in_large_tiles = on_grid.exists() || group.size == 1;  // one shaft reads a tile once
     const bool in_one_tile = on_grid.exists() && block.size <= most_tile_bounds;
@@ -103,10 +106,11 @@ class BatchJob {
   /// narrow or none, else from 5 on.
   [[nodiscard]] std::size_t fewest_for_boxes() const noexcept { return kernels_.grid.frame == nullptr ? 2 : 5; }
 
-  void form_on_grid(GroupOnGrid& group, std::span<const ShaftData> shafts, std::size_t bounds) const noexcept {
+  void form_on_grid(GroupOnGrid& group, std::span<const ShaftData> shafts, const View& bounds,
+                    std::size_t tested) const noexcept {
     if (form_ == Form::planes || bits_ == Bits::blocking) return;
     const FloatEnvironment environment;
-    group.form(kernels_.grid, shafts, bounds, is_sphere);
+    group.form(kernels_.grid, shafts, bounds, tested, is_sphere);
   }
 
   void test_tile_in_floats(const View& tile, std::size_t first, IndexRange group, Rows kept,
@@ -150,9 +154,17 @@ class BatchJob {
     } else {
       kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
     }
+    LeastOnGrid least{};
+    if (on_grid.has_cuts) {
+      for (unsigned s = 0; s != 6; ++s) {
+        std::int16_t smallest = std::numeric_limits<std::int16_t>::max();
+        for (std::size_t i = 0; i != row; ++i) smallest = std::min(smallest, grid[s][i]);
+        least.of[s] = smallest;
+      }
+    }
     for (std::size_t b = 0; b != chunk_count(group.size, batch_shafts); ++b) {
-      test_batch_on_grid(on_grid, chunk_at(group.size, batch_shafts, b), tile, grid, undecided, first, group, kept,
-                         inside);
+      test_batch_on_grid(on_grid, chunk_at(group.size, batch_shafts, b), least, tile, grid, undecided, first, group,
+                         kept, inside);
     }
   }
 
@@ -165,10 +177,10 @@ class BatchJob {
   static constexpr std::size_t lines_a_word =
       (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
 
-  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch, const View& tile,
-                                                 const std::int16_t* const* grid, UndecidedWord* undecided,
-                                                 std::size_t first, IndexRange group, Rows kept,
-                                                 Rows inside) const noexcept {
+  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch, const LeastOnGrid& least,
+                                                 const View& tile, const std::int16_t* const* grid,
+                                                 UndecidedWord* undecided, std::size_t first, IndexRange group,
+                                                 Rows kept, Rows inside) const noexcept {
     const ShaftData* shaft[batch_shafts];
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
@@ -179,7 +191,7 @@ class BatchJob {
       prefetch_share_of_next(first + tile.count, tile.count, s, group.size);
       if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
       const ShaftData& its_shaft = shafts_[group.first + s];
-      if (!on_grid.shaft[s].exists) {
+      if (!on_grid.shaft[s].exists || (on_grid.has_cuts && on_grid.cut[s].may_be_passed(least))) {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
         continue;
       }

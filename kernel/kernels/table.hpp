@@ -139,6 +139,11 @@ struct SetBits {
 struct GridFrame;
 struct GridShaft;
 
+/// Where the box of a shaft without end is when it has left all bounds behind: its faces, rounded.
+struct ClippedEnd {
+  float face[6];
+};
+
 /// A word of bounds some of which a grid leaves undecided.
 struct UndecidedWord {
   std::uint64_t lanes;  ///< the undecided ones, and maybe others
@@ -157,10 +162,12 @@ struct GridKernels {
     return shafts >= fewest_shafts && bounds >= (fewest_tests + shafts - 1) / shafts;
   }
 
-  /// The frame around shafts, if there is one.
-  GridFrame (*frame)(const ShaftData* shafts, std::size_t count) noexcept;
+  /// The frame around shafts, if there is one. Shafts without end are cut off where clipped[i] says; if that is null,
+  /// they have no place on the grid.
+  GridFrame (*frame)(const ShaftData* shafts, std::size_t count, const ClippedEnd* clipped) noexcept;
   /// Makes out[i] of shafts[i].
-  void (*form_shafts)(const ShaftData* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept;
+  void (*form_shafts)(const ShaftData* shafts, std::size_t count, const ClippedEnd* clipped, const GridFrame& frame,
+                      GridShaft* out) noexcept;
   /// Writes `count` boxes' coordinates on the grid to six streams, aligned to 64 bytes, in whole words: a last one that
   /// the boxes do not fill is filled up by boxes that are outside of everything.
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,

@@ -34,7 +34,6 @@ using kernel::MovingFaces;
 using kernel::ShaftData;
 using Kind = ShaftData::Kind;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float largest_float = std::numeric_limits<float>::max();
 
 /// How far a box that moves without end is followed for certain acceptances of spheres: so many times its largest
@@ -55,10 +54,11 @@ bool write_endless_slab(ShaftData& shaft, const float (&slope)[6]) noexcept {
     if (follows && (first == 6 || size > std::fabs(slope[first]))) first = f;
   }
   const float speed = std::fabs(slope[first]);
+  constexpr float no_bound = std::numeric_limits<float>::infinity();
   float scale[6];
   for (unsigned f = 0; f < 6; ++f) {
     // A face that does not move bounds t from above, by +∞ (met) or −∞ (not met).
-    scale[f] = slope[f] == 0 ? (f < 3 ? infinity : -infinity) : speed / slope[f];
+    scale[f] = slope[f] == 0 ? (f < 3 ? no_bound : -no_bound) : speed / slope[f];
     if (slope[f] != 0 && !(std::fabs(scale[f]) <= largest_float)) return false;
   }
   unsigned next = 0;
@@ -102,7 +102,7 @@ void write_slab(ShaftData& shaft, const MovingFaces& faces) noexcept {
   kernel::write_difference_slab<Lanes>(shaft, slope);
   if (is_regular) return;
   shaft.slab_form = ShaftData::SlabForm::exact;
-  shaft.slab_margin = infinity;
+  shaft.slab_margin = std::numeric_limits<float>::infinity();
 }
 
 /// What moves, as ShaftData has it.

@@ -103,10 +103,10 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
         shafts.push_back(compile(Shaft(input.a, input.b)));
       }
       const std::span<const kernel::ShaftData> data = kernel::data_of(std::span<const CompiledShaft>(shafts));
-      const GridFrame frame = kernels.frame(data.data(), data.size());
+      const GridFrame frame = kernels.frame(data.data(), data.size(), nullptr);
       ASSERT_TRUE(frame.exists());
       std::vector<GridShaft> on_grid(shafts.size());
-      kernels.form_shafts(data.data(), data.size(), frame, on_grid.data());
+      kernels.form_shafts(data.data(), data.size(), nullptr, frame, on_grid.data());
       for (std::size_t s = 0; s != shafts.size() && !HasFailure(); ++s) {
         if (!on_grid[s].exists) continue;
         expect_bounds_within_slack(shafts[s], frame, on_grid[s]);

@@ -15,6 +15,8 @@
 
 #include "columns.hpp"
 #include "cull/agreement.hpp"
+#include "dispatch/active_kernels.hpp"
+#include "flat/grid_group.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/grid_answers.hpp"
@@ -22,6 +24,7 @@
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/many.hpp"
 
 namespace shaftcull {
 namespace {
@@ -453,6 +456,88 @@ TEST(Kinds, BatchesRefuseBeforeTheyWrite) {
   EXPECT_THAT(message_of<BadBound>([&] { swept_without_end_batch(bodies.view(), input.vectors, out); }),
               HasSubstr("shaft 2: swept_without_end: direction is 0"));
   for (const CompiledShaft& shaft : out) EXPECT_FALSE(shaft.formed()) << "written before the error was found";
+}
+
+/// Shafts of all kinds as a group, and bounds in several tiles: many that touch some shaft, and in the second tile some
+/// that are far away.
+struct GridCase {
+  std::vector<CompiledShaft> shafts;
+  std::vector<Box> boxes;
+  std::vector<Sphere> spheres;
+
+  GridCase(Random& random, std::size_t bounds) {
+    std::vector<MovingInput> inputs;
+    for (std::size_t s = 0; s != 24; ++s) {
+      inputs.push_back(random_input(random, kinds[s % 4]));
+      shafts.push_back(compiled(inputs.back()));
+    }
+    for (std::size_t i = 0; i != bounds; ++i) {
+      const MovingInput& input = inputs[random.below(24)];
+      const bool is_far = i / 2048 == 1 && random.one_in(300);
+      Box box = random.one_in(3) ? touching_box(random, input) : random.box(-5, 5, 0.01F, 0.3F);
+      for (std::size_t k = 0; k != 3 && !is_far; ++k) {
+        box.lo[k] = std::clamp(box.lo[k], -6.0F, 6.0F);
+        box.hi[k] = std::clamp(box.hi[k], -6.0F, 6.0F);
+      }
+      boxes.push_back(box);
+      spheres.push_back({box.lo, random.uniform(0, 0.5F)});
+    }
+  }
+};
+
+template <class Bound>
+void expect_same_among_many(const GridCase& input, const std::vector<Bound>& bounds) {
+  const auto memory = columns(bounds);
+  const std::size_t words = words_for(bounds.size());
+  std::vector<std::uint64_t> kept(words * input.shafts.size());
+  std::vector<std::uint64_t> inside(kept.size());
+  classify_many(input.shafts, memory.view(), kept, inside);
+  for (std::size_t s = 0; s != input.shafts.size(); ++s) {
+    std::vector<std::uint64_t> kept_alone(words);
+    std::vector<std::uint64_t> inside_alone(words);
+    classify(input.shafts[s], memory.view(), kept_alone, inside_alone);
+    const auto row = [&](const std::vector<std::uint64_t>& rows) {
+      return std::vector<std::uint64_t>(rows.begin() + static_cast<std::ptrdiff_t>(words * s),
+                                        rows.begin() + static_cast<std::ptrdiff_t>(words * (s + 1)));
+    };
+    EXPECT_EQ(row(kept), kept_alone) << name(active_isa()) << ", shaft " << s;
+    EXPECT_EQ(row(inside), inside_alone) << name(active_isa()) << ", shaft " << s;
+  }
+}
+
+TEST(Kinds, AGroupOnAGridAnswersWhatEachShaftAnswersAlone) {
+  constexpr std::uint64_t seed = 9;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int round = 0; round != 6 && !HasFailure(); ++round) {
+    const GridCase input(random, 3 * 2048 + 77);
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      expect_same_among_many(input, input.boxes);
+      expect_same_among_many(input, input.spheres);
+    }
+  }
+}
+
+TEST(Kinds, ShaftsWithoutEndHaveAPlaceOnTheGrid) {
+  Random random(10);
+  const GridCase input(random, 2048);
+  const auto memory = columns(input.boxes);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    const kernel::GridKernels& kernels = kernel::active_kernels().grid;
+    if (kernels.frame == nullptr) continue;
+    const auto data = kernel::data_of(std::span<const CompiledShaft>(input.shafts));
+    kernel::GroupOnGrid group;
+    group.form(kernels, data, memory.view(), input.boxes.size(), false);
+    ASSERT_TRUE(group.exists() && group.has_cuts);
+    std::size_t endless = 0;
+    for (std::size_t s = 0; s != data.size(); ++s) {
+      if (data[s].is_endless() && group.shaft[s].exists && static_cast<float>(group.cut[s].least) < kernel::grid_top)
+        ++endless;
+    }
+    EXPECT_GE(endless, 10U) << "of 12";
+  }
 }
 
 TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {

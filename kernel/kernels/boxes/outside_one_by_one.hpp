@@ -2,6 +2,7 @@
 /// For few boxes that lie apart, which then need not be gathered, nor the shaft be broadcast.
 #pragma once
 
+#include "compiled/slab.hpp"
 #include "exact/predicates.hpp"
 #include "kernels/shared/word.hpp"
 
@@ -52,11 +53,58 @@ class SlabInLanes {
   float two_margins_;
 };
 
-/// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that SlabInLanes suits.
+/// Likewise of a shaft in the endless form. The arithmetic of Slab, in another order.
 template <class L>
+class EndlessSlabInLanes {
+ public:
+  using EightFloats = typename L::EightFloats;
+  using Vector = typename EightFloats::Vector;
+
+  [[nodiscard]] static bool suits(const ShaftData& shaft) noexcept {
+    return shaft.slab_form == ShaftData::SlabForm::endless;
+  }
+
+  explicit EndlessSlabInLanes(const ShaftData& shaft) noexcept
+      : corner_(EightFloats::order(row_of(shaft, ShaftRow::selectors))),
+        is_upper_(EightFloats::first_and_seventh(shaft.slab_uppers)),
+        kept_factor_(EightFloats::all(1 + endless_kept_per_margin * shaft.slab_margin)) {
+    const Vector scale = EightFloats::load(row_of(shaft, ShaftRow::scale));
+    scale_ =
+        EightFloats::choose(is_upper_, scale, EightFloats::multiply(scale, EightFloats::all(1 - shaft.slab_margin)));
+    added_ = EightFloats::choose(is_upper_, EightFloats::all(0.0F), EightFloats::all(-relative_denormals));
+    ends_ = EightFloats::sorted_last_two(__FLT_MAX__, -relative_denormals);
+    p_ = EightFloats::with_last_two(EightFloats::load(row_of(shaft, ShaftRow::shift)), EightFloats::all(0.0F));
+  }
+
+  /// Negative if box `i` is certainly outside, above two_margins() if it certainly is not.
+  [[nodiscard]] float interval_length(const float* const* stream, std::size_t i) const noexcept {
+    const Vector distance = EightFloats::subtract(EightFloats::permuted(EightFloats::gather(stream, i), corner_), p_);
+    const Vector bound = EightFloats::with_last_two(EightFloats::multiply_add(distance, scale_, added_), ends_);
+    const Vector signed_bound = EightFloats::infinite_if_nan(EightFloats::negate_unless(is_upper_, bound));
+    const Vector none = EightFloats::all(__builtin_inff());
+    const Vector upper = EightFloats::choose(is_upper_, signed_bound, none);
+    const Vector minus_lower = EightFloats::choose(is_upper_, none, signed_bound);
+    const float length = EightFloats::sum_of_smallest(upper, minus_lower);
+    const float excess = EightFloats::sum_of_smallest(upper, EightFloats::multiply(minus_lower, kept_factor_));
+    return excess > 4 * relative_denormals ? __builtin_inff() : length;
+  }
+  [[nodiscard]] float two_margins() const noexcept { return __FLT_MAX__; }
+
+ private:
+  typename EightFloats::Order corner_;
+  typename EightFloats::Mask is_upper_;
+  Vector kept_factor_;
+  Vector scale_;
+  Vector added_;
+  Vector ends_;
+  Vector p_;
+};
+
+/// Which of the boxes in `lanes` of the word at `first` are outside of a shaft that `SlabType` suits.
+template <class L, class SlabType = SlabInLanes<L>>
 std::uint64_t outside_one_by_one(const ShaftData& shaft, const float* const* stream, std::size_t first,
                                  std::uint64_t lanes) noexcept {
-  const SlabInLanes<L> slab(shaft);
+  const SlabType slab(shaft);
   std::uint64_t outside = 0;
   std::uint64_t undecided = 0;
   for (; lanes != 0; lanes &= lanes - 1) {

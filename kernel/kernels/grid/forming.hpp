@@ -15,6 +15,7 @@
 
 #include "compiled/shaft_data.hpp"
 #include "kernels/forming/slab.hpp"
+#include "kernels/table.hpp"
 #include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -60,17 +61,40 @@ static_assert(most_stationary_travel + bound_slack + bound_error + 2 * snap_slac
 static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * snap_slack) <= 126,
               "likewise, for any scale");
 
+/// Where shaft `s` of several ends on a grid; null if it has no place there.
+template <class L>
+[[nodiscard]] const float* end_on_grid(const ShaftData* shafts, std::size_t s, const ClippedEnd* clipped) noexcept {
+  if (!shafts[s].is_endless()) [[likely]]
+    return shafts[s].b;
+  return clipped == nullptr ? nullptr : clipped[s].face;
+}
+
+/// The largest coordinate of a shaft on a grid that ends at `end`.
+template <class L>
+[[nodiscard]] float largest_on_grid(const ShaftData& shaft, const float* end) noexcept {
+  if (!shaft.is_endless()) [[likely]]
+    return shaft.largest_coordinate;
+  float largest = 0;
+  for (unsigned f = 0; f < 6; ++f) {
+    largest = __builtin_fabsf(shaft.a[f]) > largest ? __builtin_fabsf(shaft.a[f]) : largest;
+    largest = __builtin_fabsf(end[f]) > largest ? __builtin_fabsf(end[f]) : largest;
+  }
+  return rounded_end_factor * largest;
+}
+
 /// The frame around shafts.
 template <class L>
-[[nodiscard]] GridFrame grid_frame(const ShaftData* shafts, std::size_t count) noexcept {
+[[nodiscard]] GridFrame grid_frame(const ShaftData* shafts, std::size_t count, const ClippedEnd* clipped) noexcept {
   float least[6];  // of all faces' coordinates, and from 3 on of their negatives
   for (float& each : least) each = __builtin_inff();
   float largest_coordinate = 0;
   for (std::size_t s = 0; s < count; ++s) {
-    if (shafts[s].largest_coordinate > fused_regular_limit || shafts[s].is_endless()) continue;
-    largest_coordinate =
-        shafts[s].largest_coordinate > largest_coordinate ? shafts[s].largest_coordinate : largest_coordinate;
-    const float* const boxes[2] = {shafts[s].a, shafts[s].b};
+    const float* const end = end_on_grid<L>(shafts, s, clipped);
+    if (end == nullptr) continue;
+    const float largest = largest_on_grid<L>(shafts[s], end);
+    if (largest > fused_regular_limit) continue;
+    largest_coordinate = largest > largest_coordinate ? largest : largest_coordinate;
+    const float* const boxes[2] = {shafts[s].a, end};
     for (unsigned k = 0; k < 3; ++k) {
       for (const float* face : boxes) {
         least[k] = face[k] < least[k] ? face[k] : least[k];
@@ -101,11 +125,11 @@ template <class L>
   return frame;
 }
 
-/// Makes grid[lane] of shaft[lane], for a whole vector of shafts: one a lane, so that nothing branches on what a face
-/// is, which would be mispredicted several times a shaft.
+/// Makes grid[lane] of shaft[lane], which ends at end[lane] if that is not null, for a whole vector of shafts: one a
+/// lane, so that nothing branches on what a face is, which would be mispredicted several times a shaft.
 template <class L>
-void form_grid_vector(const ShaftData* const (&shaft)[L::width], const GridFrame& frame,
-                      GridShaft* const (&grid)[L::width]) noexcept {
+void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* const (&end)[L::width],
+                      const GridFrame& frame, GridShaft* const (&grid)[L::width]) noexcept {
   using Vector = typename L::Vector;
   constexpr unsigned faces = 6;
   const Vector zero = L::all(0.0F);
@@ -114,14 +138,14 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const GridFrame
 
   alignas(64) float column[2 * faces + 1][L::width];
   for (unsigned lane = 0; lane < L::width; ++lane) {
+    const float* const b = end[lane] != nullptr ? end[lane] : shaft[lane]->b;
     for (unsigned f = 0; f < faces; ++f) {
       column[f][lane] = shaft[lane]->a[f];
-      column[f + faces][lane] = shaft[lane]->b[f];
+      column[f + faces][lane] = b[f];
     }
-    // Where a box ends that moves may be rounded, as corners of spheres are. If it never ends, there is no such place.
-    const bool suits =
-        shaft[lane]->kind == ShaftData::Kind::between || (frame.suits_spheres && !shaft[lane]->is_endless());
-    column[2 * faces][lane] = suits ? shaft[lane]->largest_coordinate : __builtin_inff();
+    // Where a moving box ends may be rounded, as corners of spheres are.
+    const bool suits = shaft[lane]->kind == ShaftData::Kind::between || (frame.suits_spheres && end[lane] != nullptr);
+    column[2 * faces][lane] = suits ? largest_on_grid<L>(*shaft[lane], b) : __builtin_inff();
   }
   Vector middle[faces];
   Vector travel[faces];
@@ -247,16 +271,19 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const GridFrame
 
 /// Makes out[i] of shafts[i].
 template <class L>
-void form_grid_shafts(const ShaftData* shafts, std::size_t count, const GridFrame& frame, GridShaft* out) noexcept {
+void form_grid_shafts(const ShaftData* shafts, std::size_t count, const ClippedEnd* clipped, const GridFrame& frame,
+                      GridShaft* out) noexcept {
   for (std::size_t s = 0; s < count; s += L::width) {
     const ShaftData* shaft[L::width];
+    const float* end[L::width];
     GridShaft* grid[L::width];
     for (unsigned lane = 0; lane < L::width; ++lane) {  // the last one as often as it takes
       const std::size_t i = s + lane < count ? s + lane : count - 1;
       shaft[lane] = shafts + i;
+      end[lane] = end_on_grid<L>(shafts, i, clipped);
       grid[lane] = out + i;
     }
-    form_grid_vector<L>(shaft, frame, grid);
+    form_grid_vector<L>(shaft, end, frame, grid);
   }
 }
 

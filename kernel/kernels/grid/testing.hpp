@@ -129,6 +129,10 @@ void resolve_in_floats(const ShaftData* const* shaft, const float* const* stream
         bits &= ~outside_one_by_one<L>(its_shaft, stream, word * word_bits, lanes);
         continue;
       }
+      if (__builtin_popcountll(lanes) <= few && EndlessSlabInLanes<L>::suits(its_shaft)) {
+        bits &= ~outside_one_by_one<L, EndlessSlabInLanes<L>>(its_shaft, stream, word * word_bits, lanes);
+        continue;
+      }
     }
     bits &= test_word_in_floats<L>(its_shaft, stream, count, word) | ~lanes;
   }
