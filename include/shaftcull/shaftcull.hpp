@@ -9,6 +9,7 @@
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/geometry.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/index.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/kinds.hpp"

@@ -8,6 +8,7 @@
 #include <span>
 #include <type_traits>
 
+#include "compiled/hull_data.hpp"
 #include "shaftcull/compiled.hpp"
 
 namespace shaftcull::kernel {
@@ -38,6 +39,7 @@ struct alignas(64) ShaftData {
                  ///< from the origin
     endless,     ///< likewise, of a box that moves without end: t is how far the first constraint's face has moved
     exact,  ///< not at all: coordinates so large or slopes so small that floats overflow; the exact predicate decides
+    hull,   ///< nor this: all answers are those of `hull`
   };
 
   /// What moves: face f of box(t) is at a[f] + t · slope[f], t from 0 to an end. MovingFaces has the slopes, unrounded.
@@ -47,6 +49,7 @@ struct alignas(64) ShaftData {
     swept_without_end,   ///< likewise, but t has no end
     shadow,              ///< away from the corners of a light, motion, to t = reach − 1; a is the occluder
     shadow_without_end,  ///< likewise, but t has no end
+    hull,                ///< nothing: a convex hull, and slab_form says so, too
   };
 
   // First cache line: the slab constraints, bounds on t from above first.
@@ -59,7 +62,7 @@ struct alignas(64) ShaftData {
   SlabForm slab_form;
 
   // Second cache line: what the shaft is.
-  float a[6];  ///< faces of box a
+  float a[6];  ///< faces of box a; of a hull, a and b are its box
   float b[6];  ///< faces of box b; of other kinds, where the box ends, rounded, or on its way if it never does
   std::uint8_t joining_count;  ///< planes_pending until completed
   std::uint8_t added_count;
@@ -95,10 +98,13 @@ struct alignas(64) ShaftData {
   float motion[6];  ///< swept: the displacement, once for each face. Shadow: the light's face that faces of a move from
   float reach;      ///< of a shadow that ends: the end of t, and 1
 
+  const HullData* hull;  ///< for SlabForm::hull alone; not this shaft's own
+
   /// Value of joining_count in a shaft whose planes nobody has asked for yet, from compile_batch() or two boxes.
   static constexpr std::uint8_t planes_pending = 0xff;
 
   // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
+  [[nodiscard, gnu::always_inline]] bool is_hull() const noexcept { return slab_form == SlabForm::hull; }
   [[nodiscard, gnu::always_inline]] bool has_planes() const noexcept { return joining_count != planes_pending; }
   [[nodiscard, gnu::always_inline]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
   [[nodiscard, gnu::always_inline]] bool is_endless() const noexcept {

@@ -10,6 +10,7 @@
 #include "kernels/forming/added_planes.hpp"
 #include "kernels/forming/pair.hpp"
 #include "kernels/grid/testing.hpp"
+#include "kernels/hulls/stages.hpp"
 #include "kernels/set_bits.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
@@ -58,6 +59,8 @@ struct BoxStages {
 
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
+    if (shaft.is_hull()) [[unlikely]]
+      return HullStages<L>::cull_boxes(*shaft.hull, stream, count, kept);
     if constexpr (form == Form::planes) {
       begin_in_whole_words<L>(stream, count, kept, padding_box,
                               [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
@@ -89,6 +92,10 @@ struct BoxStages {
   /// Writes which boxes are inside: of those in `kept`, or of all if that is null.
   static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
                           const std::uint64_t* kept, std::uint64_t* inside) noexcept {
+    if (shaft.is_hull()) [[unlikely]] {
+      copy_or_set<L>(kept, count, inside);
+      return HullStages<L>::find_boxes_inside(*shaft.hull, stream, count, inside);
+    }
     if constexpr (L::EightFloats::in_one_register) {
       if (kept != nullptr && PlanesInLanes<L>::suits(shaft) && are_sparse<L>(kept, words_of(count))) {
         return box_inside_one_by_one_stage<L>(shaft, stream, words_of(count), kept, inside);
@@ -111,6 +118,10 @@ struct SphereStages {
 
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
+    if (shaft.is_hull()) [[unlikely]] {
+      copy_or_set<L>(nullptr, count, kept);
+      return HullStages<L>::cull_spheres(*shaft.hull, stream, count, kept);
+    }
     begin_in_whole_words<L>(stream, count, kept, padding_sphere,
                             [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
                               sphere_planes_stage<L>(shaft, all, words, bits);
@@ -130,6 +141,8 @@ struct SphereStages {
   static void find_inside(const ShaftData& shaft, const float* const* stream, std::size_t count,
                           const std::uint64_t* kept, std::uint64_t* inside) noexcept {
     copy_or_set<L>(kept, count, inside);
+    if (shaft.is_hull()) [[unlikely]]
+      return HullStages<L>::find_spheres_inside(*shaft.hull, stream, count, inside);
     run_on_survivors<L, streams>(stream, count, inside,
                                  [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
                                    sphere_inside_stage<L>(shaft, some, n, bits);

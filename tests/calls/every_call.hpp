@@ -147,6 +147,15 @@ class EveryCall {
     add("compile of boxes", false, [this](AnswerWords& words) {
       note_shaft(words, compile(boxes_[1], boxes_[2]), box_stream_.view().slice(0, 64));
     });
+    add("ConvexHull, frustum, casters, casters_towards", false, [this](AnswerWords& words) {
+      constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+      const ConvexHull view = frustum(matrix, ClipDepth::minus_one_to_one);
+      const std::vector<Vec3> points = {{0, 0, 0}, {3, 1e-3F, 1}, {1, 2, 4}, {0.1F, 5, 1e-39F}};
+      for (const ConvexHull& hull : {view, casters(view, {0.3F, 9, 5}), casters_towards(view, {0, 1, 0.1F}),
+                                     ConvexHull(points), ConvexHull(points, std::span(points).last(1))}) {
+        note_shaft(words, hull, box_stream_.view().slice(0, 64));
+      }
+    });
     add("swept, swept_without_end, shadow", false, [this](AnswerWords& words) {
       const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
       const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};

@@ -14,7 +14,6 @@ namespace sc = shaftcull;
 namespace {
 
 // The names that the README uses.
-const sc::Box world{{-100, -100, -100}, {100, 100, 100}};
 const sc::Box patch{{0, 0, 0}, {1, 1, 0}};
 const sc::Box other_patch{{0, 0, 10}, {1, 1, 10}};
 const sc::Box body{{0, 0, 0}, {1, 1, 1}};
@@ -29,19 +28,18 @@ constexpr sc::ClipDepth depth = sc::ClipDepth::minus_one_to_one;
 // Looks along z from the origin: w = z, a right angle wide and high, near plane 1, far plane 51.
 constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
 
-sc::CompiledShaft see_through(const sc::ViewPlanes& planes) {
-  sc::Shaft shaft(world, world);
-  for (const sc::Plane& plane : planes) shaft.add_plane(plane);
-  return sc::compile(shaft);
-}
+const sc::ConvexHull view = sc::frustum(matrix, depth);
+const std::vector<sc::Vec3> corners_of_both = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 10}, {1, 0, 10}, {1, 1, 10}};
 
-// Of a question: the code as text, and what it makes.
-#define QUESTION(code) \
-  Question { #code, code }
+// Of a question: the code as text, and whether what it makes keeps a box.
+#define QUESTION(code)                                        \
+  Question {                                                  \
+#code, [](const sc::Box& box) { return cull(code, box); } \
+  }
 
 struct Question {
   const char* code;
-  sc::CompiledShaft shaft;
+  bool (*keeps)(const sc::Box& box);
 };
 
 std::vector<Question> questions() {
@@ -52,15 +50,18 @@ std::vector<Question> questions() {
           QUESTION(sc::swept_without_end(receiver, towards_sun)),
           QUESTION(sc::shadow(light, occluder)),
           QUESTION(sc::shadow(light, occluder, reach)),
-          QUESTION(see_through(sc::view_planes(matrix, depth)))};
+          QUESTION(sc::frustum(matrix, depth)),
+          QUESTION(sc::casters(view, light_position)),
+          QUESTION(sc::casters_towards(view, towards_sun)),
+          QUESTION(sc::ConvexHull(corners_of_both))};
 }
 
 TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
   const sc::Box in_the_way{{0.4F, 0.4F, 5}, {0.6F, 0.6F, 6}};
   const sc::Box beside{{20, 0, 5}, {21, 1, 6}};
   for (const Question& question : questions()) {
-    EXPECT_TRUE(cull(question.shaft, in_the_way)) << question.code;
-    EXPECT_FALSE(cull(question.shaft, beside)) << question.code;
+    EXPECT_TRUE(question.keeps(in_the_way)) << question.code;
+    EXPECT_FALSE(question.keeps(beside)) << question.code;
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/boxes/slab.hpp"
+#include "kernels/hulls/stages.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/spheres/planes.hpp"
@@ -44,6 +45,14 @@ void cull_listed_words(const ShaftData& shaft, const float* const* stream, const
                        std::uint64_t* kept) noexcept {
   const ListedWords<L> position{word};
   if constexpr (Stages::streams == 6) {
+    if (shaft.is_hull()) [[unlikely]] {
+      hull_faces_stage<L>(*shaft.hull, stream, words, kept, position);
+      run_on_listed_survivors<L, 6>(stream, word, words, kept,
+                                    [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                      hull_edges_stage<L>(*shaft.hull, some, n, bits);
+                                    });
+      return;
+    }
     box_slab_stage<L>(shaft, stream, words, kept, position);
     if (shaft.added_count == 0) return;
     run_on_listed_survivors<L, 6>(stream, word, words, kept,

@@ -1,0 +1,41 @@
+/// What a compiled convex hull holds: planes as kernels read them, and the vertices that exact predicates start from.
+#pragma once
+
+#include <cstdint>
+
+namespace shaftcull::kernel {
+
+/// A convex hull of points, or of points and directions: conv(points) + cone(directions).
+///
+/// A box misses it iff one of these separates them: a face of its box, a face of the hull, or an edge of the hull's
+/// projection along an axis (a plane whose normal has a zero component on that axis). docs/exactness.md has the proof.
+/// Faces of the hull whose normals have a zero component are such edges, too, and are kept as edges only.
+struct HullData {
+  static constexpr unsigned most_vertices = 32;
+  static constexpr unsigned most_faces = 2 * most_vertices - 4;  // all of them triangles
+  static constexpr unsigned most_edges = 3 * most_vertices;      // as many an axis as there are vertices
+
+  /// depth = offset + Σ inward[i] · (coordinate i): negative beyond the plane.
+  struct alignas(32) Plane {
+    float inward[3];
+    float offset;              ///< of a bounded hull, with the margin added
+    float length;              ///< of the normal
+    float magnitude;           ///< at least |offset| + Σ |inward[i] · (coordinate i of a vertex in the plane)|
+    std::uint8_t near[3];      ///< stream of a BoxView that holds coordinate i of a box's near corner
+    std::uint8_t vertices[3];  ///< which span the plane, the first of them a point; an edge has two
+    std::uint8_t axis;         ///< along which an edge is projected; its coordinates 0 and 1 are on the next two axes
+    std::int8_t sign;          ///< of what the vertices' orientation says: 1, or −1 if it is positive inside
+  };
+
+  float box[6];        ///< around the hull, rounded nowhere; ±∞ where directions lead
+  bool is_bounded;     ///< then planes are scaled so that depths are off by less than 1, the margin
+  bool suits_floats;   ///< if not, exact predicates decide alone
+  std::uint8_t faces;  ///< with three coordinates each
+  std::uint8_t edges;  ///< behind the faces, with two coordinates each
+  std::uint8_t vertices;
+  std::uint8_t points;  ///< come first; the other vertices are directions
+  Plane plane[most_faces + most_edges];
+  float vertex[most_vertices][3];
+};
+
+}  // namespace shaftcull::kernel

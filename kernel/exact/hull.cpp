@@ -1,0 +1,179 @@
+#include "exact/hull.hpp"
+
+#include <cmath>
+
+#include "exact/hull_planes.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+using Plane = HullData::Plane;
+
+/// The axes that the coordinates of a plane are on: all three of a face, two of an edge.
+struct Axes {
+  unsigned count;
+  unsigned axis[3];
+
+  Axes(const HullData& hull, unsigned plane) noexcept {
+    if (plane < hull.faces) {
+      count = 3;
+      for (unsigned k = 0; k < 3; ++k) axis[k] = k;
+    } else {
+      count = 2;
+      axis[0] = (hull.plane[plane].axis + 1U) % 3;
+      axis[1] = (hull.plane[plane].axis + 2U) % 3;
+    }
+  }
+};
+
+/// Sign of the value of a plane at the corner of a box whose coordinate i is at stream[i].
+int corner_side(const HullData& hull, unsigned number, const float (&bound)[6],
+                const std::uint8_t (&stream)[3]) noexcept {
+  const Plane& plane = hull.plane[number];
+  if (number < hull.faces) {
+    return plane.sign *
+           plane_through(hull, plane.vertices).side({bound[stream[0]], bound[stream[1]], bound[stream[2]]});
+  }
+  const ProjectedLine line(hull, plane.axis, plane.vertices[0], plane.vertices[1]);
+  return plane.sign * line.side(bound[stream[0]], bound[stream[1]]);
+}
+
+/// A plane's value at a point and the length of its normal, in doubles, and a bound on what they are off by.
+struct Measure {
+  double value = 0;
+  double length = 0;
+  double error = 0;
+};
+
+Measure measure(const HullData& hull, unsigned number, const float (&point)[4]) noexcept {
+  const Plane& plane = hull.plane[number];
+  const Axes axes(hull, number);
+  double normal[3];
+  if (number < hull.faces) {
+    const SpannedPlane spanned = plane_through(hull, plane.vertices);
+    for (unsigned k = 0; k < 3; ++k) normal[k] = spanned.normal(k);
+  } else {
+    const ProjectedLine line(hull, plane.axis, plane.vertices[0], plane.vertices[1]);
+    normal[0] = line.along[1].rounded();
+    normal[1] = -line.along[0].rounded();
+  }
+  Measure result;
+  double square = 0;
+  double magnitude = 0;
+  for (unsigned i = 0; i < axes.count; ++i) {
+    const double p = hull.vertex[plane.vertices[0]][axes.axis[i]];
+    const double x = point[axes.axis[i]];
+    result.value += plane.sign * normal[i] * (x - p);
+    magnitude += std::fabs(normal[i]) * (std::fabs(x) + std::fabs(p));
+    square += normal[i] * normal[i];
+  }
+  // Normals are off by 2⁻³⁰ of themselves at most where they were nearly cancelled; all else by less.
+  result.error = 0x1p-28 * magnitude;
+  result.length = std::sqrt(square);
+  return result;
+}
+
+/// `x` − `face` compared with `radius`, exactly: the rounded difference of two floats in a double, if it is not equal
+/// to a float, is on the same side of it as the exact one.
+int compare_distance(double x, double face, double radius) noexcept {
+  if (std::isinf(face)) return face > 0 ? -1 : 1;
+  const TwoTerms distance = two_sum(x, -face);
+  if (distance.sum != radius) return distance.sum > radius ? 1 : -1;
+  return distance.error > 0 ? 1 : distance.error < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+SpannedPlane plane_through(const HullData& hull, const std::uint8_t (&vertices)[3]) noexcept {
+  double point[3];
+  Step u[3];
+  Step v[3];
+  for (unsigned k = 0; k < 3; ++k) {
+    point[k] = hull.vertex[vertices[0]][k];
+    u[k] = step_between(hull, vertices[0], vertices[1], k);
+    v[k] = step_between(hull, vertices[0], vertices[2], k);
+  }
+  return {point, u, v};
+}
+
+ProjectedLine::ProjectedLine(const HullData& hull, unsigned axis, unsigned from, unsigned to) noexcept
+    : i((axis + 1) % 3),
+      j((axis + 2) % 3),
+      point{hull.vertex[from][i], hull.vertex[from][j]},
+      along{step_between(hull, from, to, i), step_between(hull, from, to, j)} {}
+
+bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept {
+  for (unsigned k = 0; k < 3; ++k) {
+    if (bound[k] > bound[k + 3] || bound[k + 3] < hull.box[k] || bound[k] > hull.box[k + 3]) return true;
+  }
+  for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
+    const Plane& plane = hull.plane[number];
+    bool is_bounded = true;  // an infinite extent leads behind the plane, and a NaN says nothing
+    for (unsigned i = 0; i < Axes(hull, number).count; ++i) is_bounded &= std::isfinite(bound[plane.near[i]]);
+    if (is_bounded && corner_side(hull, number, bound, plane.near) > 0) return true;
+  }
+  return false;
+}
+
+bool hull_box_inside(const HullData& hull, const float (&bound)[6]) noexcept {
+  for (unsigned k = 0; k < 3; ++k) {
+    if (!(bound[k] <= bound[k + 3] && bound[k] >= hull.box[k] && bound[k + 3] <= hull.box[k + 3])) return false;
+  }
+  for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
+    const Plane& plane = hull.plane[number];
+    std::uint8_t far[3] = {};
+    for (unsigned i = 0; i < Axes(hull, number).count; ++i) {
+      far[i] = static_cast<std::uint8_t>(plane.near[i] < 3 ? plane.near[i] + 3 : plane.near[i] - 3);
+      if (!std::isfinite(bound[far[i]])) return false;
+    }
+    if (corner_side(hull, number, bound, far) > 0) return false;
+  }
+  return true;
+}
+
+bool hull_sphere_outside(const HullData& hull, const float (&sphere)[4]) noexcept {
+  const double radius = sphere[3];
+  if (std::isnan(radius)) return false;
+  if (radius < 0) return true;
+  for (unsigned k = 0; k < 3; ++k) {
+    const double c = sphere[k];
+    if (std::isnan(c)) continue;
+    if (std::isinf(c)) {
+      const double face = c < 0 ? hull.box[k] : hull.box[k + 3];
+      if (std::isfinite(face) && std::isfinite(radius)) return true;
+      continue;
+    }
+    if (std::isinf(radius)) continue;
+    if (compare_distance(-c, -static_cast<double>(hull.box[k]), radius) > 0 ||
+        compare_distance(c, hull.box[k + 3], radius) > 0) {
+      return true;
+    }
+  }
+  if (std::isinf(radius)) return false;
+  for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
+    const Axes axes(hull, number);
+    bool is_bounded = true;
+    for (unsigned i = 0; i < axes.count; ++i) is_bounded &= std::isfinite(sphere[axes.axis[i]]);
+    if (!is_bounded) continue;
+    const Measure plane = measure(hull, number, sphere);
+    if (plane.value > radius * plane.length * (1 + 0x1p-28) + plane.error) return true;
+  }
+  return false;
+}
+
+bool hull_sphere_inside(const HullData& hull, const float (&sphere)[4]) noexcept {
+  const double radius = sphere[3];
+  if (!(radius >= 0) || std::isinf(radius)) return false;
+  for (unsigned k = 0; k < 3; ++k) {
+    const double c = sphere[k];
+    if (!std::isfinite(c)) return false;
+    if (compare_distance(c, hull.box[k], radius) < 0 || compare_distance(hull.box[k + 3], c, radius) < 0) return false;
+  }
+  for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
+    const Measure plane = measure(hull, number, sphere);
+    if (!(plane.value + radius * plane.length * (1 + 0x1p-28) + plane.error <= 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,23 @@
+/// Exact answers of convex hulls for single bounds.
+#pragma once
+
+#include "compiled/hull_data.hpp"
+
+namespace shaftcull::kernel {
+
+/// Whether the box with the corners of `bound` (order of a BoxView's streams) misses the hull. One with lo > hi
+/// on an axis does.
+[[nodiscard]] bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept;
+
+/// Whether that box is inside the hull.
+[[nodiscard]] bool hull_box_inside(const HullData& hull, const float (&bound)[6]) noexcept;
+
+/// Whether the sphere (centre x, y, z, radius) is beyond a plane of the hull or a face of its box by more than its
+/// radius. Of planes with three coordinates or two, only where doubles say so for certain, in one order of operations
+/// on every machine: a sphere that touches one within some 2⁻⁴⁰ is not outside.
+[[nodiscard]] bool hull_sphere_outside(const HullData& hull, const float (&sphere)[4]) noexcept;
+
+/// Whether the sphere is inside all of them, by its radius at least; likewise only where doubles say so for certain.
+[[nodiscard]] bool hull_sphere_inside(const HullData& hull, const float (&sphere)[4]) noexcept;
+
+}  // namespace shaftcull::kernel

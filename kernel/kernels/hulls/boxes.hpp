@@ -1,0 +1,147 @@
+/// Boxes against a convex hull: outside by near corners, inside by far ones, exactly.
+#pragma once
+
+#include "exact/hull.hpp"
+#include "kernels/boxes/slab.hpp"
+#include "kernels/hulls/planes.hpp"
+#include "kernels/shared/word.hpp"
+
+namespace shaftcull::kernel {
+
+/// Clears the bits in `kept` of boxes that miss the hull, for hulls that floats do not suit.
+template <class L>
+[[gnu::noinline, gnu::cold]] std::uint64_t hull_outside_by_predicate(const HullData& hull, const float* const* stream,
+                                                                     std::size_t at, std::uint64_t lanes) noexcept {
+  return decide_lanes<L>(lanes,
+                         [&](unsigned lane) { return hull_box_outside(hull, BoundAt<L, 6>(stream, at + lane).value); });
+}
+
+/// Bits of the boxes of the word at `at` that are beyond a face of the hull.
+template <class L, bool bounded>
+[[nodiscard, gnu::always_inline]] inline std::uint64_t hull_faces_word(const HullData& hull, const float* const* stream,
+                                                                       std::size_t at) noexcept {
+  std::uint64_t outside = 0;
+  std::uint64_t undecided = 0;
+  for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
+    HullDepths<L, 4, bounded> depths;
+    depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.faces, stream, at + four);
+    for (unsigned v = 0; v < 4; ++v) {
+      const auto zero = L::all(0.0F);
+      const unsigned lane = four + v * L::width;
+      outside |= L::bits(L::less(depths.most[v], zero)) << lane;
+      if constexpr (bounded) {
+        undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin))) << lane;
+      } else {
+        undecided |= (L::bits(L::less(zero, depths.least[v])) ^ lanes_of<L>(0)) << lane;
+      }
+    }
+  }
+  undecided &= ~outside;
+  if (undecided != 0) [[unlikely]]
+    outside |= hull_outside_by_predicate<L>(hull, stream, at, undecided);
+  return outside;
+}
+
+/// First stage: writes the kept bits of `words` words, clear for boxes that are beyond a face of the hull.
+template <class L, class Words>
+void hull_faces_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
+                      const Words& position) noexcept {
+  for (std::size_t w = 0; w < words; ++w) {
+    if (!hull.suits_floats) {
+      kept[w] = ~hull_outside_by_predicate<L>(hull, stream, position(w), ~std::uint64_t{0});
+    } else if (hull.is_bounded) {
+      kept[w] = ~hull_faces_word<L, true>(hull, stream, position(w));
+    } else {
+      kept[w] = ~hull_faces_word<L, false>(hull, stream, position(w));
+    }
+  }
+}
+
+/// Clears the bits of boxes that are beyond the hull's box or an edge, or empty, of one vector. Returns the lanes
+/// that are undecided.
+template <class L, bool bounded>
+[[nodiscard]] std::uint64_t hull_edges_vector(const HullData& hull, const float* const* stream, std::size_t at,
+                                              std::uint64_t& kept) noexcept {
+  const auto zero = L::all(0.0F);
+  auto is_beyond = L::less(L::load(stream[3] + at), L::load(stream[0] + at));  // the empty box, or padding
+  for (unsigned k = 0; k < 3; ++k) {
+    const auto lo = L::load(stream[k] + at);
+    const auto hi = L::load(stream[k + 3] + at);
+    if (k != 0) is_beyond = L::either(is_beyond, L::less(hi, lo));
+    is_beyond = L::either(is_beyond, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
+  }
+  HullDepths<L, 1, bounded> depths;
+  depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.edges, stream, at);
+  kept &= ~L::bits(L::either(is_beyond, L::less(depths.most[0], zero)));
+  if constexpr (bounded) return L::bits(L::less_equal(depths.most[0], L::all(2 * hull_margin)));
+  return L::bits(L::less(zero, depths.least[0])) ^ lanes_of<L>(0);
+}
+
+/// Second stage: clears the bits of boxes that are beyond the hull's box, or one of its edges.
+template <class L>
+void hull_edges_stage(const HullData& hull, const float* const* stream, std::size_t words,
+                      std::uint64_t* kept) noexcept {
+  if (!hull.suits_floats) return;  // all is decided
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t undecided = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      std::uint64_t here = kept[w] >> lane & lanes_of<L>(0);
+      if (here == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      undecided |= (hull.is_bounded ? hull_edges_vector<L, true>(hull, stream, at, here)
+                                    : hull_edges_vector<L, false>(hull, stream, at, here))
+                   << lane;
+      kept[w] &= ~lanes_of<L>(lane) | here << lane;
+    }
+    undecided &= kept[w];
+    if (undecided != 0) [[unlikely]] {
+      kept[w] &= ~hull_outside_by_predicate<L>(hull, stream, w * word_bits, undecided);
+    }
+  }
+}
+
+/// Clears the bits of boxes that are not inside the hull.
+template <class L>
+void hull_inside_stage(const HullData& hull, const float* const* stream, std::size_t words,
+                       std::uint64_t* inside) noexcept {
+  const auto zero = L::all(0.0F);
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t candidates = 0;
+    std::uint64_t certain = 0;
+    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
+      if ((inside[w] & lanes_of<L>(lane)) == 0) continue;
+      const std::size_t at = w * word_bits + lane;
+      auto within = L::less_equal(L::load(stream[0] + at), L::load(stream[3] + at));  // not the empty box
+      for (unsigned k = 0; k < 3; ++k) {
+        within = L::both(within, L::less_equal(L::all(hull.box[k]), L::load(stream[k] + at)));
+        within = L::both(within, L::less_equal(L::load(stream[k + 3] + at), L::all(hull.box[k + 3])));
+      }
+      if (!hull.suits_floats) {
+        candidates |= (L::bits(within) << lane) & inside[w];
+        continue;
+      }
+      const auto note = [&](auto depths) {
+        depths.template add_boxes<3, HullCorner::far>(hull, 0, hull.faces, stream, at);
+        depths.template add_boxes<2, HullCorner::far>(hull, hull.faces, hull.faces + hull.edges, stream, at);
+        candidates |= (L::bits(L::both(within, L::less_equal(zero, depths.most[0]))) << lane) & inside[w];
+        return depths;
+      };
+      if (hull.is_bounded) {
+        const auto depths = note(HullDepths<L, 1, true>());
+        certain |= L::bits(L::less(L::all(2 * hull_margin), depths.most[0])) << lane;
+      } else {
+        const auto depths = note(HullDepths<L, 1, false>());
+        certain |= L::bits(L::less(zero, depths.least[0])) << lane;
+      }
+    }
+    inside[w] = candidates & certain;
+    const std::uint64_t undecided = candidates & ~certain;
+    if (undecided != 0) [[unlikely]] {
+      inside[w] |= decide_lanes<L>(undecided, [&](unsigned lane) {
+        return hull_box_inside(hull, BoundAt<L, 6>(stream, w * word_bits + lane).value);
+      });
+    }
+  }
+}
+
+}  // namespace shaftcull::kernel

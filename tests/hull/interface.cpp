@@ -1,0 +1,103 @@
+/// What a ConvexHull takes, refuses, and keeps through copies and moves.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "message_of.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/hull.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+const std::vector<Vec3> tetrahedron = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+
+TEST(HullInterface, VerticesThatMakeNoHullAreRefused) {
+  const auto refusal = [](const std::vector<Vec3>& points, const std::vector<Vec3>& directions) {
+    return message_of([&] { const ConvexHull hull(points, directions); });
+  };
+  EXPECT_THAT(refusal({}, {}), HasSubstr("there is no point"));
+  EXPECT_THAT(refusal({}, {{1, 0, 0}}), HasSubstr("there is no point"));
+  EXPECT_THAT(refusal(std::vector<Vec3>(33, Vec3{}), {}),
+              HasSubstr("33 points and 0 directions; together there can be 32"));
+  EXPECT_THAT(refusal(std::vector<Vec3>(30, Vec3{}), std::vector<Vec3>(3, Vec3{1, 0, 0})),
+              HasSubstr("30 points and 3"));
+  EXPECT_THAT(refusal({{0, 0, 0}, {1, nan, 0}}, {}), HasSubstr("point 1: y = nan is not finite"));
+  EXPECT_THAT(refusal({{0, 0, 0}}, {{1, 0, 0}, {0, 0, infinity}}), HasSubstr("direction 1: z = inf is not finite"));
+  EXPECT_THAT(refusal({{0, 0, 0}}, {{0, 0, 0}}), HasSubstr("direction 0 is zero"));
+  EXPECT_THAT(message_of([] { const ConvexHull hull(std::span<const Vec3>(static_cast<const Vec3*>(nullptr), 2)); }),
+              HasSubstr("points"));
+}
+
+TEST(HullInterface, ViewsThatMatricesDoNotShowAreRefused) {
+  std::vector<float> matrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const auto refusal = [&](ClipDepth depth) {
+    return message_of([&] { static_cast<void>(frustum(std::span<const float, 16>(matrix.data(), 16), depth)); });
+  };
+  EXPECT_EQ(frustum(std::span<const float, 16>(matrix.data(), 16), ClipDepth::zero_to_one).box(),
+            (Box{{-1, -1, 0}, {1, 1, 1}}));
+  EXPECT_EQ(frustum(std::span<const float, 16>(matrix.data(), 16), ClipDepth::minus_one_to_one).box(),
+            (Box{{-1, -1, -1}, {1, 1, 1}}));
+  matrix[10] = 0;  // all is at one depth
+  EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("frustum"));
+  matrix[10] = nan;
+  EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("not finite"));
+  matrix[10] = 1e-39F;  // corners at 10³⁹
+  EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("beyond all floats"));
+  matrix[10] = 1;
+  EXPECT_THAT(refusal(static_cast<ClipDepth>(7)), HasSubstr("7"));
+}
+
+TEST(HullInterface, CastersOfAFullViewAreRefused) {
+  const ConvexHull full(std::vector<Vec3>(32, Vec3{1, 2, 3}));
+  EXPECT_THAT(message_of([&] { static_cast<void>(casters(full, {0, 0, 0})); }), HasSubstr("33 points"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(casters_towards(full, {0, 0, 1})); }), HasSubstr("1 directions"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(casters(ConvexHull(tetrahedron), {0, nan, 0})); }), HasSubstr("nan"));
+}
+
+TEST(HullInterface, TellsWhatItWasGiven) {
+  const std::vector<Vec3> directions = {{0, 0, -1}};
+  const ConvexHull hull(tetrahedron, directions);
+  EXPECT_THAT(hull.points(), testing::ElementsAreArray(tetrahedron));
+  EXPECT_THAT(hull.directions(), testing::ElementsAreArray(directions));
+  EXPECT_EQ(hull.box(), (Box{{0, 0, -infinity}, {4, 4, 4}}));
+  EXPECT_EQ(hull.compiled().a(), hull.box());
+  EXPECT_EQ(hull.compiled().b(), hull.box());
+  EXPECT_TRUE(hull.compiled().formed());
+  EXPECT_TRUE(hull.compiled().has_planes());
+}
+
+TEST(HullInterface, CopiesAndMovesAnswerAlike) {
+  const Box in = {{1, 1, 1}, {1.25F, 1.25F, 1.25F}};
+  const Box out = {{3, 3, 3}, {4, 4, 4}};
+  ConvexHull hull(tetrahedron);
+  const ConvexHull copy = hull;
+  ConvexHull moved = std::move(hull);
+  for (const ConvexHull* each : {&copy, &std::as_const(moved)}) {
+    EXPECT_EQ(classify(*each, in), Answer::inside);
+    EXPECT_EQ(classify(*each, out), Answer::outside);
+  }
+  EXPECT_FALSE(hull.compiled().formed());  // NOLINT(bugprone-use-after-move): what is documented
+  EXPECT_TRUE(hull.points().empty());
+  const ConvexHull copy_of_nothing = hull;
+  EXPECT_FALSE(copy_of_nothing.compiled().formed());
+  hull = moved;
+  moved = ConvexHull(std::vector<Vec3>{{9, 9, 9}});
+  EXPECT_EQ(classify(hull, in), Answer::inside);
+  EXPECT_EQ(classify(moved, in), Answer::outside);
+  const ConvexHull& itself = hull;
+  hull = itself;
+  EXPECT_EQ(classify(hull, in), Answer::inside);
+}
+
+}  // namespace
+}  // namespace shaftcull

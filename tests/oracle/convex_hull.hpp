@@ -1,0 +1,52 @@
+/// Answers of convex hulls, worked out in exact rational arithmetic. Shares no code with the library.
+///
+/// Two convex polyhedra, of which one is bounded, have no point in common iff a plane separates them that is parallel
+/// to a face of one of them, or to an edge of each. The other one being a box, that is a plane through three vertices
+/// of the hull, through two of them and parallel to an axis, or perpendicular to an axis. All of them are tried, those
+/// that are no faces and edges of the hull, too.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/cull.hpp"
+
+namespace shaftcull::oracle {
+
+class ConvexHull {
+ public:
+  /// conv(points) + cone(directions).
+  explicit ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions = {});
+
+  /// Infinite extents are unbounded boxes; a box with lo > hi meets nothing.
+  [[nodiscard]] Answer answer(const Box& box) const;
+
+  /// Whether the sphere, with a finite centre and radius, is beyond one of the planes that are spanned by more than its
+  /// radius times 1 + `slack`, and `slack` of the coordinates.
+  [[nodiscard]] bool is_beyond(const Sphere& sphere, double slack = 0) const;
+  /// Whether it is behind all of them by its radius, likewise.
+  [[nodiscard]] bool is_within(const Sphere& sphere, double slack = 0) const;
+
+ private:
+  using Vector = std::array<mpq_class, 3>;
+  /// normal·p ≤ offset for all points of the hull, with equality for one.
+  struct Plane {
+    Vector normal;
+    mpq_class offset;
+    bool is_spanned;  ///< by a face of the hull, an edge that it shows along an axis, or a face of its box
+  };
+
+  /// Adds the planes with this normal that touch the hull from either side. `through` is a point of what spans them, or
+  /// null for faces of the hull's box.
+  void add_planes(const Vector& normal, const Vector* through);
+
+  std::vector<Vector> points_;
+  std::vector<Vector> directions_;
+  std::vector<Plane> planes_;
+};
+
+}  // namespace shaftcull::oracle
