@@ -28,7 +28,7 @@ endfunction()
 # their time on rationals, which emulation slows down the most, and what runs in other floating-point modes, which it does in software: answers
 # on record (same_bits) stand in for them.
 set(slow QuickHull.* FloatEnvironment.Answers* ExactSpheres.*Huge* ExactSpheres.*Touch* ExactSpheres.Radii* ExactSpheres.Random* ExactSpheres.*FarFrom*
-  ExactSpheres.EveryMagnitude* AddedPlanes.SpheresFar* AddedPlanes.SpheresAt* AddedPlanes.Huge* GoldenAnswers.EverySphere*)
+  Kinds.*Exactly Kinds.*Away ExactSpheres.EveryMagnitude* AddedPlanes.SpheresFar* AddedPlanes.SpheresAt* AddedPlanes.Huge* GoldenAnswers.EverySphere*)
 list(JOIN slow ":" slow)
 # Guard pages are left to real processors: qemu 7.2 reads all lanes of a masked load, also those that are masked out.
 set(guarded Views.EveryCountOf*)
