@@ -15,6 +15,7 @@
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
@@ -22,6 +23,8 @@ namespace {
 
 /// What all answers below hash to. Exact answers do not change: if this does, an answer was or is wrong.
 constexpr std::uint64_t recorded = 2012080876133702002U;
+/// Likewise of shafts of moving boxes.
+constexpr std::uint64_t recorded_of_moving = 9822450572968547462U;
 constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
 
 constexpr std::size_t shafts = 600;
@@ -193,6 +196,51 @@ std::uint64_t answers(Way way) {
     add_answers(compiled, SphereColumns(spheres).view(), way, digest);
   }
   return digest.value();
+}
+
+/// The shaft of a moving box, or that between both boxes where light and occluder are not apart.
+CompiledShaft moving_shaft(int kind, const Box& a, const Box& b, const Vec3& way) {
+  bool apart = false;
+  for (std::size_t k = 0; k != 3; ++k) apart = apart || a.hi[k] < b.lo[k] || b.hi[k] < a.lo[k];
+  if (kind >= 2 && !apart) return compile(a, b);
+  return kind == 0                    ? swept(a, way)
+         : kind == 1 && way != Vec3{} ? swept_without_end(a, way)
+         : kind == 2                  ? shadow(b, a, 1.75F)
+         : kind == 3                  ? shadow(b, a)
+                                      : compile(a, b);
+}
+
+std::uint64_t moving_answers(Way way) {
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t s = 0; s != shafts; ++s) {
+    const bool is_wild = s % 5 == 4;
+    const Number number = is_wild ? &Numbers::any : s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+    const Box a = box(numbers, number);
+    const Box b = box(numbers, number);
+    const int kind = numbers.below(4);
+    const CompiledShaft shaft = moving_shaft(kind, a, b, point(numbers, number));
+    std::vector<Box> boxes;
+    std::vector<Sphere> spheres;
+    for (std::size_t i = 0; i != bounds; ++i) {
+      const bool touches = !is_wild && numbers.below(2) == 0;
+      const Vec3 p = touches ? edge_point(numbers, shaft.a(), shaft.b()) : point(numbers, number);
+      boxes.push_back(numbers.below(4) == 0 ? Box{p, p} : sorted(p, point(numbers, number)));
+      spheres.push_back({p, numbers.below(4) == 0 ? 0.0F : std::abs((numbers.*number)())});
+    }
+    add_answers(shaft, BoxColumns(boxes).view(), way, digest);
+    add_answers(shaft, SphereColumns(spheres).view(), way, digest);
+  }
+  return digest.value();
+}
+
+TEST(SameBits, EveryBuildGivesTheAnswersOnRecordOfShaftsOfMovingBoxes) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(moving_answers(Way::slab), recorded_of_moving) << name(isa) << ", slab form";
+    EXPECT_EQ(moving_answers(Way::planes), recorded_of_moving) << name(isa) << ", plane form";
+    EXPECT_EQ(moving_answers(Way::grid), recorded_of_moving) << name(isa) << ", on a grid";
+  }
 }
 
 TEST(SameBits, EveryBuildInstructionSetAndFormGivesTheAnswersOnRecord) {
