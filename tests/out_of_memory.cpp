@@ -352,9 +352,6 @@ TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   const auto list = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists); };
   expect_lists_or_none(indices, list);
   expect_lists_or_none(ranges, list);
-  if constexpr (std::is_same_v<BoundOf<TypeParam>, Box>) {
-    expect_lists_or_none(indices, [&](auto& lists) { list_blocking_many(this->shafts_, this->tree_, lists); });
-  }
   const auto refine = [&](auto& lists) {
     refine_many(this->shafts_, this->tree_.leaves(), this->tree_.order(), lists);
   };
@@ -381,9 +378,19 @@ TYPED_TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
   const IndexListsOf<TypeParam> before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, spheres.view(), lists); });
-  expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, boxes.view(), lists); });
   expect_both_lists_or_none(
       before, [&](auto& overlap, auto& inside) { list_classified_many(shafts, boxes.view(), overlap, inside); });
+}
+
+TYPED_TEST(ListsOutOfMemory, ListsOfWhatBlocksAreAsTheyWereOrEmpty) {
+  const std::vector<CompiledShaft> shafts(70, compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}}));
+  std::vector<Box> boxes = random_boxes(64, 9000);
+  for (std::size_t i = 0; i < boxes.size(); i += 5) boxes[i] = {{2, -1, -1}, {3, 2, 2}};
+  const BoxColumns memory(boxes);
+  const BoundsTree<Box, TypeParam> tree{std::span<const Box>(boxes)};
+  const IndexListsOf<TypeParam> before{{0, 1}, {5}};
+  expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, memory.view(), lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, tree, lists); });
 }
 
 /// Makes `call`, which hands answers to a callback, fail at every allocation: those that were handed out are the first
