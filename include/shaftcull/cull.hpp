@@ -60,6 +60,13 @@ void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const SphereView& spheres, Form form = Form::fastest);
 
+/// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many, as any(). To learn
+/// whether there are more than n, ask for n + 1.
+[[nodiscard]] std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::size_t most,
+                                        Form form = Form::fastest);
+[[nodiscard]] std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::size_t most,
+                                        Form form = Form::fastest);
+
 /// How many bounds overlap the shaft, and how many are inside.
 [[nodiscard]] KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
 [[nodiscard]] KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres,
@@ -75,6 +82,17 @@ void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<
                                Form form = Form::fastest);
 [[nodiscard]] std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
                                Form form = Form::fastest);
+
+/// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
+/// there, as any(), and does not say whether there are more. Throws InvalidArgument as list().
+[[nodiscard]] std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept,
+                                       Form form = Form::fastest);
+[[nodiscard]] std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
+                                       Form form = Form::fastest);
+[[nodiscard]] std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
+                                       std::span<std::uint32_t> kept, Form form = Form::fastest);
+[[nodiscard]] std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
+                                       std::span<std::uint64_t> kept, Form form = Form::fastest);
 
 /// As list(), but bounds that overlap and bounds inside apart. The two spans share no memory.
 [[nodiscard]] KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
@@ -94,6 +112,11 @@ void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<
 /// most, and stops after the first chunk of which one is kept.
 [[nodiscard]] bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
 [[nodiscard]] bool any(const CompiledShaft& shaft, const SphereView& spheres, Form form = Form::fastest);
+
+/// Clears the bits of bounds that are in none of some layers, as trees leave them out (ExcludingOf::only_layers): bit i
+/// stays set iff layers[i] & only_layers is not 0. `bits` are any that a call for one shaft wrote, or a row of those
+/// for many: words_for(layers.size()) words. Throws InvalidArgument for another size, or if the two spans share memory.
+void keep_layers(std::span<std::uint64_t> bits, std::span<const std::uint32_t> layers, std::uint32_t only_layers);
 
 /// What a shaft says of one bound.
 enum class Answer : std::uint8_t { outside, overlap, inside };

@@ -65,6 +65,13 @@ void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std
 void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
                 Form form = Form::fastest);
 
+/// kept_counts[s] becomes count_at_most(shafts[s], …, most). One count for each shaft. A shaft that has found so many
+/// is not tested with later tiles of bounds, as with any_many().
+void count_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                        std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+void count_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
+                        std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+
 /// Counts of both kinds: counts[s] becomes what count_classified(shafts[s], …) returns. One for each shaft.
 void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<KeptCounts> counts,
                            Form form = Form::fastest);

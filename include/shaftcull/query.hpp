@@ -6,7 +6,8 @@
 /// by index, that the tree was last built or rebuilt from: not on threads, instruction sets, or what happened before.
 ///
 /// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`,
-/// `{.own = {3, 7}}`, `{.mask = words}` or indices and a mask (ExcludingOf).
+/// `{.own = {3, 7}}`, `{.mask = words}`, `{.only_layers = {0b101}}`, or several of these (ExcludingOf). Whole nodes of
+/// bounds that are in none of the layers asked for are passed over without being tested.
 ///
 /// *Results that do not fit* are counted and not written: see results.hpp.
 ///
@@ -47,27 +48,32 @@ struct LeafRangeOf {
   friend bool operator==(const LeafRangeOf&, const LeafRangeOf&) = default;
 };
 
-/// Indices that a call reads: a span, which may be made of braces as those of C++26. What braces hold is gone at the
+/// Numbers that a call reads: a span, which may be made of braces as those of C++26. What braces hold is gone at the
 /// end of the statement, so write them in the call itself: `Excluding excluding{.own = {3, 7}};` refers to nothing
 /// afterwards.
-template <BoundIndex Index>
-struct IndicesOf : std::span<const Index> {
-  constexpr IndicesOf() noexcept = default;
-  using std::span<const Index>::span;  // NOLINT(modernize-use-equals-default): clang-tidy 14 takes it for a constructor
-  constexpr IndicesOf(std::span<const Index> indices) noexcept  // NOLINT(google-explicit-constructor)
-      : std::span<const Index>(indices) {}
-  constexpr IndicesOf(std::initializer_list<Index> indices) noexcept
-      : std::span<const Index>(std::data(indices), indices.size()) {}
+template <class Number>
+struct SpanOrBraces : std::span<const Number> {
+  constexpr SpanOrBraces() noexcept = default;
+  using std::span<const Number>::span;  // NOLINT(modernize-use-equals-default): clang-tidy 14 takes it for a
+                                        // constructor
+  constexpr SpanOrBraces(std::span<const Number> numbers) noexcept  // NOLINT(google-explicit-constructor)
+      : std::span<const Number>(numbers) {}
+  constexpr SpanOrBraces(std::initializer_list<Number> numbers) noexcept
+      : std::span<const Number>(std::data(numbers), numbers.size()) {}
 };
 
-/// Bounds that a query leaves out, by the user's indices.
+/// Bounds that a query leaves out.
 template <BoundIndex Index>
 struct ExcludingOf {
-  /// A row for each shaft, all equally long: own.size() is a multiple of the number of shafts. A shaft's own two
-  /// objects, say. All are below the tree's size().
-  IndicesOf<Index> own{};
+  /// The user's indices: a row for each shaft, all equally long, so that own.size() is a multiple of the number of
+  /// shafts. A shaft's own two objects, say. All are below the tree's size().
+  SpanOrBraces<Index> own{};
   /// Bit i % 64 of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
   std::span<const std::uint64_t> mask{};
+  /// Layers, one set of them for each shaft, or one for all shafts: a shaft's query leaves out every bound that is in
+  /// none of them, layers & only_layers == 0. Layers are bits, and the tree must have them (BoundsTree::set_layers()).
+  /// Empty: bounds of all layers, and of none, are asked about.
+  SpanOrBraces<std::uint32_t> only_layers{};
 };
 
 /// Those of trees with 32-bit indices.
@@ -105,6 +111,13 @@ template <class Bound, BoundIndex Index>
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
+/// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many. To learn whether there
+/// are more than n, ask for n + 1.
+template <class Bound, BoundIndex Index>
+[[nodiscard]] std::size_t count_at_most(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                        std::size_t most,
+                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
 /// How many bounds overlap the shaft, and how many are inside it. Nothing below a node that is inside is tested.
 template <class Bound, BoundIndex Index>
 [[nodiscard]] KeptCounts count_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
@@ -115,6 +128,13 @@ template <class Bound, BoundIndex Index>
 [[nodiscard]] std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                                std::type_identity_t<std::span<Index>> kept,
                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
+/// there, and does not say whether there are more.
+template <class Bound, BoundIndex Index>
+[[nodiscard]] std::size_t list_at_most(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                       std::type_identity_t<std::span<Index>> kept,
+                                       const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes the ranges of leaves that the shaft keeps, each as long as can be, and returns how many there are.
 template <class Bound, BoundIndex Index>
@@ -161,6 +181,12 @@ void any_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Ind
 template <class Bound, BoundIndex Index>
 void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                 std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// kept_counts[s] becomes count_at_most(shafts[s], tree, most, …). One count for each shaft.
+template <class Bound, BoundIndex Index>
+void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::size_t most,
+                        std::span<std::uint64_t> kept_counts,
+                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// counts[s] becomes count_classified(shafts[s], …). One for each shaft.
 template <class Bound, BoundIndex Index>

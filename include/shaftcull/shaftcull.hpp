@@ -7,6 +7,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/export.hpp"
+#include "shaftcull/first_contact.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/geometry.hpp"
 #include "shaftcull/hull.hpp"

@@ -26,8 +26,8 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
 /// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes; an Index a bound more
-/// from the first update by index or refine() on. With indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64
-/// at most 2³⁷; InvalidArgument for more.
+/// from the first update by index or refine() on, and 4 bytes a bound for layers, if it has any. With indices of 32
+/// bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷; InvalidArgument for more.
 ///
 /// Bounds come from views and streams, from records of all kinds, and from arrays. They are checked as in packing: a
 /// NaN, lo > hi (but for the empty box), a negative radius or half extent, a centre and half extent that are both
@@ -96,6 +96,21 @@ class BoundsTree {
   void refit();
   /// Whether bounds were updated since the last refit.
   [[nodiscard]] bool needs_refit() const noexcept;
+
+  /// Puts bounds into layers, 32 of them, by which queries can pick (ExcludingOf::only_layers): bit l of layers[i] says
+  /// that bound i is in layer l. A bound may be in several or in none. Layers belong to bounds as indices do: they stay
+  /// through updates, refit(), rebuild() and copies, and move with their bounds when renumber() gives these other
+  /// indices. Replaces the layers that there were. Throws InvalidArgument unless there are size() of them. O(size()).
+  void set_layers(std::span<const std::uint32_t> layers);
+  /// Puts bound indices[i] into layers[i] instead of those that it was in; if an index comes twice, the last counts.
+  /// O(indices.size()), but for the first such call, which is O(size()) unless bounds were updated by index before.
+  /// Throws InvalidArgument unless has_layers(), for an index not below size(), or unless there are as many of both.
+  void set_layers(std::span<const Index> indices, std::span<const std::uint32_t> layers);
+  /// Forgets all layers and frees their memory: has_layers() is false then.
+  void clear_layers() noexcept;
+  [[nodiscard]] bool has_layers() const noexcept;
+  /// layers()[p] are those of leaf p; empty unless has_layers(). Valid as leaves(), until layers are set or cleared.
+  [[nodiscard]] std::span<const std::uint32_t> layers() const noexcept;
 
   /// How much larger the smallest nodes have become since the tree was built or rebuilt, 1 at first: the sum of their
   /// surfaces over what it was then. Queries slow down somewhat less than it grows; at 2 or 3 a rebuild() pays.

@@ -29,4 +29,12 @@ inline void require_answers(const ShaftData& shaft, bool outside, bool inside, b
   }
 }
 
+[[noreturn]] void refuse_hull(std::size_t position);
+
+/// Throws InvalidArgument for a convex hull: nothing moves there. `position` as above.
+inline void require_motion(const ShaftData& shaft, std::size_t position) {
+  if (shaft.is_hull()) [[unlikely]]
+    refuse_hull(position);
+}
+
 }  // namespace shaftcull::kernel

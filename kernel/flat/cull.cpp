@@ -1,5 +1,7 @@
 #include "shaftcull/cull.hpp"
 
+#include <algorithm>
+
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
@@ -97,6 +99,19 @@ void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::
 
 void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside) {
   contained_view(kernel::data_of(shaft), spheres, inside);
+}
+
+void keep_layers(std::span<std::uint64_t> bits, std::span<const std::uint32_t> layers, std::uint32_t only_layers) {
+  kernel::require_memory("layers", layers, "layers");
+  kernel::require_words("bits", bits, layers.size());
+  kernel::require_apart("keep_layers", "bits", kernel::bytes_of(bits), "layers", kernel::bytes_of(layers));
+  kernel::KeepLayers* const keep = kernel::active_kernels().keep_layers;
+  const std::size_t whole = layers.size() / 64;
+  for (std::size_t w = 0; w != whole; ++w) bits[w] &= keep(layers.data() + 64 * w, only_layers);
+  if (whole == bits.size()) return;
+  std::uint32_t last[64] = {};
+  std::copy(layers.begin() + static_cast<std::ptrdiff_t>(64 * whole), layers.end(), last);
+  bits[whole] &= keep(last, only_layers);
 }
 
 bool cull(const CompiledShaft& shaft, const Box& box) { return cull_one(kernel::data_of(shaft), box); }

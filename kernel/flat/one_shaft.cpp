@@ -1,74 +1,14 @@
-/// count(), list(), any() and their like for one shaft: bounds go through the kernels in chunks, whose bits stay on the
-/// stack.
+/// count(), list(), any() and their like for one shaft.
 #include <algorithm>
-#include <type_traits>
 
-#include "compiled/answers.hpp"
-#include "compiled/with_planes.hpp"
-#include "dispatch/active_kernels.hpp"
-#include "kernels/table.hpp"
-#include "shaftcull/cull.hpp"
-#include "support/arguments.hpp"
-#include "support/float_environment.hpp"
+#include "flat/chunks.hpp"
 
 namespace shaftcull {
 namespace {
 
-/// Most bounds in a chunk: so many that what a kernel does once a call vanishes, and few enough for bits on the stack.
-constexpr std::size_t chunk_bounds = 16384;
-/// The first chunk of a call that may end early; each has twice as many as the one before.
-constexpr std::size_t first_bounds = 512;
-
-/// One shaft's checked question about a view.
-template <class View>
-class Chunks {
- public:
-  Chunks(const CompiledShaft& shaft, const View& bounds, bool inside, Form form)
-      : Chunks(checked(kernel::data_of(shaft), bounds, inside, form), bounds, inside, form) {}
-
-  [[nodiscard]] const kernel::SetBits& set_bits() const noexcept { return kernels_.set_bits; }
-
-  /// Calls visit(first, words, kept, inside) for chunk after chunk, the bits of bounds from `first` on, until it
-  /// returns false. The first chunk has `chunk` bounds at most.
-  template <class Visit>
-  void for_each(std::size_t chunk, const Visit& visit) const {
-    const kernel::FloatEnvironment environment;
-    kernel::Test* const test = kernels_.test(bounds_, form_);
-    std::uint64_t kept[words_for(chunk_bounds)];
-    std::uint64_t inside[words_for(chunk_bounds)];
-    for (std::size_t first = 0; first != bounds_.count;) {
-      const View part = bounds_.slice(first, std::min(chunk, bounds_.count - first));
-      test(shaft_.shaft(), part.stream.data(), part.count, kept, inside_ ? inside : nullptr);
-      if (!visit(first, words_for(part.count), kept, inside)) return;
-      first += part.count;
-      chunk = std::min(2 * chunk, chunk_bounds);
-    }
-  }
-
- private:
-  static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
-
-  /// The shaft, if the question can be answered; otherwise throws InvalidArgument.
-  static const kernel::ShaftData& checked(const kernel::ShaftData& shaft, const View& bounds, bool inside, Form form) {
-    kernel::require_answers(shaft, true, inside, is_sphere, 0);
-    kernel::require_form(form);
-    kernel::require_view(bounds);
-    return shaft;
-  }
-
-  Chunks(const kernel::ShaftData& shaft, const View& bounds, bool inside, Form form) noexcept
-      : shaft_(shaft, inside || kernel::outside_needs_planes(shaft, is_sphere, form)),
-        bounds_(bounds),
-        kernels_(kernel::active_kernels()),
-        form_(form),
-        inside_(inside) {}
-
-  kernel::WithPlanes shaft_;  // completed once, not chunk by chunk
-  View bounds_;
-  const kernel::Kernels& kernels_;
-  Form form_;
-  bool inside_;
-};
+using kernel::chunk_bounds;
+using kernel::Chunks;
+using kernel::first_chunk_bounds;
 
 /// Writes positions of set bits to the user's span. Those that do not fit are only counted.
 template <class Index>
@@ -129,11 +69,40 @@ template <class View>
 bool any_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
   const Chunks<View> chunks(shaft, bounds, false, form);
   bool any = false;
-  chunks.for_each(first_bounds, [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
-    any = std::any_of(kept, kept + words, [](std::uint64_t word) { return word != 0; });
-    return !any;
-  });
+  chunks.for_each(first_chunk_bounds,
+                  [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
+                    any = std::any_of(kept, kept + words, [](std::uint64_t word) { return word != 0; });
+                    return !any;
+                  });
   return any;
+}
+
+template <class View>
+std::size_t count_some(const CompiledShaft& shaft, const View& bounds, std::size_t most, Form form) {
+  const Chunks<View> chunks(shaft, bounds, false, form);
+  std::size_t count = 0;
+  if (most == 0) return 0;
+  chunks.for_each(first_chunk_bounds,
+                  [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
+                    count += chunks.set_bits().count(kept, words);
+                    return count < most;
+                  });
+  return std::min(count, most);
+}
+
+template <class View, class Index>
+std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<Index> kept, Form form) {
+  const Chunks<View> chunks(shaft, bounds, false, form);
+  kernel::require_index_width<Index>("list_at_most()", bounds.count);
+  kernel::require_memory("kept", kept, "indices");
+  if (kept.empty()) return 0;
+  IndexWriter<Index> listed(chunks.set_bits(), kept);
+  chunks.for_each(first_chunk_bounds,
+                  [&](std::size_t first, std::size_t words, const std::uint64_t* bits, const std::uint64_t*) {
+                    listed.add(first, bits, words);
+                    return listed.count() < kept.size();
+                  });
+  return std::min(listed.count(), kept.size());
 }
 
 template <class View, class Index>
@@ -179,6 +148,13 @@ std::size_t count(const CompiledShaft& shaft, const SphereView& spheres, Form fo
   return count_kept(shaft, spheres, form);
 }
 
+std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::size_t most, Form form) {
+  return count_some(shaft, boxes, most, form);
+}
+std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::size_t most, Form form) {
+  return count_some(shaft, spheres, most, form);
+}
+
 KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
   return count_classes(shaft, boxes, form);
 }
@@ -200,6 +176,21 @@ std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::spa
 }
 std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form) {
   return list_kept(shaft, spheres, kept, form);
+}
+
+std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept, Form form) {
+  return list_some(shaft, boxes, kept, form);
+}
+std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form) {
+  return list_some(shaft, boxes, kept, form);
+}
+std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept,
+                         Form form) {
+  return list_some(shaft, spheres, kept, form);
+}
+std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
+                         Form form) {
+  return list_some(shaft, spheres, kept, form);
 }
 
 KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> overlap,

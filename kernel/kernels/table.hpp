@@ -71,6 +71,9 @@ struct BlockingKernels {
 /// overwrite all 64 of `out`.
 using CompressIndices = std::size_t(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept;
 
+/// Bit i says whether layers[i] & mask is not 0, for a word of 64 bounds' layers.
+using KeepLayers = std::uint64_t(const std::uint32_t* layers, std::uint32_t mask) noexcept;
+
 /// Writes the box around each of `words` words of bounds, at most 64, to node[0 … 5]. Returns which of them hold a
 /// bound that is empty (for spheres: with a negative radius). NaN must not occur.
 using NodeBounds = std::uint64_t(const float* const* stream, std::size_t words, float* const* node) noexcept;
@@ -218,6 +221,7 @@ struct Kernels {
   TestListedWords* listed_spheres;
   BlockingKernels blocking;
   CompressIndices* compress_indices;
+  KeepLayers* keep_layers;
   NodeBounds* node_bounds_of_boxes;
   NodeBounds* node_bounds_of_spheres;
   SplitKernels split;       ///< four streams

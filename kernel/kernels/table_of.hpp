@@ -18,6 +18,7 @@
 #include "kernels/spheres/planes.hpp"
 #include "kernels/table.hpp"
 #include "kernels/tree/compress_indices.hpp"
+#include "kernels/tree/keep_layers.hpp"
 #include "kernels/tree/listed_words.hpp"
 #include "kernels/tree/node_bounds.hpp"
 #include "kernels/tree/partition.hpp"
@@ -309,6 +310,7 @@ inline constexpr Kernels kernels_for = {
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
     .compress_indices = compress_indices<L>,
+    .keep_layers = keep_layers<L>,
     .node_bounds_of_boxes = node_bounds_of_boxes<L>,
     .node_bounds_of_spheres = node_bounds_of_spheres<L>,
     .split = split_kernels<L, 4>,

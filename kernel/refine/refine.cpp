@@ -9,14 +9,13 @@
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "parallel/parallel.hpp"
-#include "shaftcull/error.hpp"
+#include "refine/positions.hpp"
 #include "streams/access.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/index_range.hpp"
 #include "support/list_memory.hpp"
 #include "support/prefetch.hpp"
-#include "tree/access.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
@@ -24,27 +23,6 @@ namespace {
 /// How far ahead of the candidate that is gathered bounds are prefetched, and for trees the positions of leaves.
 constexpr std::size_t prefetched_bounds = 16;
 constexpr std::size_t prefetched_places = 32;
-
-/// Where candidates are in a view: at themselves.
-struct PositionInView {
-  template <class Index>
-  [[nodiscard]] Index operator()(Index candidate) const noexcept {
-    return candidate;
-  }
-  template <class Index>
-  void prefetch(Index /*candidate*/) const noexcept {}
-};
-
-/// Where candidates are among the leaves of a tree.
-template <class Index>
-struct PositionInTree {
-  const Index* place;
-
-  [[nodiscard]] Index operator()(Index candidate) const noexcept { return place[candidate]; }
-  [[gnu::always_inline]] void prefetch(Index candidate) const noexcept {
-    kernel::prefetch_to_second_level(place + candidate, 1);
-  }
-};
 
 /// Gathers the bounds of candidates [first, first + size).
 template <class View, class Index, class Position>
@@ -134,7 +112,7 @@ std::size_t refine_view(const CompiledShaft& shaft, const View& view, std::span<
   kernel::require_view(view);
   const kernel::ShaftData& data = kernel::data_of(shaft);
   require_refinable<Index>(data, std::is_same_v<View, SphereView>, view.count, candidates, kept);
-  return refine_list(data, view, candidates, PositionInView(), kept);
+  return refine_list(data, view, candidates, kernel::PositionInView(), kept);
 }
 
 template <class View, class Index>
@@ -143,20 +121,7 @@ void refine_view_lists(std::span<const CompiledShaft> shafts, const View& view, 
   kernel::require_view(view);
   kernel::require_below("candidates", candidates, view.count);
   require_apart(candidates, lists);
-  refine_lists(shafts, view, candidates, PositionInView(), lists);
-}
-
-/// Where the bounds of a tree are, which must not need a refit: nobody may ask for its bounds then, as with all
-/// queries.
-template <class Bound, class Index>
-PositionInTree<Index> places_of(const BoundsTree<Bound, Index>& tree) {
-  const kernel::TreeParts<Bound, Index>* const parts = TreeAccess::parts(tree);
-  return {parts == nullptr ? nullptr : parts->places.of(parts->order)};
-}
-
-template <class Bound, class Index>
-void require_refitted(const BoundsTree<Bound, Index>& tree) {
-  if (tree.needs_refit()) throw NeedsRefit("refine of a tree whose bounds were updated; call refit() first");
+  refine_lists(shafts, view, candidates, kernel::PositionInView(), lists);
 }
 
 }  // namespace
@@ -202,18 +167,18 @@ template <class Bound, BoundIndex Index>
 std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                    std::type_identity_t<std::span<const Index>> candidates,
                    std::type_identity_t<std::span<Index>> kept) {
-  require_refitted(tree);
+  kernel::require_refitted("refine", tree);
   const kernel::ShaftData& data = kernel::data_of(shaft);
   require_refinable<Index>(data, std::is_same_v<Bound, Sphere>, tree.size(), candidates, kept);
-  return refine_list(data, tree.leaves(), candidates, places_of(tree), kept);
+  return refine_list(data, tree.leaves(), candidates, kernel::places_of(tree), kept);
 }
 template <class Bound, BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
-  require_refitted(tree);
+  kernel::require_refitted("refine", tree);
   kernel::require_below("candidates", candidates, tree.size());
   require_apart(candidates, lists);
-  refine_lists(shafts, tree.leaves(), candidates, places_of(tree), lists);
+  refine_lists(shafts, tree.leaves(), candidates, kernel::places_of(tree), lists);
 }
 
 #define SHAFTCULL_REFINE(Bound, Index)                                                                               \

@@ -1,5 +1,8 @@
 #include "tree/build.hpp"
 
+#include <algorithm>
+#include <type_traits>
+
 #include "dispatch/active_kernels.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
@@ -29,6 +32,14 @@ namespace {
 
 static_assert(source_block % gap_leaves == 0, "tasks that write leaves must not share a word of gaps");
 
+/// The least of some indices, at least one. A loop without branches, which becomes vectors.
+template <class Index>
+Index least(const Index* index, std::size_t count) noexcept {
+  Index least = *index;
+  for (std::size_t i = 1; i < count; ++i) least = std::min(least, index[i]);
+  return least;
+}
+
 /// Builds a tree of the bounds of a source, which may be the scratch's own records.
 template <class Bound, class Index, class Source>
 TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, const Source& source) {
@@ -37,10 +48,16 @@ TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, cons
   TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
+  constexpr bool has_first_contact = std::is_same_v<Bound, Box>;
+  if (has_first_contact) parts.least_index.resize(words_for(parts.size));
   write_tree_order<Index>(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(scratch.records());
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, kernels, parts.order.data(), chunk_at(parts.size, source_block, b), all);
+    const IndexRange block = chunk_at(parts.size, source_block, b);
+    write_leaves(parts, kernels, parts.order.data(), block, all);
+    for (std::size_t first = block.first; has_first_contact && first < block.end(); first += fanout) {
+      parts.least_index[first / fanout] = least(parts.order.data() + first, std::min(fanout, block.end() - first));
+    }
   });
   fit_upper(parts, kernels);
   parts.surface_when_built = surface(parts);
@@ -75,7 +92,11 @@ TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts) {
       for (std::size_t s = 0; s != stream.size(); ++s) record[s] = stream[s][p];
     }
   });
-  return build_in(scratch, RecordSource<Bound>(scratch.records()));
+  TreeParts<Bound, Index> rebuilt = build_in(scratch, RecordSource<Bound>(scratch.records()));
+  if (parts.layers.exist()) {
+    rebuilt.layers = layers_of<Bound, Index>(rebuilt, rebuilt.order, layers_by_index<Bound, Index>(parts, parts.order));
+  }
+  return rebuilt;
 }
 
 template TreeParts<Box, std::uint32_t> rebuild(const TreeParts<Box, std::uint32_t>& parts);

@@ -200,6 +200,23 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, I
 }
 
 template <class Bound, BoundIndex Index>
+void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::size_t most,
+                        std::span<std::uint64_t> kept_counts,
+                        const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+  kernel::require_counts("kept_counts", kept_counts, shafts.size());
+  query.require_apart("count_at_most_many", "kept_counts", kernel::bytes_of(kept_counts));
+  kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::LimitedCounter counter(most);
+      if (most != 0) query.walk(s, counter);
+      kept_counts[s] = counter.count();
+    }
+  });
+}
+
+template <class Bound, BoundIndex Index>
 void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                            std::span<KeptCounts> counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
@@ -290,6 +307,8 @@ void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree
 #define SHAFTCULL_QUERIES(Bound, Index)                                                                               \
   template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<std::uint64_t>, \
                            const ExcludingOf<Index>&);                                                                \
+  template void count_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::size_t,      \
+                                   std::span<std::uint64_t>, const ExcludingOf<Index>&);                              \
   template void count_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                \
                                       std::span<KeptCounts>, const ExcludingOf<Index>&);                              \
   template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \

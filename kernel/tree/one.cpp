@@ -1,4 +1,6 @@
 /// One shaft against a tree, into the caller's memory.
+#include <algorithm>
+
 #include "tree/query.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -56,6 +58,16 @@ std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tr
 }
 
 template <class Bound, BoundIndex Index>
+std::size_t count_at_most(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::size_t most,
+                          const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  if (most == 0) return 0;
+  kernel::LimitedCounter counter(most);
+  query.walk(0, counter);
+  return counter.count();
+}
+
+template <class Bound, BoundIndex Index>
 KeptCounts count_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                             const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
@@ -78,6 +90,21 @@ std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tre
 }
 
 template <class Bound, BoundIndex Index>
+std::size_t list_at_most(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                         std::type_identity_t<std::span<Index>> kept,
+                         const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  kernel::require_memory("kept", kept, items<Index>);
+  query.require_apart("list_at_most", "kept", kernel::bytes_of(kept));
+  if (kept.empty()) return 0;
+  SpanOutput<Index> output(kept);
+  using List = IndexList<Index, SpanOutput<Index>>;
+  kernel::LimitedLister<List, Index> lister(List(query.indices(), output), output, kept.size());
+  query.walk(0, lister);
+  return std::min(output.count(), kept.size());
+}
+
+template <class Bound, BoundIndex Index>
 KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                            std::type_identity_t<std::span<Index>> overlap,
                            std::type_identity_t<std::span<Index>> inside,
@@ -94,6 +121,10 @@ KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, I
 
 #define SHAFTCULL_QUERIES(Bound, Index)                                                                           \
   template std::size_t count(const CompiledShaft&, const BoundsTree<Bound, Index>&, const ExcludingOf<Index>&);   \
+  template std::size_t count_at_most(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::size_t,          \
+                                     const ExcludingOf<Index>&);                                                  \
+  template std::size_t list_at_most(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,      \
+                                    const ExcludingOf<Index>&);                                                   \
   template KeptCounts count_classified(const CompiledShaft&, const BoundsTree<Bound, Index>&,                     \
                                        const ExcludingOf<Index>&);                                                \
   template std::size_t list(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<Index>,              \

@@ -10,6 +10,7 @@
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
 #include "streams/access.hpp"
+#include "tree/layers.hpp"
 #include "tree/leaf_places.hpp"
 
 namespace shaftcull::kernel {
@@ -52,6 +53,8 @@ struct TreeLevels {
   /// even where the box of the entry is inside.
   std::vector<std::uint64_t> gaps;
 
+  TreeLayers layers;
+
   std::vector<std::uint64_t> dirty;  ///< bit i: a leaf under entry i of level 1 has changed; empty until then
   std::size_t dirty_words = 0;       ///< how many of those bits are set; as many as there are words, or more: see below
   double surface_when_built = 0;
@@ -90,8 +93,9 @@ struct TreeLevels {
 
 template <class Bound, class Index>
 struct TreeParts : TreeLevels<Bound> {
-  std::vector<Index> order;  ///< leaf → the user's index
-  LeafPlaces<Index> places;  ///< the user's index → leaf
+  std::vector<Index> order;        ///< leaf → the user's index
+  std::vector<Index> least_index;  ///< of each word of leaves, if these are boxes
+  LeafPlaces<Index> places;        ///< the user's index → leaf
 };
 
 /// Lays out the levels over `size` bounds and gets the memory for them. Nodes are empty; leaves are to be written.

@@ -14,6 +14,7 @@
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 #include "tree/access.hpp"
+#include "tree/exclusion.hpp"
 #include "tree/visitors.hpp"
 #include "tree/walk.hpp"
 
@@ -31,7 +32,8 @@ class Query {
         question_(question),
         own_(excluding.own),
         own_per_shaft_(shafts.empty() ? 0 : excluding.own.size() / shafts.size()),
-        mask_(excluding.mask) {
+        mask_(excluding.mask),
+        only_layers_(excluding.only_layers) {
     if (parts_.dirty_words != 0) throw NeedsRefit("query of a tree whose bounds were updated; call refit() first");
     require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
@@ -52,6 +54,16 @@ class Query {
       throw InvalidArgument("excluding.mask has " + counted(mask_.size(), "word") + "; the bits of " +
                             counted(parts_.size, "bound") + " take " + std::to_string(words_for(parts_.size)));
     }
+    require_memory("excluding.only_layers", only_layers_, "sets of layers");
+    if (only_layers_.empty()) return;
+    if (only_layers_.size() != 1 && only_layers_.size() != shafts.size()) {
+      throw InvalidArgument("excluding.only_layers has " + counted(only_layers_.size(), "set") + " of layers for " +
+                            counted(shafts.size(), "shaft") + "; give one for each, or one for all");
+    }
+    if (!parts_.layers.exist() && parts_.size != 0) {
+      throw InvalidArgument(
+          "excluding.only_layers asks for layers, and the tree has none; call set_layers() of the tree first");
+    }
   }
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
@@ -65,22 +77,46 @@ class Query {
   void require_apart(const char* call, const char* name, std::span<const std::byte> output) const {
     kernel::require_apart(call, name, output, "excluding.own", bytes_of(own_));
     kernel::require_apart(call, name, output, "excluding.mask", bytes_of(mask_));
+    kernel::require_apart(call, name, output, "excluding.only_layers", bytes_of(only_layers_));
+  }
+
+  /// What is left out for shaft s.
+  [[nodiscard]] Exclusion<Index> exclusion(std::size_t s) const noexcept {
+    return {indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, layer_filter(s)};
+  }
+
+  /// Returns use(walk) of a walk of another kind that looks for what shaft s keeps: of its class, made of the tree, the
+  /// kernels, the shaft and what is left out.
+  template <class OtherWalk, class Use>
+  auto walk_with(std::size_t s, const Use& use) const {
+    return in_float_environment([&] {
+      OtherWalk walk(parts_, kernels_, shafts_[s], exclusion(s));
+      return use(walk);
+    });
   }
 
   /// Gives the visitor what shaft s keeps.
   template <class Visitor>
   void walk(std::size_t s, Visitor& visitor) const {
     in_float_environment([&] {
-      if (own_.empty() && mask_.empty()) {
+      if (const Exclusion<Index> excluded = exclusion(s); !excluded.is_on()) {
         Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
       } else {
-        Filter<Index, Visitor> filter(indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, visitor);
+        Filter<Index, Visitor> filter(excluded, visitor);
         Walk<Bound, Filter<Index, Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
       }
     });
   }
 
  private:
+  /// One that is off if shaft s asks for layers that all bounds are in.
+  [[nodiscard]] LayerFilter layer_filter(std::size_t s) const noexcept {
+    if (only_layers_.empty()) return {};
+    const std::uint32_t mask = only_layers_[only_layers_.size() == 1 ? 0 : s];
+    if (parts_.layers.are_all_in(mask)) return {};
+    return {parts_.layers, parts_.level.data(), mask, kernels_};
+  }
+
   inline static const TreeParts<Bound, Index> empty_{};
   std::span<const ShaftData> shafts_;
   const TreeParts<Bound, Index>& parts_;
@@ -89,6 +125,7 @@ class Query {
   std::span<const Index> own_;
   std::size_t own_per_shaft_;
   std::span<const std::uint64_t> mask_;
+  std::span<const std::uint32_t> only_layers_;
 };
 
 }  // namespace shaftcull::kernel

@@ -8,7 +8,9 @@
 
 #include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
+#include "support/arguments.hpp"
 #include "support/float_environment.hpp"
+#include "support/text.hpp"
 #include "tree/access.hpp"
 #include "tree/build.hpp"
 #include "tree/source.hpp"
@@ -92,7 +94,8 @@ std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
   return sizeof *parts_ + parts_->leaves.memory_bytes() + parts_->nodes.memory_bytes() +
          sizeof(std::uint64_t) * (parts_->gaps.capacity() + parts_->dirty.capacity()) +
-         sizeof(Index) * parts_->order.capacity() + parts_->places.bytes();
+         sizeof(Index) * (parts_->order.capacity() + parts_->least_index.capacity()) + parts_->places.bytes() +
+         parts_->layers.bytes();
 }
 
 template <class Bound, BoundIndex Index>
@@ -174,6 +177,50 @@ bool BoundsTree<Bound, Index>::needs_refit() const noexcept {
 }
 
 template <class Bound, BoundIndex Index>
+void BoundsTree<Bound, Index>::set_layers(std::span<const std::uint32_t> layers) {
+  kernel::require_memory("layers", layers, "layers");
+  if (layers.size() != size()) {
+    throw InvalidArgument("set_layers() of a tree of " + kernel::counted(size(), "bound") + " got those of " +
+                          std::to_string(layers.size()) + "; give those of each");
+  }
+  if (parts_) parts_->layers = kernel::layers_of<Bound, Index>(*parts_, parts_->order, layers);
+}
+
+template <class Bound, BoundIndex Index>
+void BoundsTree<Bound, Index>::set_layers(std::span<const Index> indices, std::span<const std::uint32_t> layers) {
+  kernel::require_memory("layers", layers, "layers");
+  if (indices.size() != layers.size()) {
+    throw InvalidArgument("set_layers() got " + kernel::counted_indices(indices.size()) + " and the layers of " +
+                          kernel::counted(layers.size(), "bound") + "; every index needs those of one bound");
+  }
+  kernel::require_below("set_layers(): indices", indices, size());
+  if (indices.empty()) return;
+  if (!has_layers()) {
+    throw InvalidArgument("set_layers() of some bounds of a tree without layers; give those of all bounds first");
+  }
+  const Index* const place = parts_->places.of(parts_->order);
+  for (std::size_t i = 0; i != indices.size(); ++i) {
+    kernel::set_layers_of_leaf<Bound>(*parts_, place[indices[i]], layers[i]);
+  }
+}
+
+template <class Bound, BoundIndex Index>
+void BoundsTree<Bound, Index>::clear_layers() noexcept {
+  if (parts_) parts_->layers = {};
+}
+
+template <class Bound, BoundIndex Index>
+bool BoundsTree<Bound, Index>::has_layers() const noexcept {
+  return parts_ && parts_->layers.exist();
+}
+
+template <class Bound, BoundIndex Index>
+std::span<const std::uint32_t> BoundsTree<Bound, Index>::layers() const noexcept {
+  if (!has_layers()) return {};
+  return std::span(parts_->layers.leaves).first(parts_->size);
+}
+
+template <class Bound, BoundIndex Index>
 double BoundsTree<Bound, Index>::growth() const {
   if (!parts_) return 1;
   if (needs_refit()) throw NeedsRefit("growth() of a tree whose bounds were updated; call refit() first");
@@ -193,6 +240,9 @@ template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::renumber() noexcept {
   if (!parts_) return;
   std::iota(parts_->order.begin(), parts_->order.end(), Index{0});
+  for (std::size_t w = 0; w != parts_->least_index.size(); ++w) {
+    parts_->least_index[w] = static_cast<Index>(w * kernel::fanout);
+  }
   parts_->places.renumber();
 }
 

@@ -2,12 +2,14 @@
 /// out.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "shaftcull/query.hpp"
+#include "tree/exclusion.hpp"
 #include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
 #include "tree/outputs.hpp"
@@ -129,6 +131,43 @@ class Finder {
   bool found_ = false;
 };
 
+/// Visitor that counts what is kept, and ends the walk at `most` or somewhat later.
+class LimitedCounter {
+ public:
+  explicit LimitedCounter(std::size_t most) noexcept : most_(most) {}
+
+  void prefetch(std::size_t /*first*/) const noexcept {}
+  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
+    count_ += static_cast<std::size_t>(std::popcount(kept));
+  }
+  void range(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
+  [[nodiscard]] bool is_done() const noexcept { return count_ >= most_; }
+  /// At most `most`.
+  [[nodiscard]] std::size_t count() const noexcept { return std::min(count_, most_); }
+
+ private:
+  std::size_t most_;
+  std::size_t count_ = 0;
+};
+
+/// Visitor that lists what is kept, and ends the walk when the caller's memory is full.
+template <class List, class Item>
+class LimitedLister {
+ public:
+  LimitedLister(const List& kept, const SpanOutput<Item>& output, std::size_t most) noexcept
+      : kept_(kept), output_(output), most_(most) {}
+
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
+  void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
+  [[nodiscard]] bool is_done() const noexcept { return output_.count() >= most_; }
+
+ private:
+  List kept_;
+  const SpanOutput<Item>& output_;  // of `kept`
+  std::size_t most_;
+};
+
 /// Visitor that counts what overlaps and what is inside.
 class ClassCounter {
  public:
@@ -231,19 +270,16 @@ class Filter {
   static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
 
  public:
-  /// `own` and `mask` as in ExcludingOf, for one shaft.
-  Filter(const LeafIndices<Index>& indices, std::span<const Index> own, std::span<const std::uint64_t> mask,
-         Visitor& visitor) noexcept
-      : indices_(indices), own_(own), mask_(mask), visitor_(visitor) {}
+  Filter(const Exclusion<Index>& exclusion, Visitor& visitor) noexcept : exclusion_(exclusion), visitor_(visitor) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
+  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { exclusion_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
-    const std::uint64_t left = kept & ~excluded(first, kept);
+    const std::uint64_t left = exclusion_.leaves(first, kept);
     if (left != 0) visitor_.word(first, left, inside & left);
   }
   void range(std::size_t first, std::size_t size) {
     for (std::size_t w = first; w != first + size; w += 64) {
-      const std::uint64_t left = ~excluded(w, ~std::uint64_t{0});
+      const std::uint64_t left = exclusion_.leaves(w, ~std::uint64_t{0});
       if (left == ~std::uint64_t{0}) {
         visitor_.range(w, 64);
       } else if (left != 0) {
@@ -254,24 +290,14 @@ class Filter {
       }
     }
   }
+  /// The contract of the walk: nodes that are worth visiting.
+  [[nodiscard]] std::uint64_t nodes(std::size_t k, std::size_t first, std::uint64_t kept) const noexcept {
+    return exclusion_.nodes(k, first, kept);
+  }
   [[nodiscard]] bool is_done() const noexcept requires may_end_early { return visitor_.is_done(); }
 
  private:
-  /// Bits of the word of leaves from `first` on that are left out, of those in `asked`.
-  [[nodiscard]] std::uint64_t excluded(std::size_t first, std::uint64_t asked) const noexcept {
-    std::uint64_t out = 0;
-    for (std::uint64_t left = asked; left != 0; left &= left - 1) {
-      const Index index = indices_[first + static_cast<std::size_t>(std::countr_zero(left))];
-      bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
-      for (const Index own : own_) is_out |= own == index;
-      if (is_out) out |= left & -left;
-    }
-    return out;
-  }
-
-  LeafIndices<Index> indices_;
-  std::span<const Index> own_;
-  std::span<const std::uint64_t> mask_;
+  Exclusion<Index> exclusion_;
   Visitor& visitor_;
 };
 

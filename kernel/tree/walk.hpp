@@ -34,7 +34,10 @@ enum class Question : std::uint8_t { kept, kept_and_inside, inside, blocking };
 ///                                        Question::kept and Question::blocking
 ///     visitor.range(first, size)         leaves that are all inside, whole words
 ///
-/// A visitor may also have visitor.is_done(), which says that it has seen enough: the walk ends there.
+/// A visitor may also have
+///
+///     visitor.is_done()                  says that it has seen enough: the walk ends there
+///     visitor.nodes(k, first, kept)      of a word of entries of level k, those that it wants to see below of
 template <class Bound, class Visitor>
 class Walk {
  public:
@@ -65,6 +68,7 @@ class Walk {
 
  private:
   static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
+  static constexpr bool picks_nodes = requires(const Visitor& visitor) { visitor.nodes(1, 0, 0); };
 
   /// Words tested at once: of leaves they fill the first-level cache and not much of the second. A walk that may end
   /// early tests few: those tested in vain cost more than a call of the kernel for each.
@@ -104,7 +108,9 @@ class Walk {
     for (std::size_t i = 0; i != words; ++i) {
       const std::uint64_t whole = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
       const std::uint32_t first = word[i] * static_cast<std::uint32_t>(fanout);
-      for (std::uint64_t left = kept[i]; left != 0; left &= left - 1) {
+      std::uint64_t left = kept[i];
+      if constexpr (picks_nodes) left = visitor_.nodes(k, first, left);
+      for (; left != 0; left &= left - 1) {
         const std::uint64_t lowest = left & -left;
         const std::uint32_t entry = first + static_cast<std::uint32_t>(std::countr_zero(left));
         if ((whole & lowest) == 0) {

@@ -18,7 +18,7 @@ namespace {
 
 /// The rows of the README's table, which the assertions below go through: the question, then the verbs of one shaft and
 /// of many on views and on trees.
-constexpr std::array<std::array<const char*, 5>, 13> table = {{
+constexpr std::array<std::array<const char*, 5>, 17> table = {{
     {"which are kept: bits", "cull", "cull_many", "cull", "cull_many"},
     {"which are kept, which are inside: bits of both", "classify", "classify_many", "classify", "classify_many"},
     {"which are inside: bits", "contained", "contained_many", "contained", "contained_many"},
@@ -32,6 +32,11 @@ constexpr std::array<std::array<const char*, 5>, 13> table = {{
     {"does a box block every segment", "blocked", "blocked_many", "blocked", "blocked_many"},
     {"the first box that does: its index", "blocked_by", "", "blocked_by", ""},
     {"which boxes do: indices", "list_blocking", "list_blocking_many", "list_blocking", "list_blocking_many"},
+    {"which box is reached first, and when", "first_contact", "first_contact_many", "first_contact",
+     "first_contact_many"},
+    {"when each box of a list is reached", "entry_times", "", "entry_times", ""},
+    {"how many are kept, up to so many", "count_at_most", "count_at_most_many", "count_at_most", "count_at_most_many"},
+    {"which are kept, up to so many: indices", "list_at_most", "", "list_at_most", ""},
     {"which are kept: a callback", "", "for_each_tile", "", "for_each_kept"},
     {"which overlap, which are inside: a callback", "", "for_each_classified_tile", "", "for_each_classified"},
 }};
@@ -73,13 +78,16 @@ template <class Bounds>
 concept GivesNumbers = requires(const Bounds& bounds, Given given) {
   { count(given.shaft, bounds) } -> std::same_as<std::size_t>;
   { count_classified(given.shaft, bounds) } -> std::same_as<KeptCounts>;
+  { count_at_most(given.shaft, bounds, std::size_t{3}) } -> std::same_as<std::size_t>;
   { count_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+  { count_at_most_many(given.shafts, bounds, std::size_t{3}, given.words) } -> std::same_as<void>;
   { count_classified_many(given.shafts, bounds, given.counts) } -> std::same_as<void>;
 };
 
 template <class Bounds>
 concept GivesLists = requires(const Bounds& bounds, Given given) {
   { list(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
+  { list_at_most(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
   { list_classified(given.shaft, bounds, given.indices, given.indices) } -> std::same_as<KeptCounts>;
   { list_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
   { list_classified_many(given.shafts, bounds, given.lists, given.lists) } -> std::same_as<void>;
@@ -88,6 +96,7 @@ concept GivesLists = requires(const Bounds& bounds, Given given) {
 template <class Bounds>
 concept GivesWideLists = requires(const Bounds& bounds, Given given) {
   { list(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
+  { list_at_most(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
   { list_classified(given.shaft, bounds, given.wide_indices, given.wide_indices) } -> std::same_as<KeptCounts>;
   { list_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
   { list_classified_many(given.shafts, bounds, given.wide_lists, given.wide_lists) } -> std::same_as<void>;
@@ -118,6 +127,19 @@ concept ListsWhatBlocksWide = requires(const Bounds& bounds, Given given) {
   { list_blocking_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
 };
 
+/// Of boxes, as positions or as indices of the tree's kind.
+template <class Bounds, class Index>
+concept TellsFirstContact = requires(const Bounds& bounds, Given given, std::vector<FirstContactOf<Index>>& contacts,
+                                     std::vector<Index>& indices, std::vector<float>& times) {
+  { entry_times(given.shaft, bounds, indices, times) } -> std::same_as<void>;
+  { first_contact(given.shaft, bounds) } -> std::same_as<FirstContactOf<Index>>;
+  { first_contact_many(given.shafts, bounds, contacts) } -> std::same_as<void>;
+};
+static_assert(TellsFirstContact<BoxView, std::uint64_t> && TellsFirstContact<BoxStream, std::uint64_t>);
+static_assert(TellsFirstContact<BoxTree, std::uint32_t>);
+static_assert(TellsFirstContact<BoundsTree<Box, std::uint64_t>, std::uint64_t>);
+static_assert(!TellsFirstContact<SphereView, std::uint64_t> && !TellsFirstContact<SphereTree, std::uint32_t>);
+
 template <class Bounds>
 concept CallsBackForTiles = requires(const Bounds& bounds, Given given) {
   { for_each_tile(given.shafts, bounds, SeeTile()) } -> std::same_as<void>;
@@ -140,6 +162,8 @@ concept TakesForms = requires(const Bounds& bounds, Given given) {
   (void)list(given.shaft, bounds, given.indices, Form::planes);
   (void)list_classified(given.shaft, bounds, given.indices, given.indices, Form::planes);
   (void)any(given.shaft, bounds, Form::planes);
+  (void)count_at_most(given.shaft, bounds, std::size_t{3}, Form::planes);
+  (void)list_at_most(given.shaft, bounds, given.indices, Form::planes);
   cull_many(given.shafts, bounds, given.words, Form::planes);
   classify_many(given.shafts, bounds, given.words, given.words, Form::planes);
   count_many(given.shafts, bounds, given.words, Form::planes);

@@ -1,0 +1,81 @@
+/// First contact: which box the moving box of a shaft reaches first, and when.
+///
+/// A shaft between boxes a and b is where a box is that moves from a, at time 0, to b, at time 1, each of its six faces
+/// at a speed of its own. Of a body that is swept (kinds.hpp) time is the share of the displacement, or a multiple of
+/// the direction if there is no end; of a shadow it is 0 at the occluder, and 1 where things are twice as far from the
+/// light. The *entry time* of a box that the shaft keeps is the first time at which the moving box touches it: 0 if it
+/// touches where that starts. First contact is the box with the least entry time of those that the shaft keeps, and of
+/// several with the same time the one with the lowest index. Planes that were added to the shaft leave out boxes that
+/// are beyond them, as they do in every query; times do not depend on them.
+///
+/// Times are compared exactly, as real numbers, so which box comes first is the same on every instruction set, in views
+/// and in trees. The time that is written is the exact one rounded down to a float that is finite: the moving box
+/// touches nothing before it.
+///
+/// Errors, threads and stack are as in cull.hpp, many.hpp and query.hpp, of the calls that count, and InvalidArgument
+/// for a convex hull (hull.hpp), in which nothing moves. Nothing is allocated
+/// but task memory of oneTBB by calls for many shafts.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/export.hpp"
+#include "shaftcull/index.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/streams.hpp"
+#include "shaftcull/tree.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+/// What a shaft reaches first. False if that is nothing: `if (const auto contact = first_contact(shaft, tree))`.
+template <BoundIndex Index>
+struct FirstContactOf {
+  static constexpr Index none = static_cast<Index>(~std::uint64_t{0});
+
+  Index index = none;  ///< of the box: its position in a view, the user's index in a tree; `none` for nothing
+  float time = std::numeric_limits<float>::infinity();  ///< rounded down; +∞ for nothing
+
+  constexpr explicit operator bool() const noexcept { return index != none; }
+  friend bool operator==(const FirstContactOf&, const FirstContactOf&) = default;
+};
+using FirstContact = FirstContactOf<std::uint32_t>;
+
+/// First contact among the boxes of a view. O(count).
+[[nodiscard]] FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const BoxView& boxes,
+                                                          Form form = Form::fastest);
+
+/// First contact among the boxes of a tree. Visits near nodes first and no node that is reached later than the first
+/// box found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
+template <BoundIndex Index>
+[[nodiscard]] FirstContactOf<Index> first_contact(const CompiledShaft& shaft, const BoundsTree<Box, Index>& tree,
+                                                  const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
+/// fewer.
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
+template <BoundIndex Index>
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& tree,
+                        std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
+                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+
+/// Entry times of boxes that a list names: times[i] becomes that of box indices[i], rounded down, or +∞ if the shaft
+/// does not keep it. Indices are positions in the view, or the user's indices in a tree. O(indices.size()), some 50 ns
+/// each. Throws InvalidArgument for an index not below the number of boxes, unless there are as many times as indices,
+/// if the two share memory, or as count(), and NeedsRefit for a tree that needs a refit. Allocates nothing, but for a
+/// tree what refine() allocates.
+void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> indices,
+                 std::span<float> times);
+void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> indices,
+                 std::span<float> times);
+template <BoundIndex Index>
+void entry_times(const CompiledShaft& shaft, const BoundsTree<Box, Index>& tree,
+                 std::type_identity_t<std::span<const Index>> indices, std::span<float> times);
+
+}  // namespace shaftcull

@@ -1,0 +1,58 @@
+#include "exact/entry_time.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "compiled/slab.hpp"
+#include "exact/edge.hpp"
+#include "exact/expansion.hpp"
+
+namespace shaftcull::kernel {
+
+EntryTimes::EntryTimes(const ShaftData& shaft) noexcept : moving_(shaft) {
+  for (unsigned f = 0; f < 6; ++f) {
+    if (moving_.is_blue(f)) face_[faces_++] = {f, near_stream[f], moving_.p[f], 1 / moving_.slope(f)};
+  }
+}
+
+EntryTimes::Time EntryTimes::exact(const float* const* stream, std::size_t i) const noexcept {
+  Time latest{0, zero, 0};
+  for (unsigned n = 0; n < faces_; ++n) {
+    const Face& face = face_[n];
+    const float x = stream[face.near][i];
+    if (!std::isfinite(x)) continue;
+    const Time time{(x - face.p) * face.inverse, face.face, x};
+    if (time.value <= 0) continue;  // its sign is exact
+    if (compare(time, latest) > 0) latest = time;
+  }
+  return latest;
+}
+
+int EntryTimes::compare(const Time& one, const Time& other) const noexcept {
+  if (one.value < other.value * (1 - entry_margin)) return -1;
+  if (one.value * (1 - entry_margin) > other.value) return 1;
+  if (one.face == zero || other.face == zero) return one.face == other.face ? 0 : one.face == zero ? -1 : 1;
+  if (one.face == other.face && one.x == other.x) return 0;
+  // The side is that of the second time beyond the first.
+  return -Edge(moving_, one.face, other.face).side(one.x, other.x);
+}
+
+float EntryTimes::rounded_down(const Time& time) const noexcept {
+  if (time.face == zero) return 0;
+  const unsigned f = time.face;
+  const auto is_after = [&](float t) {  // t > time: t · q > x − p, if q is positive
+    if (t * (1 - entry_margin) > time.value) return true;
+    if (t < time.value * (1 - entry_margin)) return false;
+    const auto moved = Expansion<2>::difference(moving_.minuend[f], moving_.subtrahend[f]) * static_cast<double>(t);
+    const int sign = (moved - Expansion<2>::difference(time.x, moving_.p[f])).sign();
+    return (moving_.slope(f) > 0 ? sign : -sign) > 0;
+  };
+  constexpr float most = std::numeric_limits<float>::max();  // boxes that move without end reach some far later
+  if (!is_after(most)) return most;
+  auto down = static_cast<float>(time.value < most ? time.value : most);
+  while (is_after(down)) down = std::nextafter(down, 0.0F);
+  for (float next = std::nextafter(down, most); !is_after(next); next = std::nextafter(next, most)) down = next;
+  return down;
+}
+
+}  // namespace shaftcull::kernel

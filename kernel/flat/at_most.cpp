@@ -1,0 +1,56 @@
+/// count_at_most_many(): a task tests its bounds tile by tile, each with those shafts only that have not found enough.
+#include <algorithm>
+#include <atomic>
+
+#include "dispatch/active_kernels.hpp"
+#include "flat/batch_job.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/many.hpp"
+
+namespace shaftcull {
+namespace {
+
+template <class View>
+void count_some(std::span<const kernel::ShaftData> shafts, const View& bounds, std::size_t most,
+                std::span<std::uint64_t> counts, Form form) {
+  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept, form);
+  kernel::require_counts("kept_counts", counts, shafts.size());
+  std::fill(counts.begin(), counts.end(), 0);
+  const kernel::Kernels& kernels = kernel::active_kernels();
+  kernel::Test* const test = kernels.test(bounds, form);
+  const kernel::Tiling tiling = kernel::Tiling::unordered(bounds.count, shafts.size());
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
+    for (std::size_t first = block.first; first != block.end();) {
+      const View tile = bounds.slice(first, std::min(kernel::float_tile_bounds, block.end() - first));
+      bool are_all_done = true;
+      for (std::size_t s = group.first; s != group.end(); ++s) {
+        const std::atomic_ref<std::uint64_t> sum(counts[s]);
+        if (sum.load(std::memory_order_relaxed) >= most) continue;
+        are_all_done = false;
+        std::uint64_t kept[words_for(kernel::float_tile_bounds)];
+        test(shafts[s], tile.stream.data(), tile.count, kept, nullptr);
+        sum.fetch_add(kernels.set_bits.count(kept, words_for(tile.count)), std::memory_order_relaxed);
+      }
+      if (are_all_done) return;
+      first += tile.count;
+    }
+  });
+  // Which tiles were left out depends on threads; that so many were found does not.
+  for (std::uint64_t& count : counts) count = std::min<std::uint64_t>(count, most);
+}
+
+}  // namespace
+
+void count_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                        std::span<std::uint64_t> kept_counts, Form form) {
+  count_some(kernel::data_of(shafts), boxes, most, kept_counts, form);
+}
+
+void count_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
+                        std::span<std::uint64_t> kept_counts, Form form) {
+  count_some(kernel::data_of(shafts), spheres, most, kept_counts, form);
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,96 @@
+/// first_contact() and first_contact_many() of views. A task of many shafts looks for the first one in its own bounds,
+/// and then compares it with those of other tasks.
+#include "shaftcull/first_contact.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+
+#include "compiled/answers.hpp"
+#include "exact/entry_time.hpp"
+#include "flat/batch_job.hpp"
+#include "flat/chunks.hpp"
+#include "parallel/parallel.hpp"
+#include "parallel/task_memory.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+using Contact = FirstContactOf<std::uint64_t>;
+static_assert(Contact::none == kernel::FirstEntry::none);
+
+/// Offers the bounds from `from` on whose bits are set. Bounds are offered in order.
+void offer(kernel::FirstEntry& first, const BoxView& boxes, std::size_t from, const std::uint64_t* kept,
+           std::size_t words) noexcept {
+  for (std::size_t w = 0; w != words; ++w) {
+    for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
+      const std::size_t i = from + w * 64 + static_cast<std::size_t>(std::countr_zero(left));
+      if (first.is_before_all_above(i)) return;
+      first.offer(boxes.stream.data(), i, i);
+    }
+  }
+}
+
+/// Makes box `index` the first one that shaft s reaches, unless the one in `first` comes before it.
+void hand_over(const kernel::ShaftData& shaft, const BoxView& boxes, std::uint64_t index,
+               std::uint64_t& first) noexcept {
+  const std::atomic_ref<std::uint64_t> best(first);
+  std::uint64_t other = best.load(std::memory_order_relaxed);
+  for (;;) {
+    kernel::FirstEntry both(shaft);
+    both.offer(boxes.stream.data(), index, index);
+    if (other != Contact::none) both.offer(boxes.stream.data(), other, other);
+    if (both.index() == other) return;
+    if (best.compare_exchange_weak(other, index, std::memory_order_relaxed)) return;
+  }
+}
+
+}  // namespace
+
+FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
+  const kernel::Chunks<BoxView> chunks(shaft, boxes, false, form);
+  kernel::require_motion(kernel::data_of(shaft), 0);
+  return kernel::in_float_environment([&] {
+    kernel::FirstEntry first(kernel::data_of(shaft));
+    chunks.for_each(kernel::first_chunk_bounds,
+                    [&](std::size_t from, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
+                      offer(first, boxes, from, kept, words);
+                      return !first.is_before_all_above(from + 64 * words);
+                    });
+    return Contact{first.index(), first.time()};
+  });
+}
+
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form) {
+  const kernel::BatchJob<BoxView> job(shafts, boxes, kernel::Bits::kept, form);
+  kernel::require_counts("contacts", contacts, shafts.size());
+  const std::span<const kernel::ShaftData> data = kernel::data_of(shafts);
+  for (std::size_t s = 0; s != data.size(); ++s) kernel::require_motion(data[s], s);
+  std::fill(contacts.begin(), contacts.end(), Contact());
+  const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
+  kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
+    const kernel::IndexRange block = tiling.block(b);
+    const kernel::IndexRange group = tiling.group(g);
+    const std::size_t words = words_for(block.size);
+    kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
+    std::uint64_t* const kept = bits.get();
+    job.test(block, group, {kept, words});
+    for (std::size_t s = 0; s != group.size; ++s) {
+      const kernel::ShaftData& shaft = data[group.first + s];
+      kernel::FirstEntry first(shaft);
+      offer(first, boxes, block.first, kept + s * words, words);
+      if (first.index() != Contact::none) hand_over(shaft, boxes, first.index(), contacts[group.first + s].index);
+    }
+  });
+  kernel::in_float_environment([&] {
+    for (std::size_t s = 0; s != contacts.size(); ++s) {
+      if (!contacts[s]) continue;
+      kernel::FirstEntry first(data[s]);
+      first.offer(boxes.stream.data(), contacts[s].index, contacts[s].index);
+      contacts[s].time = first.time();
+    }
+  });
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,58 @@
+/// first_contact() and first_contact_many() of trees.
+#include "tree/first_contact.hpp"
+
+#include "parallel/parallel.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "support/index_range.hpp"
+#include "tree/query.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+using kernel::Question;
+
+/// Shafts in a task.
+constexpr std::size_t task_shafts = 16;
+
+template <class Index>
+FirstContactOf<Index> contact_of(const kernel::Query<Box, Index>& query, std::size_t s) {
+  return query.template walk_with<kernel::FirstContactWalk<Index>>(s, [](auto& walk) {
+    const kernel::FirstEntry& first = walk.run();
+    return FirstContactOf<Index>{static_cast<Index>(first.index()), first.time()};
+  });
+}
+
+}  // namespace
+
+template <BoundIndex Index>
+FirstContactOf<Index> first_contact(const CompiledShaft& shaft, const BoundsTree<Box, Index>& tree,
+                                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Box, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+  kernel::require_motion(kernel::data_of(shaft), 0);
+  return contact_of(query, 0);
+}
+
+template <BoundIndex Index>
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& tree,
+                        std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
+                        const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Box, Index> query(shafts, tree, Question::kept, excluding);
+  for (std::size_t s = 0; s != shafts.size(); ++s) kernel::require_motion(kernel::data_of(shafts)[s], s);
+  kernel::require_counts("contacts", contacts, shafts.size());
+  query.require_apart("first_contact_many", "contacts", kernel::bytes_of(contacts));
+  kernel::parallel_for(kernel::chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const kernel::IndexRange task = kernel::chunk_at(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) contacts[s] = contact_of(query, s);
+  });
+}
+
+#define SHAFTCULL_FIRST_CONTACT(Index)                                                              \
+  template FirstContactOf<Index> first_contact(const CompiledShaft&, const BoundsTree<Box, Index>&, \
+                                               const ExcludingOf<Index>&);                          \
+  template void first_contact_many(std::span<const CompiledShaft>, const BoundsTree<Box, Index>&,   \
+                                   std::span<FirstContactOf<Index>>, const ExcludingOf<Index>&);
+SHAFTCULL_FIRST_CONTACT(std::uint32_t)
+SHAFTCULL_FIRST_CONTACT(std::uint64_t)
+#undef SHAFTCULL_FIRST_CONTACT
+
+}  // namespace shaftcull

@@ -1,0 +1,109 @@
+/// The walk that looks for what a shaft reaches first: near nodes first, and none that is reached too late.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "exact/entry_time.hpp"
+#include "kernels/table.hpp"
+#include "support/prefetch.hpp"
+#include "tree/exclusion.hpp"
+#include "tree/parts.hpp"
+
+namespace shaftcull::kernel {
+
+template <class Index>
+class FirstContactWalk {
+ public:
+  FirstContactWalk(const TreeParts<Box, Index>& parts, const Kernels& kernels, const ShaftData& shaft,
+                   const Exclusion<Index>& exclusion) noexcept
+      : parts_(parts),
+        test_(kernels.listed_boxes),
+        shaft_(shaft),
+        exclusion_(exclusion),
+        prefetches_(parts.is_worth_prefetching()),
+        leaf_(parts.leaves.view().stream),
+        first_(shaft) {}
+
+  /// What is reached first of the leaves that are not left out.
+  const FirstEntry& run() noexcept {
+    if (parts_.levels == 0) return first_;
+    const std::size_t top = parts_.levels - 1;
+    for (std::uint32_t w = 0; w != parts_.level[top].words(); ++w) visit(top, w);
+    return first_;
+  }
+
+ private:
+  /// An entry of a word of nodes that the shaft meets.
+  struct Node {
+    double time;                ///< about when it is reached: nothing below is reached earlier, but for rounding
+    std::uint64_t least_index;  ///< of the leaves below, or a lower one
+    std::uint32_t entry;
+
+    friend bool operator<(const Node& a, const Node& b) noexcept {
+      return a.time < b.time || (a.time == b.time && a.least_index < b.least_index);
+    }
+  };
+
+  /// Nodes whose words are prefetched before they are visited.
+  static constexpr std::size_t prefetched_nodes = 4;
+
+  void visit(std::size_t k, std::uint32_t word) noexcept {
+    if (k == 0) return visit_leaves(word);
+    const auto stream = parts_.node_words(k, 0, parts_.level[k].words()).stream;
+    std::uint64_t kept = 0;
+    test_(shaft_, stream.data(), &word, 1, &kept, nullptr, 1);
+    const std::uint32_t from = word * static_cast<std::uint32_t>(fanout);
+    kept = exclusion_.nodes(k, from, kept);
+    Node node[fanout];
+    std::size_t nodes = 0;
+    for (; kept != 0; kept &= kept - 1) {
+      const std::uint32_t entry = from + static_cast<std::uint32_t>(std::countr_zero(kept));
+      const double time = first_.times().rough(stream.data(), entry);
+      const std::uint64_t least = k == 1 ? parts_.least_index[entry] : 0;
+      if (!first_.is_no_first(time, least)) node[nodes++] = {time, least, entry};
+    }
+    std::sort(node, node + nodes);
+    for (std::size_t n = 0; n != std::min(nodes, prefetched_nodes); ++n) prefetch(k - 1, node[n].entry);
+    for (std::size_t n = 0; n != nodes; ++n) {
+      if (n + prefetched_nodes < nodes) prefetch(k - 1, node[n + prefetched_nodes].entry);
+      if (!first_.is_no_first(node[n].time, node[n].least_index)) visit(k - 1, node[n].entry);
+    }
+  }
+
+  void visit_leaves(std::uint32_t word) noexcept {
+    std::uint64_t kept = 0;
+    test_(shaft_, leaf_.data(), &word, 1, &kept, nullptr, 1);
+    const std::size_t from = std::size_t{word} * fanout;
+    if (kept != 0) kept = exclusion_.leaves(from, kept);
+    for (; kept != 0; kept &= kept - 1) {
+      const std::size_t leaf = from + static_cast<std::size_t>(std::countr_zero(kept));
+      first_.offer(leaf_.data(), leaf, parts_.order[leaf]);
+    }
+  }
+
+  /// Prefetches a word of entries of level k.
+  [[gnu::always_inline]] void prefetch(std::size_t k, std::size_t word) const noexcept {
+    if (!prefetches_) return;
+    const std::size_t first = word * fanout;
+    if (k == 0) {
+      for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
+      exclusion_.prefetch(first);
+    } else {
+      for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
+    }
+  }
+
+  const TreeParts<Box, Index>& parts_;
+  TestListedWords* test_;
+  const ShaftData& shaft_;
+  Exclusion<Index> exclusion_;
+  bool prefetches_;
+  std::array<const float*, 6> leaf_;
+  FirstEntry first_;
+};
+
+}  // namespace shaftcull::kernel
