@@ -65,6 +65,8 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint32_t> listed(bound_count);
   const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 8.5F}, {-9, 9, 8}};
+  const std::vector<std::uint32_t> few = {4, 1000};
+  std::vector<float> times(few.size());
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
@@ -89,6 +91,10 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                   (void)blocked(shaft, corners);
                   (void)blocked_by(shaft, boxes.view());
                   (void)list_blocking(shaft, boxes.view(), listed);
+                  (void)count_at_most(shaft, boxes.view(), 9);
+                  (void)first_contact(shaft, boxes.view());
+                  entry_times(shaft, boxes.view(), std::span<const std::uint32_t>(few), times);
+                  (void)list_at_most(shaft, spheres.view(), std::span(listed).first(9));
                   (void)list(shaft, boxes.view(), listed);
                   (void)list_classified(shaft, boxes.view(), listed, std::span<std::uint32_t>());
                 }
@@ -170,12 +176,14 @@ TEST_F(Allocation, UpdatingAStreamInPlaceDoesNone) {
 }
 
 TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
-  const BoxTree boxes{std::span<const Box>(boxes_)};
+  BoxTree boxes{std::span<const Box>(boxes_)};
   const SphereTree spheres{std::span<const Sphere>(spheres_)};
+  boxes.set_layers(std::vector<std::uint32_t>(bound_count, 6));
   std::vector<std::uint32_t> kept(bound_count);
   std::vector<std::uint32_t> inside(bound_count);
   std::vector<LeafRange> ranges(bound_count);
   const std::vector<std::uint32_t> own = {1, 2};
+  std::vector<float> times(own.size());
   std::vector<std::uint64_t> bits(words_for(bound_count));
   std::vector<std::uint64_t> other_bits(bits.size());
   (void)refine(shafts_[0], boxes, own, kept);  // the first one looks up the leaves of indices
@@ -198,6 +206,12 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
                   (void)blocked(shaft, boxes, {.own = own});
                   (void)blocked_by(shaft, boxes);
                   (void)list_blocking(shaft, boxes, std::span(kept));
+                  (void)count(shaft, boxes, {.only_layers = {4}});
+                  (void)count(shaft, boxes, {.only_layers = {1}});
+                  (void)count_at_most(shaft, boxes, 9);
+                  (void)first_contact(shaft, boxes, {.own = own});
+                  entry_times(shaft, boxes, own, times);
+                  (void)list_at_most(shaft, spheres, std::span(kept).first(9));
                 }
               }),
               0U)
@@ -228,6 +242,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint64_t> counts(shafts_.size());
   std::vector<KeptCounts> classified(shafts_.size());
+  std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
   const auto calls = [&] {
     for (const Form form : {Form::slab, Form::planes}) {
       const auto ask = [&](const auto& view) {
@@ -236,11 +251,13 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
         count_many(shafts_, view, counts, form);
         count_classified_many(shafts_, view, classified, form);
         any_many(shafts_, view, std::span(counts).first(1), form);
+        count_at_most_many(shafts_, view, 9, counts, form);
         contained_many(shafts_, view, inside);
       };
       ask(boxes.view());
       ask(spheres.view());
       blocked_many(shafts_, boxes.view(), std::span(counts).first(1));
+      first_contact_many(shafts_, boxes.view(), contacts, form);
     }
   };
   calls();  // threads are started once

@@ -185,6 +185,30 @@ TYPED_TEST(TreeOutOfMemory, ATreeThatIsBuiltOrCopiedAnewStaysWhatItWas) {
   EXPECT_GT(this->expect_unchanged_by([&](TypeParam& tree) { tree = other; }), 3U);
 }
 
+TYPED_TEST(TreeOutOfMemory, LayersThatFindNoMemoryLeaveThoseThatThereAre) {
+  const std::vector<std::uint32_t> before(this->count, 2);
+  const std::vector<std::uint32_t> after(this->count, 4);
+  const auto make = [&] {
+    TypeParam tree = this->tree_;
+    tree.set_layers(before);
+    return tree;
+  };
+  const auto expect_layers = [](const TypeParam& tree, const std::vector<std::uint32_t>& layers) {
+    EXPECT_TRUE(std::equal(layers.begin(), layers.end(), tree.layers().begin(), tree.layers().end()));
+  };
+  const auto check = [&](TypeParam& tree) {
+    expect_layers(tree, before);
+    tree.set_layers(after);
+    expect_layers(tree, after);
+  };
+  EXPECT_GT(fail_each_allocation(
+                make, [&](TypeParam& tree) { tree.set_layers(after); }, check),
+            1U);
+  EXPECT_GT(fail_each_allocation(
+                make, [](TypeParam& tree) { tree.rebuild(); }, check),
+            4U);
+}
+
 TYPED_TEST(TreeOutOfMemory, MovingAllocatesNothing) {
   TypeParam tree = this->tree_;
   EXPECT_EQ(fail_each_allocation([] { return TypeParam(); }, [&](TypeParam& other) { other = std::move(tree); },

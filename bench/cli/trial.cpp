@@ -9,6 +9,7 @@
 
 #include "oracle/blocking.hpp"
 #include "oracle/cases/families.hpp"
+#include "oracle/entry_time.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/quick_hull.hpp"
@@ -16,6 +17,7 @@
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
+#include "shaftcull/tree.hpp"
 #include "undecided.hpp"
 
 namespace shaftcull::cli {
@@ -23,6 +25,9 @@ namespace {
 
 /// Of the answers that the quick oracle proves, one in this many is worked out in rationals all the same.
 constexpr unsigned second_opinion = 64;
+
+/// Of the trials with boxes, one in this many is asked for first contact: rationals work it out.
+constexpr unsigned contact_trials = 8;
 
 /// Sebastiano Vigna's splitmix64: neighbouring numbers become unrelated seeds.
 constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
@@ -125,6 +130,7 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
       if (!is_outside && oracle::blocks(input_.a, input_.b, box)) blocking_[i / 64] |= bit(i);
     }
   }
+  if (!spheres_ && random.one_in(contact_trials)) find_first_contact();
   counts_.bounds = count_;
   counts_.outside = count_ - population(kept_);
   counts_.inside = population(inside_);
@@ -148,6 +154,36 @@ SphereView Trial::sphere_view() const noexcept {
   for (std::size_t s = 0; s != 4; ++s) view.stream[s] = memory_.data() + start_[s];
   view.count = count_;
   return view;
+}
+
+void Trial::find_first_contact() {
+  FirstContactOf<std::uint64_t> first;
+  std::optional<mpq_class> least;
+  for (std::size_t i = 0; i != count_; ++i) {
+    if ((kept_[i / 64] & bit(i)) == 0) continue;
+    const std::optional<mpq_class> time = oracle::entry_time(input_.a, input_.b, boxes()[i]);
+    if (!time) {
+      fail(i, "oracles disagree: a box that is kept is never reached");
+      continue;
+    }
+    if (least && *least <= *time) continue;
+    least = time;
+    first = {i, oracle::rounded_down(*time)};
+  }
+  first_ = first;
+}
+
+void Trial::ask_first_contact(const CompiledShaft& shaft, const char* how) {
+  if (!first_ || count_ == 0) return;
+  const auto compare_contact = [&](const FirstContactOf<std::uint64_t>& got, const char* of) {
+    if (got == *first_) return;
+    fail(got ? got.index : first_->index,
+         fmt::format("first_contact of a {}, {}, {}: bound {} at {} instead of {} at {}", of, how, name(active_isa()),
+                     got.index, got.time, first_->index, first_->time));
+  };
+  compare_contact(first_contact(shaft, boxes(), Form::slab), "view, slab");
+  compare_contact(first_contact(shaft, boxes(), Form::planes), "view, planes");
+  compare_contact(first_contact(shaft, BoundsTree<Box, std::uint64_t>(boxes())), "tree");
 }
 
 template <class View>
@@ -245,6 +281,7 @@ void Trial::ask(std::span<Trial> trials) {
       } else {
         trial.ask(shaft, trial.boxes(), how);
         trial.ask_blocking(shaft, how);
+        trial.ask_first_contact(shaft, how);
       }
     };
     ask_of(trial.shaft_, "compile");

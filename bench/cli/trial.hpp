@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/first_contact.hpp"
 #include "shaftcull/isa.hpp"
 
 namespace shaftcull::cli {
@@ -56,6 +58,8 @@ class Trial {
   void count_undecided(const View& view);
   template <class What>
   void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const What& what);
+  void find_first_contact();
+  void ask_first_contact(const CompiledShaft& shaft, const char* how);
   void fail(std::size_t bound, const std::string& what);
   [[nodiscard]] std::string bound_text(std::size_t i) const;
 
@@ -71,6 +75,7 @@ class Trial {
   std::vector<std::uint64_t> kept_;
   std::vector<std::uint64_t> inside_;
   std::vector<std::uint64_t> blocking_;
+  std::optional<FirstContactOf<std::uint64_t>> first_;  ///< right, if it is asked for
   std::vector<std::uint64_t> wrong_;
   TrialCounts counts_;
   std::vector<std::string> failures_;

@@ -66,6 +66,14 @@ class Arguments : public testing::Test {
     ask([&] { count_many(shafts_, view, counts); });
     ask([&] { count_classified_many(shafts_, view, classified); });
     ask([&] { any_many(shafts_, view, std::span(kept_).first(1)); });
+    ask([&] { (void)count_at_most(shafts_[0], view, 3); });
+    ask([&] { (void)list_at_most(shafts_[0], view, kept); });
+    ask([&] { count_at_most_many(shafts_, view, 3, counts); });
+    if constexpr (std::is_same_v<View, BoxView>) {
+      std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
+      ask([&] { (void)first_contact(shafts_[0], view); });
+      ask([&] { first_contact_many(shafts_, view, contacts); });
+    }
     ask([&] { list_many(shafts_, view, lists); });
     ask([&] { list_classified_many(shafts_, view, lists, insides); });
     ask([&] { for_each_tile(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
@@ -149,6 +157,17 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   EXPECT_THAT(message_of([&] { contained_many(shafts_, tree, null_rows); }), HasSubstr("inside_rows is null"));
   EXPECT_THAT(message_of([&] { count_many(shafts_, tree, null_counts); }), HasSubstr("kept_counts is null"));
   EXPECT_THAT(message_of([&] { any_many(shafts_, tree, null_row.first(1)); }), HasSubstr("any is null"));
+  EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, tree, 3, null_counts); }), HasSubstr("kept_counts is null"));
+  EXPECT_THAT(message_of([&] {
+                first_contact_many(shafts_, boxes_, {static_cast<FirstContactOf<std::uint64_t>*>(nullptr), 4});
+              }),
+              HasSubstr("contacts is null"));
+  EXPECT_THAT(message_of([&] {
+                first_contact_many(shafts_, tree, {static_cast<FirstContact*>(nullptr), 4});
+              }),
+              HasSubstr("contacts is null"));
+  EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, boxes_, 3, null_counts); }),
+              HasSubstr("kept_counts is null"));
   EXPECT_THAT(message_of([&] { contained_many(shafts_, boxes_, null_rows); }), HasSubstr("inside_rows is null"));
   const std::span<KeptCounts> null_classified(static_cast<KeptCounts*>(nullptr), 4);
   EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, null_classified); }),
@@ -158,6 +177,8 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   const std::span<std::uint32_t> null_list(static_cast<std::uint32_t*>(nullptr), 2);
   std::vector<std::uint32_t> list_of_two = {7, 7};
   EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, null_list); }), HasSubstr("kept is null"));
+  EXPECT_THAT(message_of([&] { (void)list_at_most(shafts_[0], boxes_, null_list); }), HasSubstr("kept is null"));
+  EXPECT_THAT(message_of([&] { (void)list_at_most(shafts_[0], tree, null_list); }), HasSubstr("kept is null"));
   EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], boxes_, null_list, list_of_two); }),
               HasSubstr("overlap is null"));
   EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], spheres_, list_of_two, null_list); }),
@@ -229,6 +250,12 @@ TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
   EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], boxes_, form); }), names_it);
   EXPECT_THAT(message_of([&] { (void)count_classified(shafts_[0], spheres_, form); }), names_it);
   EXPECT_THAT(message_of([&] { (void)any(shafts_[0], boxes_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { (void)count_at_most(shafts_[0], boxes_, 0, form); }), names_it);
+  EXPECT_THAT(message_of([&] { (void)list_at_most(shafts_[0], boxes_, indices, form); }), names_it);
+  EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, boxes_, 3, counts, form); }), names_it);
+  std::vector<FirstContactOf<std::uint64_t>> contacts(4);
+  EXPECT_THAT(message_of([&] { (void)first_contact(shafts_[0], boxes_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { first_contact_many(shafts_, boxes_, contacts, form); }), names_it);
   EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, indices, form); }), names_it);
   EXPECT_THAT(
       message_of([&] { (void)list_classified(shafts_[0], boxes_, indices, std::span(indices).first(0), form); }),

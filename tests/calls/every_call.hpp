@@ -101,6 +101,9 @@ class EveryCall {
     } else if constexpr (std::is_same_v<T, KeptCounts>) {
       words.push_back(value.overlap);
       words.push_back(value.inside);
+    } else if constexpr (requires { value.time; }) {
+      words.push_back(value.index);
+      note(words, value.time);
     } else if constexpr (requires { value.first; }) {
       words.push_back(value.first);
       words.push_back(value.size);
@@ -261,12 +264,15 @@ class EveryCall {
           note(words, count(shaft, view, form));
           note(words, count_classified(shaft, view, form));
           note(words, any(shaft, view, form));
+          note(words, count_at_most(shaft, view, 5, form));
         }
       });
       add("list" + how, true, [=, this](AnswerWords& words) {
         std::vector<std::uint32_t> kept(view.count);
         for (const CompiledShaft& shaft : shafts_) {
           note(words, std::span(kept).first(list(shaft, view, kept, form)));
+          const std::span<std::uint32_t> few = std::span(kept).first(view.count / 8);
+          note(words, few.first(list_at_most(shaft, view, few, form)));
         }
       });
       add("list_classified" + how, true, [=, this](AnswerWords& words) {
@@ -278,6 +284,16 @@ class EveryCall {
           note(words, std::span(inside).first(counts.inside));
         }
       });
+      if constexpr (std::is_same_v<Bound, Box>) {
+        add("first_contact" + how, true, [=, this](AnswerWords& words) {
+          std::vector<float> times(candidates_.size());
+          for (const CompiledShaft& shaft : shafts_) {
+            note(words, first_contact(shaft, view, form));
+            entry_times(shaft, view, std::span<const std::uint32_t>(candidates_), times);
+            note(words, times);
+          }
+        });
+      }
       for (const std::size_t some : {std::size_t{3}, shafts_.size()}) {
         const std::size_t count = std::min(some, shafts_.size());
         const std::string many = how + ", " + std::to_string(count) + " shafts";
@@ -308,6 +324,18 @@ class EveryCall {
           std::vector<std::uint64_t> bits(words_for(count));
           any_many(asked(), view, bits, form);
           note(words, bits);
+        });
+        if constexpr (std::is_same_v<Bound, Box>) {
+          add("first_contact_many" + many, true, [=](AnswerWords& words) {
+            std::vector<FirstContactOf<std::uint64_t>> contacts(count);
+            first_contact_many(asked(), view, contacts, form);
+            note(words, contacts);
+          });
+        }
+        add("count_at_most_many" + many, true, [=](AnswerWords& words) {
+          std::vector<std::uint64_t> counts(count);
+          count_at_most_many(asked(), view, 5, counts, form);
+          note(words, counts);
         });
         add("list_many" + many, true, [=](AnswerWords& words) {
           IndexLists lists;
@@ -429,6 +457,52 @@ class EveryCall {
       moved.rebuild();
       moved.renumber();
       note_tree(words, moved);
+    });
+    if constexpr (std::is_same_v<Bound, Box>) {
+      add("first_contact, first_contact_many in a tree", true, [=, this, &tree](AnswerWords& words) {
+        std::vector<FirstContact> contacts(shafts_.size());
+        std::vector<float> times(candidates_.size());
+        for (const CompiledShaft& shaft : shafts_) {
+          note(words, first_contact(shaft, tree, {.own = candidates_}));
+          entry_times(shaft, tree, candidates_, times);
+          note(words, times);
+        }
+        first_contact_many(shafts_, tree, contacts);
+        note(words, contacts);
+      });
+    }
+    add("keep_layers" + of, true, [=, this](AnswerWords& words) {
+      std::vector<std::uint64_t> kept(words_for(view.count));
+      std::vector<std::uint32_t> layers(view.count);
+      for (std::size_t i = 0; i != layers.size(); ++i) layers[i] = 1U << i % 5;
+      for (const CompiledShaft& shaft : shafts_) {
+        cull(shaft, view, kept);
+        keep_layers(kept, layers, 9);
+        note(words, kept);
+      }
+    });
+    add("layers of a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      BoundsTree<Bound> layered(tree);
+      std::vector<std::uint32_t> layers(tree.size());
+      for (std::size_t i = 0; i != layers.size(); ++i) layers[i] = 1U << i % 5;
+      layered.set_layers(layers);
+      layered.rebuild();
+      layered.set_layers(std::span<const std::uint32_t>(candidates_), std::span(layers).first(candidates_.size()));
+      note(words, layered.layers());
+      std::vector<std::uint32_t> kept(tree.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, std::span(kept).first(list(shaft, layered, std::span(kept), {.only_layers = {3}})));
+      }
+    });
+    add("count_at_most, list_at_most, count_at_most_many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<std::uint32_t> kept(tree.size() / 8);
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, count_at_most(shaft, tree, 5, {.own = candidates_}));
+        note(words, std::span(kept).first(list_at_most(shaft, tree, std::span(kept))));
+      }
+      std::vector<std::uint64_t> counts(shafts_.size());
+      count_at_most_many(shafts_, tree, 5, counts);
+      note(words, counts);
     });
     add("box of a tree" + of, false, [=, &tree](AnswerWords& words) { note(words, tree.box()); });
     add("cull, contained, classify of a tree" + of, true, [=, this, &tree](AnswerWords& words) {

@@ -185,5 +185,29 @@ TEST(Views, AnEmptyBoundIsOutsideAndOneWithNanIsNot) {
   }
 }
 
+TEST(Views, BitsOfOtherLayersAreCleared) {
+  Random random(45);
+  for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 200U}) {
+    std::vector<std::uint32_t> layers(count);
+    for (std::uint32_t& each : layers) each = random.one_in(4) ? 0 : 1U << random.below(32);
+    const std::vector<std::uint64_t> before(words_for(count), 0xffff'0f0f'ffff'fff1);
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      for (const std::uint32_t mask : {0U, 0xffff0000U, 0x80000001U, ~0U}) {
+        std::vector<std::uint64_t> bits = before;
+        keep_layers(bits, layers, mask);
+        for (std::size_t i = 0; i != 64 * bits.size(); ++i) {
+          const bool stays = i < count && (layers[i] & mask) != 0 && (before[i / 64] >> i % 64 & 1) != 0;
+          ASSERT_EQ(bits[i / 64] >> i % 64 & 1, stays ? 1U : 0U) << name(isa) << ", bit " << i << " of " << count;
+        }
+      }
+    }
+  }
+  std::vector<std::uint64_t> two(2, 7);
+  EXPECT_THROW(keep_layers(two, std::vector<std::uint32_t>(200), 1), InvalidArgument);
+  EXPECT_THROW(keep_layers(two, {static_cast<const std::uint32_t*>(nullptr), 100}, 1), InvalidArgument);
+  EXPECT_EQ(two, std::vector<std::uint64_t>(2, 7));
+}
+
 }  // namespace
 }  // namespace shaftcull

@@ -67,6 +67,10 @@ void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form
   for (const std::size_t room : {std::size_t{0}, std::size_t{1}, most / 2, most - 1, most, most + 1, most + 40}) {
     expect_listed(right.kept, room,
                   [&](std::span<Index> kept) { EXPECT_EQ(list(shaft, view, kept, form), right.kept.size()); });
+    expect_listed(right.kept, room, [&](std::span<Index> kept) {
+      EXPECT_EQ(list_at_most(shaft, view, kept, form), std::min(room, right.kept.size()));
+    });
+    EXPECT_EQ(count_at_most(shaft, view, room, form), std::min(room, right.kept.size()));
   }
   for (const std::size_t room : {std::size_t{0}, counts.inside / 2, counts.inside, most + 1}) {
     expect_listed(right.inside, room, [&](std::span<Index> inside) {

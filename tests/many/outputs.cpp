@@ -116,6 +116,21 @@ TEST(Outputs, AnyManySetsABitForEachShaftThatKeepsAny) {
   });
 }
 
+TEST(Outputs, CountAtMostManyCountsWhatOneShaftCountsUpToTheMost) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows&) {
+    for (const std::size_t most : {0U, 1U, 7U, 100U, 100000U}) {
+      for (const Form form : {Form::slab, Form::planes}) {
+        std::vector<std::uint64_t> counts(shafts.size(), sentinel);
+        count_at_most_many(shafts, view, most, counts, form);
+        for (std::size_t s = 0; s != shafts.size(); ++s) {
+          EXPECT_EQ(counts[s], std::min(most, count(shafts[s], view))) << "shaft " << s << ", " << most;
+          EXPECT_EQ(counts[s], count_at_most(shafts[s], view, most, form)) << "shaft " << s << ", " << most;
+        }
+      }
+    }
+  });
+}
+
 TEST(Outputs, AnyManyFindsWhatOnlyTheLastTaskSees) {
   BoxStream boxes(400000);  // empty ones, which no shaft keeps
   std::vector<CompiledShaft> shafts = random_shafts(89, 70);

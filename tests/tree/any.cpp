@@ -1,6 +1,7 @@
-/// A walk that looks for any bound ends at the first one.
+/// A walk that looks for any bound ends at the first one, and one that looks for so many when it has found them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -74,6 +75,45 @@ TEST(TreeAny, LooksOnWhereWhatItFindsIsLeftOut) {
     const std::vector<std::uint32_t> own = {index};
     EXPECT_FALSE(any(shaft, tree, {.own = own, .mask = mask}));
     mask[index / 64] = ~std::uint64_t{0};
+  }
+}
+
+TEST(TreeAtMost, EndsSoonAfterItHasFoundEnough) {
+  Random random(92);
+  const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 300000);
+  const BoxTree tree{std::span<const Box>(boxes)};
+  const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
+  kernel::Counter counter;
+  const std::size_t all = words_tested_by(counter, tree, shaft);
+  for (const std::size_t most : {std::size_t{1}, std::size_t{10}, counter.count() / 10}) {
+    kernel::LimitedCounter limited(most);
+    EXPECT_LE(words_tested_by(limited, tree, shaft), 20 + all * most / counter.count() * 2) << most << ", " << all;
+    EXPECT_EQ(limited.count(), most);
+  }
+}
+
+TEST(TreeAtMost, CountsAndListsTheFirstOfWhatThereIs) {
+  Random random(93);
+  for (const Shape shape : shapes) {
+    const std::vector<Box> boxes = scene<Box>(random, shape, 5000);
+    const BoxTree tree{std::span<const Box>(boxes)};
+    const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
+    std::vector<std::uint64_t> counts(shafts.size());
+    for (std::size_t s = 0; s != shafts.size(); ++s) {
+      std::vector<std::uint32_t> all(tree.size());
+      all.resize(list(shafts[s], tree, std::span(all)));
+      for (const std::size_t most :
+           {std::size_t{0}, std::size_t{1}, all.size() / 2, all.size(), all.size() + 1, std::size_t{100000}}) {
+        const std::size_t found = std::min(most, all.size());
+        EXPECT_EQ(count_at_most(shafts[s], tree, most), found);
+        count_at_most_many(shafts, tree, most, counts);
+        EXPECT_EQ(counts[s], found);
+        std::vector<std::uint32_t> some(most + 1, 12345);
+        EXPECT_EQ(list_at_most(shafts[s], tree, std::span(some).first(most)), found);
+        EXPECT_TRUE(std::equal(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(found), all.begin()));
+        EXPECT_EQ(some.back(), 12345U) << "written past the room";
+      }
+    }
   }
 }
 

@@ -1,0 +1,288 @@
+/// First contact: which box is reached first, and when, are those of exact arithmetic, in views and in trees.
+#include "shaftcull/first_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "columns.hpp"
+#include "instruction_sets.hpp"
+#include "oracle/cases/families.hpp"
+#include "oracle/entry_time.hpp"
+#include "oracle/hull.hpp"
+#include "oracle/moving_hull.hpp"
+#include "oracle/shaft_input.hpp"
+#include "sanitizers.hpp"
+#include "shaftcull/kinds.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// First contact by the definition: of the boxes that are not outside, the one with the least time.
+template <class Hull, class TimeOf>
+FirstContactOf<std::uint64_t> expected_contact(const Hull& hull, const TimeOf& time_of, const std::vector<Box>& boxes) {
+  FirstContactOf<std::uint64_t> first;
+  std::optional<mpq_class> least;
+  for (std::size_t i = 0; i != boxes.size(); ++i) {
+    if (hull.answer(boxes[i]) == Answer::outside) continue;
+    const std::optional<mpq_class> time = time_of(boxes[i]);
+    if (!time.has_value()) {
+      ADD_FAILURE() << "a box that meets the shaft is never reached: " << source_text(boxes[i]);
+      continue;
+    }
+    if (least && *least <= *time) continue;
+    least = time;
+    first = {i, oracle::rounded_down(*time)};
+  }
+  return first;
+}
+
+std::string text_of(const FirstContactOf<std::uint64_t>& contact) {
+  return std::to_string(contact.index) + " at " + std::to_string(contact.time);
+}
+
+/// Asks a view and trees, whose first contact must be the one expected.
+void expect_contact(const CompiledShaft& shaft, const std::vector<Box>& boxes,
+                    const FirstContactOf<std::uint64_t>& expected, const std::string& source) {
+  const BoxColumns columns(boxes);
+  const auto expect = [&](const FirstContactOf<std::uint64_t>& found, const char* of, Isa isa) {
+    if (found == expected) return;
+    ADD_FAILURE() << "on " << name(isa) << ", " << of << " of " << boxes.size() << ": " << text_of(found)
+                  << " is first, should be " << text_of(expected) << "; " << source;
+  };
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::slab, Form::planes}) expect(first_contact(shaft, columns.view(), form), "view", isa);
+    std::vector<FirstContactOf<std::uint64_t>> many(3);
+    first_contact_many(std::vector<CompiledShaft>(3, shaft), columns.view(), many);
+    for (const auto& one : many) expect(one, "view, many shafts", isa);
+    const BoundsTree<Box, std::uint64_t> tree{std::span<const Box>(boxes)};
+    expect(first_contact(shaft, tree), "tree", isa);
+  }
+}
+
+void expect_contact(const ShaftInput& input, const std::vector<Box>& boxes) {
+  const auto expected = expected_contact(
+      oracle::Hull(input.a, input.b, input.added),
+      [&](const Box& box) { return oracle::entry_time(input.a, input.b, box); }, boxes);
+  Shaft shaft(input.a, input.b);
+  for (const Plane& plane : input.added) shaft.add_plane(plane);
+  expect_contact(compile(shaft), boxes, expected, source_text(input));
+}
+
+void expect_contact(const MovingInput& input, const std::vector<Box>& boxes) {
+  using Kind = MovingInput::Kind;
+  const auto expected = expected_contact(
+      oracle::MovingHull(input), [&](const Box& box) { return oracle::entry_time(input, box); }, boxes);
+  const CompiledShaft shaft = input.kind == Kind::swept               ? swept(input.box, input.displacement)
+                              : input.kind == Kind::swept_without_end ? swept_without_end(input.box, input.displacement)
+                              : input.kind == Kind::shadow            ? shadow(input.light, input.box, input.reach)
+                                                                      : shadow(input.light, input.box);
+  expect_contact(shaft, boxes, expected, source_text(input));
+}
+
+TEST(FirstContact, IsThatOfExactArithmeticForAllFamilies) {
+  for (const Family& family : families) {
+    SCOPED_TRACE(family.name);
+    Random random(800);
+    for (unsigned i = 0; i != random_cases(40) && !HasFailure(); ++i) {
+      const ShaftInput input = family.shaft(random, i * 17);
+      std::vector<Box> boxes;
+      while (boxes.size() != 24) boxes.push_back(family.box(random, input));
+      for (int same = 0; same != 6; ++same) boxes.push_back(boxes[random.below(24)]);  // ties
+      expect_contact(input, boxes);
+      expect_contact(input, {boxes.rbegin(), boxes.rend()});
+    }
+  }
+}
+
+TEST(FirstContact, IsThatOfExactArithmeticForSweepsAndShadows) {
+  using Kind = MovingInput::Kind;
+  Random random(804);
+  for (unsigned i = 0; i != random_cases(400) && !HasFailure(); ++i) {
+    const bool is_on_grid = random.one_in(2);
+    const auto box = [&] { return is_on_grid ? random.grid_box(-8, 8) : random.box(-8, 8, 0.01F, 1.5F); };
+    MovingInput input{static_cast<Kind>(i % 4), box()};
+    for (float& d : input.displacement) d = is_on_grid ? random.integer(-6, 6) : random.uniform(-20, 20);
+    input.displacement[i / 4 % 3] = is_on_grid ? 3.0F : 1e-3F;  // never 0
+    input.light = box();
+    const float apart = input.box.hi[0] + 2 - input.light.lo[0];
+    if (is_on_grid) {
+      input.light.lo[0] += apart;
+      input.light.hi[0] += apart;
+    } else {
+      input.light = {{input.box.hi[0] + 0.3F, -1, -2}, {input.box.hi[0] + 1, 1, -1}};
+    }
+    input.reach = is_on_grid ? random.integer(1, 5) : random.uniform(1, 9);
+    std::vector<Box> boxes;
+    while (boxes.size() != 24) boxes.push_back(is_on_grid ? random.grid_box(-12, 12) : random.box(-12, 12, 0.01F, 3));
+    for (int same = 0; same != 6; ++same) boxes.push_back(boxes[random.below(24)]);
+    expect_contact(input, boxes);
+    expect_contact(input, {boxes.rbegin(), boxes.rend()});
+  }
+}
+
+TEST(FirstContact, IsToldHoweverLateItIs) {
+  const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
+  const std::vector<Box> boxes = {{{0x1p100F, 0, 0}, {0x1.8p100F, 1, 1}}, {{0x1p99F, 0, 0}, {0x1.8p99F, 1, 1}}};
+  const FirstContactOf<std::uint64_t> contact = first_contact(shaft, BoxColumns(boxes).view());
+  EXPECT_EQ(contact.index, 1U);
+  EXPECT_EQ(contact.time, std::numeric_limits<float>::max()) << "the time is 2¹⁹⁹";
+}
+
+/// Where a face is at the start, how far it goes, and a place that it reaches on the way.
+struct Reach {
+  float from;
+  float to;
+  float place;
+
+  [[nodiscard]] mpq_class time() const {
+    return (mpq_class(place) - mpq_class(from)) / (mpq_class(to) - mpq_class(from));
+  }
+  [[nodiscard]] double rounded_time() const {
+    const double start = from;
+    return (static_cast<double>(place) - start) / (static_cast<double>(to) - start);
+  }
+  /// Random, with differences of 48 bits; the face starts at minus `low`.
+  Reach(Random& random, float low, float time)
+      : from(-low),
+        to(0x1p24F * random.integer(0x700000, 0x7fffff)),
+        place(0x1p24F * std::round(time * to * 0x1p-24F)) {}
+};
+
+/// Two faces that reach two places at times which differ by about a rounding of a double.
+std::pair<Reach, Reach> nearly_equal_times(Random& random) {
+  const Reach one(random, random.integer(1, 0xffffff), random.uniform(0.1F, 0.4F));
+  const mpq_class t = one.time();
+  std::pair<Reach, Reach> nearest(one, one);
+  mpq_class least = 1;
+  for (int tries = 0; tries != 400; ++tries) {
+    // (place + low) / (to + low) = t where low = (t to − place) / (1 − t).
+    Reach other(random, 0, static_cast<float>(t.get_d()));
+    other.from = -static_cast<float>(mpq_class((t * mpq_class(other.to) - mpq_class(other.place)) / (1 - t)).get_d());
+    const mpq_class difference = abs(other.time() - t);
+    if (difference == 0 || difference >= least) continue;
+    least = difference;
+    nearest.second = other;
+  }
+  return nearest;
+}
+
+TEST(FirstContact, TellsTimesApartThatDoublesCannotTellApart) {
+  Random random(801);
+  std::size_t misled = 0;
+  for (std::size_t i = 0; i != random_cases(100) && !HasFailure(); ++i) {
+    const auto [x, y] = nearly_equal_times(random);
+    constexpr float far = 0x1p60F;
+    const ShaftInput input{{{-far, -far, 0}, {x.from, y.from, 1}}, {{-far, -far, 0}, {x.to, y.to, 1}}};
+    const Box reached_by_x{{x.place, -far, 0}, {far, far, 1}};
+    const Box reached_by_y{{-far, y.place, 0}, {far, far, 1}};
+    expect_contact(input, {reached_by_x, reached_by_y});
+    expect_contact(input, {reached_by_y, reached_by_x});
+    const bool is_x_first = x.time() < y.time();
+    if (is_x_first != (x.rounded_time() < y.rounded_time())) ++misled;
+  }
+  EXPECT_GT(misled, 0U) << "the cases are too easy";
+}
+
+TEST(FirstContact, IsExactForPlacesAFewUnitsApart) {
+  Random random(802);
+  for (std::size_t i = 0; i != random_cases(200) && !HasFailure(); ++i) {
+    const ShaftInput input{random.box(-4, 4, 0.1F, 1.0F), random.box(-4, 4, 0.1F, 1.0F)};
+    const double t = static_cast<double>(random.uniform(0.1F, 0.9F));
+    std::vector<Box> boxes;
+    for (int n = 0; n != 12; ++n) {
+      // Touches box(t) on one axis, to a few units in the last place, and contains it on the others.
+      const std::size_t k = random.below(3);
+      Box box{{-50, -50, -50}, {50, 50, 50}};
+      const bool is_above = input.b.hi[k] > input.a.hi[k];
+      const Vec3& from = is_above ? input.a.hi : input.a.lo;
+      const Vec3& to = is_above ? input.b.hi : input.b.lo;
+      const float at = random.nudge(static_cast<float>(
+          static_cast<double>(from[k]) + t * (static_cast<double>(to[k]) - static_cast<double>(from[k]))));
+      (is_above ? box.lo : box.hi)[k] = at;
+      boxes.push_back(box);
+    }
+    expect_contact(input, boxes);
+  }
+}
+
+TEST(FirstContact, IsTheLowestIndexOfThoseThatTouchAtTheStart) {
+  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}});
+  std::vector<Box> boxes(300, Box{{1, 0, 0}, {2, 1, 1}});  // touch box a
+  boxes[0] = {{9, 0, 0}, {10, 1, 1}};
+  boxes[1] = {{1.5F, 0, 0}, {2, 1, 1}};
+  const BoxTree tree{std::span<const Box>(boxes)};
+  EXPECT_EQ(first_contact(shaft, tree), (FirstContact{2, 0}));
+  EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContactOf<std::uint64_t>{2, 0}));
+}
+
+TEST(FirstContact, IsNothingWhereNothingIsKept) {
+  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}});
+  const std::vector<Box> beside(70, Box{{0, 3, 0}, {1, 4, 1}});
+  for (const std::vector<Box>& boxes : {std::vector<Box>(), beside}) {
+    const BoxTree tree{std::span<const Box>(boxes)};
+    EXPECT_FALSE(first_contact(shaft, tree));
+    EXPECT_FALSE(first_contact(shaft, BoxColumns(boxes).view()));
+    std::vector<FirstContact> contacts(2, FirstContact{7, 0.5F});
+    first_contact_many(std::vector<CompiledShaft>(2, shaft), tree, contacts);
+    EXPECT_EQ(contacts, std::vector<FirstContact>(2));
+    EXPECT_EQ(contacts[0].index, FirstContact::none);
+  }
+}
+
+TEST(EntryTimes, AreThoseOfExactArithmeticForAllFamilies) {
+  for (const Family& family : families) {
+    SCOPED_TRACE(family.name);
+    Random random(803);
+    for (unsigned i = 0; i != random_cases(40) && !HasFailure(); ++i) {
+      const ShaftInput input = family.shaft(random, i * 13);
+      const oracle::Hull hull(input.a, input.b, input.added);
+      std::vector<Box> boxes;
+      std::vector<float> expected;
+      while (boxes.size() != 20) {
+        boxes.push_back(family.box(random, input));
+        expected.push_back(hull.answer(boxes.back()) == Answer::outside
+                               ? std::numeric_limits<float>::infinity()
+                               : oracle::rounded_down(oracle::entry_time(input.a, input.b, boxes.back()).value()));
+      }
+      Shaft shaft(input.a, input.b);
+      for (const Plane& plane : input.added) shaft.add_plane(plane);
+      const CompiledShaft compiled = compile(shaft);
+      const BoxColumns columns(boxes);
+      const BoundsTree<Box, std::uint64_t> tree{std::span<const Box>(boxes)};
+      std::vector<std::uint64_t> indices;  // backwards
+      for (std::size_t n = boxes.size(); n-- != 0;) indices.push_back(n);
+      for (const Isa isa : isas_under_test()) {
+        const UseIsa use(isa);
+        std::vector<float> times(boxes.size());
+        entry_times(compiled, columns.view(), indices, times);
+        ASSERT_EQ(std::vector<float>(times.rbegin(), times.rend()), expected) << source_text(input) << name(isa);
+        std::fill(times.begin(), times.end(), 7.0F);
+        entry_times(compiled, tree, indices, times);
+        ASSERT_EQ(std::vector<float>(times.rbegin(), times.rend()), expected) << source_text(input) << name(isa);
+      }
+    }
+  }
+}
+
+TEST(FirstContact, TimeIsRoundedDown) {
+  // A third of the way: the float below 1/3, and 2/3 likewise.
+  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{3, 0, 0}, {4, 1, 1}});
+  for (const float x : {2.0F, 3.0F}) {
+    const std::vector<Box> boxes = {{{x, 0, 0}, {9, 1, 1}}};
+    const float time = first_contact(shaft, BoxColumns(boxes).view()).time;
+    EXPECT_LT(3 * static_cast<double>(time), static_cast<double>(x) - 1);
+    EXPECT_GT(3 * static_cast<double>(std::nextafter(time, 2.0F)), static_cast<double>(x) - 1);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,24 @@
+/// When a moving box first touches another box, in exact rational arithmetic, straight from the definition.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+
+#include "oracle/moving_hull.hpp"
+#include "shaftcull/bounds.hpp"
+
+namespace shaftcull::oracle {
+
+/// The least t in [0, 1] at which box(t) and `box` have a common point, box(t) going from a at 0 to b at 1 with every
+/// face at a speed of its own; none if there is no such t.
+std::optional<mpq_class> entry_time(const Box& a, const Box& b, const Box& box);
+
+/// The same for a body that is swept and for a shadow, t counting from 0 in displacements, or from the occluder in
+/// distances of it from the light: where the box was at t, it was l + (1 + t) (o − l) for points of both.
+std::optional<mpq_class> entry_time(const MovingInput& input, const Box& box);
+
+/// The largest float that is not larger than a time, which is not negative.
+float rounded_down(const mpq_class& time);
+
+}  // namespace shaftcull::oracle
