@@ -110,6 +110,8 @@ void declare_exact(Suite& suite, const Workload& workload);
 void declare_touching(Suite& suite, const Workload& workload);
 /// tree/…: bounds trees
 void declare_tree(Suite& suite, const Workload& workload);
+/// layers/…, tree/{list,count,any,at_most_10,first}/…: a part of what a tree would list
+void declare_picking(Suite& suite, const Workload& workload);
 /// tree/equal_short/…: short sweeps, against a uniform grid
 void declare_short_sweeps(Suite& suite, const Workload& workload);
 /// frame/…: moving bounds, updated and asked
