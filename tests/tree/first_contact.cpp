@@ -12,6 +12,7 @@
 #include "dispatch/active_kernels.hpp"
 #include "message_of.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/hull.hpp"
 #include "tree/access.hpp"
 #include "tree/first_contact.hpp"
 #include "tree/scenes.hpp"
@@ -140,6 +141,24 @@ TYPED_TEST(TreeFirstContact, TimesOfAListFitTheListAndTheTree) {
   EXPECT_THAT(
       message_of<NeedsRefit>([&] { entry_times(shaft, tree, std::span(indices).first(1), std::span(times).first(1)); }),
       testing::HasSubstr("entry_times of a tree whose bounds were updated; call refit() first"));
+}
+
+TYPED_TEST(TreeFirstContact, IsRefusedForAConvexHullInWhichNothingMoves) {
+  const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
+  const typename TestFixture::Tree tree{std::span<const Box>(boxes)};
+  const std::vector<Vec3> points = {{-1, -1, -1}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
+  const ConvexHull hull(points);
+  const BoxColumns columns(boxes);
+  std::vector<FirstContactOf<TypeParam>> contacts(1);
+  std::vector<FirstContactOf<std::uint64_t>> flat(1);
+  std::vector<float> times(1);
+  const std::vector<TypeParam> indices = {0};
+  const auto refuses = testing::HasSubstr("shaft 0 is a convex hull, in which nothing moves");
+  EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, tree)); }), refuses);
+  EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, columns.view())); }), refuses);
+  EXPECT_THAT(message_of([&] { first_contact_many({&hull.compiled(), 1}, tree, contacts); }), refuses);
+  EXPECT_THAT(message_of([&] { first_contact_many({&hull.compiled(), 1}, columns.view(), flat); }), refuses);
+  EXPECT_THAT(message_of([&] { entry_times(hull, tree, indices, times); }), refuses);
 }
 
 std::size_t words_tested = 0;
