@@ -40,10 +40,11 @@ inline EndFace end_face(const MovingFaces& faces, unsigned f) noexcept {
   const float inwards = f < 3 ? most : -most;
   float within = nearest;
   while (!is_within(within)) within = std::nextafter(within, inwards);
-  for (float next = within;; within = next) {
-    next = std::nextafter(within,
-                          f < 3 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity());
+  const float outwards = f < 3 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
+  for (;;) {
+    const float next = std::nextafter(within, outwards);
     if (!std::isfinite(next) || !is_within(next)) break;
+    within = next;
   }
   return {nearest, within};
 }
