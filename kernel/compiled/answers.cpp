@@ -19,8 +19,7 @@ void refuse_shaft(const ShaftData& shaft, bool outside, bool inside, std::size_t
 }
 
 void refuse_kind(std::size_t position) {
-  throw InvalidArgument("shaft " + std::to_string(position) +
-                        " is that of a swept box or a shadow, and is asked what " +
+  throw InvalidArgument("shaft " + std::to_string(position) + " is that of a moving box or a hull, and is asked what " +
                         "blocks it; only a shaft between two boxes has two ends to hide from each other");
 }
 
