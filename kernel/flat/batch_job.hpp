@@ -191,7 +191,7 @@ class BatchJob {
       prefetch_share_of_next(first + tile.count, tile.count, s, group.size);
       if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
       const ShaftData& its_shaft = shafts_[group.first + s];
-      if (!on_grid.shaft[s].exists || (on_grid.has_cuts && on_grid.cut[s].may_be_passed(least))) {
+      if (!on_grid.shaft[s].exists || (on_grid.has_cuts && may_pass_cut(on_grid.shaft[s], least))) {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
         continue;
       }

@@ -22,14 +22,10 @@ struct LeastOnGrid {
   std::int16_t of[6];
 };
 
-/// Where a shaft without end is cut off on a grid. A tile whose coordinates of one stream are all at least this has no
-/// bounds beyond.
-struct CutOff {
-  std::uint8_t stream;
-  std::int16_t least;
-
-  [[nodiscard]] bool may_be_passed(const LeastOnGrid& tile) const noexcept { return tile.of[stream] < least; }
-};
+/// Whether a tile may have bounds beyond where a shaft was cut off.
+[[nodiscard]] inline bool may_pass_cut(const GridShaft& shaft, const LeastOnGrid& tile) noexcept {
+  return tile.of[shaft.cut.stream] < shaft.cut.least;
+}
 
 /// The box around some bounds of a view, a bit larger: more or less where all are.
 struct SampledBox {
@@ -77,9 +73,8 @@ struct SampledBox {
 /// for bringing shafts there.
 struct GroupOnGrid {
   GridFrame frame{};
-  bool has_cuts = false;          ///< of shafts without end
+  bool has_cuts = false;          ///< whether some shaft has no end
   GridShaft shaft[group_shafts];  // not written if there is no frame
-  CutOff cut[group_shafts];       // of all shafts, if has_cuts
 
   /// For tests of `tested` of the bounds.
   template <class View>
@@ -146,17 +141,18 @@ struct GroupOnGrid {
     if (!exists()) return;
     has_cuts = true;
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      cut[s] = {0, std::numeric_limits<std::int16_t>::min()};  // nothing is beyond
+      auto& cut = shaft[s].cut;
+      cut = {0, std::numeric_limits<std::int16_t>::min()};  // nothing is beyond
       if (!shafts[s].is_endless() || !shaft[s].exists) continue;
       const unsigned f = first_face[s];
       if (f == none) {
-        cut[s].least = std::numeric_limits<std::int16_t>::max();  // all may be beyond
+        cut.least = std::numeric_limits<std::int16_t>::max();  // all may be beyond
         continue;
       }
       const float steps = f < 3 ? -frame.steps[f] : frame.steps[f - 3];
       const float at = (clipped[s].face[f] - frame.origin[f % 3]) * steps;
       // Coordinates on the grid are rounded down, so that one step more is certainly on this side of the cut.
-      cut[s] = {near_stream[f], static_cast<std::int16_t>(std::ceil(at) + 1)};
+      cut = {near_stream[f], static_cast<std::int16_t>(std::ceil(at) + 1)};
     }
   }
 };

@@ -532,7 +532,8 @@ TEST(Kinds, ShaftsWithoutEndHaveAPlaceOnTheGrid) {
     ASSERT_TRUE(group.exists() && group.has_cuts);
     std::size_t endless = 0;
     for (std::size_t s = 0; s != data.size(); ++s) {
-      if (data[s].is_endless() && group.shaft[s].exists && static_cast<float>(group.cut[s].least) < kernel::grid_top)
+      if (data[s].is_endless() && group.shaft[s].exists &&
+          static_cast<float>(group.shaft[s].cut.least) < kernel::grid_top)
         ++endless;
     }
     EXPECT_GE(endless, 10U) << "of 12";

@@ -43,6 +43,13 @@ struct alignas(64) GridShaft {
   std::uint8_t stationary;
   std::uint8_t limit;  ///< bounds whose interval is longer than this, an integer, are certainly not outside
   bool exists;         ///< if not, the other members are not written
+
+  /// Where a shaft without end was cut off, if any shaft of its group has none: a tile whose coordinates of this stream
+  /// are all at least this has no bounds beyond. Forming leaves it to the caller.
+  struct {
+    std::uint8_t stream;
+    std::int16_t least;
+  } cut;
 };
 
 inline constexpr float grid_top = 16383.0F;   ///< coordinates are clamped to ± this: sums of two fit into 16 bits
