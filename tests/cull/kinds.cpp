@@ -571,6 +571,27 @@ TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
   }
 }
 
+/// What is met later than at the largest float: never, of a bound that ends, and in the end of one that does not.
+TEST(Kinds, BoundsThatAreMetAfterEveryFloatAreMet) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {1, 1e-20F, 0});  // y = 1e30 at t = 1e50
+  std::vector<Box> boxes;
+  for (unsigned i = 0; i != 70; ++i) {
+    boxes.push_back({{-infinity, 1e30F, 0}, {i % 2 == 0 ? infinity : std::numeric_limits<float>::max(), 2e30F, 1}});
+  }
+  const auto memory = columns(boxes);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Form form : {Form::slab, Form::planes}) {
+      std::vector<std::uint64_t> kept(words_for(boxes.size()));
+      cull(shaft, memory.view(), kept, form);
+      for (std::size_t i = 0; i != boxes.size(); ++i) {
+        EXPECT_EQ((kept[i / 64] >> i % 64 & 1U) != 0, i % 2 == 0) << name(isa) << ", box " << i;
+      }
+    }
+  }
+}
+
 TEST(Kinds, AddedPlanesAreAnsweredExactly) {
   check(8, 15, [](Random& random, Kind kind) {
     MovingInput input = random_input(random, kind);

@@ -131,6 +131,7 @@ struct Slab {
         lower = L::maximum(t, lower);
       }
     }
+    lower = L::minimum(lower, end);  // of bounds that are met later than at any float, if they are infinite
     excess = L::multiply_add(lower, narrower, L::subtract(upper, margin));
     return L::subtract(upper, lower);
   }
