@@ -7,7 +7,7 @@
 namespace shaftcull::kernel {
 namespace {
 
-using Plane = HullData::Plane;
+using HullPlane = HullData::Plane;
 
 /// The axes that the coordinates of a plane are on: all three of a face, two of an edge.
 struct Axes {
@@ -29,7 +29,7 @@ struct Axes {
 /// Sign of the value of a plane at the corner of a box whose coordinate i is at stream[i].
 int corner_side(const HullData& hull, unsigned number, const float (&bound)[6],
                 const std::uint8_t (&stream)[3]) noexcept {
-  const Plane& plane = hull.plane[number];
+  const HullPlane& plane = hull.plane[number];
   if (number < hull.faces) {
     return plane.sign *
            plane_through(hull, plane.vertices).side({bound[stream[0]], bound[stream[1]], bound[stream[2]]});
@@ -46,7 +46,7 @@ struct Measure {
 };
 
 Measure measure(const HullData& hull, unsigned number, const float (&point)[4]) noexcept {
-  const Plane& plane = hull.plane[number];
+  const HullPlane& plane = hull.plane[number];
   const Axes axes(hull, number);
   double normal[3];
   if (number < hull.faces) {
@@ -107,7 +107,7 @@ bool hull_box_outside(const HullData& hull, const float (&bound)[6]) noexcept {
     if (bound[k] > bound[k + 3] || bound[k + 3] < hull.box[k] || bound[k] > hull.box[k + 3]) return true;
   }
   for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
-    const Plane& plane = hull.plane[number];
+    const HullPlane& plane = hull.plane[number];
     bool is_bounded = true;  // an infinite extent leads behind the plane, and a NaN says nothing
     for (unsigned i = 0; i < Axes(hull, number).count; ++i) is_bounded &= std::isfinite(bound[plane.near[i]]);
     if (is_bounded && corner_side(hull, number, bound, plane.near) > 0) return true;
@@ -120,7 +120,7 @@ bool hull_box_inside(const HullData& hull, const float (&bound)[6]) noexcept {
     if (!(bound[k] <= bound[k + 3] && bound[k] >= hull.box[k] && bound[k + 3] <= hull.box[k + 3])) return false;
   }
   for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
-    const Plane& plane = hull.plane[number];
+    const HullPlane& plane = hull.plane[number];
     std::uint8_t far[3] = {};
     for (unsigned i = 0; i < Axes(hull, number).count; ++i) {
       far[i] = static_cast<std::uint8_t>(plane.near[i] < 3 ? plane.near[i] + 3 : plane.near[i] - 3);

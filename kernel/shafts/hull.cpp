@@ -20,8 +20,6 @@ namespace {
 
 using kernel::HullData;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// Which vertices lie in a plane: bit i for vertex i.
 using VertexSet = std::uint32_t;
 static_assert(HullData::most_vertices <= 32);
@@ -83,15 +81,15 @@ class HullFormation {
  private:
   void find_box() noexcept {
     for (unsigned k = 0; k < 3; ++k) {
-      hull_.box[k] = infinity;
-      hull_.box[k + 3] = -infinity;
+      hull_.box[k] = std::numeric_limits<float>::infinity();
+      hull_.box[k + 3] = -std::numeric_limits<float>::infinity();
       for (unsigned v = 0; v < hull_.points; ++v) {
         hull_.box[k] = std::min(hull_.box[k], hull_.vertex[v][k]);
         hull_.box[k + 3] = std::max(hull_.box[k + 3], hull_.vertex[v][k]);
       }
       for (unsigned v = hull_.points; v < hull_.vertices; ++v) {
-        if (hull_.vertex[v][k] < 0) hull_.box[k] = -infinity;
-        if (hull_.vertex[v][k] > 0) hull_.box[k + 3] = infinity;
+        if (hull_.vertex[v][k] < 0) hull_.box[k] = -std::numeric_limits<float>::infinity();
+        if (hull_.vertex[v][k] > 0) hull_.box[k + 3] = std::numeric_limits<float>::infinity();
       }
     }
   }
@@ -229,6 +227,40 @@ void require_finite(const char* what, std::size_t i, const Vec3& v) {
   }
 }
 
+void require_vertices(std::span<const Vec3> points, std::span<const Vec3> directions) {
+  kernel::require_memory("points", points, "points");
+  kernel::require_memory("directions", directions, "directions");
+  if (points.empty()) throw InvalidArgument("ConvexHull: there is no point; a hull needs one or more");
+  constexpr std::size_t most = ConvexHull::max_vertices;
+  if (points.size() > most || directions.size() > most - points.size()) {
+    throw InvalidArgument("ConvexHull: " + std::to_string(points.size()) + " points and " +
+                          std::to_string(directions.size()) + " directions; together there can be " +
+                          std::to_string(most));
+  }
+  for (std::size_t i = 0; i != points.size(); ++i) require_finite("point", i, points[i]);
+  for (std::size_t i = 0; i != directions.size(); ++i) {
+    require_finite("direction", i, directions[i]);
+    if (directions[i] == Vec3{0, 0, 0}) {
+      throw InvalidArgument("ConvexHull: direction " + std::to_string(i) + " is zero");
+    }
+  }
+}
+
+/// Writes each of some vertices once, behind those that the hull has.
+void add_different(HullData& hull, std::span<const Vec3> vertices) noexcept {
+  for (auto vertex = vertices.begin(); vertex != vertices.end(); ++vertex) {
+    if (std::find(vertices.begin(), vertex, *vertex) != vertex) continue;
+    std::copy_n(vertex->data(), 3, hull.vertex[hull.vertices++]);
+  }
+}
+
+/// The vertices of a hull: points first, and none twice.
+void fill(HullData& hull, std::span<const Vec3> points, std::span<const Vec3> directions) noexcept {
+  add_different(hull, points);
+  hull.points = hull.vertices;
+  add_different(hull, directions);
+}
+
 /// A compiled shaft that has all its answers from a hull.
 CompiledShaft referring_to(const HullData& hull) noexcept {
   CompiledShaft compiled;
@@ -237,7 +269,7 @@ CompiledShaft referring_to(const HullData& hull) noexcept {
   data.slab_uppers = 0;
   data.kind = kernel::ShaftData::Kind::hull;
   data.hull = &hull;
-  data.largest_coordinate = infinity;  // no grid has a place for it
+  data.largest_coordinate = std::numeric_limits<float>::infinity();  // no grid has a place for it
   for (unsigned f = 0; f < 6; ++f) data.a[f] = data.b[f] = data.face[f] = hull.box[f];
   data.joining_count = 0;
   data.added_count = 0;
@@ -248,36 +280,16 @@ CompiledShaft referring_to(const HullData& hull) noexcept {
 }  // namespace
 
 ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions) {
-  kernel::require_memory("points", points, "points");
-  kernel::require_memory("directions", directions, "directions");
-  if (points.empty()) throw InvalidArgument("ConvexHull: there is no point; a hull needs one or more");
-  if (points.size() > max_vertices || directions.size() > max_vertices - points.size()) {
-    throw InvalidArgument("ConvexHull: " + std::to_string(points.size()) + " points and " +
-                          std::to_string(directions.size()) + " directions; together there can be " +
-                          std::to_string(max_vertices));
-  }
-  for (std::size_t i = 0; i != points.size(); ++i) require_finite("point", i, points[i]);
-  for (std::size_t i = 0; i != directions.size(); ++i) {
-    require_finite("direction", i, directions[i]);
-    if (directions[i] == Vec3{0, 0, 0}) {
-      throw InvalidArgument("ConvexHull: direction " + std::to_string(i) + " is zero");
-    }
-  }
-  parts_ = std::make_unique<Parts>();
-  std::copy(points.begin(), points.end(), parts_->vertex.begin());
-  std::copy(directions.begin(), directions.end(), parts_->vertex.begin() + static_cast<std::ptrdiff_t>(points.size()));
-  HullData& data = parts_->data;
-  parts_->points = points.size();
-  parts_->vertices = points.size() + directions.size();
-  for (std::size_t v = 0; v != parts_->vertices; ++v) {
-    const auto first = parts_->vertex.begin() + static_cast<std::ptrdiff_t>(v < parts_->points ? 0 : parts_->points);
-    const auto vertex = parts_->vertex.begin() + static_cast<std::ptrdiff_t>(v);
-    if (std::find(first, vertex, *vertex) != vertex) continue;  // repeated
-    std::copy_n(vertex->data(), 3, data.vertex[data.vertices++]);
-    if (v < parts_->points) ++data.points;
-  }
-  kernel::in_float_environment([&] { HullFormation{data}; });
-  compiled_ = referring_to(data);
+  kernel::in_float_environment([&] {
+    require_vertices(points, directions);
+    parts_ = std::make_unique<Parts>();
+    parts_->points = points.size();
+    parts_->vertices = points.size() + directions.size();
+    std::copy(directions.begin(), directions.end(), std::copy(points.begin(), points.end(), parts_->vertex.begin()));
+    fill(parts_->data, this->points(), this->directions());
+    HullFormation{parts_->data};
+  });
+  compiled_ = referring_to(parts_->data);
 }
 
 ConvexHull::ConvexHull(const ConvexHull& other)

@@ -57,24 +57,34 @@ void hull_faces_stage(const HullData& hull, const float* const* stream, std::siz
   }
 }
 
-/// Clears the bits of boxes that are beyond the hull's box or an edge, or empty, of one vector. Returns the lanes
-/// that are undecided.
-template <class L, bool bounded>
-[[nodiscard]] std::uint64_t hull_edges_vector(const HullData& hull, const float* const* stream, std::size_t at,
-                                              std::uint64_t& kept) noexcept {
+/// Which boxes of some vectors are beyond the hull's box or an edge, or empty. Returns the lanes that are undecided,
+/// too.
+template <class L, bool bounded, unsigned vectors>
+[[nodiscard, gnu::always_inline]] inline std::uint64_t hull_edges_vectors(const HullData& hull,
+                                                                          const float* const* stream, std::size_t at,
+                                                                          std::uint64_t& beyond) noexcept {
   const auto zero = L::all(0.0F);
-  auto is_beyond = L::less(L::load(stream[3] + at), L::load(stream[0] + at));  // the empty box, or padding
-  for (unsigned k = 0; k < 3; ++k) {
-    const auto lo = L::load(stream[k] + at);
-    const auto hi = L::load(stream[k + 3] + at);
-    if (k != 0) is_beyond = L::either(is_beyond, L::less(hi, lo));
-    is_beyond = L::either(is_beyond, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
-  }
-  HullDepths<L, 1, bounded> depths;
+  HullDepths<L, vectors, bounded> depths;
   depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.edges, stream, at);
-  kept &= ~L::bits(L::either(is_beyond, L::less(depths.most[0], zero)));
-  if constexpr (bounded) return L::bits(L::less_equal(depths.most[0], L::all(2 * hull_margin)));
-  return L::bits(L::less(zero, depths.least[0])) ^ lanes_of<L>(0);
+  std::uint64_t undecided = 0;
+  for (unsigned v = 0; v < vectors; ++v) {
+    const std::size_t first = at + v * L::width;
+    auto is_beyond = L::less(depths.most[v], zero);
+    for (unsigned k = 0; k < 3; ++k) {
+      const auto lo = L::load(stream[k] + first);
+      const auto hi = L::load(stream[k + 3] + first);
+      is_beyond = L::either(is_beyond, L::less(hi, lo));  // the empty box, or padding
+      is_beyond =
+          L::either(is_beyond, L::either(L::less(hi, L::all(hull.box[k])), L::less(L::all(hull.box[k + 3]), lo)));
+    }
+    beyond |= L::bits(is_beyond) << v * L::width;
+    if constexpr (bounded) {
+      undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin))) << v * L::width;
+    } else {
+      undecided |= (L::bits(L::less(zero, depths.least[v])) ^ lanes_of<L>(0)) << v * L::width;
+    }
+  }
+  return undecided;
 }
 
 /// Second stage: clears the bits of boxes that are beyond the hull's box, or one of its edges.
@@ -84,14 +94,24 @@ void hull_edges_stage(const HullData& hull, const float* const* stream, std::siz
   if (!hull.suits_floats) return;  // all is decided
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t undecided = 0;
-    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      std::uint64_t here = kept[w] >> lane & lanes_of<L>(0);
-      if (here == 0) continue;
+    const auto test = [&]<unsigned vectors>(unsigned lane) {
       const std::size_t at = w * word_bits + lane;
-      undecided |= (hull.is_bounded ? hull_edges_vector<L, true>(hull, stream, at, here)
-                                    : hull_edges_vector<L, false>(hull, stream, at, here))
+      std::uint64_t beyond = 0;
+      undecided |= (hull.is_bounded ? hull_edges_vectors<L, true, vectors>(hull, stream, at, beyond)
+                                    : hull_edges_vectors<L, false, vectors>(hull, stream, at, beyond))
                    << lane;
-      kept[w] &= ~lanes_of<L>(lane) | here << lane;
+      kept[w] &= ~(beyond << lane);
+    };
+    for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
+      unsigned with_any = 0;
+      for (unsigned v = 0; v < 4; ++v) with_any += (kept[w] & lanes_of<L>(four + v * L::width)) != 0 ? 1 : 0;
+      if (with_any == 4) {
+        test.template operator()<4>(four);
+        continue;
+      }
+      for (unsigned lane = four; lane < four + 4 * L::width; lane += L::width) {
+        if ((kept[w] & lanes_of<L>(lane)) != 0) test.template operator()<1>(lane);
+      }
     }
     undecided &= kept[w];
     if (undecided != 0) [[unlikely]] {

@@ -39,20 +39,24 @@ void run_on_listed_survivors(const float* const* stream, const std::uint32_t* wo
   });
 }
 
+/// As HullStages::cull_boxes, for words of a list; not inlined for the same reason.
+template <class L>
+[[gnu::noinline]] void cull_listed_by_hull(const HullData& hull, const float* const* stream, const std::uint32_t* word,
+                                           std::size_t words, std::uint64_t* kept) noexcept {
+  hull_faces_stage<L>(hull, stream, words, kept, ListedWords<L>{word});
+  run_on_listed_survivors<L, 6>(
+      stream, word, words, kept,
+      [&](const float* const* some, std::size_t n, std::uint64_t* bits) { hull_edges_stage<L>(hull, some, n, bits); });
+}
+
 /// As Stages::cull, for words of a list.
 template <class L, class Stages>
 void cull_listed_words(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word, std::size_t words,
                        std::uint64_t* kept) noexcept {
   const ListedWords<L> position{word};
   if constexpr (Stages::streams == 6) {
-    if (shaft.is_hull()) [[unlikely]] {
-      hull_faces_stage<L>(*shaft.hull, stream, words, kept, position);
-      run_on_listed_survivors<L, 6>(stream, word, words, kept,
-                                    [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-                                      hull_edges_stage<L>(*shaft.hull, some, n, bits);
-                                    });
-      return;
-    }
+    if (shaft.is_hull()) [[unlikely]]
+      return cull_listed_by_hull<L>(*shaft.hull, stream, word, words, kept);
     box_slab_stage<L>(shaft, stream, words, kept, position);
     if (shaft.added_count == 0) return;
     run_on_listed_survivors<L, 6>(stream, word, words, kept,
