@@ -119,7 +119,7 @@ void limit_reader(const std::string& path) {
 
 void write_all(int pipe, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = write(pipe, bytes.data(), bytes.size());
+    const ssize_t written = ::write(pipe, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return;
     bytes.remove_prefix(static_cast<std::size_t>(written));

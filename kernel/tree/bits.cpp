@@ -10,9 +10,7 @@ namespace {
 
 using kernel::IndexBits;
 using kernel::Question;
-
-/// Shafts in a task: some ten to hundreds of microseconds.
-constexpr std::size_t task_shafts = 16;
+using kernel::task_shafts;
 
 /// Calls use(s) for every shaft, in parallel, `each` of them in a task.
 template <class Use>

@@ -10,9 +10,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 using kernel::Question;
-
-/// Shafts in a task.
-constexpr std::size_t task_shafts = 16;
+using kernel::task_shafts;
 
 template <class Index>
 FirstContactOf<Index> contact_of(const kernel::Query<Box, Index>& query, std::size_t s) {

@@ -12,7 +12,7 @@ namespace shaftcull::kernel {
 namespace {
 
 /// Leaves whose layers a task collects, from all over the user's memory.
-constexpr std::size_t block_leaves = 16384;
+constexpr std::size_t task_leaves = 16384;
 
 std::uint32_t all_of_word(const std::uint32_t* layers) noexcept {
   return std::accumulate(layers, layers + fanout, std::uint32_t{0}, std::bit_or<>());
@@ -26,8 +26,8 @@ TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const Index> orde
   TreeLayers result;
   result.leaves.resize(words_for(parts.size) * fanout);
   result.nodes.resize(parts.nodes.size());
-  parallel_for(chunk_count(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    const IndexRange block = chunk_at(parts.size, block_leaves, b);
+  parallel_for(chunk_count(parts.size, task_leaves), 1, [&](std::size_t b, std::size_t) {
+    const IndexRange block = chunk_at(parts.size, task_leaves, b);
     for (std::size_t p = block.first; p != block.end(); ++p) result.leaves[p] = layers[order[p]];
   });
   for (std::size_t k = 1; k < parts.levels; ++k) {

@@ -16,9 +16,7 @@ using kernel::chunk_at;
 using kernel::chunk_count;
 using kernel::IndexRange;
 using kernel::Question;
-
-/// Shafts in a task: some ten to hundreds of microseconds.
-constexpr std::size_t task_shafts = 16;
+using kernel::task_shafts;
 
 template <BoundIndex Index>
 std::vector<Index>& items_of(IndexListsOf<Index>& lists) {

@@ -10,20 +10,20 @@ namespace shaftcull::kernel {
 namespace {
 
 /// Parts this small are finished by one task.
-constexpr std::size_t task_entries = 16384;
+constexpr std::size_t most_in_one_task = 16384;
 
 /// Where to cut: the middle, moved so that every node of the largest possible size is in one part. 0 for parts within
 /// one node of leaves.
 template <class Index>
 std::size_t cut_of(const Part<Index>& part) noexcept {
-  std::size_t unit = fanout;
+  std::size_t grain = fanout;
   const auto cuts_at = [&](std::size_t size) { return (part.first / size + 1) * size < part.last; };
-  if (!cuts_at(unit)) return 0;
-  while (cuts_at(unit * fanout)) unit *= fanout;
+  if (!cuts_at(grain)) return 0;
+  while (cuts_at(grain * fanout)) grain *= fanout;
   const std::size_t middle = part.first + part.size() / 2;
-  const std::size_t cut = (middle + unit / 2) / unit * unit;
-  if (cut <= part.first) return cut + unit;
-  return cut < part.last ? cut : cut - unit;
+  const std::size_t cut = (middle + grain / 2) / grain * grain;
+  if (cut <= part.first) return cut + grain;
+  return cut < part.last ? cut : cut - grain;
 }
 
 /// Writes the order of a part: that of one half and then that of the other, or of both at once. Not level by level, so
@@ -38,7 +38,7 @@ void order_part(const Part<Index>& part, std::size_t parts, const Kernels& kerne
   const bool threads_are_idle =
       part.size() >= fewest_for_parallel_split && parts < static_cast<std::size_t>(threads_here());
   const Halves<Index> halves = threads_are_idle ? split_in_parallel(part, cut, kernels) : split(part, cut, kernels);
-  if (part.size() <= task_entries) {
+  if (part.size() <= most_in_one_task) {
     order_part(halves.low, 2 * parts, kernels, order);
     order_part(halves.high, 2 * parts, kernels, order);
   } else {

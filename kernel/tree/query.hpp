@@ -20,6 +20,9 @@
 
 namespace shaftcull::kernel {
 
+/// Shafts in a task: some ten to hundreds of microseconds.
+inline constexpr std::size_t task_shafts = 16;
+
 template <class Bound, class Index>
 class Query {
  public:

@@ -92,6 +92,9 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
   const SplitKernels& its_kernels = kernels_for<Index>(kernels);
   const std::size_t rank = cut - part.first;
   const PivotOfChunks pivot = find_pivot(part, rank, its_kernels);
+  const unsigned axis = pivot.axis;
+  const float key = pivot.key;
+  const std::vector<KeyCounts>& of_chunks = pivot.counts;
 
   // Where each chunk's entries go: those less than the pivot, then, if the cut is among them, those that equal it, then
   // the others, chunk after chunk.
@@ -101,15 +104,15 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
     std::size_t larger;
   };
   Places next{part.first, part.first, part.first};
-  for (const KeyCounts& counts : pivot.counts) {
+  for (const KeyCounts& counts : of_chunks) {
     next.equal += counts.less;
     next.larger += counts.less + counts.equal;
   }
   const bool are_apart = next.equal != cut;
   if (!are_apart) next.larger = next.equal;
   std::vector<Places> places;
-  for (std::size_t c = 0; c != pivot.counts.size(); ++c) {
-    const KeyCounts& counts = pivot.counts[c];
+  for (std::size_t c = 0; c != of_chunks.size(); ++c) {
+    const KeyCounts& counts = of_chunks[c];
     const std::size_t equal = are_apart ? counts.equal : 0;
     places.push_back(next);
     next.less += counts.less;
@@ -124,8 +127,8 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
     const EntryStreams<Index> less = moved_by<Index>(*part.scratch, places[c].less);
     const EntryStreams<Index> equal = moved_by<Index>(*part.scratch, places[c].equal);
     const EntryStreams<Index> larger = moved_by<Index>(*part.scratch, places[c].larger);
-    its_kernels.scatter(chunk.data(), size, pivot.axis, pivot.key, pivot.counts[c], less.data(),
-                        are_apart ? equal.data() : nullptr, larger.data());
+    its_kernels.scatter(chunk.data(), size, axis, key, of_chunks[c], less.data(), are_apart ? equal.data() : nullptr,
+                        larger.data());
   });
   return {{part.first, cut, part.scratch, part.entries}, {cut, part.last, part.scratch, part.entries}};
 }

@@ -9,7 +9,7 @@ namespace shaftcull::cli {
 namespace {
 
 /// Room for labels of rows on the left, and for values on the right.
-constexpr Frame frame{.height = 380, .left = 0.31, .right = 0.87, .bottom = 0.09, .top = 0.93};
+constexpr Frame dots_frame{.height = 380, .left = 0.31, .right = 0.87, .bottom = 0.09, .top = 0.93};
 
 /// The names of the instruction sets there are, with their marks, side by side above the rows.
 std::string legend(const std::vector<DotRow>& rows) {
@@ -34,7 +34,7 @@ std::string legend(const std::vector<DotRow>& rows) {
 Drawing draw_dots(const std::vector<DotRow>& rows, const std::string& axis,
                   const std::function<std::string(double)>& value_text) {
   const auto height = static_cast<double>(rows.size());
-  std::string script = preamble(frame) + axis + legend(rows);
+  std::string script = preamble(dots_frame) + axis + legend(rows);
   script += fmt::format("set yrange [0.4:{}]\nset grid noytics\nunset ytics\n", height + 0.6);
   std::string command = "plot NaN";
   std::vector<std::string> tooltips{""};

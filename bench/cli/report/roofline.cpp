@@ -23,7 +23,7 @@ struct Slope {
 constexpr std::array slopes{Slope{"roofline/read_l1_bytes/", "L1"}, Slope{"roofline/read_l2_bytes/", "L2"},
                             Slope{"roofline/read_l3_bytes/", "L3"}, Slope{"roofline/read_dram_bytes/", "memory"}};
 
-constexpr Frame frame{.width = 1152, .height = 440, .left = 0.045, .right = 0.84, .bottom = 0.12, .top = 0.90};
+constexpr Frame roofline_frame{.width = 1152, .height = 440, .left = 0.045, .right = 0.84, .bottom = 0.12, .top = 0.90};
 
 /// The x axis: shafts that share what is read, which is tests for each byte but for a factor.
 constexpr double least_x = 0.22;
@@ -38,11 +38,12 @@ struct Axes {
 
   /// Units of the picture for a factor of 10 upwards.
   [[nodiscard]] double decade_up() const {
-    return frame.height * (frame.top - frame.bottom) / std::log10(most_y / least_y);
+    return roofline_frame.height * (roofline_frame.top - roofline_frame.bottom) / std::log10(most_y / least_y);
   }
   /// Degrees of a line of slope 1 on both logarithmic axes.
   [[nodiscard]] double angle() const {
-    const double decade_across = frame.width * (frame.right - frame.left) / std::log10(most_x / least_x);
+    const double decade_across =
+        roofline_frame.width * (roofline_frame.right - roofline_frame.left) / std::log10(most_x / least_x);
     return std::atan2(decade_up(), decade_across) * 180 / std::numbers::pi;
   }
 };
@@ -141,7 +142,7 @@ std::optional<Plot> plot_roofline(const BenchSummary& summary) {
   }
   const Axes axes{least_y * 0.7, highest.rate * 1.6};
 
-  std::string script = preamble(frame);
+  std::string script = preamble(roofline_frame);
   script += fmt::format(
       "set logscale xy\nset xrange [{}:{}]\nset yrange [{}:{}]\nset grid noxtics\n"
       "set ytics ('0.05 G' 5e7, '0.1 G' 1e8, '0.2 G' 2e8, '0.5 G' 5e8, '1 G' 1e9, '2 G' 2e9, '5 G' 5e9, '10 G' 1e10, "

@@ -3,7 +3,7 @@ needs(g++)
 
 # optimised(yes|no option…): what flags the library's sources have.
 function(optimised expected)
-  configure(g++ -D CMAKE_UNITY_BUILD=OFF ${ARGN})
+  configure(g++ ${ARGN})
   string(REGEX MATCH "\"command\": \"[^\n]*kernel/formation/join.cpp" command "${commands}")
   set(found no)
   if(command MATCHES " -O3 ")

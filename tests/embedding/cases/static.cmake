@@ -1,6 +1,6 @@
 # The static library in somebody's exported library, and in two plugins of one program.
 needs(g++)
-configure(g++ -D PARENT_OPTIONS=-O0 -D CMAKE_UNITY_BUILD=OFF -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/more.cmake)
+configure(g++ -D PARENT_OPTIONS=-O0 -D SHAFTCULL_JOIN_SOURCES=OFF -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/more.cmake)
 build()
 run("${WORK}/a parent/host" "${WORK}/a parent/first.so" "${WORK}/a parent/second.so")
 
