@@ -75,26 +75,16 @@ class BatchJob {
   /// Tests a block of bounds against a group of shafts, tiles outside and shafts inside, so that a tile is read from
   /// memory once. Bits go to the rows of the shafts counted from the group's first, the words from the block's first.
   void test(IndexRange block, IndexRange group, Rows kept, Rows inside = {}) const {
-    GroupOnGrid this_group;
-    if (shafts_.size() > group_shafts)
-      form_on_grid(this_group, shafts_.subspan(group.first, group.size), bounds_, block.size);
-    const GroupOnGrid& on_grid = shafts_.size() > group_shafts ? this_group : only_group_;
-    const bool in_large_tiles = on_grid.exists() || group.size == 1;  // one shaft reads a tile once
-    const bool in_one_tile = on_grid.exists() && block.size <= most_tile_bounds;
-    const std::size_t tile_size = even_tile(block.size, in_one_tile      ? most_tile_bounds
-                                                        : in_large_tiles ? tile_bounds
-                                                                         : float_tile_bounds);
-    TaskScratch<CacheLine, 64> scratch(on_grid.exists() ? words_for(tile_size) * lines_a_word : 0);
-    for (std::size_t first = block.first; first < block.end(); first += tile_size) {
-      const View tile = bounds_.slice(first, std::min(tile_size, block.end() - first));
-      const Rows tile_kept = kept.from((first - block.first) / 64);
-      const Rows tile_inside = inside.from((first - block.first) / 64);
-      // Integers on the grid, and boxes around spheres, are made once for all shafts.
-      if (on_grid.exists()) {
-        test_tile_on_grid(on_grid, tile, first, group, tile_kept, tile_inside, scratch.get());
-      } else {
-        test_tile_in_floats(tile, first, group, tile_kept, tile_inside);
-      }
+    if (shafts_.size() <= group_shafts) {
+      if (only_group_.exists()) return test_on_grid(only_group_, block, group, kept, inside);
+    } else if (forms_and_tests_on_grid(block, group, kept, inside)) {
+      return;
+    }
+    const std::size_t size = even_tile(block.size, group.size == 1 ? tile_bounds : float_tile_bounds);
+    for (std::size_t first = block.first; first < block.end(); first += size) {
+      const std::size_t word = (first - block.first) / 64;
+      test_tile_in_floats(bounds_.slice(first, std::min(size, block.end() - first)), first, group, kept.from(word),
+                          inside.from(word));
     }
   }
 
@@ -111,6 +101,29 @@ class BatchJob {
     if (form_ == Form::planes || bits_ == Bits::blocking) return;
     const FloatEnvironment environment;
     group.form(kernels_.grid, shafts, bounds, tested, is_sphere);
+  }
+
+  // Not inlined, so that the memory of grids is not on the stack of tests in floats.
+
+  /// Forms a group's shafts on a grid and tests a block there. Returns false, and does nothing, if they have none.
+  [[gnu::noinline]] bool forms_and_tests_on_grid(IndexRange block, IndexRange group, Rows kept, Rows inside) const {
+    GroupOnGrid this_group;
+    form_on_grid(this_group, shafts_.subspan(group.first, group.size), bounds_, block.size);
+    if (!this_group.exists()) return false;
+    test_on_grid(this_group, block, group, kept, inside);
+    return true;
+  }
+
+  [[gnu::noinline]] void test_on_grid(const GroupOnGrid& on_grid, IndexRange block, IndexRange group, Rows kept,
+                                      Rows inside) const {
+    const std::size_t size = even_tile(block.size, block.size <= most_tile_bounds ? most_tile_bounds : tile_bounds);
+    // Coordinates on the grid are made once for all shafts.
+    TaskScratch<CacheLine, 64> scratch(words_for(size) * lines_a_word);
+    for (std::size_t first = block.first; first < block.end(); first += size) {
+      const std::size_t word = (first - block.first) / 64;
+      test_tile_on_grid(on_grid, bounds_.slice(first, std::min(size, block.end() - first)), first, group,
+                        kept.from(word), inside.from(word), scratch.get());
+    }
   }
 
   void test_tile_in_floats(const View& tile, std::size_t first, IndexRange group, Rows kept,
