@@ -31,6 +31,7 @@ struct HullData {
   bool is_bounded;     ///< then planes are scaled so that depths are off by less than 1, the margin
   bool suits_floats;   ///< if not, exact predicates decide alone
   std::uint8_t faces;  ///< with three coordinates each
+  std::uint8_t apart;  ///< of the faces, those that come first: each of the others is nearly parallel to one of them
   std::uint8_t edges;  ///< behind the faces, with two coordinates each
   std::uint8_t vertices;
   std::uint8_t points;  ///< come first; the other vertices are directions

@@ -75,6 +75,7 @@ class HullFormation {
     hull_.suits_floats = true;
     find_box();
     find_faces();
+    put_parallel_faces_last();
     for (unsigned axis = 0; axis < 3; ++axis) find_edges(axis);
   }
 
@@ -124,6 +125,25 @@ class HullFormation {
     const auto add = [&](int sign) { add_plane(hull_.faces++, outward, sign, {vertex(p), vertex(q), vertex(r)}, 3); };
     if (!sides.beyond) add(1);
     if (!sides.behind) add(-1);
+  }
+
+  /// Corners that were rounded, as those of views are, are seldom in one plane: then what is meant to be one face is
+  /// two, or more. Nearly all boxes that are beyond one of these are beyond the other.
+  void put_parallel_faces_last() noexcept {
+    hull_.apart = 0;
+    for (unsigned f = 0; f < hull_.faces; ++f) {
+      const bool is_apart = std::none_of(hull_.plane, hull_.plane + hull_.apart, [&](const HullData::Plane& other) {
+        return are_nearly_parallel(hull_.plane[f], other);
+      });
+      if (is_apart) std::swap(hull_.plane[f], hull_.plane[hull_.apart++]);
+    }
+  }
+
+  static bool are_nearly_parallel(const HullData::Plane& one, const HullData::Plane& other) noexcept {
+    double cosine = 0;
+    for (unsigned k = 0; k < 3; ++k) cosine += static_cast<double>(one.inward[k]) * other.inward[k];
+    constexpr double least = 1 - 0x1p-16;  // a third of a degree
+    return cosine > least * one.length * other.length;
   }
 
   void find_edges(unsigned axis) noexcept {

@@ -16,7 +16,7 @@ template <class L>
                          [&](unsigned lane) { return hull_box_outside(hull, BoundAt<L, 6>(stream, at + lane).value); });
 }
 
-/// Bits of the boxes of the word at `at` that are beyond a face of the hull.
+/// Bits of the boxes of the word at `at` that are beyond one of the hull's faces that are apart.
 template <class L, bool bounded>
 [[nodiscard, gnu::always_inline]] inline std::uint64_t hull_faces_word(const HullData& hull, const float* const* stream,
                                                                        std::size_t at) noexcept {
@@ -24,7 +24,7 @@ template <class L, bool bounded>
   std::uint64_t undecided = 0;
   for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
     HullDepths<L, 4, bounded> depths;
-    depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.faces, stream, at + four);
+    depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.apart, stream, at + four);
     for (unsigned v = 0; v < 4; ++v) {
       const auto zero = L::all(0.0F);
       const unsigned lane = four + v * L::width;
@@ -42,7 +42,7 @@ template <class L, bool bounded>
   return outside;
 }
 
-/// First stage: writes the kept bits of `words` words, clear for boxes that are beyond a face of the hull.
+/// First stage: writes the kept bits of `words` words, clear for boxes that are beyond such a face.
 template <class L, class Words>
 void hull_faces_stage(const HullData& hull, const float* const* stream, std::size_t words, std::uint64_t* kept,
                       const Words& position) noexcept {
@@ -57,14 +57,15 @@ void hull_faces_stage(const HullData& hull, const float* const* stream, std::siz
   }
 }
 
-/// Which boxes of some vectors are beyond the hull's box or an edge, or empty. Returns the lanes that are undecided,
-/// too.
+/// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. Returns the lanes that are
+/// undecided, too.
 template <class L, bool bounded, unsigned vectors>
 [[nodiscard, gnu::always_inline]] inline std::uint64_t hull_edges_vectors(const HullData& hull,
                                                                           const float* const* stream, std::size_t at,
                                                                           std::uint64_t& beyond) noexcept {
   const auto zero = L::all(0.0F);
   HullDepths<L, vectors, bounded> depths;
+  depths.template add_boxes<3, HullCorner::near>(hull, hull.apart, hull.faces, stream, at);
   depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.edges, stream, at);
   std::uint64_t undecided = 0;
   for (unsigned v = 0; v < vectors; ++v) {
@@ -87,7 +88,7 @@ template <class L, bool bounded, unsigned vectors>
   return undecided;
 }
 
-/// Second stage: clears the bits of boxes that are beyond the hull's box, or one of its edges.
+/// Second stage: clears the bits of boxes that are beyond the hull's box, its edges or its other faces.
 template <class L>
 void hull_edges_stage(const HullData& hull, const float* const* stream, std::size_t words,
                       std::uint64_t* kept) noexcept {
