@@ -32,8 +32,8 @@ class alignas(64) CompiledShaft {
   [[nodiscard]] bool formed() const noexcept;
 
   /// The boxes that the shaft is between, as they were given; empty boxes, lo = +∞ and hi = −∞, if it was never formed.
-  /// Of a moving box (kinds.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If it
-  /// moves without end, b is somewhere on its way.
+  /// Of a moving box (kinds.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If
+  /// it moves without end, b is somewhere on its way.
   [[nodiscard]] Box a() const noexcept;
   [[nodiscard]] Box b() const noexcept;
 
