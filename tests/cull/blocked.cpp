@@ -14,6 +14,7 @@
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "dispatch/active_kernels.hpp"
+#include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/blocking.hpp"
@@ -251,6 +252,30 @@ TEST(Blocked, PlacesInAViewDoNotMatter) {
         Bits expected(words_for(count));
         expected[place / 64] |= std::uint64_t{1} << place % 64;
         EXPECT_EQ(blocking(shaft, memory.view()), expected) << name(isa) << ", " << place << " of " << count;
+      }
+    }
+  }
+}
+
+TEST(Blocked, NothingBehindAViewIsRead) {
+  // What a vector finds behind the last bound may be zeros, and a box at the origin only just blocks these shafts or only
+  // just does not: it is one that floats leave undecided.
+  const ShaftInput shafts[] = {{{{-1, -1, -1}, {-1, -1, -1}}, {{1, 1, 1}, {1, 1, 1}}},
+                               {{{-2, -1, 0}, {-1, 1, 0}}, {{1, -1, 0}, {2, 1, 0}}},
+                               {{{-1, 0, 0}, {-1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}},
+                               {{{-2, -2, -2}, {-1, -1, -1}}, {{1, 1, 1}, {2, 2, 2}}}};
+  for (const ShaftInput& input : shafts) {
+    const CompiledShaft shaft = compile(input.a, input.b);
+    const Box box{{0, 0, 0}, {0, 0, 0}};
+    const bool blocks = oracle::blocks(input.a, input.b, box);
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      for (std::size_t count = 1; count <= 130; ++count) {
+        const BoxColumns memory(std::vector<Box>(count, box));
+        const GuardedView guarded(memory.view());
+        EXPECT_EQ(blocked(shaft, guarded.view()), blocks) << name(isa) << ", " << count;
+        std::vector<std::uint32_t> listed(count);
+        EXPECT_EQ(list_blocking(shaft, guarded.view(), listed), blocks ? count : 0) << name(isa) << ", " << count;
       }
     }
   }

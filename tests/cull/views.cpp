@@ -13,6 +13,9 @@
 #include "misaligned.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "shaftcull/hull.hpp"
+#include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
@@ -103,6 +106,50 @@ void expect_every_misalignment(const std::vector<Bound>& bounds) {
 TEST(Views, EveryCountOfBoxesIsReadToItsEndAndNoFurther) { expect_every_count<BoxColumns>(some_boxes()); }
 
 TEST(Views, EveryCountOfSpheresIsReadToItsEndAndNoFurther) { expect_every_count<SphereColumns>(some_spheres()); }
+
+TEST(Views, NothingBehindAViewIsReadForAnyKindOfShaft) {
+  // Among the bounds are some that touch at the origin: what a vector finds behind the last one may be zeros.
+  const Box corner{{-2, -2, -2}, {-1, -1, -1}};
+  const ConvexHull hull(std::vector<Vec3>{{-2, -2, -2}, {2, 2, 2}, {-1, 1, 0.5F}, {1, -1, 0.25F}});
+  const CompiledShaft shafts[] = {swept(corner, {3, 3, 3}), swept_without_end(corner, {1, 1, 1}),
+                                  shadow(Box{{2, 2, 2}, {3, 3, 3}}, Box{{1, 1, 1}, {1, 1, 1}}),
+                                  shadow(Box{{2, 2, 2}, {3, 3, 3}}, Box{{1, 1, 1}, {1, 1, 1}}, 2), hull.compiled()};
+  std::vector<Box> boxes = some_boxes();
+  std::vector<Sphere> spheres = some_spheres();
+  for (std::size_t i = 0; i < most_bounds; i += 3) boxes[i] = {{0, 0, 0}, {0, 0, 0}}, spheres[i] = {{0, 0, 0}, 0};
+  const BoxColumns box_memory(boxes);
+  const SphereColumns sphere_memory(spheres);
+  const auto expect_right = [](const CompiledShaft& shaft, const auto& view) {
+    for (const Form form : {Form::slab, Form::planes}) {
+      std::vector<Answer> right;
+      for (std::size_t i = 0; i != view.count; ++i) right.push_back(classify(shaft, view[i]));
+      for (std::size_t count = 0; count <= view.count; ++count) {
+        SCOPED_TRACE(std::to_string(count) + " bounds");
+        expect_view(shaft, GuardedView(view.slice(0, count)).view(), right, form);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+  };
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (std::size_t s = 0; s != std::size(shafts); ++s) {
+      SCOPED_TRACE(std::string(name(isa)) + ", shaft " + std::to_string(s));
+      expect_right(shafts[s], box_memory.view());
+      expect_right(shafts[s], sphere_memory.view());
+      if (&shafts[s] == std::end(shafts) - 1) continue;  // hulls do not move
+      const std::uint64_t none = FirstContactOf<std::uint64_t>::none;
+      const std::uint64_t first = first_contact(shafts[s], box_memory.view()).index;
+      for (std::size_t count = 0; count <= most_bounds; ++count) {
+        const GuardedView guarded(box_memory.view().slice(0, count));
+        const std::uint64_t found = first_contact(shafts[s], guarded.view()).index;
+        if (first < count) {
+          ASSERT_EQ(found, first);
+        }
+        ASSERT_TRUE(found == none || found < count);
+      }
+    }
+  }
+}
 
 TEST(Views, EveryMisalignmentOfBoxesGivesTheSameAnswers) { expect_every_misalignment<BoxColumns>(some_boxes()); }
 

@@ -87,6 +87,7 @@ class BlockingConstraints {
     for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
       across |= L::bits(reaches_across(stream, at, word, lane)) << lane;
     }
+    across &= word.lanes();  // a vector may have more lanes than there are bounds left
     if (across == 0) return 0;
     return of_those_across(stream, at, word, across);
   }
@@ -181,8 +182,7 @@ void blocking_words(const ShaftData& shaft, const float* const* stream, const Wo
   for (std::size_t w = 0; w < words; ++w) blocking[w] = constraints.bits(stream, position(w), WholeWord<L>{});
   if constexpr (requires { position.rest; }) {
     if (position.rest == 0) return;
-    blocking[words] =
-        constraints.bits(stream, position(words), PartialWord<L>{position.rest}) & first_bits(position.rest);
+    blocking[words] = constraints.bits(stream, position(words), PartialWord<L>{position.rest});
   }
 }
 

@@ -44,6 +44,8 @@ template <class L>
 struct WholeWord {
   static constexpr unsigned bounds = word_bits;
 
+  /// The bits of the bounds that there are.
+  [[nodiscard]] static constexpr std::uint64_t lanes() noexcept { return ~std::uint64_t{0}; }
   /// The vector from a lane on of the word at `at`.
   [[nodiscard]] typename L::Vector load(const float* stream, std::size_t at, std::size_t lane) const noexcept {
     return L::load(stream + at + lane);
@@ -61,6 +63,7 @@ template <class L>
 struct PartialWord {
   unsigned bounds;
 
+  [[nodiscard]] std::uint64_t lanes() const noexcept { return first_bits(bounds); }
   [[nodiscard]] typename L::Vector load(const float* stream, std::size_t at, std::size_t lane) const noexcept {
     // A vector without a bound takes the address of the word: a masked load of no lane is slow at an unmapped address.
     return part(lane).load(stream + at + (lane < bounds ? lane : 0));
