@@ -56,6 +56,7 @@ class BuildScratch {
   /// The streams' coordinates of bound i.
   [[nodiscard]] float* record(std::size_t i) const noexcept { return records_.get() + i * rows_of<Bound>; }
   [[nodiscard]] RecordsOf<Bound> records() const noexcept {
+    if (count_ == 0) return {};
     return {record(0), record(0) + 3, rows_of<Bound> * sizeof(float), count_};
   }
 
