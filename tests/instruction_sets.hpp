@@ -1,7 +1,10 @@
 /// Runs a test on one instruction set after the other.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "shaftcull/isa.hpp"
@@ -27,5 +30,15 @@ class UseIsa {
  private:
   Isa before_;
 };
+
+/// Runs a test's body on each of them.
+template <class Body>
+void on_each_instruction_set(Body body) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    SCOPED_TRACE(std::string(name(isa)));
+    body();
+  }
+}
 
 }  // namespace shaftcull

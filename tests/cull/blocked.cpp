@@ -194,22 +194,26 @@ TEST(Blocked, EveryMagnitudeIsAnsweredExactly) {
 }
 
 TEST(Blocked, TheWallThatAPatchLiesOnDoesNotBlockIt) {
-  const Box patch{{1, 1, 0}, {2, 2, 0}};
-  const Box other{{1, 1, 5}, {2, 2, 5}};
-  const Box wall{{0, 0, -1}, {9, 9, 0}};
-  const Box screen{{0, 0, 2}, {9, 9, 2}};
-  const Box narrow_screen{{1, 1, 2}, {2, 2, 2}};
-  EXPECT_FALSE(blocked(compile(patch, other), wall));
-  EXPECT_TRUE(blocked(compile(patch, other), screen));
-  EXPECT_FALSE(blocked(compile(patch, other), narrow_screen)) << "segments run along its edges";
+  on_each_instruction_set([] {
+    const Box patch{{1, 1, 0}, {2, 2, 0}};
+    const Box other{{1, 1, 5}, {2, 2, 5}};
+    const Box wall{{0, 0, -1}, {9, 9, 0}};
+    const Box screen{{0, 0, 2}, {9, 9, 2}};
+    const Box narrow_screen{{1, 1, 2}, {2, 2, 2}};
+    EXPECT_FALSE(blocked(compile(patch, other), wall));
+    EXPECT_TRUE(blocked(compile(patch, other), screen));
+    EXPECT_FALSE(blocked(compile(patch, other), narrow_screen)) << "segments run along its edges";
+  });
 }
 
 TEST(Blocked, AWallThatOnlyTogetherWithAnotherHidesAllIsNoBlocker) {
-  const Box patch{{0, 0, 0}, {2, 2, 0}};
-  const Box other{{0, 0, 5}, {2, 2, 5}};
-  const BoxColumns halves({Box{{-1, -1, 2}, {1, 3, 3}}, Box{{1, -1, 2}, {3, 3, 3}}});
-  EXPECT_FALSE(blocked(compile(patch, other), halves.view()));
-  EXPECT_TRUE(blocked(compile(patch, other), Box{{-1, -1, 2}, {3, 3, 3}}));
+  on_each_instruction_set([] {
+    const Box patch{{0, 0, 0}, {2, 2, 0}};
+    const Box other{{0, 0, 5}, {2, 2, 5}};
+    const BoxColumns halves({Box{{-1, -1, 2}, {1, 3, 3}}, Box{{1, -1, 2}, {3, 3, 3}}});
+    EXPECT_FALSE(blocked(compile(patch, other), halves.view()));
+    EXPECT_TRUE(blocked(compile(patch, other), Box{{-1, -1, 2}, {3, 3, 3}}));
+  });
 }
 
 TEST(Blocked, AnUnboundedBoxBlocksAndAnEmptyOneOrOneWithNaNDoesNot) {
@@ -258,8 +262,8 @@ TEST(Blocked, PlacesInAViewDoNotMatter) {
 }
 
 TEST(Blocked, NothingBehindAViewIsRead) {
-  // What a vector finds behind the last bound may be zeros, and a box at the origin only just blocks these shafts or only
-  // just does not: it is one that floats leave undecided.
+  // What a vector finds behind the last bound may be zeros, and a box at the origin only just blocks these shafts or
+  // only just does not: it is one that floats leave undecided.
   const ShaftInput shafts[] = {{{{-1, -1, -1}, {-1, -1, -1}}, {{1, 1, 1}, {1, 1, 1}}},
                                {{{-2, -1, 0}, {-1, 1, 0}}, {{1, -1, 0}, {2, 1, 0}}},
                                {{{-1, 0, 0}, {-1, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}},
@@ -282,19 +286,23 @@ TEST(Blocked, NothingBehindAViewIsRead) {
 }
 
 TEST(Blocked, AddedPlanesAndWhatAShaftWasFormedForDoNotMatter) {
-  const Box a{{0, 0, 0}, {1, 1, 1}};
-  const Box b{{5, 0, 0}, {6, 1, 1}};
-  Shaft shaft(a, b, {.outside = false});
-  shaft.add_plane({{1, 0, 0}, -5});
-  EXPECT_TRUE(blocked(compile(shaft), Box{{2, -1, -1}, {3, 2, 2}}));
+  on_each_instruction_set([] {
+    const Box a{{0, 0, 0}, {1, 1, 1}};
+    const Box b{{5, 0, 0}, {6, 1, 1}};
+    Shaft shaft(a, b, {.outside = false});
+    shaft.add_plane({{1, 0, 0}, -5});
+    EXPECT_TRUE(blocked(compile(shaft), Box{{2, -1, -1}, {3, 2, 2}}));
+  });
 }
 
 TEST(Blocked, WhatDoesNotFitIsCountedAndNotWritten) {
-  const BoxColumns walls(std::vector<Box>(20000, Box{{2, -1, -1}, {3, 2, 2}}));
-  const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}});
-  std::vector<std::uint32_t> listed(4, 7);
-  EXPECT_EQ(list_blocking(shaft, walls.view(), std::span(listed).first(3)), 20000U);
-  EXPECT_EQ(listed, (std::vector<std::uint32_t>{0, 1, 2, 7}));
+  on_each_instruction_set([] {
+    const BoxColumns walls(std::vector<Box>(20000, Box{{2, -1, -1}, {3, 2, 2}}));
+    const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}});
+    std::vector<std::uint32_t> listed(4, 7);
+    EXPECT_EQ(list_blocking(shaft, walls.view(), std::span(listed).first(3)), 20000U);
+    EXPECT_EQ(listed, (std::vector<std::uint32_t>{0, 1, 2, 7}));
+  });
 }
 
 /// A convex polygon in one plane, with integer corners: a triangle, a parallelogram or a pentagon, either way round.

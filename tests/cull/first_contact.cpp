@@ -130,11 +130,13 @@ TEST(FirstContact, IsThatOfExactArithmeticForSweepsAndShadows) {
 }
 
 TEST(FirstContact, IsToldHoweverLateItIs) {
-  const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
-  const std::vector<Box> boxes = {{{0x1p100F, 0, 0}, {0x1.8p100F, 1, 1}}, {{0x1p99F, 0, 0}, {0x1.8p99F, 1, 1}}};
-  const FirstContactOf<std::uint64_t> contact = first_contact(shaft, BoxColumns(boxes).view());
-  EXPECT_EQ(contact.index, 1U);
-  EXPECT_EQ(contact.time, std::numeric_limits<float>::max()) << "the time is 2¹⁹⁹";
+  on_each_instruction_set([] {
+    const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
+    const std::vector<Box> boxes = {{{0x1p100F, 0, 0}, {0x1.8p100F, 1, 1}}, {{0x1p99F, 0, 0}, {0x1.8p99F, 1, 1}}};
+    const FirstContactOf<std::uint64_t> contact = first_contact(shaft, BoxColumns(boxes).view());
+    EXPECT_EQ(contact.index, 1U);
+    EXPECT_EQ(contact.time, std::numeric_limits<float>::max()) << "the time is 2¹⁹⁹";
+  });
 }
 
 /// Where a face is at the start, how far it goes, and a place that it reaches on the way.
@@ -215,27 +217,31 @@ TEST(FirstContact, IsExactForPlacesAFewUnitsApart) {
 }
 
 TEST(FirstContact, IsTheLowestIndexOfThoseThatTouchAtTheStart) {
-  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}});
-  std::vector<Box> boxes(300, Box{{1, 0, 0}, {2, 1, 1}});  // touch box a
-  boxes[0] = {{9, 0, 0}, {10, 1, 1}};
-  boxes[1] = {{1.5F, 0, 0}, {2, 1, 1}};
-  const BoxTree tree{std::span<const Box>(boxes)};
-  EXPECT_EQ(first_contact(shaft, tree), (FirstContact{2, 0}));
-  EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContactOf<std::uint64_t>{2, 0}));
+  on_each_instruction_set([] {
+    const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}});
+    std::vector<Box> boxes(300, Box{{1, 0, 0}, {2, 1, 1}});  // touch box a
+    boxes[0] = {{9, 0, 0}, {10, 1, 1}};
+    boxes[1] = {{1.5F, 0, 0}, {2, 1, 1}};
+    const BoxTree tree{std::span<const Box>(boxes)};
+    EXPECT_EQ(first_contact(shaft, tree), (FirstContact{2, 0}));
+    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContactOf<std::uint64_t>{2, 0}));
+  });
 }
 
 TEST(FirstContact, IsNothingWhereNothingIsKept) {
-  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}});
-  const std::vector<Box> beside(70, Box{{0, 3, 0}, {1, 4, 1}});
-  for (const std::vector<Box>& boxes : {std::vector<Box>(), beside}) {
-    const BoxTree tree{std::span<const Box>(boxes)};
-    EXPECT_FALSE(first_contact(shaft, tree));
-    EXPECT_FALSE(first_contact(shaft, BoxColumns(boxes).view()));
-    std::vector<FirstContact> contacts(2, FirstContact{7, 0.5F});
-    first_contact_many(std::vector<CompiledShaft>(2, shaft), tree, contacts);
-    EXPECT_EQ(contacts, std::vector<FirstContact>(2));
-    EXPECT_EQ(contacts[0].index, FirstContact::none);
-  }
+  on_each_instruction_set([] {
+    const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{5, 0, 0}, {6, 1, 1}});
+    const std::vector<Box> beside(70, Box{{0, 3, 0}, {1, 4, 1}});
+    for (const std::vector<Box>& boxes : {std::vector<Box>(), beside}) {
+      const BoxTree tree{std::span<const Box>(boxes)};
+      EXPECT_FALSE(first_contact(shaft, tree));
+      EXPECT_FALSE(first_contact(shaft, BoxColumns(boxes).view()));
+      std::vector<FirstContact> contacts(2, FirstContact{7, 0.5F});
+      first_contact_many(std::vector<CompiledShaft>(2, shaft), tree, contacts);
+      EXPECT_EQ(contacts, std::vector<FirstContact>(2));
+      EXPECT_EQ(contacts[0].index, FirstContact::none);
+    }
+  });
 }
 
 TEST(EntryTimes, AreThoseOfExactArithmeticForAllFamilies) {
@@ -274,14 +280,16 @@ TEST(EntryTimes, AreThoseOfExactArithmeticForAllFamilies) {
 }
 
 TEST(FirstContact, TimeIsRoundedDown) {
-  // A third of the way: the float below 1/3, and 2/3 likewise.
-  const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{3, 0, 0}, {4, 1, 1}});
-  for (const float x : {2.0F, 3.0F}) {
-    const std::vector<Box> boxes = {{{x, 0, 0}, {9, 1, 1}}};
-    const float time = first_contact(shaft, BoxColumns(boxes).view()).time;
-    EXPECT_LT(3 * static_cast<double>(time), static_cast<double>(x) - 1);
-    EXPECT_GT(3 * static_cast<double>(std::nextafter(time, 2.0F)), static_cast<double>(x) - 1);
-  }
+  on_each_instruction_set([] {
+    // A third of the way: the float below 1/3, and 2/3 likewise.
+    const CompiledShaft shaft = compile({{0, 0, 0}, {1, 1, 1}}, {{3, 0, 0}, {4, 1, 1}});
+    for (const float x : {2.0F, 3.0F}) {
+      const std::vector<Box> boxes = {{{x, 0, 0}, {9, 1, 1}}};
+      const float time = first_contact(shaft, BoxColumns(boxes).view()).time;
+      EXPECT_LT(3 * static_cast<double>(time), static_cast<double>(x) - 1);
+      EXPECT_GT(3 * static_cast<double>(std::nextafter(time, 2.0F)), static_cast<double>(x) - 1);
+    }
+  });
 }
 
 }  // namespace

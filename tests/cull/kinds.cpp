@@ -292,23 +292,25 @@ TEST(Kinds, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
 
 /// A body at rest and one that moves; boxes on either side.
 TEST(Kinds, MeanWhatTheirNamesSay) {
-  const Box body{{0, 0, 0}, {1, 1, 1}};
-  const Box beyond{{10, 0, 0}, {11, 1, 1}};
-  const Box behind{{-3, 0, 0}, {-2, 1, 1}};
-  EXPECT_EQ(classify(swept(body, {0, 0, 0}), body), Answer::inside);
-  EXPECT_FALSE(cull(swept(body, {0, 0, 0}), beyond));
-  EXPECT_TRUE(cull(swept(body, {9, 0, 0}), beyond)) << "it touches";
-  EXPECT_FALSE(cull(swept(body, {std::nextafter(9.0F, 0.0F), 0, 0}), beyond));
-  EXPECT_EQ(classify(swept_without_end(body, {1e-30F, 0, 0}), beyond), Answer::inside);
-  EXPECT_FALSE(cull(swept_without_end(body, {1, 0, 0}), behind));
+  on_each_instruction_set([] {
+    const Box body{{0, 0, 0}, {1, 1, 1}};
+    const Box beyond{{10, 0, 0}, {11, 1, 1}};
+    const Box behind{{-3, 0, 0}, {-2, 1, 1}};
+    EXPECT_EQ(classify(swept(body, {0, 0, 0}), body), Answer::inside);
+    EXPECT_FALSE(cull(swept(body, {0, 0, 0}), beyond));
+    EXPECT_TRUE(cull(swept(body, {9, 0, 0}), beyond)) << "it touches";
+    EXPECT_FALSE(cull(swept(body, {std::nextafter(9.0F, 0.0F), 0, 0}), beyond));
+    EXPECT_EQ(classify(swept_without_end(body, {1e-30F, 0, 0}), beyond), Answer::inside);
+    EXPECT_FALSE(cull(swept_without_end(body, {1, 0, 0}), behind));
 
-  const Box lamp{{-9, 0.5F, 0.5F}, {-9, 0.5F, 0.5F}};
-  EXPECT_EQ(classify(shadow(lamp, body), beyond), Answer::inside);
-  EXPECT_FALSE(cull(shadow(lamp, body), behind)) << "between lamp and occluder is light";
-  EXPECT_EQ(classify(shadow(lamp, body, 1), body), Answer::inside);
-  EXPECT_FALSE(cull(shadow(lamp, body, 1.9F), beyond))
-      << "the float is less than 1.9, at which the shadow ends at x = 10";
-  EXPECT_TRUE(cull(shadow(lamp, body, std::nextafter(1.9F, 2.0F)), beyond));
+    const Box lamp{{-9, 0.5F, 0.5F}, {-9, 0.5F, 0.5F}};
+    EXPECT_EQ(classify(shadow(lamp, body), beyond), Answer::inside);
+    EXPECT_FALSE(cull(shadow(lamp, body), behind)) << "between lamp and occluder is light";
+    EXPECT_EQ(classify(shadow(lamp, body, 1), body), Answer::inside);
+    EXPECT_FALSE(cull(shadow(lamp, body, 1.9F), beyond))
+        << "the float is less than 1.9, at which the shadow ends at x = 10";
+    EXPECT_TRUE(cull(shadow(lamp, body, std::nextafter(1.9F, 2.0F)), beyond));
+  });
 }
 
 TEST(Kinds, AreRefusedWhereTheyMeanNothing) {

@@ -345,13 +345,15 @@ TEST(Hull, OfCastersDoesNotFlickerWhereTheLightCrossesTheViewsPlane) {
 }
 
 TEST(Hull, OfCastersTowardsASunHasNoEnd) {
-  const std::vector<Vec3> corners = {{-1, -1, 2}, {1, -1, 2}, {-1, 1, 2}, {1, 1, 2},
-                                     {-4, -4, 8}, {4, -4, 8}, {-4, 4, 8}, {4, 4, 8}};
-  const ConvexHull hull = casters_towards(ConvexHull(corners), {0, 1, 0});
-  EXPECT_TRUE(cull(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}));
-  EXPECT_FALSE(cull(hull, Box{{0, -1e20F, 5}, {1, -10, 6}}));
-  EXPECT_EQ(classify(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}), Answer::inside);
-  EXPECT_EQ(hull.box().hi[1], std::numeric_limits<float>::infinity());
+  on_each_instruction_set([] {
+    const std::vector<Vec3> corners = {{-1, -1, 2}, {1, -1, 2}, {-1, 1, 2}, {1, 1, 2},
+                                       {-4, -4, 8}, {4, -4, 8}, {-4, 4, 8}, {4, 4, 8}};
+    const ConvexHull hull = casters_towards(ConvexHull(corners), {0, 1, 0});
+    EXPECT_TRUE(cull(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}));
+    EXPECT_FALSE(cull(hull, Box{{0, -1e20F, 5}, {1, -10, 6}}));
+    EXPECT_EQ(classify(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}), Answer::inside);
+    EXPECT_EQ(hull.box().hi[1], std::numeric_limits<float>::infinity());
+  });
 }
 
 /// Among shafts, in trees and in lists of candidates a hull answers what it answers alone.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/error.hpp"
@@ -77,26 +78,28 @@ TEST(HullInterface, TellsWhatItWasGiven) {
 }
 
 TEST(HullInterface, CopiesAndMovesAnswerAlike) {
-  const Box in = {{1, 1, 1}, {1.25F, 1.25F, 1.25F}};
-  const Box out = {{3, 3, 3}, {4, 4, 4}};
-  ConvexHull hull(tetrahedron);
-  const ConvexHull copy = hull;
-  ConvexHull moved = std::move(hull);
-  for (const ConvexHull* each : {&copy, &std::as_const(moved)}) {
-    EXPECT_EQ(classify(*each, in), Answer::inside);
-    EXPECT_EQ(classify(*each, out), Answer::outside);
-  }
-  EXPECT_FALSE(hull.compiled().formed());  // NOLINT(bugprone-use-after-move): what is documented
-  EXPECT_TRUE(hull.points().empty());
-  const ConvexHull copy_of_nothing = hull;
-  EXPECT_FALSE(copy_of_nothing.compiled().formed());
-  hull = moved;
-  moved = ConvexHull(std::vector<Vec3>{{9, 9, 9}});
-  EXPECT_EQ(classify(hull, in), Answer::inside);
-  EXPECT_EQ(classify(moved, in), Answer::outside);
-  const ConvexHull& itself = hull;
-  hull = itself;
-  EXPECT_EQ(classify(hull, in), Answer::inside);
+  on_each_instruction_set([] {
+    const Box in = {{1, 1, 1}, {1.25F, 1.25F, 1.25F}};
+    const Box out = {{3, 3, 3}, {4, 4, 4}};
+    ConvexHull hull(tetrahedron);
+    const ConvexHull copy = hull;
+    ConvexHull moved = std::move(hull);
+    for (const ConvexHull* each : {&copy, &std::as_const(moved)}) {
+      EXPECT_EQ(classify(*each, in), Answer::inside);
+      EXPECT_EQ(classify(*each, out), Answer::outside);
+    }
+    EXPECT_FALSE(hull.compiled().formed());  // NOLINT(bugprone-use-after-move): what is documented
+    EXPECT_TRUE(hull.points().empty());
+    const ConvexHull copy_of_nothing = hull;
+    EXPECT_FALSE(copy_of_nothing.compiled().formed());
+    hull = moved;
+    moved = ConvexHull(std::vector<Vec3>{{9, 9, 9}});
+    EXPECT_EQ(classify(hull, in), Answer::inside);
+    EXPECT_EQ(classify(moved, in), Answer::outside);
+    const ConvexHull& itself = hull;
+    hull = itself;
+    EXPECT_EQ(classify(hull, in), Answer::inside);
+  });
 }
 
 }  // namespace

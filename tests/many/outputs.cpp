@@ -11,6 +11,7 @@
 #include "columns.hpp"
 #include "many/workload.hpp"
 #include "misaligned.hpp"
+#include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
 
 namespace shaftcull {
@@ -122,7 +123,7 @@ TEST(Outputs, CountAtMostManyCountsWhatOneShaftCountsUpToTheMost) {
       for (const Form form : {Form::slab, Form::planes}) {
         std::vector<std::uint64_t> counts(shafts.size(), sentinel);
         count_at_most_many(shafts, view, most, counts, form);
-        for (std::size_t s = 0; s != shafts.size(); ++s) {
+        for (std::size_t s = 0; s < shafts.size(); s += has_shadow_memory ? 5 : 1) {
           EXPECT_EQ(counts[s], std::min(most, count(shafts[s], view))) << "shaft " << s << ", " << most;
           EXPECT_EQ(counts[s], count_at_most(shafts[s], view, most, form)) << "shaft " << s << ", " << most;
         }
