@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,7 +15,8 @@ unsigned opposite(unsigned stream) noexcept { return stream < 3 ? stream + 3 : s
 
 }  // namespace
 
-SlabPredicate::SlabPredicate(const ShaftData& shaft) noexcept : faces_(shaft) {
+SlabPredicate::SlabPredicate(const ShaftData& shaft) noexcept
+    : faces_(shaft), is_endless_(faces_.is_endless()), end_(faces_.end()) {
   for (unsigned f = 0; f < 6; ++f) face_[f] = shaft_face(shaft, f);
   const Faces faces(faces_);
   const auto constraint = [&](unsigned f) {
@@ -39,16 +41,16 @@ bool SlabPredicate::outside(const float (&bound)[6]) const noexcept {
   };
   for (unsigned i = 0; i < uppers_; ++i) {
     upper[i] = value(upper_[i], infinity);
-    smallest_upper = std::fmin(smallest_upper, upper[i]);
+    smallest_upper = std::min(smallest_upper, upper[i]);
   }
   for (unsigned i = 0; i < lowers_; ++i) {
     lower[i] = value(lower_[i], -infinity);
-    largest_lower = std::fmax(largest_lower, lower[i]);
+    largest_lower = std::max(largest_lower, lower[i]);
   }
   // Within the shaft box every lower bound on t is at most the end of t and every upper one at least 0, so a pair can
   // only separate where both are between these. Four roundings leave the computed ones within 2⁻⁵¹ of their size, and a
   // difference of them within 2⁻⁵⁰ of the larger one, which is the lower bound or nearly so where they matter.
-  const double margin = 0x1p-48 * (faces_.is_endless() ? std::fmax(largest_lower, 0.0) : faces_.end());
+  const double margin = 0x1p-48 * (is_endless_ ? std::max(largest_lower, 0.0) : end_);
   if (largest_lower > smallest_upper + margin) return true;
   if (largest_lower < smallest_upper - margin) return false;
   for (unsigned i = 0; i < uppers_; ++i) {

@@ -29,6 +29,8 @@ class SlabPredicate {
     double inverse;  // 1 / its slope
   };
   MovingFaces faces_;
+  bool is_endless_;
+  double end_;
   float face_[6];
   Constraint upper_[6];
   Constraint lower_[6];
