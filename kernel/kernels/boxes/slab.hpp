@@ -137,25 +137,6 @@ struct Slab {
   }
 };
 
-/// Bits of the boxes of the word at `at` that are outside, where some lane is undecided.
-template <class L, class SlabType, class Word>
-[[gnu::noinline, gnu::cold]] std::uint64_t resolve_slab_word(const ShaftData& shaft, const SlabType& slab,
-                                                             const float* const (&x)[6], const float* const* stream,
-                                                             std::size_t at, const Word& word) noexcept {
-  std::uint64_t outside = 0;
-  std::uint64_t near = 0;
-  for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
-    const auto length = word.choose(lane, slab.interval_length([&](unsigned i) { return word.load(x[i], at, lane); }),
-                                    L::all(outside_for_certain));
-    outside |= L::bits(L::less(length, L::all(0.0F))) << lane;
-    near |= L::bits(L::less_equal(length, slab.two_margins)) << lane;
-  }
-  const SlabPredicate exact(shaft);
-  return outside | decide_lanes<L>(near & ~outside, [&](unsigned lane) {
-           return exact.outside(BoundAt<L, 6>(stream, at + lane).value);
-         });
-}
-
 /// What the constraints of a shaft read: a corner of each box.
 template <class L>
 struct BoxCorners {
@@ -211,11 +192,38 @@ struct ConsecutiveWords {
   std::size_t operator()(std::size_t w) const noexcept { return first + w * word_bits; }
 };
 
-/// Kept bits of the word at `at`: exactly, or without the bits of those that are outside for certain.
+/// Writes the kept bits of the words from `first` on that `undecided` has a bit for. It makes what it reads of the
+/// shaft anew: what the caller has stays in registers, which it would have to store for each call to refer to.
+template <class L, class SlabType, class Words, class Word>
+[[gnu::noinline, gnu::cold]] void resolve_slab_words(const ShaftData& shaft, float margin, const float* const* stream,
+                                                     const Words& position, std::size_t first, std::uint64_t undecided,
+                                                     const Word& word, std::uint64_t* kept) noexcept {
+  const SlabType slab(shaft, margin, true);
+  const BoxCorners<L> corners(shaft, stream);
+  const SlabPredicate exact(shaft);
+  for (; undecided != 0; undecided &= undecided - 1) {
+    const std::size_t w = first + static_cast<unsigned>(__builtin_ctzll(undecided));
+    const std::size_t at = position(w);
+    std::uint64_t outside = 0;
+    std::uint64_t near = 0;
+    for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
+      const auto length =
+          word.choose(lane, slab.interval_length([&](unsigned i) { return corners.coordinate(i, word, at, lane); }),
+                      L::all(outside_for_certain));
+      outside |= L::bits(L::less(length, L::all(0.0F))) << lane;
+      near |= L::bits(L::less_equal(length, slab.two_margins)) << lane;
+    }
+    outside |= decide_lanes<L>(near & ~outside,
+                               [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, at + lane).value); });
+    kept[w] = ~outside & word.lanes();
+  }
+}
+
+/// Writes the kept bits of the word at `at`: exactly, or without the bits of those that are outside for certain.
+/// Returns whether a lane is undecided, so that the word's bits mean nothing yet.
 template <class L, class SlabType, class Corners, class Word>
-[[gnu::always_inline]] inline std::uint64_t slab_word(const ShaftData& shaft, const SlabType& slab,
-                                                      const Corners& corners, const float* const* stream,
-                                                      std::size_t at, const Word& word) noexcept {
+[[nodiscard, gnu::always_inline]] inline bool slab_word(const SlabType& slab, const Corners& corners, std::size_t at,
+                                                        const Word& word, std::uint64_t& kept) noexcept {
   std::uint64_t outside = 0;
   if constexpr (SlabType::endless && Corners::exactly) {
     std::uint64_t undecided = 0;
@@ -232,10 +240,8 @@ template <class L, class SlabType, class Corners, class Word>
       outside |= negative << four;
       undecided |= L::signs(excess) & ~negative;
     }
-    if (undecided != 0) [[unlikely]] {
-      outside = resolve_slab_word<L>(shaft, slab, corners.x, stream, at, word);
-    }
-    return ~outside;
+    kept = ~outside & word.lanes();
+    return undecided != 0;
   }
   typename L::SignCollector signs(slab.two_margins);
   for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
@@ -256,12 +262,12 @@ template <class L, class SlabType, class Corners, class Word>
       outside |= L::signs(length) << four;
     }
   }
+  kept = ~outside & word.lanes();
   if constexpr (Corners::exactly) {
-    if (signs.any_undecided()) [[unlikely]] {
-      outside = resolve_slab_word<L>(shaft, slab, corners.x, stream, at, word);
-    }
+    return signs.any_undecided();
+  } else {
+    return false;
   }
-  return ~outside;
 }
 
 /// Writes the kept bits of `words` whole words, and of the rest behind them if there is one: exactly, or clears the
@@ -269,15 +275,31 @@ template <class L, class SlabType, class Corners, class Word>
 template <class L, template <class> class Corners, class Words, unsigned uppers, ShaftData::SlabForm form>
 void slab_words(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
                 std::size_t words, std::uint64_t* kept) noexcept {
-  const Slab<L, uppers, form> slab(shaft, margin, Corners<L>::exactly);
+  using SlabType = Slab<L, uppers, form>;
+  const SlabType slab(shaft, margin, Corners<L>::exactly);
   const Corners<L> corners(shaft, stream);
-  for (std::size_t w = 0; w < words; ++w) {
-    kept[w] = slab_word<L>(shaft, slab, corners, stream, position(w), WholeWord<L>{});
+  for (std::size_t first = 0; first < words; first += word_bits) {
+    const std::size_t some = words - first < word_bits ? words - first : word_bits;
+    std::uint64_t undecided = 0;  // a bit a word
+    for (std::size_t w = 0; w < some; ++w) {
+      const bool is_undecided = slab_word<L>(slab, corners, position(first + w), WholeWord<L>{}, kept[first + w]);
+      undecided |= std::uint64_t{is_undecided} << w;
+    }
+    if constexpr (Corners<L>::exactly) {
+      if (undecided != 0) [[unlikely]] {
+        resolve_slab_words<L, SlabType>(shaft, margin, stream, position, first, undecided, WholeWord<L>{}, kept);
+      }
+    }
   }
   if constexpr (requires { position.rest; }) {
     if (position.rest == 0) return;
-    kept[words] = slab_word<L>(shaft, slab, corners, stream, position(words), PartialWord<L>{position.rest}) &
-                  first_bits(position.rest);
+    const PartialWord<L> rest{position.rest};
+    const bool is_undecided = slab_word<L>(slab, corners, position(words), rest, kept[words]);
+    if constexpr (Corners<L>::exactly) {
+      if (is_undecided) [[unlikely]] {
+        resolve_slab_words<L, SlabType>(shaft, margin, stream, position, words, 1, rest, kept);
+      }
+    }
   }
 }
 
