@@ -80,7 +80,9 @@ class BatchJob {
     } else if (forms_and_tests_on_grid(block, group, kept, inside)) {
       return;
     }
-    const std::size_t size = even_tile(block.size, group.size == 1 ? tile_bounds : float_tile_bounds);
+    // Planes take so long a bound that it does not matter which cache the bounds come from.
+    const bool is_long = group.size == 1 || form_ == Form::planes;
+    const std::size_t size = even_tile(block.size, is_long ? tile_bounds : float_tile_bounds);
     for (std::size_t first = block.first; first < block.end(); first += size) {
       const std::size_t word = (first - block.first) / 64;
       test_tile_in_floats(bounds_.slice(first, std::min(size, block.end() - first)), first, group, kept.from(word),
