@@ -12,7 +12,8 @@
 /// Answers are exact, as those of cull.hpp, for all finite floats, flat and point-like ends and boxes included. A box
 /// that is empty (lo > hi) or has a NaN blocks nothing, and an infinite one is an unbounded box. Several boxes that
 /// only together block every segment are not found. Planes added to a shaft are left out: what blocks all segments
-/// blocks those that they leave. Only the two boxes are read, so a shaft may have been formed for whatever answers.
+/// blocks those that they leave. Only the two boxes are read, so a shaft may have been formed for whatever answers, and
+/// whatever its contact.
 ///
 /// Calls are safe to make from many threads. Floating-point modes and flags, stack, threads and memory that runs out
 /// are as in cull.hpp, many.hpp and query.hpp. Before anything is written, they throw InvalidArgument for a shaft that

@@ -41,6 +41,9 @@ class alignas(64) CompiledShaft {
   /// the shaft was never formed.
   [[nodiscard]] bool has_planes() const noexcept;
 
+  /// Whether bounds that only touch the shaft are kept. Contact::closed if it was never formed.
+  [[nodiscard]] Contact contact() const noexcept;
+
  private:
   friend struct CompiledShaftLayout;  // checks the numbers below against what the library keeps there
 
@@ -61,6 +64,9 @@ class alignas(64) CompiledShaft {
 /// compile_batch() are. Throws InvalidArgument as the constructor of Shaft does, if a box is not finite or has lo > hi.
 /// No allocation; safe to call from many threads.
 [[nodiscard]] CompiledShaft compile(const Box& a, const Box& b);
+
+/// The same with a choice of what becomes of bounds that only touch the shaft: that of set_contact().
+[[nodiscard]] CompiledShaft compile(const Box& a, const Box& b, Contact contact);
 
 /// Planes that compile_batch() adds to its shafts as Shaft::add_plane() would: those of a shaft's box a, then those of
 /// its box b. The planes of a patch and of what it faces, say.
@@ -84,7 +90,10 @@ struct BatchPlanes {
 /// Throws InvalidArgument if the three sizes differ, if planes are not equally many for each box, more than
 /// max_added_planes in all, not finite or without a normal; BadBound for the first pair with a box that is not finite
 /// or has lo > hi. Nothing is written then. O(pairs and planes); no allocation; safe to call from many threads.
-void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes = {});
+///
+/// `contact` is that of all shafts: what becomes of bounds that only touch them (set_contact()).
+void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes = {},
+                   Contact contact = Contact::closed);
 
 /// Two boxes, by their positions in views.
 struct IndexPair {
@@ -98,10 +107,31 @@ struct IndexPair {
 /// planes may not. Throws InvalidArgument if `pairs` and `out` differ in size, for the first pair with an index that is
 /// not below the number of boxes, and as above.
 void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs, std::span<CompiledShaft> out,
-                   const BatchPlanes& planes = {});
+                   const BatchPlanes& planes = {}, Contact contact = Contact::closed);
 
 /// Computes pending joining planes, some 65 ns; does nothing to a shaft that has them, or that was never formed. No
 /// allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
 void complete(CompiledShaft& shaft) noexcept;
+
+/// Chooses what becomes of bounds that only touch a shaft, between two boxes or of a moving box (kinds.hpp). All
+/// questions follow it, in both forms, of views and of trees: bits, counts, lists, callbacks, refining. Answers are
+/// exact, as ever.
+///
+/// With Contact::open
+/// * a box is outside iff its relative interior has no point in common with that of the shaft: iff there is a plane
+/// that
+///   has the one on the one side and the other on the other, and does not hold both;
+/// * a sphere is outside iff its centre is at least its radius away from the shaft; one of radius 0 is a flat box;
+/// * a bound is beyond an added plane iff none of its points is on the inner side, off the plane;
+/// * the same bounds are inside as with Contact::closed, but for flat ones in the shaft's surface, which are outside;
+/// * first_contact() and entry_times() tell of the bounds that are kept, and their times stay the same.
+/// blocked() is the same for both: there, touching never counts.
+///
+/// Some 10 ns a shaft; may be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that
+/// was never formed and for a convex hull (hull.hpp), which has closed contact only, by its position; and if `contact`
+/// is none of Contact. No allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
+void set_contact(CompiledShaft& shaft, Contact contact);
+/// Likewise for all of `shafts`.
+void set_contact(std::span<CompiledShaft> shafts, Contact contact);
 
 }  // namespace shaftcull

@@ -3,9 +3,10 @@
 /// Answers are exact. For all finite floats, degenerate and huge ones included, and on every instruction set the same
 /// bits: a box is outside, overlapping or inside as in real arithmetic for the floats given, and touching is not
 /// outside; a corner is beyond an added plane by the real sign of n·p − d; a sphere is outside iff its centre is
-/// farther than its radius from the shaft, and inside iff every face is at least that far away. A bound with a NaN is
-/// never inside. Both forms agree, whatever floating-point mode the caller runs in. many.hpp, query.hpp and refine.hpp
-/// promise the same.
+/// farther than its radius from the shaft, and inside iff every face is at least that far away. Of a shaft with open
+/// contact touching is outside, in the sense of relative interiors: set_contact() in compiled.hpp says it exactly. A
+/// bound with a NaN is never inside. Both forms agree, whatever floating-point mode the caller runs in. many.hpp,
+/// query.hpp and refine.hpp promise the same.
 ///
 /// Each verb has one meaning everywhere: cull() and classify() give bits, count() numbers, list() indices, any() a
 /// bool; each has a twin for many shafts (many.hpp). All take a view of boxes or spheres, or a stream.

@@ -6,7 +6,8 @@
 /// light. The *entry time* of a box that the shaft keeps is the first time at which the moving box touches it: 0 if it
 /// touches where that starts. First contact is the box with the least entry time of those that the shaft keeps, and of
 /// several with the same time the one with the lowest index. Planes that were added to the shaft leave out boxes that
-/// are beyond them, as they do in every query; times do not depend on them.
+/// are beyond them, as they do in every query, and open contact (set_contact()) leaves out boxes that the moving box
+/// only touches; times of the others do not depend on either.
 ///
 /// Times are compared exactly, as real numbers, so which box comes first is the same on every instruction set, in views
 /// and in trees. The time that is written is the exact one rounded down to a float that is finite: the moving box

@@ -9,6 +9,8 @@
 /// edges that the hull shows along x, y and z, and the faces of its box. So spheres near a corner or an edge may be
 /// kept, as may those that touch such a plane within 2⁻²⁸ of the coordinates; none that meets the hull is outside, and
 /// all machines give the same answers.
+///
+/// Contact is closed: what touches a hull is not outside, and set_contact() refuses hulls.
 #pragma once
 
 #include <array>

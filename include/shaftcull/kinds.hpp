@@ -2,7 +2,8 @@
 ///
 /// A shaft between two boxes is a box that moves from one to the other. Here it moves by a displacement, with or
 /// without an end, or away from a light. These shafts answer every question that compile(a, b) answers, exactly for the
-/// floats given: no end box is rounded. Joining planes are left pending.
+/// floats given: no end box is rounded. Joining planes are left pending, and contact is closed until set_contact()
+/// opens it.
 ///
 /// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for planes that are not finite or have
 /// no normal, and if there are more than max_added_planes. Planes are added as Shaft::add_plane() does. A call takes

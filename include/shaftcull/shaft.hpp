@@ -31,6 +31,16 @@ enum class PlaneOrder : std::uint8_t {
   by_added_volume,  ///< greedily the plane that cuts most volume not cut by those before it
 };
 
+/// What becomes of a bound that touches a shaft without reaching into it (set_contact() in compiled.hpp).
+enum class Contact : std::uint8_t {
+  closed,  ///< It is kept.
+  /// It is outside. A bound is kept only if its relative interior has a point in common with the shaft's: so the wall
+  /// that a patch lies on is not kept, nor the floor beside it. The relative interior of a flat box is the rectangle
+  /// without its edges, that of a segment leaves out its ends, and that of a point is the point. So a sheet of glass
+  /// across the shaft is kept, and so is a flat box that reaches into a shaft in its own plane.
+  open,
+};
+
 /// What a shaft will be asked. Leaving something out makes formation cheaper; asking for it then
 /// throws InvalidArgument.
 struct ShaftOptions {
@@ -39,6 +49,8 @@ struct ShaftOptions {
   bool outside = true;  ///< cull() may be called
   bool inside = true;   ///< contained() and, with outside, classify() may be called
   bool spheres = true;  ///< spheres may be tested; joining planes then get unit normals
+  /// What becomes of bounds that only touch the shaft.
+  Contact contact = Contact::closed;
 };
 
 /// A face of a box: 0, 1, 2 are lo x, lo y, lo z; 3, 4, 5 are hi x, hi y, hi z.

@@ -23,6 +23,13 @@ void refuse_kind(std::size_t position) {
                         "blocks it; only a shaft between two boxes has two ends to hide from each other");
 }
 
+void refuse_contact_of_hull(std::size_t position) {
+  throw InvalidArgument(
+      "shaft " + std::to_string(position) +
+      " is a convex hull, whose contact is closed; only shafts between boxes and of moving boxes have " +
+      "a choice of contact");
+}
+
 void refuse_hull(std::size_t position) {
   throw InvalidArgument("shaft " + std::to_string(position) +
                         " is a convex hull, in which nothing moves; shafts are asked when they reach a box");

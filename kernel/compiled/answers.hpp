@@ -29,6 +29,17 @@ inline void require_answers(const ShaftData& shaft, bool outside, bool inside, b
   }
 }
 
+[[noreturn]] void refuse_contact_of_hull(std::size_t position);
+
+/// Throws InvalidArgument for a shaft that was never formed, and for a convex hull, which has closed contact only.
+/// `position` as above.
+inline void require_contact_of_choice(const ShaftData& shaft, std::size_t position) {
+  if (!shaft.is_formed()) [[unlikely]]
+    refuse_shaft(shaft, false, false, position);
+  if (shaft.is_hull()) [[unlikely]]
+    refuse_contact_of_hull(position);
+}
+
 [[noreturn]] void refuse_hull(std::size_t position);
 
 /// Throws InvalidArgument for a convex hull: nothing moves there. `position` as above.

@@ -24,6 +24,11 @@ bool CompiledShaft::has_planes() const noexcept {
   return data.is_formed() && data.has_planes();
 }
 
+Contact CompiledShaft::contact() const noexcept {
+  const kernel::ShaftData& data = kernel::data_of(*this);
+  return data.is_formed() ? data.contact : Contact::closed;
+}
+
 Box CompiledShaft::a() const noexcept {
   const kernel::ShaftData& data = kernel::data_of(*this);
   return box_of(data, data.a);

@@ -30,6 +30,7 @@ struct MovingFaces {
     } else if (is_shadow) {
       end_minuend = shaft.reach;
       end_subtrahend = 1;
+      if (shaft.reach == 1) subtrahend = minuend;  // the occluder itself: nothing moves
     }
   }
 

@@ -57,7 +57,8 @@ struct BatchFlags {
   std::uint8_t added_count = 0;
   bool answers[3] = {true, true, true};
   ShaftData::Kind kind = ShaftData::Kind::between;
-  std::uint8_t padding[2] = {};
+  Contact contact = Contact::closed;
+  std::uint8_t still_faces = 0;
 };
 struct TwoFloats {
   float of[2];
@@ -67,6 +68,8 @@ inline constexpr TwoFloats batch_flags = __builtin_bit_cast(TwoFloats, BatchFlag
 static_assert(offsetof(ShaftData, answers_outside) ==
               offsetof(ShaftData, joining_count) + offsetof(BatchFlags, answers));
 static_assert(offsetof(ShaftData, kind) == offsetof(ShaftData, joining_count) + offsetof(BatchFlags, kind));
+static_assert(offsetof(ShaftData, still_faces) ==
+              offsetof(ShaftData, joining_count) + offsetof(BatchFlags, still_faces));
 
 /// Half the distance from 1 to the next float: what a rounding may be off by, relatively.
 inline constexpr float float_unit = 0x1p-24F;

@@ -19,6 +19,14 @@ inline Expansion<9> exact_end_face(const MovingFaces& faces, unsigned f) noexcep
   return end;
 }
 
+/// The sign of end − x.
+inline int difference_sign(const Expansion<9>& end, double x) noexcept {
+  Expansion<10> difference;
+  for (std::size_t i = 0; i < end.size(); ++i) difference.append(end[i]);
+  difference.grow(-x);
+  return difference.sign();
+}
+
 /// A number as floats have it, none of them infinite.
 struct EndFace {
   float nearest;  ///< to the face; but for the last bit, where that is a close decision
@@ -32,10 +40,8 @@ inline EndFace end_face(const MovingFaces& faces, unsigned f) noexcept {
   for (std::size_t i = 0; i < end.size(); ++i) sum += end[i];
   const auto nearest = static_cast<float>(std::clamp(sum, -double{most}, double{most}));
   const auto is_within = [&](float x) {
-    Expansion<10> difference;
-    for (std::size_t i = 0; i < end.size(); ++i) difference.append(end[i]);
-    difference.grow(-double{x});
-    return f < 3 ? difference.sign() <= 0 : difference.sign() >= 0;
+    const int sign = difference_sign(end, x);
+    return f < 3 ? sign <= 0 : sign >= 0;
   };
   const float inwards = f < 3 ? most : -most;
   float within = nearest;

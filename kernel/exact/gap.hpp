@@ -2,9 +2,9 @@
 ///
 /// The sphere is outside iff the smallest squared distance of its centre c from box(t), over t from 0 to its end,
 ///   f(t) = Σ gap_g(t)²  over the gaps that are positive,
-/// is larger than r². Each axis has two gaps, lo_k(t) − c_k and c_k − hi_k(t), linear in t, so f is convex and
-/// piecewise quadratic, and breaks only where a gap is zero. If t has no end, f is least before the last of the gaps
-/// that shrink is zero: from there on it only grows, as some gap does without end.
+/// is larger than r², or with open contact not less. Each axis has two gaps, lo_k(t) − c_k and c_k − hi_k(t), linear in
+/// t, so f is convex and piecewise quadratic, and breaks only where a gap is zero. If t has no end, f is least before
+/// the last of the gaps that shrink is zero: from there on it only grows, as some gap does without end.
 ///
 /// Three steps find out, each for what the one before leaves undecided: doubles with a bound on their error
 /// (rounded_gaps.hpp), certificates for where f seems to be least (gap_certificates.cpp), and expansions
@@ -84,7 +84,7 @@ struct Minimum {
 Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, bool constant,
                 const float (&sphere)[4]) noexcept;
 
-/// Whether the minimum of f is larger than r², decided by expansions alone.
-bool exactly_outside(const Gaps& gaps, double radius) noexcept;
+/// Whether the sphere is outside, decided by expansions alone.
+bool exactly_outside(const Gaps& gaps, double radius, Contact contact) noexcept;
 
 }  // namespace shaftcull::kernel

@@ -8,9 +8,18 @@
 namespace shaftcull::kernel {
 namespace {
 
+/// Whether a sphere with this excess of the least f over r² is certainly outside.
+bool says_outside(const Measured& excess, Contact contact) noexcept {
+  return contact == Contact::open ? excess.is_not_negative() : excess.is_positive();
+}
+/// Whether one with this excess of any f certainly is not.
+bool says_meets(const Measured& excess, Contact contact) noexcept {
+  return contact == Contact::open ? excess.is_negative() : excess.is_not_positive();
+}
+
 /// Decides for certain if f is least at t = 0, or at t = 1 of a shaft between two boxes, and what matters is computed
 /// without rounding, or nearly so.
-Verdict certify_at_end(const Gaps& gaps, bool at_one, double radius) noexcept {
+Verdict certify_at_end(const Gaps& gaps, bool at_one, double radius, Contact contact) noexcept {
   const Gap* positive[6];
   Measured distance[6];
   unsigned count = 0;
@@ -25,8 +34,8 @@ Verdict certify_at_end(const Gaps& gaps, bool at_one, double radius) noexcept {
     excess = excess + distance[count] * distance[count];
     ++count;
   }
-  if (excess.is_not_positive()) return Verdict::meets;
-  if (!excess.is_positive()) return Verdict::undecided;
+  if (says_meets(excess, contact)) return Verdict::meets;
+  if (!says_outside(excess, contact)) return Verdict::undecided;
   Measured half_slope;
   for (unsigned g = 0; g < count; ++g) half_slope = half_slope + positive[g]->slope_in<Measured>() * distance[g];
   return (at_one ? half_slope.is_not_positive() : half_slope.is_not_negative()) ? Verdict::outside : Verdict::undecided;
@@ -38,7 +47,7 @@ Verdict certify_at_end(const Gaps& gaps, bool at_one, double radius) noexcept {
 /// Let S be these gaps, α their starts and β their slopes. Their sum of squares is least at t = N / D with N = −Σ α β
 /// and D = Σ β², where any gap is (α D + β N) / D; by Lagrange's identity it is Σ (α_g β_h − α_h β_g)² / D there. That
 /// is the minimum of f if 0 ≤ N ≤ end · D, gaps of S are not negative at N / D, and all others are not positive.
-Verdict certify_between(const Gaps& gaps, unsigned positive, double radius) noexcept {
+Verdict certify_between(const Gaps& gaps, unsigned positive, double radius, Contact contact) noexcept {
   Measured start[3];
   Measured slope[3];
   unsigned count = 0;
@@ -78,7 +87,7 @@ Verdict certify_between(const Gaps& gaps, unsigned positive, double radius) noex
   for (unsigned g = 0; g < count && count > 1; ++g) {  // if there is only one, it is 0
     if (!scaled(start[g], slope[g]).is_not_negative()) return Verdict::undecided;
   }
-  if (excess.is_positive()) return Verdict::outside;  // whatever the others are
+  if (says_outside(excess, contact)) return Verdict::outside;  // whatever the others are
   unsigned axes = 0;
   for (unsigned g = 0; g < count; ++g) axes |= 1U << gaps.axis[counted[g]];
   for (unsigned g = 0; g < gaps.count; ++g) {
@@ -106,8 +115,9 @@ Verdict certify_constant(const ShaftData& shaft, const Gaps& gaps, unsigned posi
     rest[gaps.axis[g]] = -infinity;
     rest[gaps.axis[g] + 3] = infinity;
   }
-  if (excess.is_positive()) return Verdict::outside;
-  return excess.is_not_positive() && !SlabPredicate(shaft).outside(rest) ? Verdict::meets : Verdict::undecided;
+  if (says_outside(excess, shaft.contact)) return Verdict::outside;
+  const auto is_reached = [&] { return !SlabPredicate(shaft, Contact::closed).outside(rest); };
+  return says_meets(excess, shaft.contact) && is_reached() ? Verdict::meets : Verdict::undecided;
 }
 
 }  // namespace
@@ -116,9 +126,9 @@ Verdict certify(const ShaftData& shaft, const Gaps& gaps, const Minimum& least, 
                 const float (&sphere)[4]) noexcept {
   if (least.where == Minimum::Where::end && !gaps.ends_at_b) return Verdict::undecided;
   if (least.where != Minimum::Where::between)
-    return certify_at_end(gaps, least.where == Minimum::Where::end, sphere[3]);
+    return certify_at_end(gaps, least.where == Minimum::Where::end, sphere[3], shaft.contact);
   return constant ? certify_constant(shaft, gaps, least.positive, sphere)
-                  : certify_between(gaps, least.positive, sphere[3]);
+                  : certify_between(gaps, least.positive, sphere[3], shaft.contact);
 }
 
 }  // namespace shaftcull::kernel

@@ -32,8 +32,8 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
   return sum.sign();
 }
 
-/// Whether f(t) > r², exactly.
-[[gnu::noinline]] bool farther_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
+/// The sign of f(t) − r², exactly.
+[[gnu::noinline]] int excess_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
   Expansion<most_terms> sum;
   for (unsigned g = 0; g < gaps.count; ++g) {
     const auto gap = scaled_gap(gaps.gap[g], t);
@@ -43,16 +43,16 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
   }
   const auto limit = t.denominator * t.denominator * (radius * radius);
   for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
-  return sum.sign() > 0;
+  return sum.sign();
 }
 
-/// Whether the minimum of f is larger than r², where it lies between `low` and `high` and no gap changes its sign
-/// there; exactly. Not inlined, so that its sum and that of farther_at() are not on the stack at the same time.
+/// The sign of the minimum of f less r², where it lies between `low` and `high` and no gap changes its sign there;
+/// exactly. Not inlined, so that its sum and that of excess_at() are not on the stack at the same time.
 ///
 /// The same gaps are positive there. With starts α and slopes β of those, Lagrange's identity gives
 ///   min f = Σ_{g<h} (α_g β_h − α_h β_g)² / Σ β_g²,
 /// a sum of squares, so nothing cancels.
-[[gnu::noinline]] bool farther_between(const Gaps& gaps, const Ratio& low, const Ratio& high, double radius) noexcept {
+[[gnu::noinline]] int excess_between(const Gaps& gaps, const Ratio& low, const Ratio& high, double radius) noexcept {
   const Gap* active[6];
   unsigned count = 0;
   for (unsigned g = 0; g < gaps.count; ++g) {
@@ -71,17 +71,16 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
     const auto limit = slope * slope * (radius * radius);
     for (std::size_t i = 0; i < limit.size(); ++i) sum.grow(-limit[i]);
   }
-  return sum.sign() > 0;
+  return sum.sign();
 }
 
-}  // namespace
-
-bool exactly_outside(const Gaps& gaps, double radius) noexcept {
+/// The sign of the minimum of f less r², exactly.
+int least_excess(const Gaps& gaps, double radius) noexcept {
   const auto less = [](const Ratio& s, const Ratio& t) {
     return (s.numerator * t.denominator - t.numerator * s.denominator).sign() < 0;
   };
   Ratio low{{}, Expansion<2>(1.0)};
-  if (derivative_sign(gaps, low) >= 0) return farther_at(gaps, low, radius);
+  if (derivative_sign(gaps, low) >= 0) return excess_at(gaps, low, radius);
   Ratio high = low;
   if (!gaps.is_endless()) {
     high.numerator = Expansion<2>::difference(gaps.end_minuend, gaps.end_subtrahend);
@@ -91,7 +90,7 @@ bool exactly_outside(const Gaps& gaps, double radius) noexcept {
       if (t.numerator.sign() > 0 && t.denominator.sign() > 0 && less(high, t)) high = t;
     }
   }
-  if (derivative_sign(gaps, high) <= 0) return farther_at(gaps, high, radius);
+  if (derivative_sign(gaps, high) <= 0) return excess_at(gaps, high, radius);
 
   // From here on f′(low) < 0 < f′(high): narrow to an interval without a breakpoint.
   for (unsigned g = 0; g < gaps.count; ++g) {
@@ -101,11 +100,18 @@ bool exactly_outside(const Gaps& gaps, double radius) noexcept {
     if (direction < 0) t = {-t.numerator, -t.denominator};
     if (!less(low, t) || !less(t, high)) continue;
     const int sign = derivative_sign(gaps, t);
-    if (sign == 0) return farther_at(gaps, t, radius);
+    if (sign == 0) return excess_at(gaps, t, radius);
     (sign > 0 ? high : low) = t;
   }
 
-  return farther_between(gaps, low, high, radius);
+  return excess_between(gaps, low, high, radius);
+}
+
+}  // namespace
+
+bool exactly_outside(const Gaps& gaps, double radius, Contact contact) noexcept {
+  const int excess = least_excess(gaps, radius);
+  return contact == Contact::open ? excess >= 0 : excess > 0;
 }
 
 }  // namespace shaftcull::kernel

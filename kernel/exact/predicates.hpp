@@ -2,7 +2,8 @@
 ///
 /// Every predicate starts again from the floats that the user gave (MovingFaces), never from compiled coefficients, and
 /// returns the answer of real arithmetic. Coordinates of the bound that are infinite or NaN put no constraint on it
-/// unless they are beyond a face of the shaft box.
+/// unless they are beyond a face of the shaft box. What is outside follows the shaft's contact: with Contact::open what
+/// only touches is (exact/contact.hpp). Inside does not.
 #pragma once
 
 #include "compiled/moving_faces.hpp"
@@ -16,12 +17,16 @@ namespace shaftcull::kernel {
 class SlabPredicate {
  public:
   explicit SlabPredicate(const ShaftData& shaft) noexcept;
+  SlabPredicate(const ShaftData& shaft, Contact contact) noexcept;
 
   /// Whether the box with the corners of `bound` (order of a BoxView's streams) is outside the shaft; added planes are
   /// left out.
   [[nodiscard]] bool outside(const float (&bound)[6]) const noexcept;
 
  private:
+  template <Contact contact>
+  [[nodiscard]] bool outside_by(const float (&bound)[6]) const noexcept;
+
   struct Constraint {
     unsigned face;
     unsigned near;   // stream of the bound that it reads
@@ -36,6 +41,9 @@ class SlabPredicate {
   Constraint lower_[6];
   unsigned uppers_ = 0;
   unsigned lowers_ = 0;
+  Contact contact_;
+  unsigned flat_axes_ = 0;  // with open contact
+  const ShaftData& shaft_;
 };
 
 /// Whether the box with the corners of `bound` is outside the shaft, by its joining planes and box, or any added plane.
@@ -43,6 +51,9 @@ class SlabPredicate {
 
 /// Whether that box is inside the shaft and all added planes.
 [[nodiscard]] bool box_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept;
+
+/// Likewise, and touches none of their planes. It may say no of a box that touches none.
+[[nodiscard]] bool box_strictly_inside(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 
 /// Whether the sphere (centre x, y, z, radius) is outside the shaft or any added plane: farther than its radius.
 [[nodiscard]] bool sphere_outside(const ShaftData& shaft, const float (&sphere)[4]) noexcept;

@@ -92,7 +92,7 @@ bool outside_hull(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   Verdict verdict = rounded.decide(radius, least);
   if (verdict == Verdict::undecided)
     verdict = certify(shaft, gaps, least, rounded.are_constant(least.positive), sphere);
-  return verdict == Verdict::undecided ? exactly_outside(gaps, radius) : verdict == Verdict::outside;
+  return verdict == Verdict::undecided ? exactly_outside(gaps, radius, shaft.contact) : verdict == Verdict::outside;
 }
 
 }  // namespace
@@ -113,7 +113,8 @@ bool sphere_outside(const ShaftData& shaft, const float (&sphere)[4]) noexcept {
   for (unsigned i = 0; i < shaft.added_count; ++i) {
     bool bounded = true;
     for (unsigned k = 0; k < 3; ++k) bounded = bounded && (shaft.added[i].normal[k] == 0 || std::isfinite(centre[k]));
-    if (bounded && beyond(AddedPlaneFromPoint{shaft, i, centre, 1}, radius, false)) return true;
+    if (bounded && beyond(AddedPlaneFromPoint{shaft, i, centre, 1}, radius, shaft.contact == Contact::open))
+      return true;
   }
   return false;
 }

@@ -218,7 +218,8 @@ class BatchJob {
     }
     if (!is_sphere) kernels_.grid.resolve(shaft, tile.stream.data(), tile.count, undecided, listed, kept_row);
     for (std::size_t i = 0; i != tested; ++i) {
-      if (!is_sphere && shaft[i]->added_count == 0 && inside_row[i] == nullptr) continue;
+      const bool is_tested = !is_sphere && shaft[i]->added_count == 0 && shaft[i]->still_faces == 0;
+      if (is_tested && inside_row[i] == nullptr) continue;
       kernels_.grid.finish(tile)(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
     }
   }

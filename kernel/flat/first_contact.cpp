@@ -16,8 +16,8 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
-using Contact = FirstContactOf<std::uint64_t>;
-static_assert(Contact::none == kernel::FirstEntry::none);
+using ContactInView = FirstContactOf<std::uint64_t>;
+static_assert(ContactInView::none == kernel::FirstEntry::none);
 
 /// Offers the bounds from `from` on whose bits are set. Bounds are offered in order.
 void offer(kernel::FirstEntry& first, const BoxView& boxes, std::size_t from, const std::uint64_t* kept,
@@ -39,7 +39,7 @@ void hand_over(const kernel::ShaftData& shaft, const BoxView& boxes, std::uint64
   for (;;) {
     kernel::FirstEntry both(shaft);
     both.offer(boxes.stream.data(), index, index);
-    if (other != Contact::none) both.offer(boxes.stream.data(), other, other);
+    if (other != ContactInView::none) both.offer(boxes.stream.data(), other, other);
     if (both.index() == other) return;
     if (best.compare_exchange_weak(other, index, std::memory_order_relaxed)) return;
   }
@@ -57,7 +57,7 @@ FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const Bo
                       offer(first, boxes, from, kept, words);
                       return !first.is_before_all_above(from + 64 * words);
                     });
-    return Contact{first.index(), first.time()};
+    return ContactInView{first.index(), first.time()};
   });
 }
 
@@ -67,7 +67,7 @@ void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& bo
   kernel::require_counts("contacts", contacts, shafts.size());
   const std::span<const kernel::ShaftData> data = kernel::data_of(shafts);
   for (std::size_t s = 0; s != data.size(); ++s) kernel::require_motion(data[s], s);
-  std::fill(contacts.begin(), contacts.end(), Contact());
+  std::fill(contacts.begin(), contacts.end(), ContactInView());
   const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const kernel::IndexRange block = tiling.block(b);
@@ -80,7 +80,7 @@ void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& bo
       const kernel::ShaftData& shaft = data[group.first + s];
       kernel::FirstEntry first(shaft);
       offer(first, boxes, block.first, kept + s * words, words);
-      if (first.index() != Contact::none) hand_over(shaft, boxes, first.index(), contacts[group.first + s].index);
+      if (first.index() != ContactInView::none) hand_over(shaft, boxes, first.index(), contacts[group.first + s].index);
     }
   });
   kernel::in_float_environment([&] {

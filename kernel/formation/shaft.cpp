@@ -49,6 +49,7 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
     if (options.order > PlaneOrder::by_added_volume) {
       throw InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume");
     }
+    if (options.contact > Contact::open) throw InvalidArgument("ShaftOptions::contact is neither closed nor open");
     for (std::size_t k = 0; k < 3; ++k) {
       box_.lo[k] = std::min(a.lo[k], b.lo[k]);
       box_.hi[k] = std::max(a.hi[k], b.hi[k]);

@@ -3,6 +3,7 @@
 
 #include "compiled/with_planes.hpp"
 #include "kernels/blocking/boxes.hpp"
+#include "kernels/boxes/contact.hpp"
 #include "kernels/boxes/inside_one_by_one.hpp"
 #include "kernels/boxes/outside_one_by_one.hpp"
 #include "kernels/boxes/planes.hpp"
@@ -80,14 +81,30 @@ struct BoxStages {
     finish(shaft, stream, count, kept);
   }
 
-  /// Clears the bits of boxes that are beyond an added plane.
+  /// Faces that a box may touch without being undecided, where contact is open: in slab form those that do not move,
+  /// as they put no bound on t.
+  static unsigned compared_faces(const ShaftData& shaft) noexcept {
+    if (keeps_touching_faces) return 0;
+    if constexpr (form == Form::planes) return shaft.contact == Contact::open ? all_faces : 0;
+    return shaft.still_faces;
+  }
+
+  /// Clears the bits of boxes that are beyond an added plane or, where contact is open, touch one of these faces.
   static void finish(const ShaftData& shaft, const float* const* stream, std::size_t count,
                      std::uint64_t* kept) noexcept {
-    if (shaft.added_count == 0) return;
-    run_on_survivors<L, streams>(stream, count, kept,
-                                 [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-                                   box_added_stage<L>(shaft, some, n, bits);
-                                 });
+    if (is_finished(shaft)) return;
+    run_on_survivors<L, streams>(
+        stream, count, kept,
+        [&](const float* const* some, std::size_t n, std::uint64_t* bits) { finish_words(shaft, some, n, bits); });
+  }
+  static bool is_finished(const ShaftData& shaft) noexcept {
+    return shaft.added_count == 0 && compared_faces(shaft) == 0;
+  }
+  static void finish_words(const ShaftData& shaft, const float* const* stream, std::size_t words,
+                           std::uint64_t* kept) noexcept {
+    if (const unsigned faces = compared_faces(shaft); faces != 0) [[unlikely]]
+      box_contact_stage<L>(shaft, faces, stream, words, kept);
+    if (shaft.added_count != 0) box_added_stage<L>(shaft, stream, words, kept);
   }
 
   /// Writes which boxes are inside: of those in `kept`, or of all if that is null.
@@ -192,12 +209,25 @@ struct UnboxedSphereStages {
   }
 };
 
+/// Writes which bounds are inside of those that are not outside, for callers who do not ask which these are.
+template <class Stages>
+[[gnu::noinline, gnu::cold]] void find_inside_of_kept(const ShaftData& shaft, const float* const* stream,
+                                                      std::size_t count, std::uint64_t* inside) noexcept {
+  std::uint64_t kept[block_words];
+  Stages::cull(shaft, stream, count, kept);
+  Stages::find_inside(shaft, stream, count, kept, inside);
+}
+
 /// Runs the `count` bounds of one block through the stages that the caller wants answers of.
 template <class Stages>
 void test_block(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
                 std::uint64_t* inside) noexcept {
   if (kept != nullptr) Stages::cull(shaft, stream, count, kept);
-  if (inside != nullptr) Stages::find_inside(shaft, stream, count, kept, inside);
+  if (inside == nullptr) return;
+  // With open contact, what lies in the shaft's surface is in the shaft, and outside.
+  if (kept == nullptr && shaft.contact == Contact::open) [[unlikely]]
+    return find_inside_of_kept<Stages>(shaft, stream, count, inside);
+  Stages::find_inside(shaft, stream, count, kept, inside);
 }
 
 /// The test of an instruction set, as Kernels has it.

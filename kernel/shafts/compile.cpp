@@ -1,3 +1,5 @@
+#include "compiled/answers.hpp"
+#include "compiled/contact.hpp"
 #include "compiled/joining_planes.hpp"
 #include "compiled/shaft_data.hpp"
 #include "dispatch/active_kernels.hpp"
@@ -8,6 +10,7 @@
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"
 #include "simd/scalar.hpp"
+#include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 
 namespace shaftcull {
@@ -51,6 +54,7 @@ CompiledShaft compile_formed(const Shaft& shaft) noexcept {
   compiled.answers_outside = shaft.options().outside;
   compiled.answers_inside = shaft.options().inside;
   compiled.answers_spheres = shaft.options().spheres;
+  kernel::apply_contact(compiled, shaft.options().contact);
   return formed;
 }
 
@@ -68,6 +72,24 @@ CompiledShaft compile(const Box& a, const Box& b) {
   }();
   if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
   return compiled;
+}
+
+CompiledShaft compile(const Box& a, const Box& b, Contact contact) {
+  kernel::require_contact(contact);
+  CompiledShaft compiled = compile(a, b);
+  kernel::in_float_environment([&] { kernel::apply_contact(kernel::data_of(compiled), contact); });
+  return compiled;
+}
+
+void set_contact(CompiledShaft& shaft, Contact contact) { set_contact(std::span(&shaft, 1), contact); }
+
+void set_contact(std::span<CompiledShaft> shafts, Contact contact) {
+  kernel::require_contact(contact);
+  kernel::require_memory("shafts", shafts, "shafts");
+  const std::span<kernel::ShaftData> data = kernel::data_of(shafts);
+  for (std::size_t s = 0; s != data.size(); ++s) kernel::require_contact_of_choice(data[s], s);
+  const kernel::FloatEnvironment environment;
+  for (kernel::ShaftData& shaft : data) kernel::apply_contact(shaft, contact);
 }
 
 }  // namespace shaftcull

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "compiled/contact.hpp"
 #include "compiled/shaft_data.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
@@ -99,15 +100,23 @@ void add_planes(const kernel::Kernels& kernels, const kernel::PlanesOfPairs& pla
   add(planes.b, box_b);
 }
 
+/// Of shafts that were formed with closed contact.
+void apply_contact(std::span<kernel::ShaftData> shafts, Contact contact) noexcept {
+  if (contact == Contact::closed) return;
+  for (kernel::ShaftData& shaft : shafts) kernel::apply_contact(shaft, contact);
+}
+
 }  // namespace
 
-void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes) {
+void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes,
+                   Contact contact) {
   if (a.count != b.count || a.count != out.size()) {
     throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
                           std::to_string(a.count) + ", " + std::to_string(b.count) + " and " +
                           std::to_string(out.size()));
   }
   require_memory(a, b, out, planes);
+  kernel::require_contact(contact);
   const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
   const kernel::PlanesOfPairs added(kernels, planes, a.count, b.count);
@@ -117,6 +126,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
   };
   if (added.empty()) {
     if (!kernels.compile_batch(a.stream.data(), b.stream.data(), a.count, data.data())) reject();
+    apply_contact(data, contact);
     return;
   }
   if (!kernels.all_finite(a.stream.data(), a.count) || !kernels.all_finite(b.stream.data(), b.count)) reject();
@@ -129,10 +139,11 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
     const auto position = [=](std::size_t i) { return first + i; };
     add_planes(kernels, added, some_a.stream.data(), some_b.stream.data(), shafts, position, position);
   }
+  apply_contact(data, contact);
 }
 
 void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs, std::span<CompiledShaft> out,
-                   const BatchPlanes& planes) {
+                   const BatchPlanes& planes, Contact contact) {
   if (pairs.size() != out.size()) {
     throw InvalidArgument("compile_batch needs as many pairs as shafts to write, not " + std::to_string(pairs.size()) +
                           " and " + std::to_string(out.size()));
@@ -140,6 +151,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair
   require_memory(a, b, out, planes);
   kernel::require_memory("pairs", pairs, "pairs");
   kernel::require_indices(pairs, a.count, b.count);
+  kernel::require_contact(contact);
   const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
   const kernel::PlanesOfPairs added(kernels, planes, a.count, b.count);
@@ -162,6 +174,7 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair
     add_planes(kernels, added, some_a.stream.data(), some_b.stream.data(), shafts, position(&IndexPair::a),
                position(&IndexPair::b));
   }
+  apply_contact(data, contact);
 }
 
 }  // namespace shaftcull

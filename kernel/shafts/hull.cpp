@@ -294,6 +294,8 @@ CompiledShaft referring_to(const HullData& hull) noexcept {
   data.joining_count = 0;
   data.added_count = 0;
   data.answers_outside = data.answers_inside = data.answers_spheres = true;
+  data.contact = Contact::closed;
+  data.still_faces = 0;
   return compiled;
 }
 

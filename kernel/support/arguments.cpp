@@ -28,6 +28,11 @@ void refuse_form(Form form) {
                         " is none of Form::fastest, Form::slab and Form::planes");
 }
 
+void refuse_contact(Contact contact) {
+  throw InvalidArgument("contact = " + std::to_string(static_cast<unsigned>(contact)) +
+                        " is neither Contact::closed nor Contact::open");
+}
+
 void refuse_words(const char* what, std::size_t size, std::size_t bounds) {
   throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
                         counted(bounds, "bound") + " take " + std::to_string(words_for(bounds)));

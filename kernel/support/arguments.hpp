@@ -21,6 +21,7 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_null(const char* what, std::size_t size, const char* noun);
 [[noreturn]] void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count);
 [[noreturn]] void refuse_form(Form form);
+[[noreturn]] void refuse_contact(Contact contact);
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
@@ -52,6 +53,11 @@ void require_view(const View& view) {
 inline void require_form(Form form) {
   if (form > Form::planes) [[unlikely]]
     refuse_form(form);
+}
+
+inline void require_contact(Contact contact) {
+  if (contact > Contact::open) [[unlikely]]
+    refuse_contact(contact);
 }
 
 /// The span called `what` holds exactly the answers of so many bounds.

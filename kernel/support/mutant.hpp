@@ -6,6 +6,7 @@ namespace shaftcull::kernel {
 #ifdef SHAFTCULL_MUTANT
 // Defined by the mutation tests alone: a library that is built like this by accident does not link.
 extern bool drops_exact_step;         // undecided lanes are answered "no": not outside, not inside
+extern bool keeps_touching_faces;     // with open contact too, boxes are kept that touch a face that is only compared
 extern float accept_margin_factor;    // on the margin of spheres that are accepted without the exact predicate
 extern float bound_margin_factor;     // on the margin of spheres that are culled without the exact predicate
 extern float radius_margin_factor;    // on what a sphere's radius adds to the margin of joining planes
@@ -15,6 +16,7 @@ extern float blocking_margin_factor;  // on the margin of boxes that block a sha
 extern float measured_error_factor;   // on the rounding errors that exact predicates measure
 #else
 inline constexpr bool drops_exact_step = false;
+inline constexpr bool keeps_touching_faces = false;
 inline constexpr float accept_margin_factor = 1.0F;
 inline constexpr float bound_margin_factor = 1.0F;
 inline constexpr float radius_margin_factor = 1.0F;

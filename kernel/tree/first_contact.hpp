@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "compiled/contact.hpp"
 #include "exact/entry_time.hpp"
 #include "kernels/table.hpp"
 #include "support/prefetch.hpp"
@@ -23,6 +24,7 @@ class FirstContactWalk {
       : parts_(parts),
         test_(kernels.listed_boxes),
         shaft_(shaft),
+        of_nodes_(shaft),
         exclusion_(exclusion),
         prefetches_(parts.is_worth_prefetching()),
         leaf_(parts.leaves.view().stream),
@@ -55,7 +57,7 @@ class FirstContactWalk {
     if (k == 0) return visit_leaves(word);
     const auto stream = parts_.node_words(k, 0, parts_.level[k].words()).stream;
     std::uint64_t kept = 0;
-    test_(shaft_, stream.data(), &word, 1, &kept, nullptr, 1);
+    test_(of_nodes_.shaft(), stream.data(), &word, 1, &kept, nullptr, 1);
     const std::uint32_t from = word * static_cast<std::uint32_t>(fanout);
     kept = exclusion_.nodes(k, from, kept);
     Node node[fanout];
@@ -100,6 +102,7 @@ class FirstContactWalk {
   const TreeParts<Box, Index>& parts_;
   TestListedWords* test_;
   const ShaftData& shaft_;
+  WithClosedContact of_nodes_;
   Exclusion<Index> exclusion_;
   bool prefetches_;
   std::array<const float*, 6> leaf_;

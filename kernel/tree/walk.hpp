@@ -12,7 +12,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "compiled/contact.hpp"
 #include "compiled/with_planes.hpp"
+#include "exact/predicates.hpp"
 #include "kernels/table.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
@@ -54,6 +56,7 @@ class Walk {
                                 (question == Question::kept &&
                                  outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest))),
         shaft_(with_planes_.shaft()),
+        of_nodes_(shaft_),
         tests_inside_(question != Question::blocking && shaft_.answers_inside && shaft_.has_planes()) {}
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
@@ -100,14 +103,15 @@ class Walk {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
     const auto nodes = parts_.node_words(k, 0, parts_.level[k].words());
-    test_nodes_(shaft_, nodes.stream.data(), word, words, kept, tests_inside_ ? inside : nullptr,
+    test_nodes_(of_nodes_.shaft(), nodes.stream.data(), word, words, kept, tests_inside_ ? inside : nullptr,
                 question_ == Question::kept ? many_kept : 1);
     std::uint32_t below[batch];
     std::size_t belows = 0;
     const std::uint64_t* const gaps = parts_.gap_words(k);
     for (std::size_t i = 0; i != words; ++i) {
-      const std::uint64_t whole = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
       const std::uint32_t first = word[i] * static_cast<std::uint32_t>(fanout);
+      std::uint64_t whole = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
+      if (whole != 0 && shaft_.contact == Contact::open) whole = touching_nothing(nodes, first, whole);
       std::uint64_t left = kept[i];
       if constexpr (picks_nodes) left = visitor_.nodes(k, first, left);
       for (; left != 0; left &= left - 1) {
@@ -133,6 +137,20 @@ class Walk {
     visit(k - 1, below, belows);
   }
 
+  /// Of the nodes from `first` on that are inside, those that do not touch the shaft's surface: flat leaves that lie in
+  /// it are outside of a shaft with open contact.
+  [[gnu::noinline, gnu::cold]] std::uint64_t touching_nothing(const BoxView& nodes, std::size_t first,
+                                                              std::uint64_t inside) const noexcept {
+    std::uint64_t strictly = 0;
+    for (; inside != 0; inside &= inside - 1) {
+      const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(inside));
+      const float node[6] = {nodes.stream[0][i], nodes.stream[1][i], nodes.stream[2][i],
+                             nodes.stream[3][i], nodes.stream[4][i], nodes.stream[5][i]};
+      if (box_strictly_inside(shaft_, node)) strictly |= inside & -inside;
+    }
+    return strictly;
+  }
+
   void visit_leaves(const std::uint32_t* word, std::size_t words) {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
@@ -154,6 +172,7 @@ class Walk {
   std::array<const float*, rows_of<Bound>> leaf_;
   WithPlanes with_planes_;
   const ShaftData& shaft_;
+  WithClosedContact of_nodes_;
   bool tests_inside_;
 };
 

@@ -58,10 +58,10 @@ void cull_listed_words(const ShaftData& shaft, const float* const* stream, const
     if (shaft.is_hull()) [[unlikely]]
       return cull_listed_by_hull<L>(*shaft.hull, stream, word, words, kept);
     box_slab_stage<L>(shaft, stream, words, kept, position);
-    if (shaft.added_count == 0) return;
+    if (Stages::is_finished(shaft)) return;
     run_on_listed_survivors<L, 6>(stream, word, words, kept,
                                   [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-                                    box_added_stage<L>(shaft, some, n, bits);
+                                    Stages::finish_words(shaft, some, n, bits);
                                   });
   } else if (Stages::needs_planes(shaft)) {
     for (std::size_t i = 0; i < words; ++i) {
