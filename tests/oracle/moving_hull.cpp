@@ -19,17 +19,18 @@ std::string source_text(float x) {
 
 std::string source_text(const MovingInput& input) {
   std::string planes;
+  const char* const contact = input.contact == Contact::open ? ", Contact::open)" : ")";
   for (const Plane& plane : input.added) {
     planes += ", {{" + source_text(plane.normal[0]) + ", " + source_text(plane.normal[1]) + ", " +
               source_text(plane.normal[2]) + "}, " + source_text(plane.offset) + "}";
   }
   if (input.is_shadow()) {
     return "shadow(" + source_text(input.light) + ", " + source_text(input.box) +
-           (input.is_endless() ? "" : ", " + source_text(input.reach)) + planes + ")";
+           (input.is_endless() ? "" : ", " + source_text(input.reach)) + planes + contact;
   }
   const Vec3& d = input.displacement;
   return std::string(input.is_endless() ? "swept_without_end(" : "swept(") + source_text(input.box) + ", {" +
-         source_text(d[0]) + ", " + source_text(d[1]) + ", " + source_text(d[2]) + "}" + planes + ")";
+         source_text(d[0]) + ", " + source_text(d[1]) + ", " + source_text(d[2]) + "}" + planes + contact;
 }
 
 namespace oracle {

@@ -23,6 +23,7 @@ struct MovingInput {
   Box light{};          ///< of an occluder
   float reach = 1;
   std::vector<Plane> added{};
+  Contact contact = Contact::closed;
 
   [[nodiscard]] bool is_shadow() const { return kind == Kind::shadow || kind == Kind::shadow_without_end; }
   [[nodiscard]] bool is_endless() const { return kind == Kind::swept_without_end || kind == Kind::shadow_without_end; }

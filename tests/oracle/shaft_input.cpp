@@ -28,7 +28,7 @@ std::string source_text(const ShaftInput& input) {
   for (const Plane& plane : input.added) {
     text += "Plane{" + source_text(plane.normal) + ", " + source_text(plane.offset) + "}, ";
   }
-  return text + "}}";
+  return text + (input.contact == Contact::open ? "}, Contact::open}" : "}}");
 }
 
 const char* text(Answer answer) {

@@ -6,6 +6,7 @@
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/shaft.hpp"
 
 namespace shaftcull {
 
@@ -14,6 +15,7 @@ struct ShaftInput {
   Box a;
   Box b;
   std::vector<Plane> added{};
+  Contact contact = Contact::closed;
 };
 
 /// C++ source text that makes the same values again, to the bit.

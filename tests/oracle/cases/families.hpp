@@ -144,6 +144,11 @@ inline constexpr Family families[] = {
      [](Random& random, const ShaftInput&, const oracle::QuickHull& hull) {
        return random.one_in(2) ? whole_sphere(random) : whole_touching_sphere(random, hull);
      }},
+    {"lattice", [](Random& random, unsigned) { return lattice_shaft(random); },
+     [](Random& random, const ShaftInput&) { return lattice_box(random, 4); },
+     [](Random& random, const ShaftInput&, const oracle::QuickHull&) {
+       return Sphere{{random.integer(-1, 5), random.integer(-1, 5), random.integer(-1, 5)}, random.integer(0, 2)};
+     }},
 };
 
 }  // namespace shaftcull

@@ -18,6 +18,22 @@ inline ShaftInput grid_shaft(Random& random, int size = 8) {
   return {random.grid_box(0, size), random.grid_box(0, size)};
 }
 
+/// A box with integer corners; half of its extents are 0.
+inline Box lattice_box(Random& random, int size = 3) {
+  Box box{};
+  for (std::size_t k = 0; k != 3; ++k) {
+    box.lo[k] = random.integer(0, size);
+    box.hi[k] = random.one_in(2) ? box.lo[k] : box.lo[k] + random.integer(1, 2);
+  }
+  return box;
+}
+
+/// A shaft between two of them: nearly all that is near it touches it.
+inline ShaftInput lattice_shaft(Random& random, int size = 3) {
+  const Box a = lattice_box(random, size);
+  return {a, lattice_box(random, size)};
+}
+
 /// A box that moves by whole steps of 2^exponent, on two of its axes by 3 k and 4 k steps: joining planes whose normals
 /// have a length of 5 k, so that spheres with whole centres and radii touch them. Its size may change, on any axis by
 /// up to two steps.
