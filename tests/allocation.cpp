@@ -31,6 +31,7 @@ class Allocation : public testing::Test {
       Shaft shaft(random.grid_box(-5, 5), random.grid_box(-5, 5));
       shaft.add_plane({{1, 2, 3}, 4});
       shafts_.push_back(compile(shaft));
+      if (s % 3 == 2) set_contact(shafts_.back(), Contact::open);
     }
   }
 
@@ -132,6 +133,10 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
               compile_batch(boxes.view().slice(0, 100), boxes.view().slice(100, 100), out, {.a = planes, .b = planes});
               compile_batch(boxes.view(), boxes.view(), pairs, out, {.a = planes_of_all});
               for (CompiledShaft& shaft : out) complete(shaft);
+              set_contact(out, Contact::open);
+              set_contact(out[0], Contact::closed);
+              out[1] = compile(boxes_[0], boxes_[1], Contact::open);
+              compile_batch(boxes.view(), boxes.view(), pairs, out, {}, Contact::open);
             }),
             0U);
 }

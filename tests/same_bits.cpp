@@ -26,6 +26,9 @@ constexpr std::uint64_t recorded = 2012080876133702002U;
 /// Likewise of shafts of moving boxes.
 constexpr std::uint64_t recorded_of_moving = 9822450572968547462U;
 constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
+/// Likewise with open contact.
+constexpr std::uint64_t recorded_of_open = 0U;
+constexpr std::uint64_t recorded_of_open_moving = 0U;
 
 constexpr std::size_t shafts = 600;
 constexpr std::size_t bounds = 131;  // two words and a rest
@@ -152,7 +155,7 @@ Box around_middle(Numbers& numbers, const Box& a, const Box& b) {
   return sorted(box.lo, box.hi);
 }
 
-std::uint64_t answers(Way way) {
+std::uint64_t answers(Way way, Contact contact = Contact::closed) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   Numbers numbers;
   Digest digest;
@@ -184,7 +187,8 @@ std::uint64_t answers(Way way) {
     boxes[s % bounds].hi[s % 3] = nan;
     spheres[s % bounds].centre[s % 3] = nan;
 
-    const CompiledShaft compiled = compile(shaft);
+    CompiledShaft compiled = compile(shaft);
+    set_contact(compiled, contact);
     if (way == Way::blocking) {
       for (Box& box : boxes) {
         if (numbers.below(2) == 0) box = around_middle(numbers, a, b);
@@ -210,7 +214,7 @@ CompiledShaft moving_shaft(int kind, const Box& a, const Box& b, const Vec3& way
                                       : compile(a, b);
 }
 
-std::uint64_t moving_answers(Way way) {
+std::uint64_t moving_answers(Way way, Contact contact = Contact::closed) {
   Numbers numbers;
   Digest digest;
   for (std::size_t s = 0; s != shafts; ++s) {
@@ -219,7 +223,8 @@ std::uint64_t moving_answers(Way way) {
     const Box a = box(numbers, number);
     const Box b = box(numbers, number);
     const int kind = numbers.below(4);
-    const CompiledShaft shaft = moving_shaft(kind, a, b, point(numbers, number));
+    CompiledShaft shaft = moving_shaft(kind, a, b, point(numbers, number));
+    set_contact(shaft, contact);
     std::vector<Box> boxes;
     std::vector<Sphere> spheres;
     for (std::size_t i = 0; i != bounds; ++i) {
@@ -240,6 +245,17 @@ TEST(SameBits, EveryBuildGivesTheAnswersOnRecordOfShaftsOfMovingBoxes) {
     EXPECT_EQ(moving_answers(Way::slab), recorded_of_moving) << name(isa) << ", slab form";
     EXPECT_EQ(moving_answers(Way::planes), recorded_of_moving) << name(isa) << ", plane form";
     EXPECT_EQ(moving_answers(Way::grid), recorded_of_moving) << name(isa) << ", on a grid";
+  }
+}
+
+TEST(SameBits, EveryBuildGivesTheAnswersOnRecordOfShaftsWithOpenContact) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const Way way : {Way::slab, Way::planes, Way::grid}) {
+      const char* const text = way == Way::slab ? ", slab form" : way == Way::planes ? ", plane form" : ", on a grid";
+      EXPECT_EQ(answers(way, Contact::open), recorded_of_open) << name(isa) << text;
+      EXPECT_EQ(moving_answers(way, Contact::open), recorded_of_open_moving) << name(isa) << text << ", moving boxes";
+    }
   }
 }
 

@@ -232,6 +232,30 @@ TEST_F(Arguments, NullInputsAreRefused) {
               HasSubstr("SphereRecords::centre is null"));
 }
 
+TEST_F(Arguments, AContactThatIsNoneIsRefused) {
+  const auto contact = static_cast<Contact>(2);
+  const auto names_it = AllOf(HasSubstr("contact = 2"), HasSubstr("Contact::open"));
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  const IndexPair pair{0, 0};
+  std::vector<CompiledShaft> out(1);
+  EXPECT_THAT(message_of([&] { (void)compile(box, box, contact); }), names_it);
+  EXPECT_THAT(
+      message_of([&] { compile_batch(boxes_.view().slice(0, 1), boxes_.view().slice(0, 1), out, {}, contact); }),
+      names_it);
+  EXPECT_THAT(message_of([&] { compile_batch(boxes_, boxes_, std::span(&pair, 1), out, {}, contact); }), names_it);
+  EXPECT_FALSE(out[0].formed()) << "written before the error was found";
+  std::vector<CompiledShaft> shafts = shafts_;
+  const Contact before = shafts[0].contact();
+  EXPECT_THAT(message_of([&] { set_contact(shafts, contact); }), names_it);
+  EXPECT_THAT(message_of([&] { set_contact(shafts[0], contact); }), names_it);
+  EXPECT_EQ(shafts[0].contact(), before);
+  EXPECT_THAT(message_of([&] { (void)Shaft(box, box, {.contact = contact}); }), HasSubstr("ShaftOptions::contact"));
+  EXPECT_THAT(message_of([&] {
+                set_contact(std::span<CompiledShaft>(static_cast<CompiledShaft*>(nullptr), 2), Contact::open);
+              }),
+              HasSubstr("shafts is null"));
+}
+
 TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
   const auto form = static_cast<Form>(3);
   const auto names_it = AllOf(HasSubstr("form = 3"), HasSubstr("Form::planes"));

@@ -57,8 +57,8 @@ class EveryCall {
 
   [[nodiscard]] const std::vector<PublicCall>& calls() const noexcept { return calls_; }
 
-  /// Shafts of all kinds: in slab form, with purple faces, with added planes, with and without their planes, and of
-  /// moving boxes.
+  /// Shafts of all kinds: in slab form, with purple faces, with added planes, with and without their planes, of moving
+  /// boxes, and with open contact.
   static std::vector<CompiledShaft> shafts(std::size_t count) {
     Random random(4712);
     std::vector<CompiledShaft> shafts(count);
@@ -78,6 +78,7 @@ class EveryCall {
         compile_batch(BoxStream(std::span(&shaft.a(), 1)).view(), BoxStream(std::span(&shaft.b(), 1)).view(),
                       std::span(&shafts[s], 1));
       }
+      if (s % 5 == 2) set_contact(shafts[s], Contact::open);
     }
     return shafts;
   }
@@ -192,6 +193,23 @@ class EveryCall {
       note_shaft(words, shaft, some);
       shadow_batch(lights.view(), bodies.view(), std::span(&pair, 1), 3.3F, out, {.b = std::span(&plane, 1)});
       note_shaft(words, shaft, some);
+    });
+    add("compile and compile_batch with open contact, set_contact", false, [this](AnswerWords& words) {
+      std::vector<CompiledShaft> out(3);
+      const IndexPair pairs[] = {{0, 1}, {1, 2}, {3, 3}};
+      const BoxView few = box_stream_.view().slice(0, 3);
+      const auto note_all = [&] {
+        for (const CompiledShaft& shaft : out) note_shaft(words, shaft, box_stream_.view().slice(0, 64));
+      };
+      compile_batch(few, box_stream_.view().slice(3, 3), out, {}, Contact::open);
+      note_all();
+      set_contact(out, Contact::closed);
+      note_all();
+      compile_batch(box_stream_, box_stream_, pairs, out, {}, Contact::open);
+      note_all();
+      out[0] = compile(boxes_[1], boxes_[2], Contact::open);
+      set_contact(out[1], Contact::closed);
+      note_all();
     });
     add("compile_batch, complete", false, [this](AnswerWords& words) {
       constexpr std::size_t pairs = 21;

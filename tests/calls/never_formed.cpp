@@ -34,6 +34,8 @@ TEST(NeverFormed, IsNamedByItsPositionAmongMany) {
   std::vector<std::uint64_t> kept(10, 7);
   EXPECT_THAT(message_of([&] { cull_many(shafts, boxes.view(), kept); }), HasSubstr("shaft 3 was never formed"));
   EXPECT_EQ(kept, std::vector<std::uint64_t>(10, 7)) << "written before the error was found";
+  EXPECT_THAT(message_of([&] { set_contact(shafts, Contact::open); }), HasSubstr("shaft 3 was never formed"));
+  EXPECT_EQ(shafts[0].contact(), Contact::closed) << "written before the error was found";
 }
 
 TEST(NeverFormed, IsWhatAnyMemoryBecomes) {

@@ -11,6 +11,7 @@
 #include "instruction_sets.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
+#include "oracle/open_contact.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/shaft.hpp"
 
@@ -26,7 +27,7 @@ Answer answer(const std::vector<std::uint64_t>& kept, const std::vector<std::uin
 }
 
 CompiledShaft compiled(const ShaftInput& input) {
-  Shaft shaft(input.a, input.b);
+  Shaft shaft(input.a, input.b, {.contact = input.contact});
   for (const Plane& plane : input.added) shaft.add_plane(plane);
   CompiledShaft result = compile(shaft);
   if (mutate != nullptr) mutate(result);
@@ -96,9 +97,15 @@ void expect_all(const ShaftInput& input, const std::vector<Bound>& bounds, const
 
 template <class Bound>
 void expect_oracle(const ShaftInput& input, const std::vector<Bound>& bounds) {
-  const oracle::Hull hull(input.a, input.b, input.added);
   std::vector<Answer> right;
-  for (const Bound& bound : bounds) right.push_back(hull.answer(bound));
+  const auto ask = [&](const auto& oracle) {
+    for (const Bound& bound : bounds) right.push_back(oracle.answer(bound));
+  };
+  if (input.contact == Contact::open) {
+    ask(oracle::OpenHull(input));
+  } else {
+    ask(oracle::Hull(input.a, input.b, input.added));
+  }
   expect_all(input, bounds, right);
 }
 

@@ -31,13 +31,16 @@ void expect_batch(const std::vector<Box>& a, const std::vector<Box>& b) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     std::vector<CompiledShaft> batch(a.size());
-    compile_batch(a_memory.view(), b_memory.view(), batch);
-    for (std::size_t i = 0; i != a.size(); ++i) {
-      SCOPED_TRACE(std::string(name(isa)) + ", pair " + std::to_string(i) + ": " + source_text(ShaftInput{a[i], b[i]}));
-      complete(batch[i]);
-      EXPECT_TRUE(batch[i].has_planes());
-      expect_equal(batch[i], compile(Shaft(a[i], b[i])));
-      if (testing::Test::HasFailure()) return;
+    for (const Contact contact : {Contact::closed, Contact::open}) {
+      compile_batch(a_memory.view(), b_memory.view(), batch, {}, contact);
+      for (std::size_t i = 0; i != a.size(); ++i) {
+        SCOPED_TRACE(std::string(name(isa)) + ", pair " + std::to_string(i) + ": " +
+                     source_text(ShaftInput{a[i], b[i], {}, contact}));
+        complete(batch[i]);
+        EXPECT_TRUE(batch[i].has_planes());
+        expect_equal(batch[i], compile(Shaft(a[i], b[i], {.contact = contact})));
+        if (testing::Test::HasFailure()) return;
+      }
     }
   }
 }

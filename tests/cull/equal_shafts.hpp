@@ -50,6 +50,8 @@ inline void expect_equal(const CompiledShaft& one, const CompiledShaft& other) {
   EXPECT_EQ(shaft.answers_outside, expected.answers_outside);
   EXPECT_EQ(shaft.answers_inside, expected.answers_inside);
   EXPECT_EQ(shaft.answers_spheres, expected.answers_spheres);
+  EXPECT_EQ(shaft.contact, expected.contact);
+  EXPECT_EQ(shaft.still_faces, expected.still_faces);
   EXPECT_EQ(bits(shaft.face), bits(expected.face));
   ASSERT_EQ(shaft.joining_count, expected.joining_count);
   const std::size_t planes = expected.joining_count;

@@ -19,8 +19,10 @@
 #include "flat/grid_group.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
+#include "oracle/cases/shafts.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/moving_hull.hpp"
+#include "oracle/open_contact.hpp"
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
@@ -38,6 +40,7 @@ CompiledShaft compiled(const MovingInput& input) {
                             ? swept_without_end(input.box, input.displacement, input.added)
                         : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
                                                      : shadow(input.light, input.box, input.added);
+  set_contact(shaft, input.contact);
   if (mutate != nullptr) mutate(shaft);
   return shaft;
 }
@@ -48,8 +51,8 @@ Answer answer_at(const std::vector<std::uint64_t>& kept, const std::vector<std::
 }
 
 /// Fails, with a reproducer for the first wrong one, unless all answers of all calls are the oracle's.
-template <class Bound>
-void expect_exact(const MovingInput& input, const oracle::MovingHull& hull, const std::vector<Bound>& bounds) {
+template <class Hull, class Bound>
+void expect_exact(const MovingInput& input, const Hull& hull, const std::vector<Bound>& bounds) {
   std::vector<Answer> right;
   for (const Bound& bound : bounds) right.push_back(hull.answer(bound));
   const auto memory = columns(bounds);
@@ -82,6 +85,20 @@ void expect_exact(const MovingInput& input, const oracle::MovingHull& hull, cons
     const GridAnswers on_grid = grid_answers(shaft, memory.view(), 0);
     check("grid", [&](std::size_t i) { return answer_at(on_grid.kept, on_grid.inside, i); });
   }
+}
+
+/// The same with open contact, for every third bound.
+void expect_exact_of_open(MovingInput input, const std::vector<Box>& boxes, const std::vector<Sphere>& spheres) {
+  input.contact = Contact::open;
+  const oracle::OpenHull hull(input);
+  const auto some = [](const auto& bounds) {
+    auto thirds = bounds;
+    thirds.clear();
+    for (std::size_t i = 0; i < bounds.size(); i += 3) thirds.push_back(bounds[i]);
+    return thirds;
+  };
+  expect_exact(input, hull, some(boxes));
+  expect_exact(input, hull, some(spheres));
 }
 
 /// Where the face of box(t) on axis k is, and t from 0 to `end`, roughly.
@@ -169,6 +186,7 @@ void check(std::uint64_t seed, std::size_t shafts, const MakeInput& input_of) {
       std::vector<Sphere> spheres;
       for (int k = 0; k != 24; ++k) spheres.push_back(nearby_sphere(random, input, hull));
       expect_exact(input, hull, spheres);
+      expect_exact_of_open(input, boxes, spheres);
     }
   }
 }
@@ -288,6 +306,40 @@ TEST(Kinds, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
         },
         vector);
   });
+}
+
+/// Nearly all bounds touch, and half of the extents are 0.
+TEST(Kinds, ShaftsWithOpenContactOnALatticeAnswerExactly) {
+  constexpr std::uint64_t seed = 8;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (std::size_t i = 0; i != random_cases(40); ++i) {
+    for (const Kind kind : kinds) {
+      if (HasFailure()) return;
+      MovingInput input = input_of(
+          random, kind, [&] { return lattice_box(random); },
+          [&] {
+            return Vec3{random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)};
+          });
+      input.reach = random.integer(1, 3);
+      input.contact = Contact::open;
+      if (random.one_in(3)) input.added.push_back(plane_through(random, input.box.lo, true));
+      const oracle::OpenHull hull(input);
+      std::vector<Box> boxes;
+      for (int k = 0; k != 64; ++k) {
+        boxes.push_back(lattice_box(random, 5));
+        const Vec3 by{random.integer(-3, 0), random.integer(-3, 0), random.integer(-3, 0)};
+        for (std::size_t axis = 0; axis != 3; ++axis) {
+          boxes.back().lo[axis] += by[axis];
+          boxes.back().hi[axis] += by[axis];
+        }
+      }
+      expect_exact(input, hull, boxes);
+      std::vector<Sphere> spheres;
+      for (int k = 0; k != 32; ++k) spheres.push_back({boxes[static_cast<std::size_t>(k)].lo, random.integer(0, 2)});
+      expect_exact(input, hull, spheres);
+    }
+  }
 }
 
 /// A body at rest and one that moves; boxes on either side.

@@ -22,6 +22,18 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 const std::vector<Vec3> tetrahedron = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
 
+TEST(HullInterface, OpenContactIsRefused) {
+  const ConvexHull hull(tetrahedron);
+  EXPECT_EQ(hull.compiled().contact(), Contact::closed);
+  std::vector<CompiledShaft> shafts = {compile({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}), hull.compiled()};
+  for (const Contact contact : {Contact::closed, Contact::open}) {
+    EXPECT_THAT(message_of([&] { set_contact(shafts, contact); }),
+                HasSubstr("shaft 1 is a convex hull, whose contact is closed"));
+    EXPECT_THAT(message_of([&] { set_contact(shafts[1], contact); }), HasSubstr("shaft 0 is a convex hull"));
+  }
+  EXPECT_EQ(shafts[0].contact(), Contact::closed) << "written before the error was found";
+}
+
 TEST(HullInterface, VerticesThatMakeNoHullAreRefused) {
   const auto refusal = [](const std::vector<Vec3>& points, const std::vector<Vec3>& directions) {
     return message_of([&] { const ConvexHull hull(points, directions); });

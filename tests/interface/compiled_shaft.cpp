@@ -67,6 +67,34 @@ TEST(CompiledShaft, HasPlanesFromAShaftAtOnceAndOtherwiseFromComplete) {
   EXPECT_FALSE(before.has_planes()) << "copies share nothing";
 }
 
+TEST(CompiledShaft, HasTheContactThatItWasGiven) {
+  std::array<CompiledShaft, 1> batch;
+  const BoxStream from(std::vector<Box>{lamp});
+  const BoxStream to(std::vector<Box>{table});
+  const IndexPair pair[] = {{0, 0}};
+  EXPECT_EQ(CompiledShaft().contact(), Contact::closed);
+  EXPECT_EQ(compile(lamp, table).contact(), Contact::closed);
+  EXPECT_EQ(compile(Shaft(lamp, table)).contact(), Contact::closed);
+  EXPECT_EQ(swept(lamp, {1, 2, 3}).contact(), Contact::closed);
+  EXPECT_EQ(compile(lamp, table, Contact::open).contact(), Contact::open);
+  EXPECT_EQ(compile(lamp, table, Contact::closed).contact(), Contact::closed);
+  EXPECT_EQ(compile(Shaft(lamp, table, {.contact = Contact::open})).contact(), Contact::open);
+  compile_batch(from.view(), to.view(), batch, {}, Contact::open);
+  EXPECT_EQ(batch[0].contact(), Contact::open);
+  compile_batch(from.view(), to.view(), batch);
+  EXPECT_EQ(batch[0].contact(), Contact::closed);
+  compile_batch(from.view(), to.view(), pair, batch, {}, Contact::open);
+  EXPECT_EQ(batch[0].contact(), Contact::open);
+  complete(batch[0]);
+  EXPECT_EQ(batch[0].contact(), Contact::open);
+  set_contact(batch, Contact::closed);
+  EXPECT_EQ(batch[0].contact(), Contact::closed);
+  CompiledShaft moved = swept(lamp, {1, 2, 3});
+  set_contact(moved, Contact::open);
+  EXPECT_EQ(moved.contact(), Contact::open);
+  EXPECT_TRUE(same_bits(moved.a(), lamp));
+}
+
 TEST(CompiledShaft, IsFormedForWhateverItAnswers) {
   EXPECT_TRUE(compile(Shaft(lamp, table, {.inside = false})).formed());
   EXPECT_TRUE(compile(Shaft(lamp, table, {.outside = false})).formed());

@@ -36,6 +36,7 @@ inline std::vector<CompiledShaft> random_shafts(std::uint64_t seed, std::size_t 
   std::vector<CompiledShaft> shafts;
   for (std::size_t s = 0; s != count; ++s) {
     shafts.push_back(compile(Shaft(random.box(-5, 5, 0.2F, 2.0F), random.box(-5, 5, 0.2F, 2.0F))));
+    if (s % 4 == 3) set_contact(shafts.back(), Contact::open);
   }
   return shafts;
 }

@@ -11,6 +11,7 @@ namespace shaftcull {
 namespace kernel {
 
 bool drops_exact_step = false;
+bool keeps_touching_faces = false;
 float accept_margin_factor = 1.0F;
 float bound_margin_factor = 1.0F;
 float radius_margin_factor = 1.0F;
@@ -38,6 +39,8 @@ void weaken_added(CompiledShaft& shaft) {
   }
 }
 
+void close(CompiledShaft& shaft) { set_contact(shaft, Contact::closed); }
+
 bool apply(std::string_view fault) {
   if (fault == "slab_margin") {
     mutate = weaken_slab;
@@ -63,6 +66,10 @@ bool apply(std::string_view fault) {
     kernel::measured_error_factor = weak;
   } else if (fault == "no_exact_step") {
     kernel::drops_exact_step = true;
+  } else if (fault == "no_face_contact") {
+    kernel::keeps_touching_faces = true;
+  } else if (fault == "closed_contact") {
+    mutate = close;
   } else if (fault != "none") {
     std::cerr << "SHAFTCULL_MUTANT=" << fault << " names no fault\n";
     std::exit(2);

@@ -30,15 +30,17 @@ enum class Shape : std::uint8_t {
   one_giant,
   grid,
   some_infinite,
-  some_empty
+  some_empty,
+  lattice
 };
 inline constexpr Shape shapes[] = {Shape::uniform,       Shape::clustered,  Shape::coincident, Shape::flat,
                                    Shape::line,          Shape::wild_sizes, Shape::one_giant,  Shape::grid,
-                                   Shape::some_infinite, Shape::some_empty};
+                                   Shape::some_infinite, Shape::some_empty, Shape::lattice};
 
 inline const char* text(Shape shape) {
-  static constexpr const char* names[] = {"uniform",    "clustered", "coincident", "flat",          "line",
-                                          "wild sizes", "one giant", "grid",       "some infinite", "some empty"};
+  static constexpr const char* names[] = {"uniform",       "clustered",  "coincident", "flat",
+                                          "line",          "wild sizes", "one giant",  "grid",
+                                          "some infinite", "some empty", "lattice"};
   return names[static_cast<std::size_t>(shape)];
 }
 
@@ -74,6 +76,10 @@ inline Blob blob(Random& random, Shape shape, std::size_t i) {
     }
     case Shape::one_giant:
       if (i == 17) blob.half = {1e6F, 1e30F, 40};
+      break;
+    case Shape::lattice:  // its bounds touch shafts between whole numbers, and half of their extents are 0
+      blob.centre = {random.integer(-5, 5), random.integer(-5, 5), random.integer(-5, 5)};
+      for (float& h : blob.half) h = random.integer(0, 1);
       break;
     case Shape::grid:
       blob = {{random.integer(-5, 5), random.integer(-5, 5), random.integer(-5, 5)}, {0.5F, 0.5F, 0.5F}};
@@ -118,7 +124,7 @@ std::vector<Bound> scene(Random& random, Shape shape, std::size_t count) {
   return bounds;
 }
 
-/// Shafts thin and thick, of all kinds that compile differently.
+/// Shafts thin and thick, of all kinds that compile differently; every third has open contact.
 inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) {
   std::vector<CompiledShaft> shafts;
   while (shafts.size() != count) {
@@ -163,6 +169,7 @@ inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) 
       compile_batch(as.view(), bs.view(), {&shafts.back(), 1});  // planes pending
     }
   }
+  for (std::size_t s = 1; s < count; s += 3) set_contact(shafts[s], Contact::open);
   return shafts;
 }
 
