@@ -12,6 +12,7 @@
 #include "oracle/entry_time.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
+#include "oracle/open_contact.hpp"
 #include "oracle/quick_hull.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/blocked.hpp"
@@ -29,6 +30,9 @@ constexpr unsigned second_opinion = 64;
 /// Of the trials with boxes, one in this many is asked for first contact: rationals work it out.
 constexpr unsigned contact_trials = 8;
 
+/// Of the trials, one in this many is about open contact: rationals work out all of its answers.
+constexpr unsigned open_trials = 32;
+
 /// Sebastiano Vigna's splitmix64: neighbouring numbers become unrelated seeds.
 constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   x += 0x9e3779b97f4a7c15;
@@ -39,6 +43,7 @@ constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
 
 Shaft formed(Random& random, const ShaftInput& input) {
   ShaftOptions options;
+  options.contact = input.contact;
   options.formation = static_cast<Formation>(random.below(3));
   options.order = static_cast<PlaneOrder>(random.below(3));
   Shaft shaft(input.a, input.b, options);
@@ -86,6 +91,7 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
   Random random(mixed(seed) ^ number);
   const Family& family = families[family_];
   input_ = family.shaft(random, static_cast<unsigned>(number / std::size(families) / 2));
+  if ((mixed(number) >> 40U) % open_trials == 0) input_.contact = Contact::open;
   shaft_ = compile(formed(random, input_));
   batched_ = input_.added.empty() && random.one_in(2);
 
@@ -96,10 +102,17 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
 
   const oracle::QuickHull quick(input_);
   std::optional<oracle::Hull> exact;
+  std::optional<oracle::OpenHull> open;
+  if (input_.contact == Contact::open) open.emplace(input_);
   const auto answer_by_oracle = [&](std::size_t i, const auto& bound) {
     const std::optional<Answer> proved = quick.answer(bound);
     Answer right{};
-    if (proved && !random.one_in(second_opinion)) {
+    if (open) {
+      right = open->answer(bound);
+      ++counts_.by_rationals;
+      if (proved && *proved == Answer::outside && right != Answer::outside)
+        fail(i, "oracles disagree: open contact keeps what closed contact does not");
+    } else if (proved && !random.one_in(second_opinion)) {
       right = *proved;
     } else {
       if (!exact) exact.emplace(input_.a, input_.b, input_.added);
@@ -273,6 +286,7 @@ void Trial::ask(std::span<Trial> trials) {
   const BoxStream to(b);
   std::vector<CompiledShaft> batch(trials.size());
   compile_batch(from.view(), to.view(), batch);
+  for (std::size_t i = 0; i != trials.size(); ++i) set_contact(batch[i], trials[i].input_.contact);
   for (std::size_t i = 0; i != trials.size(); ++i) {
     Trial& trial = trials[i];
     const auto ask_of = [&](const CompiledShaft& shaft, const char* how) {

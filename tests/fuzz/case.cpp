@@ -80,6 +80,7 @@ Case Case::read(std::span<const std::uint8_t> bytes) {
   it.options.outside = (options & 16U) == 0;
   it.options.inside = (options & 32U) == 0;
   it.options.spheres = (options & 64U) == 0;
+  it.options.contact = (options & open_contact) == 0 ? Contact::closed : Contact::open;
   const std::uint8_t shape = reader.byte();
   it.a = reader.box();
   it.b = reader.box();

@@ -15,7 +15,7 @@ namespace shaftcull::fuzz {
 ///
 /// | bytes   | meaning |
 /// |---------|---------|
-/// | 0       | formation (% 4), order (/ 4 % 4), bit 4: not outside, bit 5: not inside, bit 6: no spheres |
+/// | 0       | formation (% 4), order (/ 4 % 4), bits 4: not outside, 5: not inside, 6: no spheres, 7: open contact |
 /// | 1       | planes added (% 4); bit 2: sort corners of all boxes; bit 3: bounds derived from the shaft; bit 4: fill
 /// a word | | 2 … 49  | the shaft's two boxes: lo x y z, hi x y z of a, then of b; little-endian floats | | then    |
 /// 16 bytes for each added plane: normal x y z, offset | | the rest| bounds, six coordinates each: floats, or if
@@ -37,7 +37,10 @@ struct Case {
   static Case read(std::span<const std::uint8_t> bytes);
 };
 
-/// Bits of byte 1, to write inputs with.
+/// A bit of byte 0, to write inputs with.
+inline constexpr std::uint8_t open_contact = 128;
+
+/// Bits of byte 1, likewise.
 inline constexpr std::uint8_t sort_corners = 4;
 inline constexpr std::uint8_t derive_bounds = 8;
 inline constexpr std::uint8_t fill_word = 16;

@@ -13,6 +13,7 @@
 #include "oracle/blocking.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
+#include "oracle/open_contact.hpp"
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
@@ -49,7 +50,7 @@ bool is_specified(const Sphere& sphere) {
 }
 
 ShaftInput input(const Case& it) {
-  ShaftInput input{it.a, it.b};
+  ShaftInput input{it.a, it.b, {}, it.options.contact};
   for (const Plane& plane : it.planes) {
     if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) input.added.push_back(plane);
   }
@@ -67,7 +68,7 @@ auto unless_refused(const Call& call) -> std::optional<decltype(call())> {
 }
 
 [[noreturn]] void fail(const std::string& what, const Case& it) {
-  throw Fault(what + "\n  " + source_text(ShaftInput{it.a, it.b, it.planes}));
+  throw Fault(what + "\n  " + source_text(ShaftInput{it.a, it.b, it.planes, it.options.contact}));
 }
 
 /// The shaft, if it may be formed; a fault if it is refused without reason or accepted without right.
@@ -339,11 +340,12 @@ std::optional<CompiledShaft> batched(const Case& it) {
 void check_answers(const Case& it, std::optional<unsigned> draw) {
   const Isa before = active_isa();
   check_packing(it);
-  const std::optional<CompiledShaft> pending = batched(it);
+  std::optional<CompiledShaft> pending = batched(it);
   const std::optional<Shaft> shaft = formed(it);
   if (shaft) {
     const CompiledShaft compiled = compile(*shaft);
     if (!same_slab(compiled, *pending)) fail("compile() and compile_batch() differ", it);
+    set_contact(*pending, it.options.contact);
     const bool asks_the_same =
         it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
     const CompiledShaft* const batch = asks_the_same ? &*pending : nullptr;
@@ -356,12 +358,13 @@ void check_answers(const Case& it, std::optional<unsigned> draw) {
 void check_exact(const Case& it, std::size_t most_bounds) {
   if (!is_joinable(it.a) || !is_joinable(it.b)) return;
   const ShaftInput of = input(it);
-  Shaft shaft(of.a, of.b);
+  Shaft shaft(of.a, of.b, {.contact = of.contact});
   for (const Plane& plane : of.added) shaft.add_plane(plane);
   const CompiledShaft compiled = compile(shaft);
-  const oracle::Hull hull(of.a, of.b, of.added);
+  const oracle::Hull closed(of.a, of.b, of.added);
+  const oracle::OpenHull open(of);
   const auto check = [&](const auto& bound) {
-    const Answer right = hull.answer(bound);
+    const Answer right = of.contact == Contact::open ? open.answer(bound) : closed.answer(bound);
     const Answer answer = classify(compiled, bound);
     if (answer == right) return;
     fail(source_text(bound) + "\n  is " + shaftcull::text(right) + ", answered " + shaftcull::text(answer), it);

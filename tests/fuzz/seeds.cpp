@@ -67,12 +67,18 @@ void write_families(const std::filesystem::path& folder) {
     Seed boxes(input, options++ % 16, 0);
     Seed spheres(input, 0, 0);
     Seed derived(input, 0, fuzz::sort_corners | fuzz::derive_bounds);
+    Seed open(input, fuzz::open_contact, fuzz::sort_corners | fuzz::derive_bounds);
     for (int i = 0; i != 4; ++i) boxes.add(family.box(random, input));
     for (int i = 0; i != 6; ++i) spheres.add(family.sphere(random, input, hull));
-    for (int i = 0; i != 36; ++i) derived.add_byte(random.below(256));
+    for (int i = 0; i != 36; ++i) {
+      const unsigned byte = random.below(256);
+      derived.add_byte(byte);
+      open.add_byte(byte);
+    }
     boxes.write(folder, std::string(family.name) + "-boxes");
     spheres.write(folder, std::string(family.name) + "-spheres");
     derived.write(folder, std::string(family.name) + "-derived");
+    open.write(folder, std::string(family.name) + "-open");
   }
 }
 

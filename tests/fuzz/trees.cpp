@@ -53,7 +53,8 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
     return;
   }
   std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) +
-                        " differs from a flat scan\n  " + source_text(ShaftInput{it.a, it.b, it.planes});
+                        " differs from a flat scan\n  " +
+                        source_text(ShaftInput{it.a, it.b, it.planes, it.options.contact});
   for (const Bound& bound : bounds) message += "\n  " + source_text(bound);
   throw Fault(message);
 }
