@@ -32,6 +32,7 @@ struct CullOptions {
   std::string format = "text";
   bool tree = false;
   bool solid = false;
+  std::string contact = "closed";
   InstructionSet isa;
 };
 
@@ -144,8 +145,12 @@ std::vector<CullBound> bounds_of(const MeshScene& scene, Grain grain) {
   return bounds;
 }
 
-void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, PairResult& pair) {
-  const CompiledShaft shaft = compile(Shaft(pair.from.box, pair.to.box));
+CompiledShaft shaft_of(const PairResult& pair, Contact contact) {
+  return compile(Shaft(pair.from.box, pair.to.box, {.contact = contact}));
+}
+
+void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, Contact contact, PairResult& pair) {
+  const CompiledShaft shaft = shaft_of(pair, contact);
   std::vector<std::uint32_t> overlap(bounds.size());
   std::vector<std::uint32_t> inside(bounds.size());
   const KeptCounts counts = list_classified(shaft, bounds, std::span(overlap), std::span(inside));
@@ -162,8 +167,8 @@ void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, Pair
             [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
 }
 
-void find_candidates(std::span<const CullBound> all, const BoxStream& bounds, PairResult& pair) {
-  const CompiledShaft shaft = compile(Shaft(pair.from.box, pair.to.box));
+void find_candidates(std::span<const CullBound> all, const BoxStream& bounds, Contact contact, PairResult& pair) {
+  const CompiledShaft shaft = shaft_of(pair, contact);
   std::vector<std::uint64_t> kept(words_for(bounds.size()));
   std::vector<std::uint64_t> inside(kept.size());
   classify(shaft, bounds.view(), kept, inside);
@@ -194,14 +199,15 @@ void run(const CullOptions& options) {
   report.pairs = pairs_of(report.scene, options);
   report.grain = grain_of(options, report.pairs.front());
   report.bounds = bounds_of(report.scene, report.grain);
+  const Contact contact = options.contact == "open" ? Contact::open : Contact::closed;
   const MinMaxRecords records{&report.bounds.front().box.lo, &report.bounds.front().box.hi, sizeof(CullBound),
                               report.bounds.size()};
   if (options.tree) {
     const BoxTree tree(records);
-    for (PairResult& pair : report.pairs) find_candidates(report.bounds, tree, pair);
+    for (PairResult& pair : report.pairs) find_candidates(report.bounds, tree, contact, pair);
   } else {
     const BoxStream stream(records);
-    for (PairResult& pair : report.pairs) find_candidates(report.bounds, stream, pair);
+    for (PairResult& pair : report.pairs) find_candidates(report.bounds, stream, contact, pair);
   }
   if (options.solid) {
     for (PairResult& pair : report.pairs) find_blockers(report.bounds, pair);
@@ -245,6 +251,11 @@ void add_cull(CLI::App& program) {
                 "Put the bounds into a tree instead of scanning all of them: the same answers");
   cull.add_flag("--solid", options->solid,
                 "Take bounds for solid boxes, and say which of them block: hide all of one end from the other");
+  cull.add_option(
+          "--contact", options->contact,
+          "What becomes of bounds that only touch the shaft: closed keeps them, open does not (default: closed)")
+      ->check(CLI::IsMember({"closed", "open"}))
+      ->type_name("CONTACT");
   options->isa.add_option(cull);
   cull.footer(
       "The two ends themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"

@@ -94,6 +94,21 @@ TEST_F(CliCull, SaysWhatBlocksIfBoundsAreSolid) {
   EXPECT_THAT(csv.out, HasSubstr("0,left,right,middle,,blocks,3,-2,-2,7,2,2"));
 }
 
+TEST_F(CliCull, LeavesOutWhatOnlyTouchesIfContactIsOpen) {
+  const std::string shelf = folder_.write(
+      "shelf.obj", obj_of({{"left", 0, 0, 1}, {"right", 10, 0, 1}, {"between", 5, 0, 1}, {"below", 5, -2, 1}}));
+  for (const bool tree : {false, true}) {
+    std::vector<std::string> arguments = {"cull", shelf, "--from", "left", "--to", "right", "--contact", "closed"};
+    if (tree) arguments.push_back("--tree");
+    EXPECT_THAT(run_program(arguments).out, AllOf(HasSubstr("2 objects may lie between"), HasSubstr("below")));
+    arguments[7] = "open";
+    const Outcome open = run_program(arguments);
+    ASSERT_EQ(open.exit_code, 0) << open.error;
+    EXPECT_THAT(open.out, AllOf(HasSubstr("1 object may lie between"), HasSubstr("between"), Not(HasSubstr("below"))));
+  }
+  expect_one_line_and_exit_code_2(run_program({"cull", shelf, "--random", "2", "--contact", "half"}));
+}
+
 TEST_F(CliCull, ListsWhatLiesBetweenAsJson) {
   const Outcome outcome = cull({"--from", "left", "--to", "right", "--format", "json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
