@@ -92,6 +92,8 @@ void declare_form(Suite& suite, const Workload& workload);
 void declare_many(Suite& suite, const Workload& workload);
 /// kinds/…: shafts of moving boxes × many boxes
 void declare_kinds(Suite& suite, const Workload& workload);
+/// contact/…: open contact, against closed
+void declare_contact(Suite& suite, const Workload& workload);
 /// hull/…: convex hulls × many boxes
 void declare_hull(Suite& suite, const Workload& workload);
 /// outputs/…: counts and index lists instead of bits
