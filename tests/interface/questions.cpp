@@ -53,7 +53,8 @@ std::vector<Question> questions() {
           QUESTION(sc::frustum(matrix, depth)),
           QUESTION(sc::casters(view, light_position)),
           QUESTION(sc::casters_towards(view, towards_sun)),
-          QUESTION(sc::ConvexHull(corners_of_both))};
+          QUESTION(sc::ConvexHull(corners_of_both)),
+          QUESTION(sc::compile(patch, other_patch, sc::Contact::open))};
 }
 
 TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
@@ -63,6 +64,12 @@ TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
     EXPECT_TRUE(question.keeps(in_the_way)) << question.code;
     EXPECT_FALSE(question.keeps(beside)) << question.code;
   }
+}
+
+TEST(ReadmeQuestions, TheWallBehindAPatchIsLeftOutWithOpenContact) {
+  const sc::Box wall{{-9, -9, -1}, {9, 9, 0}};
+  EXPECT_TRUE(cull(sc::compile(patch, other_patch), wall));
+  EXPECT_FALSE(cull(sc::compile(patch, other_patch, sc::Contact::open), wall));
 }
 
 TEST(ReadmeQuestions, AWallHidesAPatch) {
