@@ -11,12 +11,13 @@ namespace shaftcull::kernel {
 /// In blocks with a larger share of survivors it is cheaper to run the stage on all bounds.
 inline constexpr unsigned dense_share = 4;  // one in four
 
+/// The most bounds that are collected of the largest block.
+inline constexpr unsigned most_survivors = most_block_words * word_bits / dense_share;
+
 /// Positions of the set bits of one block.
-template <class L>
+template <class L, unsigned most = most_survivors>
 class Positions {
  public:
-  static constexpr unsigned most = most_block_words * word_bits / dense_share;
-
   /// Of the bits of `words` words, of which at most `most` are set.
   Positions(const std::uint64_t* bits, std::size_t words) noexcept {
     // A branch a bit would be mispredicted once a word. Some positions a word are written whatever it holds, and more
@@ -53,11 +54,10 @@ class Positions {
   unsigned count_;
 };
 
-/// The survivors of one block, side by side.
-template <class L, unsigned streams>
+/// The survivors of one block, side by side: at most `most`.
+template <class L, unsigned streams, unsigned most = most_survivors>
 class Survivors {
  public:
-  static constexpr unsigned most = Positions<L>::most;
   static constexpr unsigned most_words = most / word_bits;
 
   /// Collects the bounds of `words` words whose bits in `kept` are set, at most `most`.
@@ -97,7 +97,7 @@ class Survivors {
     return here >= word_bits ? ~std::uint64_t{0} : (std::uint64_t{1} << here) - 1;
   }
 
-  Positions<L> position_;
+  Positions<L, most> position_;
   float bound_[streams][most];
   std::uint64_t bits_[most_words];
   const float* stream_[streams];
@@ -114,13 +114,13 @@ template <class L>
 
 /// Runs stage(stream, words, bits), which clears bits, on those of a block's `count` bounds whose bits are set. Bits
 /// behind the last bound are not.
-template <class L, unsigned streams, class Stage>
+template <class L, unsigned streams, unsigned most = most_survivors, class Stage>
 void run_on_survivors(const float* const* stream, std::size_t count, std::uint64_t* bits, Stage stage) noexcept {
   if (!are_sparse<L>(bits, words_of(count))) {
     constexpr float any[streams] = {};
     return in_whole_words<L>(stream, count, bits, any, stage);
   }
-  Survivors<L, streams> survivors(stream, words_of(count), bits);
+  Survivors<L, streams, most> survivors(stream, words_of(count), bits);
   if (survivors.words() == 0) return;
   stage(survivors.stream(), survivors.words(), survivors.bits());
   survivors.write_back(bits);
