@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shaftcull/streams.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull {
 
@@ -51,6 +52,26 @@ class SphereColumns {
 
  private:
   std::array<std::vector<float>, 4> column_;
+  std::size_t count_;
+};
+
+class TriangleColumns {
+ public:
+  explicit TriangleColumns(const std::vector<Triangle>& triangles) : count_(triangles.size()) {
+    for (std::vector<float>& column : column_) column.reserve(count_);
+    for (const Triangle& triangle : triangles) {
+      for (std::size_t s = 0; s != column_.size(); ++s) column_[s].push_back(triangle.vertex[s / 3][s % 3]);
+    }
+  }
+  [[nodiscard]] TriangleView view() const {
+    TriangleView view;
+    for (std::size_t s = 0; s != column_.size(); ++s) view.stream[s] = column_[s].data();
+    view.count = count_;
+    return view;
+  }
+
+ private:
+  std::array<std::vector<float>, 9> column_;
   std::size_t count_;
 };
 

@@ -22,4 +22,5 @@
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/triangles.hpp"
 #include "shaftcull/version.hpp"

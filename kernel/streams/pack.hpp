@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "shaftcull/streams.hpp"
+#include "shaftcull/triangles.hpp"
 #include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
@@ -16,5 +18,11 @@ void pack(const SphereView& spheres, std::size_t first, SphereStream& stream);
 void pack(const MinMaxRecords& records, std::size_t first, BoxStream& stream);
 void pack(const CentreExtentRecords& records, std::size_t first, BoxStream& stream);
 void pack(const SphereRecords& records, std::size_t first, SphereStream& stream);
+
+// Likewise for triangles, whose coordinates must be finite. InvalidArgument also for a mesh whose indices are not three
+// a triangle, or not below the number of vertices.
+void pack(std::span<const Triangle> triangles, std::size_t first, TriangleStream& stream);
+void pack(const TriangleView& triangles, std::size_t first, TriangleStream& stream);
+void pack(const MeshView& mesh, std::size_t first, TriangleStream& stream);
 
 }  // namespace shaftcull::kernel

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "shaftcull/streams.hpp"
+#include "shaftcull/triangles.hpp"
 #include "streams/access.hpp"
 #include "streams/pack.hpp"
 #include "support/arguments.hpp"
@@ -119,5 +120,47 @@ void SphereStream::update(std::size_t first, std::span<const Sphere> spheres) { 
 void SphereStream::update(std::size_t first, const SphereRecords& spheres) { kernel::pack(spheres, first, *this); }
 
 void SphereStream::update(std::size_t first, const SphereView& spheres) { kernel::pack(spheres, first, *this); }
+
+void TriangleStream::Free::operator()(float* rows) const noexcept { free_rows(rows); }
+
+TriangleStream::TriangleStream(NotWritten, std::size_t count)
+    : memory_(allocate_rows(9, count)), view_(view_in<TriangleView>(memory_.get(), count)) {
+  fill_from(*this, count, kernel::padding_triangle);
+}
+
+TriangleStream::TriangleStream(std::size_t count) : TriangleStream(NotWritten(), count) {
+  fill_from(*this, 0, kernel::padding_triangle);
+}
+
+TriangleStream::TriangleStream(std::span<const Triangle> triangles) : TriangleStream(NotWritten(), triangles.size()) {
+  update(0, triangles);
+}
+
+TriangleStream::TriangleStream(const TriangleView& triangles) : TriangleStream(NotWritten(), triangles.count) {
+  update(0, triangles);
+}
+
+TriangleStream::TriangleStream(const MeshView& mesh) : TriangleStream(NotWritten(), mesh.size()) { update(0, mesh); }
+
+TriangleStream::TriangleStream(const TriangleStream& other) : TriangleStream(NotWritten(), other.size()) {
+  std::copy_n(other.memory_.get(), memory_bytes() / sizeof(float), memory_.get());
+}
+
+TriangleStream::TriangleStream(TriangleStream&& other) noexcept
+    : memory_(std::move(other.memory_)), view_(std::exchange(other.view_, {})) {}
+
+TriangleStream& TriangleStream::operator=(TriangleStream other) noexcept {
+  memory_ = std::move(other.memory_);
+  view_ = std::exchange(other.view_, {});
+  return *this;
+}
+
+void TriangleStream::update(std::size_t first, std::span<const Triangle> triangles) {
+  kernel::pack(triangles, first, *this);
+}
+
+void TriangleStream::update(std::size_t first, const TriangleView& triangles) { kernel::pack(triangles, first, *this); }
+
+void TriangleStream::update(std::size_t first, const MeshView& mesh) { kernel::pack(mesh, first, *this); }
 
 }  // namespace shaftcull

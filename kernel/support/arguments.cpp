@@ -33,6 +33,11 @@ void refuse_contact(Contact contact) {
                         " is neither Contact::closed nor Contact::open");
 }
 
+void refuse_triangle_test(TriangleTest test) {
+  throw InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
+                        " is neither TriangleTest::vertices nor TriangleTest::exact");
+}
+
 void refuse_words(const char* what, std::size_t size, std::size_t bounds) {
   throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
                         counted(bounds, "bound") + " take " + std::to_string(words_for(bounds)));

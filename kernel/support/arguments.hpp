@@ -10,10 +10,11 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <type_traits>
+#include <tuple>
 
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
+#include "shaftcull/triangles.hpp"
 #include "support/overlap.hpp"
 
 namespace shaftcull::kernel {
@@ -22,6 +23,7 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count);
 [[noreturn]] void refuse_form(Form form);
 [[noreturn]] void refuse_contact(Contact contact);
+[[noreturn]] void refuse_triangle_test(TriangleTest test);
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
@@ -40,14 +42,25 @@ void require_memory(const char* what, std::span<T> span, const char* noun) {
     refuse_null(what, span.size(), noun);
 }
 
+/// What messages call the bounds of a view, by how many streams it has.
+template <class View>
+inline constexpr const char* bounds_noun = std::tuple_size_v<decltype(View::stream)> == 4   ? "spheres"
+                                           : std::tuple_size_v<decltype(View::stream)> == 6 ? "boxes"
+                                                                                            : "triangles";
+
 /// All streams of the view are there, and its count is one that memory can hold.
 template <class View>
 void require_view(const View& view) {
   bool null = false;
   for (const float* stream : view.stream) null |= stream == nullptr;
   if ((null && view.count != 0) || view.count > most_floats) [[unlikely]] {
-    refuse_view(std::is_same_v<View, SphereView> ? "spheres" : "boxes", view.stream, view.count);
+    refuse_view(bounds_noun<View>, view.stream, view.count);
   }
+}
+
+inline void require_triangle_test(TriangleTest test) {
+  if (test > TriangleTest::exact) [[unlikely]]
+    refuse_triangle_test(test);
 }
 
 inline void require_form(Form form) {

@@ -6,10 +6,14 @@
 namespace shaftcull::kernel {
 
 /// Padding is empty bounds: they are outside of every shaft, and floats alone decide so, without an exact step. In the
-/// order of the streams of BoxView and SphereView. Arrays, because kernels call no function of the standard library.
+/// order of the streams of BoxView, SphereView and TriangleView. Arrays, because kernels call no function of the
+/// standard library.
 inline constexpr float padding_box[6] = {__builtin_inff(),  __builtin_inff(),  __builtin_inff(),
                                          -__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
 inline constexpr float padding_sphere[4] = {0, 0, 0, -1};
+inline constexpr float padding_triangle[9] = {__builtin_nanf(""), __builtin_nanf(""), __builtin_nanf(""),
+                                              __builtin_nanf(""), __builtin_nanf(""), __builtin_nanf(""),
+                                              __builtin_nanf(""), __builtin_nanf(""), __builtin_nanf("")};
 
 inline constexpr Box empty_box{{padding_box[0], padding_box[1], padding_box[2]},
                                {padding_box[3], padding_box[4], padding_box[5]}};

@@ -1,0 +1,241 @@
+/// Triangles against shafts: singly, in streams, and in trees of chunks of neighbouring triangles.
+///
+/// A box around a slanted triangle sticks out of it, so that shafts keep more boxes of triangles than triangles. Here
+/// the triangles themselves are tested, in one of two ways (TriangleTest). *By vertices* costs little more than the box
+/// around a triangle, and pays where planes were added to a shaft: a triangle is beyond a plane if its vertices are.
+/// *Exact* says outside of every triangle that has no point in common with the shaft.
+///
+/// Answers of both are exact, the same bits on every instruction set. For all finite floats:
+///
+/// * `vertices`: outside iff the box around the three vertices is outside of the hull that the shaft was made of, as
+///   cull() of a box says without added planes, or all three vertices are beyond one added plane, n · v > d.
+/// * `exact`: outside iff the triangle, with its edges and interior, has no point in common with the shaft, added
+///   planes left out, or all three vertices are beyond one added plane. Touching is not outside.
+///
+/// Triangles may be degenerate: segments and points, with vertices repeated or in one line. Shafts may be flat, and of
+/// all kinds that boxes are tested with (kinds.hpp). A convex hull (hull.hpp) answers by vertices only. Contact is
+/// closed.
+///
+/// Values of a raw view are not checked. A coordinate that is NaN is left out of the box around the vertices; if all
+/// three of an axis are, the triangle is *empty*, and outside of every shaft. A vertex is not beyond an added plane
+/// that reads a coordinate of it that is not finite. A triangle with a coordinate that is not finite is answered by
+/// vertices even if the exact test is asked for.
+///
+/// Verbs are those of cull.hpp, many.hpp and query.hpp; so are floating-point modes and flags, stack, threads, tasks
+/// and memory that runs out. Calls of one shaft allocate nothing, and those of many that write bits or numbers nothing
+/// but task memory of oneTBB. Before anything is written, they throw InvalidArgument for a shaft that was never formed
+/// or was formed without the answer outside, for a hull that is asked for the exact test, by its position; for a null
+/// view or span, a size that does not fit, and a `test` that is none of TriangleTest.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/export.hpp"
+#include "shaftcull/index.hpp"
+#include "shaftcull/many.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+/// Three vertices. Which way round they are says nothing.
+struct Triangle {
+  std::array<Vec3, 3> vertex;
+  friend bool operator==(const Triangle&, const Triangle&) = default;
+};
+
+/// How triangles are tested, as said above.
+enum class TriangleTest : std::uint8_t { vertices, exact };
+
+/// `count` triangles in the user's memory as nine separate streams of floats: x, y, z of vertex 0, then of vertex 1,
+/// then of vertex 2. Any alignment of a float, any count from 0 up, nothing past `count` is read: as BoxView.
+struct TriangleView {
+  std::array<const float*, 9> stream{};
+  std::size_t count = 0;
+
+  /// The triangles [first, first + size); the caller keeps that range within `count`.
+  [[nodiscard]] TriangleView slice(std::size_t first, std::size_t size) const noexcept {
+    TriangleView part{stream, size};
+    for (const float*& s : part.stream) s += first;
+    return part;
+  }
+  /// i is below count; not checked.
+  [[nodiscard]] Triangle operator[](std::size_t i) const noexcept {
+    return {{{{stream[0][i], stream[1][i], stream[2][i]},
+              {stream[3][i], stream[4][i], stream[5][i]},
+              {stream[6][i], stream[7][i], stream[8][i]}}}};
+  }
+};
+
+/// An indexed mesh in the user's memory: vertex i has its three floats at byte `vertices + i * stride`, any stride, any
+/// alignment; triangle i has the vertices that indices 3 i, 3 i + 1 and 3 i + 2 name. A mesh is packed into a stream or
+/// a tree, which are what shafts are asked about.
+struct MeshView {
+  const void* vertices = nullptr;
+  std::size_t stride = sizeof(Vec3);  ///< bytes from one vertex to the next
+  std::size_t vertex_count = 0;
+  std::span<const std::uint32_t> indices{};
+
+  [[nodiscard]] std::size_t size() const noexcept { return indices.size() / 3; }
+};
+
+/// The mesh of an array of vertices.
+[[nodiscard]] inline MeshView mesh_view(std::span<const Vec3> vertices,
+                                        std::span<const std::uint32_t> indices) noexcept {
+  return {vertices.data(), sizeof(Vec3), vertices.size(), indices};
+}
+
+/// Triangles in memory of its own: nine streams, each aligned to a cache line; 36 bytes a triangle, and at most 63
+/// triangles of padding. Copies are deep, O(size()); moves are O(1) and leave an empty stream.
+///
+/// Constructors take O(count) and allocate once, nothing for a count of 0. They throw InvalidArgument for null memory
+/// of more than 0 triangles or vertices, for a number of indices that is not a multiple of three, and for an index that
+/// is not below the number of vertices; std::bad_alloc if memory runs out, and std::bad_array_new_length for a count
+/// that no memory can hold. Packing throws BadBound, with the position of the first bad triangle, for a coordinate that
+/// is not finite. Whatever is thrown leaves the stream unchanged. Const members are safe to call from many threads;
+/// update() of disjoint ranges too.
+class TriangleStream {
+ public:
+  TriangleStream() noexcept = default;
+  /// `count` empty triangles: all of NaN, which no shaft keeps.
+  explicit TriangleStream(std::size_t count);
+  explicit TriangleStream(std::span<const Triangle> triangles);
+  explicit TriangleStream(const TriangleView& triangles);
+  explicit TriangleStream(const MeshView& mesh);
+  TriangleStream(const TriangleStream& other);
+  TriangleStream(TriangleStream&& other) noexcept;
+  TriangleStream& operator=(TriangleStream other) noexcept;
+  ~TriangleStream() = default;
+
+  /// Replaces the triangles from `first` on, as many as are given, in place and without allocation; O(their count).
+  /// Throws InvalidArgument if that range does not lie within size(), if what is given is null or lies in the stream's
+  /// own memory, and as above.
+  void update(std::size_t first, std::span<const Triangle> triangles);
+  void update(std::size_t first, const TriangleView& triangles);
+  void update(std::size_t first, const MeshView& mesh);
+
+  [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
+  /// Bytes of triangles that the stream holds, padding included.
+  [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Triangle); }
+  /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
+  [[nodiscard]] TriangleView view() const noexcept { return view_; }
+  /// So that a stream goes where a view goes.
+  operator TriangleView() const noexcept { return view_; }  // NOLINT(google-explicit-constructor)
+  /// i is below size(); not checked.
+  [[nodiscard]] Triangle operator[](std::size_t i) const noexcept { return view_[i]; }
+
+ private:
+  friend struct StreamAccess;  // the library writes rows without a copy
+  struct NotWritten {};
+  struct Free {
+    void operator()(float* rows) const noexcept;
+  };
+
+  TriangleStream(NotWritten, std::size_t count);
+
+  std::unique_ptr<float[], Free> memory_;  // nine rows, one behind the other
+  TriangleView view_;                      // of these rows
+};
+
+/// Triangles in memory of its own, sorted so that neighbours in space are neighbours in memory, under a BoxTree of the
+/// boxes around each 32 of them, a *chunk*: dense meshes are passed over chunk by chunk. Answers equal those of a view.
+///
+/// Building sorts, O(n log n), in parallel, with some 80 bytes a triangle of memory on the way. The tree then holds 36
+/// bytes a triangle, 4 for its index, and less than one for boxes. It throws what TriangleStream throws, and
+/// InvalidArgument for 2³² triangles or more. Const members and queries are safe to call from many threads. Copies are
+/// deep; moves are O(1) and leave an empty tree.
+class TriangleTree {
+ public:
+  static constexpr std::size_t chunk_size = 32;
+
+  TriangleTree() noexcept;
+  explicit TriangleTree(std::span<const Triangle> triangles);
+  explicit TriangleTree(const TriangleView& triangles);
+  explicit TriangleTree(const MeshView& mesh);
+  TriangleTree(const TriangleTree& other);
+  TriangleTree& operator=(const TriangleTree& other);
+  TriangleTree(TriangleTree&& other) noexcept;
+  TriangleTree& operator=(TriangleTree&& other) noexcept;
+  ~TriangleTree();
+
+  [[nodiscard]] std::size_t size() const noexcept;
+  /// Bytes that the tree holds, padding included.
+  [[nodiscard]] std::size_t memory_bytes() const noexcept;
+  /// The triangles in tree order. Valid until the tree is assigned to, moved from or destroyed.
+  [[nodiscard]] TriangleView triangles() const noexcept;
+  /// order()[p] is the user's index of triangle p of these. Valid as triangles().
+  [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
+  /// The smallest box around all triangles; the empty box if there are none. O(1).
+  [[nodiscard]] Box box() const;
+
+ private:
+  friend struct TriangleTreeAccess;  // queries read the parts
+  struct Parts;
+  std::unique_ptr<Parts> parts_;  // null for a tree without triangles
+};
+
+// One shaft and a view. O(count).
+
+/// Sets bit i of `kept` iff triangle i is not outside; bits past the last one are zero. `kept` has exactly
+/// words_for(count of the view) words.
+void cull(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint64_t> kept,
+          TriangleTest test = TriangleTest::exact);
+/// How many triangles the shaft keeps.
+[[nodiscard]] std::size_t count(const CompiledShaft& shaft, const TriangleView& triangles,
+                                TriangleTest test = TriangleTest::exact);
+/// Whether the shaft keeps any. Looks at triangles from the first on, in chunks of 512 at first and of 16,384 at most,
+/// and stops after the first chunk of which one is kept.
+[[nodiscard]] bool any(const CompiledShaft& shaft, const TriangleView& triangles,
+                       TriangleTest test = TriangleTest::exact);
+/// Writes the indices of the triangles that the shaft keeps, ascending, and returns how many there are; results.hpp
+/// says what happens if they do not fit. Throws InvalidArgument if there are more triangles than 32-bit indices can
+/// tell apart.
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint32_t> kept,
+                               TriangleTest test = TriangleTest::exact);
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint64_t> kept,
+                               TriangleTest test = TriangleTest::exact);
+/// Whether the shaft keeps this one triangle. Some 100 ns.
+[[nodiscard]] bool cull(const CompiledShaft& shaft, const Triangle& triangle, TriangleTest test = TriangleTest::exact);
+
+// Many shafts and a view, in parallel, as in many.hpp.
+
+/// Row s of `kept_rows`, words_for(count of the view) words, gets what cull(shafts[s], …) gives.
+void cull_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, std::span<std::uint64_t> kept_rows,
+               TriangleTest test = TriangleTest::exact);
+/// kept_counts[s] becomes count(shafts[s], …). One count for each shaft.
+void count_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
+                std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
+/// Bit s of `any` is set iff shafts[s] keeps any triangle. `any` has words_for(shafts.size()) words.
+void any_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, std::span<std::uint64_t> any,
+              TriangleTest test = TriangleTest::exact);
+/// Lists what each shaft keeps, ascending. Reuses the memory of `lists`; if this throws, they are as they were or
+/// empty.
+template <BoundIndex Index>
+void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, IndexListsOf<Index>& lists,
+               TriangleTest test = TriangleTest::exact);
+
+// The same of a tree. Bits are by the user's index; lists are in tree order. Costs grow with what is found.
+
+void cull(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint64_t> kept,
+          TriangleTest test = TriangleTest::exact);
+[[nodiscard]] std::size_t count(const CompiledShaft& shaft, const TriangleTree& tree,
+                                TriangleTest test = TriangleTest::exact);
+/// Stops at the first chunk that holds a triangle which the shaft keeps.
+[[nodiscard]] bool any(const CompiledShaft& shaft, const TriangleTree& tree, TriangleTest test = TriangleTest::exact);
+[[nodiscard]] std::size_t list(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint32_t> kept,
+                               TriangleTest test = TriangleTest::exact);
+void cull_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, std::span<std::uint64_t> kept_rows,
+               TriangleTest test = TriangleTest::exact);
+void count_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, std::span<std::uint64_t> kept_counts,
+                TriangleTest test = TriangleTest::exact);
+void any_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, std::span<std::uint64_t> any,
+              TriangleTest test = TriangleTest::exact);
+void list_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, IndexLists& lists,
+               TriangleTest test = TriangleTest::exact);
+
+}  // namespace shaftcull
