@@ -30,6 +30,12 @@ void refuse_contact_of_hull(std::size_t position) {
       "a choice of contact");
 }
 
+void refuse_exact_test(std::size_t position) {
+  throw InvalidArgument("shaft " + std::to_string(position) +
+                        " is a convex hull, which triangles are compared with by " +
+                        "their vertices only; ask it with TriangleTest::vertices");
+}
+
 void refuse_hull(std::size_t position) {
   throw InvalidArgument("shaft " + std::to_string(position) +
                         " is a convex hull, in which nothing moves; shafts are asked when they reach a box");

@@ -220,6 +220,9 @@ struct Kernels {
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
   BlockingKernels blocking;
+  /// Triangles, in nine streams, as shaftcull/triangles.hpp says; `inside` is null. Not exactly for a hull.
+  Test* triangles_by_vertices;
+  Test* triangles_exactly;
   CompressIndices* compress_indices;
   KeepLayers* keep_layers;
   NodeBounds* node_bounds_of_boxes;

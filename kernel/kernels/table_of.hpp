@@ -23,6 +23,7 @@
 #include "kernels/tree/listed_words.hpp"
 #include "kernels/tree/node_bounds.hpp"
 #include "kernels/tree/partition.hpp"
+#include "kernels/triangles/stages.hpp"
 #include "shaftcull/cull.hpp"
 #include "support/padding.hpp"
 
@@ -339,6 +340,8 @@ inline constexpr Kernels kernels_for = {
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
+    .triangles_by_vertices = test_triangles_by_vertices<L>,
+    .triangles_exactly = test_triangles_exactly<L>,
     .compress_indices = compress_indices<L>,
     .keep_layers = keep_layers<L>,
     .node_bounds_of_boxes = node_bounds_of_boxes<L>,
