@@ -67,6 +67,10 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
   std::vector<std::uint32_t> listed(bound_count);
   const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 8.5F}, {-9, 9, 8}};
   const std::vector<std::uint32_t> few = {4, 1000};
+  std::vector<Triangle> corners_of_boxes;
+  for (const Box& box : boxes_) corners_of_boxes.push_back({{box.lo, {box.hi[0], box.lo[1], box.hi[2]}, box.hi}});
+  const TriangleStream triangles(corners_of_boxes);
+  const TriangleTree triangle_tree(triangles.view());
   std::vector<float> times(few.size());
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
@@ -87,6 +91,17 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                   (void)count(shaft, boxes.view());
                   (void)count_classified(shaft, spheres.view());
                   (void)any(shaft, spheres.view());
+                  for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
+                    cull(shaft, triangles.view(), kept, test);
+                    (void)cull(shaft, corners_of_boxes[0], test);
+                    (void)count(shaft, triangles.view(), test);
+                    (void)any(shaft, triangles.view(), test);
+                    (void)list(shaft, triangles.view(), listed, test);
+                    cull(shaft, triangle_tree, kept, test);
+                    (void)count(shaft, triangle_tree, test);
+                    (void)any(shaft, triangle_tree, test);
+                    (void)list(shaft, triangle_tree, listed, test);
+                  }
                   (void)blocked(shaft, boxes_[0]);
                   (void)blocked(shaft, boxes.view());
                   (void)blocked(shaft, corners);

@@ -417,6 +417,46 @@ TYPED_TEST(ListsOutOfMemory, ListsOfWhatBlocksAreAsTheyWereOrEmpty) {
   expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, tree, lists); });
 }
 
+std::vector<Triangle> random_triangles(std::uint64_t seed, std::size_t count) {
+  std::vector<Triangle> triangles;
+  for (const Box& box : random_boxes(seed, count)) {
+    triangles.push_back({{box.lo, Vec3{box.hi[0], box.lo[1], box.hi[2]}, box.hi}});
+  }
+  return triangles;
+}
+
+TEST(TrianglesOutOfMemory, StreamsAndTreesStayWhatTheyWere) {
+  const std::vector<Triangle> triangles = random_triangles(67, 100);
+  const std::vector<Triangle> more = random_triangles(68, 1000);
+  const TriangleStream others(more);
+  expect_kept_by<TriangleStream>(triangles, [&](TriangleStream& stream) { stream = others; });
+  expect_kept_by<TriangleStream>(triangles, [&](TriangleStream& stream) { stream = TriangleStream(more); });
+
+  const TriangleTree tree{std::span<const Triangle>(triangles)};
+  const TriangleTree other_tree{std::span<const Triangle>(more)};
+  const auto expect_unchanged_by = [&](const auto& change) {
+    EXPECT_GT(fail_each_allocation([&] { return tree; }, change,
+                                   [&](const TriangleTree& now) {
+                                     EXPECT_EQ(bounds_of(now.triangles()), bounds_of(tree.triangles()));
+                                     EXPECT_TRUE(std::equal(now.order().begin(), now.order().end(),
+                                                            tree.order().begin(), tree.order().end()));
+                                   }),
+              0U);
+  };
+  expect_unchanged_by([&](TriangleTree& now) { now = other_tree; });
+  expect_unchanged_by([&](TriangleTree& now) { now = TriangleTree(std::span<const Triangle>(more)); });
+}
+
+TEST(TrianglesOutOfMemory, ListsAreAsTheyWereOrEmpty) {
+  const std::vector<CompiledShaft> shafts = random_shafts(69, 70);
+  const std::vector<Triangle> triangles = random_triangles(70, 9000);
+  const TriangleColumns memory(triangles);
+  const TriangleTree tree{std::span<const Triangle>(triangles)};
+  const IndexLists before{{0, 1}, {5}};
+  expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, memory.view(), lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, tree, lists); });
+}
+
 /// Makes `call`, which hands answers to a callback, fail at every allocation: those that were handed out are the first
 /// ones of all, and the next call hands out all.
 template <class Call>

@@ -103,7 +103,37 @@ TEST_F(Arguments, ANullStreamIsRefusedByEveryCallAndNamed) {
   EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes, out); }), HasSubstr("boxes.stream[4] is null"));
 }
 
+TEST_F(Arguments, ANullStreamOfTrianglesIsRefusedByEveryCallAndNamed) {
+  const TriangleStream triangles{std::vector<Triangle>(count, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}})};
+  TriangleView view = triangles.view();
+  view.stream[5] = nullptr;
+  std::vector<std::uint32_t> kept(2);
+  std::vector<std::uint64_t> wide(2);
+  std::vector<std::uint64_t> counts(shafts_.size());
+  IndexLists lists;
+  std::vector<std::string> messages;
+  const auto ask = [&](const auto& call) { messages.push_back(message_of(call)); };
+  ask([&] { cull(shafts_[0], view, std::span(kept_).first(2)); });
+  ask([&] { (void)shaftcull::count(shafts_[0], view); });
+  ask([&] { (void)any(shafts_[0], view); });
+  ask([&] { (void)list(shafts_[0], view, kept); });
+  ask([&] { (void)list(shafts_[0], view, wide); });
+  ask([&] { cull_many(shafts_, view, kept_); });
+  ask([&] { count_many(shafts_, view, counts); });
+  ask([&] { any_many(shafts_, view, std::span(kept_).first(1)); });
+  ask([&] { list_many(shafts_, view, lists); });
+  ask([&] { TriangleStream{view}; });
+  ask([&] { TriangleTree{view}; });
+  for (const std::string& message : messages) {
+    EXPECT_THAT(message, AllOf(HasSubstr("triangles.stream[5] is null"), HasSubstr("70 floats")));
+  }
+  EXPECT_EQ(kept_, untouched_);
+}
+
 TEST_F(Arguments, NullStreamsOfAnEmptyViewAreLegal) {
+  cull(shafts_[0], TriangleView(), {});
+  cull_many(shafts_, TriangleView(), {});
+  EXPECT_EQ(TriangleTree(TriangleView()).size(), 0U);
   cull(shafts_[0], BoxView(), {});
   contained(shafts_[0], SphereView(), {});
   cull_many(shafts_, BoxView(), {});

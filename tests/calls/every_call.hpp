@@ -45,10 +45,18 @@ class EveryCall {
     }
     box_stream_ = BoxStream(boxes_);
     sphere_stream_ = SphereStream(spheres_);
+    for (std::size_t i = 0; i != bounds; ++i) {
+      const Box& box = boxes_[i];
+      triangles_.push_back({{box.lo, Vec3{box.hi[0], box.lo[1], box.hi[2]}, i % 4 == 0 ? box.lo : box.hi}});
+    }
+    triangle_stream_ = TriangleStream(triangles_);
+    triangle_tree_ = TriangleTree(triangle_stream_.view());
     box_tree_ = BoxTree(box_stream_.view());
     sphere_tree_ = SphereTree(sphere_stream_.view());
     form_calls();
     stream_calls();
+    triangle_calls(" in a view", triangle_stream_.view());
+    triangle_calls(" in a tree", triangle_tree_);
     view_calls<Box>(box_stream_, boxes_, box_tree_);
     view_calls<Sphere>(sphere_stream_, spheres_, sphere_tree_);
   }
@@ -251,6 +259,65 @@ class EveryCall {
       SphereStream stream(spheres_);
       stream.update(3, std::span<const Sphere>(spheres_).first(9));
       for (std::size_t i = 0; i < stream.size(); i += 5) note(words, stream[i]);
+    });
+  }
+
+  /// Of a view or of a tree that the caller keeps.
+  template <class Triangles>
+  void triangle_calls(const std::string& of, const Triangles& triangles) {
+    const std::size_t count = triangles_.size();
+    const auto ask = [&](std::string name, auto call) {
+      for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
+        add(name + of + (test == TriangleTest::exact ? ", exactly" : ", by vertices"), true,
+            [=, this, &triangles](AnswerWords& words) {
+              if constexpr (std::is_same_v<Triangles, TriangleView>) {
+                call(words, triangle_stream_.view(), test);
+              } else {
+                call(words, triangles, test);
+              }
+            });
+      }
+    };
+    ask("cull of triangles", [=, this](AnswerWords& words, const Triangles& all, TriangleTest test) {
+      std::vector<std::uint64_t> kept(words_for(count));
+      for (const CompiledShaft& shaft : shafts_) {
+        cull(shaft, all, kept, test);
+        note(words, kept);
+        note(words, cull(shaft, triangles_[1], test));
+      }
+    });
+    ask("count, any, list of triangles", [=, this](AnswerWords& words, const Triangles& all, TriangleTest test) {
+      std::vector<std::uint32_t> kept(count);
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, shaftcull::count(shaft, all, test));
+        note(words, any(shaft, all, test));
+        note(words, std::span(kept).first(list(shaft, all, kept, test)));
+      }
+    });
+    ask("cull_many, count_many, any_many of triangles",
+        [=, this](AnswerWords& words, const Triangles& all, TriangleTest test) {
+          std::vector<std::uint64_t> kept(shafts_.size() * words_for(count));
+          cull_many(shafts_, all, kept, test);
+          note(words, kept);
+          std::vector<std::uint64_t> counts(shafts_.size());
+          count_many(shafts_, all, counts, test);
+          note(words, counts);
+          std::vector<std::uint64_t> found(words_for(shafts_.size()));
+          any_many(shafts_, all, found, test);
+          note(words, found);
+        });
+    ask("list_many of triangles", [=, this](AnswerWords& words, const Triangles& all, TriangleTest test) {
+      IndexLists lists;
+      list_many(shafts_, all, lists, test);
+      note(words, lists.offsets);
+      note(words, lists.indices);
+    });
+    add("TriangleStream, TriangleTree" + of, false, [this](AnswerWords& words) {
+      TriangleStream stream(triangles_);
+      stream.update(3, std::span<const Triangle>(triangles_).first(9));
+      const TriangleTree tree(stream.view());
+      note(words, tree.order());
+      note(words, tree.box());
     });
   }
 
@@ -626,6 +693,9 @@ class EveryCall {
   std::vector<float> centres_;  ///< with half extents
   BoxStream box_stream_;
   SphereStream sphere_stream_;
+  std::vector<Triangle> triangles_;
+  TriangleStream triangle_stream_;
+  TriangleTree triangle_tree_;
   BoxTree box_tree_;
   SphereTree sphere_tree_;
   std::vector<PublicCall> calls_;

@@ -15,6 +15,7 @@
 #include "oracle/hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "oracle/shaft_input.hpp"
+#include "oracle/triangle.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
@@ -162,6 +163,7 @@ class Comparison {
       for (const Isa isa : isas()) {
         if (isa == Isa::scalar || is_drawn(isa)) require_exact_blocking(shaft, isa);
       }
+      run_on_triangles(shaft);
     }
     if (slab_.culled && (!draw_ || *draw_ % 4 == 0)) {
       for (const Isa isa : isas()) {
@@ -212,6 +214,44 @@ class Comparison {
     }
     const std::optional<std::size_t> first = blocked_by(shaft, memory_.view());
     if (first.has_value() == listed.empty() || (first && *first != listed[0])) fail("blocked_by() differs", it_);
+  }
+
+  /// Triangles made of the boxes' corners: the same bits on every set, and the exact ones where all is finite.
+  void run_on_triangles(const CompiledShaft& shaft) {
+    if (!slab_.culled) return;
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i != bounds_.size(); ++i) {
+      const Box& box = bounds_[i];
+      const Box& other = bounds_[(i + 1) % bounds_.size()];
+      triangles.push_back({{box.lo, Vec3{box.hi[0], box.lo[1], box.hi[2]}, i % 2 == 0 ? box.hi : other.lo}});
+    }
+    const TriangleColumns memory(triangles);
+    for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
+      std::optional<Words> scalar;
+      for (const Isa isa : isas()) {
+        if (isa != Isa::scalar && !is_drawn(isa)) continue;
+        select_isa(isa);
+        cull(shaft, memory.view(), kept_.unwritten(), test);
+        const Words kept = kept_.read();
+        if (!scalar) {
+          scalar = kept;
+          for (std::size_t i = 0; i != triangles.size(); ++i) require_exact_triangle(triangles[i], test, bit(kept, i));
+        }
+        if (kept != *scalar) fail("triangles on " + std::string(name(isa)) + " differ from scalar", it_);
+      }
+    }
+  }
+  void require_exact_triangle(const Triangle& triangle, TriangleTest test, bool is_kept) const {
+    for (const Vec3& vertex : triangle.vertex) {
+      if (!is_finite(vertex)) return;
+    }
+    if (draw_ && *draw_ % 8 != 0) return;  // rationals take long
+    std::vector<Plane> planes;
+    for (const Plane& plane : it_.planes) {
+      if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) planes.push_back(plane);
+    }
+    if (oracle::is_outside(ShaftInput{it_.a, it_.b, planes}, triangle, test) != is_kept) return;
+    fail("a triangle is answered wrongly: " + source_text(triangle), it_);
   }
 
   Words culled(const CompiledShaft& shaft, Form form) {

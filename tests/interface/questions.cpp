@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,9 +81,18 @@ TEST(ReadmeQuestions, AWallHidesAPatch) {
   EXPECT_FALSE(is_hidden(sc::BoxStream(walls)));
 }
 
+TEST(ReadmeQuestions, ATriangleIsInTheWayOrNot) {
+  const auto in_the_way = [](const std::vector<sc::Triangle>& triangles) {
+    return sc::any(sc::compile(patch, other_patch), sc::TriangleTree(std::span<const sc::Triangle>(triangles)));
+  };
+  EXPECT_TRUE(in_the_way({{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}}));
+  EXPECT_FALSE(in_the_way({{{{{2.2F, 0, 5}, {0, 2.2F, 5}, {2, 2, 6}}}}})) << "its box is in the way";
+}
+
 TEST(ReadmeQuestions, AreAskedAsTheReadmeSays) {
   std::ifstream file(SHAFTCULL_README);
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(readme.find("`sc::any(sc::compile(patch, other_patch), sc::TriangleTree(mesh))`"), std::string::npos);
   EXPECT_NE(readme.find("`sc::blocked(sc::compile(patch, other_patch), walls)`"), std::string::npos);
   for (const Question& question : questions()) {
     EXPECT_NE(readme.find("`" + std::string(question.code) + "`"), std::string::npos) << question.code;

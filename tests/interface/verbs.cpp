@@ -200,6 +200,27 @@ static_assert(AnswersAsATree<BoxTree> && GivesLists<BoxTree> && !GivesWideLists<
 static_assert(AnswersAsATree<SphereTree> && GivesLists<SphereTree>);
 static_assert(AnswersAsATree<BoundsTree<Box, std::uint64_t>> && GivesWideLists<BoundsTree<Box, std::uint64_t>>);
 
+/// Triangles are asked which are kept, by vertices or exactly.
+template <class Triangles>
+concept AnswersAsTriangles = requires(const Triangles& triangles, Given given) {
+  { cull(given.shaft, triangles, given.words) } -> std::same_as<void>;
+  { count(given.shaft, triangles) } -> std::same_as<std::size_t>;
+  { any(given.shaft, triangles) } -> std::same_as<bool>;
+  { list(given.shaft, triangles, given.indices) } -> std::same_as<std::size_t>;
+  { cull_many(given.shafts, triangles, given.words) } -> std::same_as<void>;
+  { count_many(given.shafts, triangles, given.words) } -> std::same_as<void>;
+  { any_many(given.shafts, triangles, given.words) } -> std::same_as<void>;
+  { list_many(given.shafts, triangles, given.lists) } -> std::same_as<void>;
+  cull(given.shaft, triangles, given.words, TriangleTest::vertices);
+  list_many(given.shafts, triangles, given.lists, TriangleTest::vertices);
+};
+static_assert(AnswersAsTriangles<TriangleView> && AnswersAsTriangles<TriangleStream>);
+static_assert(AnswersAsTriangles<TriangleTree>);
+static_assert(!TellsWhetherBlocked<TriangleView> && !CallsBackForTiles<TriangleView>);
+static_assert(std::constructible_from<TriangleStream, MeshView> && std::constructible_from<TriangleTree, MeshView>);
+static_assert(std::constructible_from<TriangleTree, TriangleStream> && !std::convertible_to<MeshView, TriangleTree>);
+static_assert(!std::constructible_from<BoxStream, TriangleView> && !std::constructible_from<BoxTree, TriangleView>);
+
 /// One bound at a time.
 template <class Bound>
 concept IsAnsweredAlone = requires(const Bound& bound, const CompiledShaft& shaft) {

@@ -18,6 +18,7 @@ float radius_margin_factor = 1.0F;
 float grid_slack_factor = 1.0F;
 float grid_limit_factor = 1.0F;
 float blocking_margin_factor = 1.0F;
+float triangle_margin_factor = 1.0F;
 float measured_error_factor = 1.0F;
 
 }  // namespace kernel
@@ -62,6 +63,9 @@ bool apply(std::string_view fault) {
     kernel::grid_limit_factor = weak;
   } else if (fault == "blocking_margin") {
     kernel::blocking_margin_factor = weak;
+  } else if (fault == "triangle_margin") {
+    kernel::triangle_margin_factor =
+        weak * weak;  // which is as many units as errors add up to, by far not the worst ones
   } else if (fault == "measured_error") {
     kernel::measured_error_factor = weak;
   } else if (fault == "no_exact_step") {

@@ -1,0 +1,232 @@
+/// Trees of triangles: they answer what a scan of the same triangles answers.
+#include "shaftcull/triangles.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "columns.hpp"
+#include "instruction_sets.hpp"
+#include "message_of.hpp"
+#include "oracle/cases/triangles.hpp"
+#include "sanitizers.hpp"
+#include "shaftcull/hull.hpp"
+#include "shaftcull/kinds.hpp"
+#include "shaftcull/tree.hpp"
+
+namespace shaftcull {
+namespace {
+
+constexpr TriangleTest tests[] = {TriangleTest::vertices, TriangleTest::exact};
+
+/// Triangles all over a scene, or those of a surface, next to each other.
+std::vector<Triangle> triangles_of(Random& random, std::size_t count) {
+  std::vector<Triangle> triangles;
+  if (random.one_in(2)) {
+    while (triangles.size() != count) triangles.push_back(grid_triangle(random, -9, 9));
+    return triangles;
+  }
+  const auto side = static_cast<std::size_t>(std::max(1.0F, std::sqrt(static_cast<float>(count) / 2)));
+  const auto at = [&](std::size_t i, std::size_t j) {
+    const float x = 20 * static_cast<float>(i) / static_cast<float>(side) - 10;
+    const float y = 20 * static_cast<float>(j) / static_cast<float>(side) - 10;
+    return Vec3{x, y, 0.03F * x * y - 0.02F * x * x};
+  };
+  for (std::size_t i = 0; triangles.size() < count; ++i) {
+    const std::size_t row = i / side;
+    triangles.push_back({{{at(row, i % side), at(row + 1, i % side), at(row, i % side + 1)}}});
+    if (triangles.size() == count) break;
+    triangles.push_back({{{at(row + 1, i % side), at(row + 1, i % side + 1), at(row, i % side + 1)}}});
+  }
+  std::vector<Triangle> shuffled;
+  for (std::size_t left = triangles.size(); left != 0; --left) {
+    std::swap(triangles[random.below(static_cast<unsigned>(left))], triangles[left - 1]);
+    shuffled.push_back(triangles[left - 1]);
+  }
+  return shuffled;
+}
+
+std::vector<CompiledShaft> shafts_for(Random& random) {
+  std::vector<CompiledShaft> shafts;
+  for (int s = 0; s != 10; ++s) {
+    shafts.push_back(compile(random.box(-8, 8, 0, 0.6F), random.box(-8, 8, 0, 0.6F)));
+    Shaft shaft(random.grid_box(-9, 9), random.grid_box(-9, 9));
+    if (random.one_in(2)) shaft.add_plane({{1, 2, 3}, 4});
+    shafts.push_back(compile(shaft));
+  }
+  shafts.push_back(swept_without_end(random.grid_box(-2, 2), {1, 0.25F, 0}));
+  shafts.push_back(compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-90, -99, -99}, {99, 99, 99}})));  // all is inside
+  return shafts;
+}
+
+template <class Index>
+std::vector<Index> sorted(std::vector<Index> indices) {
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+TEST(TriangleTree, AnswersWhatAScanAnswers) {
+  Random random(840);
+  std::size_t kept_in_all = 0;
+  for (const std::size_t count : {0U, 1U, 31U, 32U, 33U, 64U, 65U, 2047U, 2048U, 2049U, 4095U, 9000U, 70001U}) {
+    const std::vector<Triangle> triangles = triangles_of(random, count);
+    const TriangleColumns memory(triangles);
+    const TriangleTree tree{std::span<const Triangle>(triangles)};
+    ASSERT_EQ(tree.size(), count);
+    const std::vector<CompiledShaft> shafts = shafts_for(random);
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      for (const TriangleTest test : tests) {
+        SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(count) + " triangles");
+        std::vector<std::uint64_t> rows(shafts.size() * words_for(count), 0x5555);
+        cull_many(shafts, tree, rows, test);
+        std::vector<std::uint64_t> flat_rows(rows.size());
+        cull_many(shafts, memory.view(), flat_rows, test);
+        EXPECT_EQ(rows, flat_rows);
+        std::vector<std::uint64_t> counts(shafts.size(), 5);
+        count_many(shafts, tree, counts, test);
+        std::vector<std::uint64_t> any_bits(words_for(shafts.size()), 5);
+        any_many(shafts, tree, any_bits, test);
+        IndexLists lists;
+        list_many(shafts, tree, lists, test);
+        ASSERT_EQ(lists.size(), shafts.size());
+        for (std::size_t s = 0; s != shafts.size(); ++s) {
+          std::vector<std::uint32_t> expected(count);
+          expected.resize(list(shafts[s], memory.view(), expected, test));
+          kept_in_all += expected.size();
+          std::vector<std::uint32_t> listed(count);
+          listed.resize(list(shafts[s], tree, listed, test));
+          EXPECT_TRUE(std::equal(listed.begin(), listed.end(), lists[s].begin(), lists[s].end()));
+          EXPECT_EQ(sorted(listed), expected);
+          EXPECT_EQ(shaftcull::count(shafts[s], tree, test), expected.size());
+          EXPECT_EQ(counts[s], expected.size());
+          EXPECT_EQ(any(shafts[s], tree, test), !expected.empty());
+          EXPECT_EQ((any_bits[s / 64] >> s % 64 & 1) != 0, !expected.empty());
+          std::vector<std::uint64_t> kept(words_for(count), 0x5555);
+          cull(shafts[s], tree, kept, test);
+          EXPECT_TRUE(std::equal(kept.begin(), kept.end(), rows.begin() + static_cast<int>(s * kept.size())));
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept_in_all, 100000U);
+}
+
+TEST(TriangleTree, ListsAreInTreeOrder) {
+  Random random(841);
+  const TriangleTree tree{std::span<const Triangle>(triangles_of(random, 5000))};
+  std::vector<std::size_t> place(tree.size());
+  for (std::size_t p = 0; p != tree.size(); ++p) place[tree.order()[p]] = p;
+  for (const CompiledShaft& shaft : shafts_for(random)) {
+    std::vector<std::uint32_t> listed(tree.size());
+    listed.resize(list(shaft, tree, listed));
+    EXPECT_TRUE(std::is_sorted(listed.begin(), listed.end(), [&](auto i, auto j) { return place[i] < place[j]; }));
+  }
+}
+
+TEST(TriangleTree, HoldsEachTriangleOnceByItsIndex) {
+  Random random(842);
+  for (const std::size_t count : {1U, 40U, 777U, 12345U}) {
+    const std::vector<Triangle> triangles = triangles_of(random, count);
+    const TriangleTree tree{std::span<const Triangle>(triangles)};
+    std::vector<std::uint32_t> order(tree.order().begin(), tree.order().end());
+    ASSERT_EQ(order.size(), count);
+    for (std::size_t p = 0; p != count; ++p) EXPECT_EQ(tree.triangles()[p], triangles[order[p]]);
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    EXPECT_EQ(sorted(order), all);
+    Box around{triangles[0].vertex[0], triangles[0].vertex[0]};
+    for (const Triangle& triangle : triangles) {
+      for (const Vec3& vertex : triangle.vertex) {
+        for (std::size_t k = 0; k != 3; ++k) {
+          around.lo[k] = std::min(around.lo[k], vertex[k]);
+          around.hi[k] = std::max(around.hi[k], vertex[k]);
+        }
+      }
+    }
+    EXPECT_EQ(tree.box(), around);
+    EXPECT_GE(tree.memory_bytes(), count * (sizeof(Triangle) + sizeof(std::uint32_t)));
+  }
+}
+
+TEST(TriangleTree, AMeshIsTheTrianglesThatItsIndicesName) {
+  Random random(843);
+  struct Vertex {
+    float weight;
+    Vec3 at;
+  };
+  std::vector<Vertex> vertices;
+  for (int v = 0; v != 50; ++v) vertices.push_back({1, random.vec3(-5, 5)});
+  std::vector<std::uint32_t> indices;
+  std::vector<Triangle> triangles;
+  for (int i = 0; i != 300; ++i) {
+    Triangle triangle{};
+    for (Vec3& vertex : triangle.vertex) {
+      indices.push_back(random.below(50));
+      vertex = vertices[indices.back()].at;
+    }
+    triangles.push_back(triangle);
+  }
+  const MeshView mesh{&vertices[0].at, sizeof(Vertex), vertices.size(), indices};
+  const TriangleTree of_mesh(mesh);
+  const TriangleTree of_array{std::span<const Triangle>(triangles)};
+  const TriangleTree of_view(TriangleColumns(triangles).view());
+  for (const CompiledShaft& shaft : shafts_for(random)) {
+    std::vector<std::uint32_t> expected(triangles.size());
+    expected.resize(list(shaft, of_array, expected));
+    for (const TriangleTree* tree : {&of_mesh, &of_view}) {
+      std::vector<std::uint32_t> listed(triangles.size());
+      listed.resize(list(shaft, *tree, listed));
+      EXPECT_EQ(listed, expected);
+    }
+  }
+}
+
+TEST(TriangleTree, IsCopiedAndMovedAsAValue) {
+  Random random(844);
+  const TriangleTree tree{std::span<const Triangle>(triangles_of(random, 500))};
+  TriangleTree copy(tree);
+  TriangleTree moved(std::move(copy));
+  EXPECT_EQ(moved.size(), 500U);
+  copy = moved;
+  moved = TriangleTree();
+  EXPECT_EQ(moved.size(), 0U);
+  EXPECT_EQ(moved.triangles().count, 0U);
+  EXPECT_EQ(moved.memory_bytes(), 0U);
+  EXPECT_EQ(moved.box(), BoxTree().box());
+  for (const CompiledShaft& shaft : shafts_for(random)) {
+    EXPECT_EQ(count(shaft, copy), count(shaft, tree));
+    EXPECT_EQ(count(shaft, moved), 0U);
+    EXPECT_FALSE(any(shaft, moved));
+  }
+}
+
+TEST(TriangleTree, RefusesWhatItCannotUse) {
+  std::vector<Triangle> triangles(40, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  const TriangleTree tree{std::span<const Triangle>(triangles)};
+  triangles[33].vertex[2][1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(message_of<BadBound>([&] { (void)TriangleTree(std::span<const Triangle>(triangles)); }),
+              testing::HasSubstr("triangle 33: vertex 2 has y = nan; vertices must be finite"));
+  const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}});
+  EXPECT_EQ(count(hull, tree, TriangleTest::vertices), 40U);
+  EXPECT_THAT(message_of([&] { (void)count(hull, tree); }), testing::HasSubstr("shaft 0 is a convex hull"));
+  std::vector<std::uint64_t> kept(2, 7);
+  const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}});
+  EXPECT_THAT(message_of([&] { cull(shaft, tree, kept); }), testing::HasSubstr("kept has 2 words"));
+  EXPECT_THAT(message_of([&] { (void)any(CompiledShaft(), tree); }), testing::HasSubstr("never formed"));
+  EXPECT_THAT(message_of([&] { (void)any(shaft, tree, static_cast<TriangleTest>(2)); }),
+              testing::HasSubstr("test = 2 is neither"));
+  EXPECT_EQ(kept, std::vector<std::uint64_t>(2, 7));
+}
+
+}  // namespace
+}  // namespace shaftcull
