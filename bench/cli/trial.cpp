@@ -9,12 +9,14 @@
 
 #include "oracle/blocking.hpp"
 #include "oracle/cases/families.hpp"
+#include "oracle/cases/triangles.hpp"
 #include "oracle/entry_time.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "oracle/quick_hull.hpp"
 #include "oracle/random.hpp"
+#include "oracle/triangle.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
@@ -32,6 +34,9 @@ constexpr unsigned contact_trials = 8;
 
 /// Of the trials, one in this many is about open contact: rationals work out all of its answers.
 constexpr unsigned open_trials = 32;
+
+/// Likewise about triangles, for the same reason.
+constexpr unsigned triangle_trials = 16;
 
 /// Sebastiano Vigna's splitmix64: neighbouring numbers become unrelated seeds.
 constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
@@ -144,6 +149,7 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
     }
   }
   if (!spheres_ && random.one_in(contact_trials)) find_first_contact();
+  if (!spheres_ && random.one_in(triangle_trials)) find_triangles(random);
   counts_.bounds = count_;
   counts_.outside = count_ - population(kept_);
   counts_.inside = population(inside_);
@@ -167,6 +173,40 @@ SphereView Trial::sphere_view() const noexcept {
   for (std::size_t s = 0; s != 4; ++s) view.stream[s] = memory_.data() + start_[s];
   view.count = count_;
   return view;
+}
+
+void Trial::find_triangles(Random& random) {
+  for (std::vector<std::uint64_t>& kept : kept_triangles_) kept.resize(words_for(count_));
+  for (std::size_t i = 0; i != count_; ++i) {
+    triangles_.push_back(random.one_in(2) ? nearby_triangle(random, input_) : touching_triangle(random, input_));
+    for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
+      if (oracle::is_outside(input_, triangles_[i], test)) continue;
+      kept_triangles_[static_cast<std::size_t>(test)][i / 64] |= bit(i);
+    }
+  }
+}
+
+void Trial::ask_triangles(const CompiledShaft& shaft, const char* how) {
+  if (triangles_.empty()) return;
+  const TriangleStream stream{std::span<const Triangle>(triangles_)};
+  const TriangleTree tree(stream.view());
+  for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
+    const std::vector<std::uint64_t>& right = kept_triangles_[static_cast<std::size_t>(test)];
+    const auto compare_triangles = [&](const std::vector<std::uint64_t>& got, const char* of) {
+      for (std::size_t i = 0; i != count_; ++i) {
+        if (((got[i / 64] ^ right[i / 64]) & bit(i)) == 0) continue;
+        fail(i, fmt::format("cull of triangles of a {}, {}, {}, {}: bit {} instead of {} for {}", of, how,
+                            name(active_isa()), test == TriangleTest::exact ? "exact" : "by vertices",
+                            (got[i / 64] & bit(i)) != 0 ? 1 : 0, (right[i / 64] & bit(i)) != 0 ? 1 : 0,
+                            source_text(triangles_[i])));
+      }
+    };
+    std::vector<std::uint64_t> kept(right.size());
+    cull(shaft, stream.view(), kept, test);
+    compare_triangles(kept, "stream");
+    cull(shaft, tree, kept, test);
+    compare_triangles(kept, "tree");
+  }
 }
 
 void Trial::find_first_contact() {
@@ -295,6 +335,7 @@ void Trial::ask(std::span<Trial> trials) {
       } else {
         trial.ask(shaft, trial.boxes(), how);
         trial.ask_blocking(shaft, how);
+        trial.ask_triangles(shaft, how);
         trial.ask_first_contact(shaft, how);
       }
     };

@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull::cli {
 
@@ -58,6 +60,8 @@ class Trial {
   void count_undecided(const View& view);
   template <class What>
   void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const What& what);
+  void find_triangles(Random& random);
+  void ask_triangles(const CompiledShaft& shaft, const char* how);
   void find_first_contact();
   void ask_first_contact(const CompiledShaft& shaft, const char* how);
   void fail(std::size_t bound, const std::string& what);
@@ -76,6 +80,8 @@ class Trial {
   std::vector<std::uint64_t> inside_;
   std::vector<std::uint64_t> blocking_;
   std::optional<FirstContactOf<std::uint64_t>> first_;  ///< right, if it is asked for
+  std::vector<Triangle> triangles_;                     ///< if triangles are asked about: as many as bounds
+  std::vector<std::uint64_t> kept_triangles_[2];        ///< right, by TriangleTest
   std::vector<std::uint64_t> wrong_;
   TrialCounts counts_;
   std::vector<std::string> failures_;

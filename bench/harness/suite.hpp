@@ -100,6 +100,8 @@ void declare_hull(Suite& suite, const Workload& workload);
 void declare_outputs(Suite& suite, const Workload& workload);
 /// blocked/…: which solid boxes block shafts
 void declare_blocked(Suite& suite, const Workload& workload);
+/// triangles/…: triangles by vertices and exactly, and meshes
+void declare_triangles(Suite& suite, const Workload& workload);
 /// memory/…: one shaft × all bounds, and reading them
 void declare_memory(Suite& suite, const Workload& workload);
 /// small/…: one shaft × one word of bounds
