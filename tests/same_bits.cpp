@@ -17,6 +17,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull {
 namespace {
@@ -29,6 +30,8 @@ constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
 /// Likewise with open contact.
 constexpr std::uint64_t recorded_of_open = 0U;
 constexpr std::uint64_t recorded_of_open_moving = 0U;
+/// Of triangles, by vertices and exactly.
+constexpr std::uint64_t recorded_triangles[2] = {0, 0};
 
 constexpr std::size_t shafts = 600;
 constexpr std::size_t bounds = 131;  // two words and a rest
@@ -237,6 +240,46 @@ std::uint64_t moving_answers(Way way, Contact contact = Contact::closed) {
     add_answers(shaft, SphereColumns(spheres).view(), way, digest);
   }
   return digest.value();
+}
+
+std::uint64_t triangle_answers(TriangleTest test) {
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t s = 0; s != shafts; ++s) {
+    const bool is_wild = s % 5 == 4;
+    const Number number = is_wild ? &Numbers::any : s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+    const Box a = box(numbers, number);
+    const Box b = box(numbers, number);
+    CompiledShaft shaft = moving_shaft(numbers.below(4), a, b, point(numbers, number));
+    if (s % 3 == 0) {
+      Shaft with_plane(a, b);
+      with_plane.add_plane({{1, -2, 3}, numbers.grid()});
+      shaft = compile(with_plane);
+    }
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i != bounds; ++i) {
+      Triangle triangle{};
+      for (Vec3& vertex : triangle.vertex) {
+        const bool touches = !is_wild && numbers.below(3) == 0;
+        vertex = touches ? edge_point(numbers, shaft.a(), shaft.b()) : point(numbers, number);
+      }
+      if (numbers.below(8) == 0) triangle.vertex[2] = triangle.vertex[numbers.below(2) == 0 ? 0 : 1];
+      triangles.push_back(triangle);
+    }
+    triangles[s % bounds].vertex[s % 2][s % 3] = std::numeric_limits<float>::quiet_NaN();
+    std::vector<std::uint64_t> kept(words_for(bounds));
+    cull(shaft, TriangleColumns(triangles).view(), kept, test);
+    digest.add(kept);
+  }
+  return digest.value();
+}
+
+TEST(SameBits, EveryBuildAndInstructionSetGivesTheAnswersOnRecordOfTriangles) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(triangle_answers(TriangleTest::vertices), recorded_triangles[0]) << name(isa) << ", by vertices";
+    EXPECT_EQ(triangle_answers(TriangleTest::exact), recorded_triangles[1]) << name(isa) << ", exactly";
+  }
 }
 
 TEST(SameBits, EveryBuildGivesTheAnswersOnRecordOfShaftsOfMovingBoxes) {

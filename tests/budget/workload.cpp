@@ -119,6 +119,17 @@ void run() {
     count("tree_list", shafts, [&] { list_many(compiled, tree, lists); });
   });
 
+  std::vector<Triangle> corners;
+  for (std::size_t i = 0; i != bounds; ++i) {
+    const Box box = boxes[i];
+    corners.push_back({{box.lo, Vec3{box.hi[0], box.hi[1], box.lo[2]}, Vec3{box.lo[0], box.hi[1], box.hi[2]}}});
+  }
+  const TriangleStream triangles(corners);
+  for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
+    count(test == TriangleTest::exact ? "triangles_exact" : "triangles_vertices", tests,
+          [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, triangles.view(), kept, test); }); });
+  }
+
   BoxStream packed(leaves);
   SphereStream packed_spheres(leaves);
   std::vector<Sphere> sphere_records;
