@@ -13,8 +13,12 @@
 ///   planes left out, or all three vertices are beyond one added plane. Touching is not outside.
 ///
 /// Triangles may be degenerate: segments and points, with vertices repeated or in one line. Shafts may be flat, and of
-/// all kinds that boxes are tested with (kinds.hpp). A convex hull (hull.hpp) answers by vertices only. Contact is
-/// closed.
+/// all kinds that boxes are tested with (kinds.hpp). A convex hull (hull.hpp) answers by vertices only.
+///
+/// Of a shaft with open contact (set_contact() in compiled.hpp) a triangle is outside that only touches it: by
+/// `vertices` if the box around it is, and by `exact` if the relative interiors of shaft and triangle have no point in
+/// common; by both if no vertex is on the inner side of one added plane, off the plane. The relative interior of a
+/// triangle leaves out its edges; if it is degenerate, that of a segment its ends, and that of a point is the point.
 ///
 /// Values of a raw view are not checked. A coordinate that is NaN is left out of the box around the vertices; if all
 /// three of an axis are, the triangle is *empty*, and outside of every shaft. A vertex is not beyond an added plane

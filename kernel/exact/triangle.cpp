@@ -6,6 +6,7 @@
 
 #include "compiled/moving_faces.hpp"
 #include "exact/added.hpp"
+#include "exact/contact.hpp"
 #include "exact/expansion.hpp"
 #include "exact/measured.hpp"
 #include "exact/orientation.hpp"
@@ -75,7 +76,8 @@ template <std::size_t N>
 }
 
 /// A direction along which box and triangle may be apart, and how far the box reaches over the near end of the triangle
-/// there: the *gap*, linear in t, which is 0 or more where they are not apart.
+/// there: the *gap*, linear in t, which is 0 or more where they are not apart. With open contact it must be more, but
+/// where both are flat in that direction: then they are in one plane where it is 0.
 struct TriangleGap {
   enum class Kind : std::uint8_t { of_box, of_normal, of_edge };
   Kind kind;
@@ -84,12 +86,14 @@ struct TriangleGap {
   int sign;              ///< of the direction
   std::uint8_t face[3];  ///< of the box, farthest in the direction: one an axis
   std::uint8_t vertex;   ///< of the triangle, nearest in it
+  bool are_both_flat;    ///< in it
 };
 
 /// All gaps of a triangle and a shaft.
 class TriangleGaps {
  public:
-  TriangleGaps(const ShaftData& shaft, const float (&triangle)[9]) noexcept : faces_(shaft), x_(triangle) {
+  TriangleGaps(const ShaftData& shaft, const float (&triangle)[9]) noexcept
+      : faces_(shaft), x_(triangle), flat_axes_(flat_axes(faces_)), contact_(shaft.contact) {
     for (std::uint8_t k = 0; k < 3; ++k) add_of_box(k);
     int turn[3];
     for (unsigned k = 0; k < 3; ++k) {
@@ -98,18 +102,22 @@ class TriangleGaps {
       turn[k] = determinant_sign(edge(0, i), edge(0, j), edge(1, i), edge(1, j));
     }
     if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) {
+      bool is_flat = true;
+      for (unsigned k = 0; k < 3; ++k) is_flat = is_flat && (turn[k] == 0 || is_flat_on(k));
       for (const int sign : {1, -1}) {
-        TriangleGap& gap = add(TriangleGap::Kind::of_normal, 0, sign, 0);
+        TriangleGap& gap = add(TriangleGap::Kind::of_normal, 0, sign, 0, is_flat);
         for (std::uint8_t k = 0; k < 3; ++k) gap.face[k] = static_cast<std::uint8_t>(sign * turn[k] > 0 ? k + 3 : k);
       }
     }
     for (std::uint8_t k = 0; k < 3; ++k) {
-      for (std::uint8_t e = 0; e < 3; ++e) add_of_edge(k, e, turn[k] < 0 ? -1 : 1);
+      for (std::uint8_t e = 0; e < 3; ++e) add_of_edge(k, e, turn[k]);
     }
   }
 
-  /// Whether no t has all gaps 0 or more.
+  /// Whether no t has all gaps as they must be. With open contact the ends of t do not count.
   [[nodiscard]] bool are_contradictory() const noexcept {
+    const bool is_open = contact_ == Contact::open;
+    const int least_at_end = is_open ? 1 : 0;
     unsigned rising[most_gaps];
     unsigned falling[most_gaps];
     unsigned risings = 0;
@@ -118,10 +126,11 @@ class TriangleGaps {
       const int slope = sign_of([&]<class Number>() { return this->slope<Number>(gap_[g]); });
       if (slope > 0) {
         rising[risings++] = g;
-        if (!faces_.is_endless() && sign_at_end(gap_[g]) < 0) return true;
+        if (!faces_.is_endless() && sign_at_end(gap_[g]) < least_at_end) return true;
       } else {
         if (slope < 0) falling[fallings++] = g;
-        if (sign_of([&]<class Number>() { return this->start<Number>(gap_[g]); }) < 0) return true;
+        const int least = slope == 0 && gap_[g].are_both_flat ? 0 : least_at_end;
+        if (sign_of([&]<class Number>() { return this->start<Number>(gap_[g]); }) < least) return true;
       }
     }
     for (unsigned r = 0; r < risings; ++r) {
@@ -138,12 +147,16 @@ class TriangleGaps {
   /// Coordinate k of the way from vertex e to the next one.
   [[nodiscard]] Step edge(unsigned e, unsigned k) const noexcept { return {x_[3 * ((e + 1) % 3) + k], x_[3 * e + k]}; }
 
-  TriangleGap& add(TriangleGap::Kind kind, unsigned axis, int sign, unsigned vertex) noexcept {
+  /// Whether all boxes on the way are flat on axis k.
+  [[nodiscard]] bool is_flat_on(unsigned k) const noexcept { return (flat_axes_ >> k & 1U) != 0; }
+
+  TriangleGap& add(TriangleGap::Kind kind, unsigned axis, int sign, unsigned vertex, bool are_both_flat) noexcept {
     TriangleGap& gap = gap_[count_++];
     gap.kind = kind;
     gap.axis = static_cast<std::uint8_t>(axis);
     gap.sign = sign;
     gap.vertex = static_cast<std::uint8_t>(vertex);
+    gap.are_both_flat = are_both_flat;
     return gap;
   }
 
@@ -154,13 +167,15 @@ class TriangleGaps {
       if (x_[3 * v + k] < x_[3 * least + k]) least = v;
       if (x_[3 * v + k] > x_[3 * most + k]) most = v;
     }
-    add(TriangleGap::Kind::of_box, k, 1, least).face[k] = static_cast<std::uint8_t>(k + 3);
-    add(TriangleGap::Kind::of_box, k, -1, most).face[k] = k;
+    const bool are_flat = is_flat_on(k) && x_[3 * least + k] == x_[3 * most + k];
+    add(TriangleGap::Kind::of_box, k, 1, least, are_flat).face[k] = static_cast<std::uint8_t>(k + 3);
+    add(TriangleGap::Kind::of_box, k, -1, most, are_flat).face[k] = k;
   }
 
-  /// The direction that points inwards from edge e, projected along axis k, if the projection turns as `turn` says.
-  /// Where it is a segment any turn will do: its edges point both ways.
-  void add_of_edge(std::uint8_t k, std::uint8_t e, int turn) noexcept {
+  /// The direction that points inwards from edge e, projected along axis k, if the projection turns as `turn_of_axis`
+  /// says. Where it is a segment, 0, any turn will do: its edges point both ways.
+  void add_of_edge(std::uint8_t k, std::uint8_t e, int turn_of_axis) noexcept {
+    const int turn = turn_of_axis < 0 ? -1 : 1;
     const auto i = static_cast<std::uint8_t>((k + 1) % 3);
     const auto j = static_cast<std::uint8_t>((k + 2) % 3);
     const auto sign_of_step = [](const Step& step) {
@@ -169,7 +184,8 @@ class TriangleGaps {
     const int on_i = -turn * sign_of_step(edge(e, j));
     const int on_j = turn * sign_of_step(edge(e, i));
     if (on_i == 0 && on_j == 0) return;
-    TriangleGap& gap = add(TriangleGap::Kind::of_edge, k, turn, e);
+    const bool are_flat = turn_of_axis == 0 && (on_i == 0 || is_flat_on(i)) && (on_j == 0 || is_flat_on(j));
+    TriangleGap& gap = add(TriangleGap::Kind::of_edge, k, turn, e, are_flat);
     gap.edge = e;
     gap.face[i] = static_cast<std::uint8_t>(on_i > 0 ? i + 3 : i);
     gap.face[j] = static_cast<std::uint8_t>(on_j > 0 ? j + 3 : j);
@@ -233,19 +249,21 @@ class TriangleGaps {
     return {sum.sign()};
   }
 
-  /// Whether one gap, which rises, is 0 or more only later than the other, which falls.
+  /// Whether one gap, which rises, is as it must be only later than the other, which falls.
   [[nodiscard]] bool exclude_each_other(const TriangleGap& rising, const TriangleGap& falling) const noexcept {
-    // Both sides of the triangle's plane, or of a box: where t can be one of both is 0 or more.
+    // Both sides of the triangle's plane, or of a box: between its ends t can be where both are as they must be.
     if (rising.kind == falling.kind && rising.axis == falling.axis && rising.kind != TriangleGap::Kind::of_edge)
       return false;
-    return sign_of([&]<class Number>() {
-             if constexpr (requires(Number number) { number.size(); }) {
-               return exact_order(rising, falling);
-             } else {
-               return this->start<Number>(rising) * this->slope<Number>(falling) -
-                      this->start<Number>(falling) * this->slope<Number>(rising);
-             }
-           }) > 0;
+    const int order = sign_of([&]<class Number>() {
+      if constexpr (requires(Number number) { number.size(); }) {
+        return exact_order(rising, falling);
+      } else {
+        return this->start<Number>(rising) * this->slope<Number>(falling) -
+               this->start<Number>(falling) * this->slope<Number>(rising);
+      }
+    });
+    const bool may_be_at_once = contact_ == Contact::closed || (rising.are_both_flat && falling.are_both_flat);
+    return may_be_at_once ? order > 0 : order >= 0;
   }
   [[nodiscard, gnu::noinline]] KnownSign exact_order(const TriangleGap& rising,
                                                      const TriangleGap& falling) const noexcept {
@@ -257,6 +275,8 @@ class TriangleGaps {
 
   MovingFaces faces_;
   const float (&x_)[9];
+  unsigned flat_axes_;
+  Contact contact_;
   TriangleGap gap_[most_gaps];
   unsigned count_ = 0;
 };
@@ -271,6 +291,7 @@ bool triangle_misses(const ShaftData& shaft, const float (&triangle)[9]) noexcep
 }
 
 bool triangle_beyond_plane(const ShaftData& shaft, const float (&triangle)[9]) noexcept {
+  const int least = shaft.contact == Contact::open ? 0 : 1;
   for (unsigned i = 0; i < shaft.added_count; ++i) {
     bool is_beyond = true;
     for (unsigned v = 0; v < 3 && is_beyond; ++v) {
@@ -279,7 +300,7 @@ bool triangle_beyond_plane(const ShaftData& shaft, const float (&triangle)[9]) n
         point[k] = triangle[3 * v + k];
         is_beyond = is_beyond && (shaft.added[i].normal[k] == 0 || std::isfinite(point[k]));
       }
-      is_beyond = is_beyond && added_side<Expansion<7>>(shaft, i, point).sign() > 0;
+      is_beyond = is_beyond && added_side<Expansion<7>>(shaft, i, point).sign() >= least;
     }
     if (is_beyond) return true;
   }

@@ -103,6 +103,8 @@ void build(TriangleParts& parts, const TriangleStream& triangles) {
 template <class Take>
 class TriangleVisitor {
  public:
+  static constexpr bool looks_into_leaves = true;
+
   TriangleVisitor(const TriangleParts& parts, const kernel::ShaftData& shaft, kernel::Test* keep,
                   const Take& take) noexcept
       : parts_(parts), shaft_(shaft), keep_(keep), take_(take) {}

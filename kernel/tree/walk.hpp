@@ -40,6 +40,7 @@ enum class Question : std::uint8_t { kept, kept_and_inside, inside, blocking };
 ///
 ///     visitor.is_done()                  says that it has seen enough: the walk ends there
 ///     visitor.nodes(k, first, kept)      of a word of entries of level k, those that it wants to see below of
+///     visitor.looks_into_leaves          true if leaves are boxes around what it looks for: tested as nodes are
 template <class Bound, class Visitor>
 class Walk {
  public:
@@ -72,6 +73,7 @@ class Walk {
  private:
   static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
   static constexpr bool picks_nodes = requires(const Visitor& visitor) { visitor.nodes(1, 0, 0); };
+  static constexpr bool looks_into_leaves = requires { Visitor::looks_into_leaves; };
 
   /// Words tested at once: of leaves they fill the first-level cache and not much of the second. A walk that may end
   /// early tests few: those tested in vain cost more than a call of the kernel for each.
@@ -155,7 +157,8 @@ class Walk {
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
     const bool both = asks_for_inside(question_);
-    test_leaves_(shaft_, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
+    const ShaftData& shaft = looks_into_leaves ? of_nodes_.shaft() : shaft_;
+    test_leaves_(shaft, leaf_.data(), word, words, kept, both ? inside : nullptr, 1);
     for (std::size_t i = 0; i != words; ++i) {
       if (kept[i] == 0) continue;
       visitor_.word(std::size_t{word[i]} * fanout, kept[i], both ? inside[i] : 0);

@@ -44,7 +44,7 @@ Bits kept_of(const CompiledShaft& shaft, const TriangleView& triangles, Triangle
 }
 
 CompiledShaft compiled(const ShaftInput& input) {
-  Shaft shaft(input.a, input.b);
+  Shaft shaft(input.a, input.b, {.contact = input.contact});
   for (const Plane& plane : input.added) shaft.add_plane(plane);
   CompiledShaft result = compile(shaft);
   if (mutate != nullptr) mutate(result);
@@ -52,10 +52,20 @@ CompiledShaft compiled(const ShaftInput& input) {
 }
 CompiledShaft compiled(const MovingInput& input) {
   using Kind = MovingInput::Kind;
-  return input.kind == Kind::swept               ? swept(input.box, input.displacement, input.added)
-         : input.kind == Kind::swept_without_end ? swept_without_end(input.box, input.displacement, input.added)
-         : input.kind == Kind::shadow            ? shadow(input.light, input.box, input.reach, input.added)
-                                                 : shadow(input.light, input.box, input.added);
+  CompiledShaft result = input.kind == Kind::swept ? swept(input.box, input.displacement, input.added)
+                         : input.kind == Kind::swept_without_end
+                             ? swept_without_end(input.box, input.displacement, input.added)
+                         : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
+                                                      : shadow(input.light, input.box, input.added);
+  set_contact(result, input.contact);
+  if (mutate != nullptr) mutate(result);
+  return result;
+}
+
+template <class Input>
+Input opened(Input input) {
+  input.contact = Contact::open;
+  return input;
 }
 
 /// How many triangles some tests said something of.
@@ -278,6 +288,61 @@ TEST(Triangles, ShaftsOfMovingBoxesAreAnsweredExactly) {
           });
     }
   }
+}
+
+TEST(Triangles, WhatOnlyTouchesOpenShaftsIsAnsweredExactly) {
+  const auto on_lattice = [](Random& random, const ShaftInput&) { return grid_triangle(random, -1, 5); };
+  check(
+      830, 40, 50, 1000, [](Random& random) { return opened(lattice_shaft(random)); }, on_lattice);
+  check(
+      831, 20, 50, 1000, [](Random& random) { return opened(with_planes(random, lattice_shaft(random), true)); },
+      on_lattice);
+  check(
+      832, 20, 50, 1000, [](Random& random) { return opened(random_shaft(random)); }, touching_triangle);
+  for (const Family& family : families) {
+    SCOPED_TRACE(family.name);
+    unsigned index = 0;
+    check(
+        833, 2, 1000, 10000, [&](Random& random) { return opened(family.shaft(random, index++ * 61)); },
+        touching_triangle);
+  }
+}
+
+TEST(Triangles, WhatOnlyTouchesOpenShaftsOfMovingBoxesIsAnsweredExactly) {
+  using Kind = MovingInput::Kind;
+  for (const Kind kind : {Kind::swept, Kind::swept_without_end, Kind::shadow, Kind::shadow_without_end}) {
+    check(
+        834, 15, 50, 1000,
+        [&](Random& random) {
+          MovingInput input = opened(moving_input(random, kind, true));
+          for (std::size_t k = 0; k != 3; ++k) {
+            if (random.one_in(3)) input.box.hi[k] = input.box.lo[k];
+          }
+          return input;
+        },
+        [](Random& random, const MovingInput&) { return grid_triangle(random, -2, 6); });
+  }
+}
+
+TEST(Triangles, ThoseOfAPatchesOwnWallAreOutsideOfAnOpenShaft) {
+  // From a patch of the floor z = 0 to one of the wall x = 4.
+  CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 0}}, Box{{4, 0, 1}, {4, 1, 2}});
+  const Triangle floor{{{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}}};
+  const Triangle wall{{{{4, -9, -9}, {4, 9, -9}, {4, 0, 9}}}};
+  const Triangle across{{{{2, -9, -9}, {2, 9, -9}, {2, 0, 9}}}};
+  for (const TriangleTest test : tests) {
+    set_contact(shaft, Contact::closed);
+    for (const Triangle& triangle : {floor, wall, across}) EXPECT_TRUE(cull(shaft, triangle, test));
+    set_contact(shaft, Contact::open);
+    EXPECT_FALSE(cull(shaft, floor, test));
+    EXPECT_FALSE(cull(shaft, wall, test));
+    EXPECT_TRUE(cull(shaft, across, test));
+  }
+  // A shaft in the plane of the floor is kept apart from what is beside it in that plane, not from what it crosses.
+  CompiledShaft flat = compile(Box{{0, 0, 0}, {1, 1, 0}}, Box{{4, 0, 0}, {5, 1, 0}}, Contact::open);
+  EXPECT_TRUE(cull(flat, floor));
+  EXPECT_FALSE(cull(flat, Triangle{{{{0, 1, 0}, {5, 1, 0}, {2, 3, 0}}}}));
+  EXPECT_FALSE(cull(flat, Triangle{{{{0, 0, 0}, {5, 0, 0}, {2, 1, 1}}}})) << "only an edge of it is in the plane";
 }
 
 TEST(Triangles, ASlantedTriangleThatItsBoxHidesIsOutsideForTheExactTestAlone) {

@@ -156,6 +156,21 @@ bool OpenHull::is_separated(const Box& box) const {
   return can_be_separated(vectors);
 }
 
+bool OpenHull::is_separated(const Triangle& triangle) const {
+  std::vector<Vector> vectors;
+  for (const Corners& of_shaft : boxes_) {
+    for (const Vec3& vertex : triangle.vertex) {
+      Corners difference = of_shaft;
+      for (Point& corner : difference) {
+        for (std::size_t k = 0; k != 3; ++k) corner[k] -= mpq_class(vertex[k]);
+      }
+      add_corners(difference, vectors);
+    }
+  }
+  for (const Corners& way : ways_) add_corners(way, vectors);
+  return can_be_separated(vectors);
+}
+
 Answer OpenHull::answer(const Box& box) const {
   for (std::size_t k = 0; k != 3; ++k) {
     if (box.lo[k] > box.hi[k]) return Answer::outside;

@@ -19,6 +19,7 @@
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull::oracle {
 
@@ -33,6 +34,8 @@ class OpenHull {
   [[nodiscard]] Answer answer(const Box& box) const;
   /// The centre is finite, and so is the radius but for shafts between two boxes.
   [[nodiscard]] Answer answer(const Sphere& sphere) const;
+  /// Whether the triangle, of finite vertices, is outside; added planes are left out.
+  [[nodiscard]] bool is_separated(const Triangle& triangle) const;
 
  private:
   using Point = std::array<mpq_class, 3>;

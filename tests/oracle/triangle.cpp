@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oracle/hull.hpp"
+#include "oracle/open_contact.hpp"
 
 namespace shaftcull {
 
@@ -116,12 +117,12 @@ bool meets(const MovingInput& input, const Triangle& triangle) {
   return meets(motion, triangle);
 }
 
-bool is_beyond_one(const std::vector<Plane>& planes, const Triangle& triangle) {
+bool is_beyond_one(const std::vector<Plane>& planes, const Triangle& triangle, Contact contact) {
   return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
     return std::all_of(triangle.vertex.begin(), triangle.vertex.end(), [&](const Vec3& vertex) {
       mpq_class height = -mpq_class(plane.offset);
       for (std::size_t k = 0; k != 3; ++k) height += mpq_class(plane.normal[k]) * mpq_class(vertex[k]);
-      return height > 0;
+      return contact == Contact::open ? height >= 0 : height > 0;
     });
   });
 }
@@ -137,14 +138,28 @@ Box box_around(const Triangle& triangle) {
   return box;
 }
 
+namespace {
+
+template <class Input>
+bool is_openly_outside(Input input, const Triangle& triangle, TriangleTest test) {
+  input.added.clear();
+  const OpenHull hull(input);
+  return test == TriangleTest::exact ? hull.is_separated(triangle)
+                                     : hull.answer(box_around(triangle)) == Answer::outside;
+}
+
+}  // namespace
+
 bool is_outside(const ShaftInput& input, const Triangle& triangle, TriangleTest test) {
-  if (is_beyond_one(input.added, triangle)) return true;
+  if (is_beyond_one(input.added, triangle, input.contact)) return true;
+  if (input.contact == Contact::open) return is_openly_outside(input, triangle, test);
   return test == TriangleTest::exact ? !meets(input, triangle)
                                      : Hull(input.a, input.b).answer(box_around(triangle)) == Answer::outside;
 }
 
 bool is_outside(const MovingInput& input, const Triangle& triangle, TriangleTest test) {
-  if (is_beyond_one(input.added, triangle)) return true;
+  if (is_beyond_one(input.added, triangle, input.contact)) return true;
+  if (input.contact == Contact::open) return is_openly_outside(input, triangle, test);
   if (test == TriangleTest::exact) return !meets(input, triangle);
   MovingInput without_planes = input;
   without_planes.added.clear();

@@ -25,8 +25,9 @@ namespace oracle {
 [[nodiscard]] bool meets(const ShaftInput& input, const Triangle& triangle);
 [[nodiscard]] bool meets(const MovingInput& input, const Triangle& triangle);
 
-/// Whether all three vertices are beyond one of the planes.
-[[nodiscard]] bool is_beyond_one(const std::vector<Plane>& planes, const Triangle& triangle);
+/// Whether all three vertices are beyond one of the planes, or with open contact on it.
+[[nodiscard]] bool is_beyond_one(const std::vector<Plane>& planes, const Triangle& triangle,
+                                 Contact contact = Contact::closed);
 
 /// The smallest box around the triangle.
 [[nodiscard]] Box box_around(const Triangle& triangle);

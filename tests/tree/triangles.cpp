@@ -63,7 +63,15 @@ std::vector<CompiledShaft> shafts_for(Random& random) {
     if (random.one_in(2)) shaft.add_plane({{1, 2, 3}, 4});
     shafts.push_back(compile(shaft));
   }
+  for (int s = 0; s != 10; ++s) {  // flat ones that triangles lie in, or touch
+    Box a = random.grid_box(-9, 9);
+    Box b = random.grid_box(-9, 9);
+    const std::size_t k = random.below(3);
+    if (s % 2 == 0) a.hi[k] = b.lo[k] = b.hi[k] = a.lo[k];
+    shafts.push_back(compile(a, b, Contact::open));
+  }
   shafts.push_back(swept_without_end(random.grid_box(-2, 2), {1, 0.25F, 0}));
+  set_contact(shafts.back(), Contact::open);
   shafts.push_back(compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-90, -99, -99}, {99, 99, 99}})));  // all is inside
   return shafts;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exact/triangle.hpp"
+#include "kernels/boxes/contact.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "kernels/hulls/stages.hpp"
 #include "kernels/shared/survivors.hpp"
@@ -120,6 +121,8 @@ template <class L>
     return HullStages<L>::cull_boxes(*shaft.hull, boxes, count, kept);
   const ConsecutiveWords<L> position{.rest = static_cast<unsigned>(count % word_bits)};
   box_slab_stage<L>(shaft, boxes, count / word_bits, kept, position);
+  if (shaft.still_faces != 0) [[unlikely]]
+    box_contact_stage<L>(shaft, shaft.still_faces, boxes, words_of(count), kept);
 }
 
 /// Runs a stage on what is left of a block.
