@@ -263,6 +263,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   std::vector<std::uint64_t> counts(shafts_.size());
   std::vector<KeptCounts> classified(shafts_.size());
   std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
+  std::vector<std::uint32_t> few(9 * shafts_.size());
   const auto calls = [&] {
     for (const Form form : {Form::slab, Form::planes}) {
       const auto ask = [&](const auto& view) {
@@ -272,6 +273,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
         count_classified_many(shafts_, view, classified, form);
         any_many(shafts_, view, std::span(counts).first(1), form);
         count_at_most_many(shafts_, view, 9, counts, form);
+        list_at_most_many(shafts_, view, 9, few, counts, form);
         contained_many(shafts_, view, inside);
       };
       ask(boxes.view());

@@ -109,6 +109,20 @@ template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
                Form form = Form::fastest);
 
+/// Writes for each shaft what list_at_most() writes, the first indices of what it keeps, `most` of them or fewer: those
+/// of shaft s from kept[s * most] on, and how many they are to kept_counts[s]. What is behind them is not written.
+/// `kept` has room for exactly `most` indices a shaft, and kept_counts for one count. A shaft that has found so many is
+/// not tested with later tiles of bounds. Work is divided by shafts alone. Throws InvalidArgument if there are more
+/// bounds than an index can tell apart, and if the two spans share memory.
+void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                       std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
+                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
+                       std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+
 /// Lists bounds that overlap and bounds inside apart. As list_many(), and InvalidArgument if both are the same lists.
 template <BoundIndex Index>
 void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& overlap,

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "flat/batch_job.hpp"
+#include "flat/index_writer.hpp"
 #include "flat/list_rows.hpp"
 #include "flat/shaft_bits.hpp"
 #include "kernels/table.hpp"
@@ -67,18 +67,13 @@ std::size_t list_kept(const CompiledShaft& shaft, const TriangleView& triangles,
   const auto shafts = checked({&shaft, 1}, triangles, test);
   kernel::require_index_width<Index>("list()", triangles.count);
   kernel::require_memory("kept", kept, "indices");
-  std::size_t count = 0;
+  kernel::IndexWriter<Index> listed(kernel::active_kernels().set_bits, kept);
   for_each_chunk(shafts[0], triangles, test, chunk_triangles,
                  [&](std::size_t first, const std::uint64_t* bits, std::size_t words) {
-                   for (std::size_t w = 0; w != words; ++w) {
-                     for (std::uint64_t left = bits[w]; left != 0; left &= left - 1, ++count) {
-                       const std::size_t index = first + w * 64 + static_cast<std::size_t>(std::countr_zero(left));
-                       if (count < kept.size()) kept[count] = static_cast<Index>(index);
-                     }
-                   }
+                   listed.add(first, bits, words);
                    return true;
                  });
-  return count;
+  return listed.count();
 }
 
 /// Many shafts × many triangles, checked, and tested block by block: as BatchJob.

@@ -55,6 +55,11 @@ void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
                         counted(shafts, "shaft") + " need one each");
 }
 
+void refuse_room(const char* what, std::size_t size, std::size_t shafts, std::size_t most) {
+  throw InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + " indices; " +
+                        counted(shafts, "shaft") + " need room for most = " + std::to_string(most) + " each");
+}
+
 void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
   throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; one bit for each of " +
                         counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts)));

@@ -28,6 +28,7 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
 [[noreturn]] void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts);
+[[noreturn]] void refuse_room(const char* what, std::size_t size, std::size_t shafts, std::size_t most);
 [[noreturn]] void refuse_index_width(const char* call, std::size_t bounds);
 [[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
 [[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
@@ -96,6 +97,15 @@ void require_counts(const char* what, std::span<Count> counts, std::size_t shaft
   if (counts.size() != shafts) [[unlikely]]
     refuse_counts(what, counts.size(), shafts);
   require_memory(what, counts, "counts");
+}
+
+/// The span called `what` has room for exactly `most` indices a shaft.
+template <class Index>
+void require_room(const char* what, std::span<Index> indices, std::size_t shafts, std::size_t most) {
+  const bool overflows = most != 0 && shafts > std::numeric_limits<std::size_t>::max() / most;
+  if (overflows || indices.size() != shafts * most) [[unlikely]]
+    refuse_room(what, indices.size(), shafts, most);
+  require_memory(what, indices, "indices");
 }
 
 /// The span called `what` has exactly the words of one bit a shaft.

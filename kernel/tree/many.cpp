@@ -215,6 +215,29 @@ void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<
 }
 
 template <class Bound, BoundIndex Index>
+void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::size_t most,
+                       std::type_identity_t<std::span<Index>> kept, std::span<std::uint64_t> kept_counts,
+                       const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+  kernel::require_room("kept", kept, shafts.size(), most);
+  kernel::require_counts("kept_counts", kept_counts, shafts.size());
+  constexpr const char* call = "list_at_most_many";
+  kernel::require_apart(call, "kept", kernel::bytes_of(kept), "kept_counts", kernel::bytes_of(kept_counts));
+  query.require_apart(call, "kept", kernel::bytes_of(kept));
+  query.require_apart(call, "kept_counts", kernel::bytes_of(kept_counts));
+  kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) {
+      kernel::SpanOutput<Index> output(kept.subspan(s * most, most));
+      using List = kernel::IndexList<Index, kernel::SpanOutput<Index>>;
+      kernel::LimitedLister<List, Index> lister(List(query.indices(), output), output, most);
+      if (most != 0) query.walk(s, lister);
+      kept_counts[s] = std::min(output.count(), most);
+    }
+  });
+}
+
+template <class Bound, BoundIndex Index>
 void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                            std::span<KeptCounts> counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
   const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
@@ -307,6 +330,8 @@ void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree
                            const ExcludingOf<Index>&);                                                                \
   template void count_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::size_t,      \
                                    std::span<std::uint64_t>, const ExcludingOf<Index>&);                              \
+  template void list_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::size_t,       \
+                                  std::span<Index>, std::span<std::uint64_t>, const ExcludingOf<Index>&);             \
   template void count_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                \
                                       std::span<KeptCounts>, const ExcludingOf<Index>&);                              \
   template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \

@@ -37,6 +37,7 @@ class Arguments : public testing::Test {
     std::vector<std::uint32_t> kept(2);
     std::vector<std::uint32_t> inside(2);
     std::vector<std::uint64_t> counts(shafts_.size());
+    std::vector<std::uint32_t> few(3 * shafts_.size());
     std::vector<KeptCounts> classified(shafts_.size());
     IndexLists lists;
     IndexLists insides;
@@ -69,6 +70,7 @@ class Arguments : public testing::Test {
     ask([&] { (void)count_at_most(shafts_[0], view, 3); });
     ask([&] { (void)list_at_most(shafts_[0], view, kept); });
     ask([&] { count_at_most_many(shafts_, view, 3, counts); });
+    ask([&] { list_at_most_many(shafts_, view, 3, few, counts); });
     if constexpr (std::is_same_v<View, BoxView>) {
       std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
       ask([&] { (void)first_contact(shafts_[0], view); });
@@ -188,6 +190,17 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   EXPECT_THAT(message_of([&] { count_many(shafts_, tree, null_counts); }), HasSubstr("kept_counts is null"));
   EXPECT_THAT(message_of([&] { any_many(shafts_, tree, null_row.first(1)); }), HasSubstr("any is null"));
   EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, tree, 3, null_counts); }), HasSubstr("kept_counts is null"));
+  std::vector<std::uint64_t> few(3 * shafts_.size(), 7);
+  const std::span<std::uint64_t> counts_of_few = std::span(few).first(shafts_.size());
+  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, boxes_, 3, few, null_counts); }),
+              HasSubstr("kept_counts is null"));
+  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, boxes_, 3, few, counts_of_few); }),
+              HasSubstr("share memory"));
+  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, boxes_, 4, few, counts_of_few); }),
+              HasSubstr("kept has room for 12 indices; 4 shafts need room for most = 4 each"));
+  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, tree, 2, std::span<std::uint32_t>(), counts_of_few); }),
+              HasSubstr("kept has room for 0 indices; 4 shafts need room for most = 2 each"));
+  EXPECT_EQ(few, std::vector<std::uint64_t>(few.size(), 7));
   EXPECT_THAT(message_of([&] {
                 first_contact_many(shafts_, boxes_, {static_cast<FirstContactOf<std::uint64_t>*>(nullptr), 4});
               }),

@@ -422,6 +422,13 @@ class EveryCall {
           count_at_most_many(asked(), view, 5, counts, form);
           note(words, counts);
         });
+        add("list_at_most_many" + many, true, [=](AnswerWords& words) {
+          std::vector<std::uint32_t> kept(5 * count);
+          std::vector<std::uint64_t> counts(count);
+          list_at_most_many(asked(), view, 5, kept, counts, form);
+          note(words, kept);
+          note(words, counts);
+        });
         add("list_many" + many, true, [=](AnswerWords& words) {
           IndexLists lists;
           list_many(asked(), view, lists, form);
@@ -579,7 +586,7 @@ class EveryCall {
         note(words, std::span(kept).first(list(shaft, layered, std::span(kept), {.only_layers = {3}})));
       }
     });
-    add("count_at_most, list_at_most, count_at_most_many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+    add("count_at_most, list_at_most and both of many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
       std::vector<std::uint32_t> kept(tree.size() / 8);
       for (const CompiledShaft& shaft : shafts_) {
         note(words, count_at_most(shaft, tree, 5, {.own = candidates_}));
@@ -587,6 +594,10 @@ class EveryCall {
       }
       std::vector<std::uint64_t> counts(shafts_.size());
       count_at_most_many(shafts_, tree, 5, counts);
+      note(words, counts);
+      kept.assign(5 * shafts_.size(), 0);
+      list_at_most_many(shafts_, tree, 5, kept, counts);
+      note(words, kept);
       note(words, counts);
     });
     add("box of a tree" + of, false, [=, &tree](AnswerWords& words) { note(words, tree.box()); });

@@ -36,7 +36,8 @@ constexpr std::array<std::array<const char*, 5>, 17> table = {{
      "first_contact_many"},
     {"when each box of a list is reached", "entry_times", "", "entry_times", ""},
     {"how many are kept, up to so many", "count_at_most", "count_at_most_many", "count_at_most", "count_at_most_many"},
-    {"which are kept, up to so many: indices", "list_at_most", "", "list_at_most", ""},
+    {"which are kept, up to so many: indices", "list_at_most", "list_at_most_many", "list_at_most",
+     "list_at_most_many"},
     {"which are kept: a callback", "", "for_each_tile", "", "for_each_kept"},
     {"which overlap, which are inside: a callback", "", "for_each_classified_tile", "", "for_each_classified"},
 }};
@@ -90,6 +91,7 @@ concept GivesLists = requires(const Bounds& bounds, Given given) {
   { list_at_most(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
   { list_classified(given.shaft, bounds, given.indices, given.indices) } -> std::same_as<KeptCounts>;
   { list_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
+  { list_at_most_many(given.shafts, bounds, std::size_t{3}, given.indices, given.words) } -> std::same_as<void>;
   { list_classified_many(given.shafts, bounds, given.lists, given.lists) } -> std::same_as<void>;
 };
 
@@ -99,6 +101,7 @@ concept GivesWideLists = requires(const Bounds& bounds, Given given) {
   { list_at_most(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
   { list_classified(given.shaft, bounds, given.wide_indices, given.wide_indices) } -> std::same_as<KeptCounts>;
   { list_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
+  { list_at_most_many(given.shafts, bounds, std::size_t{3}, given.wide_indices, given.words) } -> std::same_as<void>;
   { list_classified_many(given.shafts, bounds, given.wide_lists, given.wide_lists) } -> std::same_as<void>;
 };
 

@@ -132,6 +132,29 @@ TEST(Outputs, CountAtMostManyCountsWhatOneShaftCountsUpToTheMost) {
   });
 }
 
+TEST(Outputs, ListAtMostManyListsTheFirstThatOneShaftLists) {
+  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows&) {
+    for (const std::size_t most : {0U, 1U, 7U, 100U, 3000U}) {
+      for (const Form form : {Form::slab, Form::planes}) {
+        std::vector<std::uint32_t> kept(shafts.size() * most, 12345);
+        std::vector<std::uint64_t> wide(kept.size(), 12345);
+        std::vector<std::uint64_t> counts(shafts.size(), sentinel);
+        list_at_most_many(shafts, view, most, wide, counts, form);
+        std::fill(counts.begin(), counts.end(), sentinel);
+        list_at_most_many(shafts, view, most, kept, counts, form);
+        EXPECT_TRUE(std::equal(kept.begin(), kept.end(), wide.begin(), wide.end()));
+        for (std::size_t s = 0; s < shafts.size(); s += has_shadow_memory ? 5 : 1) {
+          std::vector<std::uint32_t> expected(most, 12345);
+          EXPECT_EQ(counts[s], list_at_most(shafts[s], view, expected, form)) << "shaft " << s << ", " << most;
+          EXPECT_TRUE(
+              std::equal(expected.begin(), expected.end(), kept.begin() + static_cast<std::ptrdiff_t>(s * most)))
+              << "shaft " << s << ", " << most;
+        }
+      }
+    }
+  });
+}
+
 TEST(Outputs, AnyManyFindsWhatOnlyTheLastTaskSees) {
   BoxStream boxes(400000);  // empty ones, which no shaft keeps
   std::vector<CompiledShaft> shafts = random_shafts(89, 70);

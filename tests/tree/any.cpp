@@ -112,6 +112,14 @@ TEST(TreeAtMost, CountsAndListsTheFirstOfWhatThereIs) {
         EXPECT_EQ(list_at_most(shafts[s], tree, std::span(some).first(most)), found);
         EXPECT_TRUE(std::equal(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(found), all.begin()));
         EXPECT_EQ(some.back(), 12345U) << "written past the room";
+        if (most > tree.size()) continue;
+        std::vector<std::uint32_t> of_all(shafts.size() * most + 1, 12345);
+        list_at_most_many(shafts, tree, most, std::span(of_all).first(shafts.size() * most), counts);
+        EXPECT_EQ(counts[s], found);
+        some.resize(most);
+        EXPECT_TRUE(std::equal(some.begin(), some.end(), of_all.begin() + static_cast<std::ptrdiff_t>(s * most)))
+            << "or written past the room of a shaft";
+        EXPECT_EQ(of_all.back(), 12345U);
       }
     }
   }
