@@ -28,7 +28,7 @@ struct TriangleShaft {
 /// Times the extent of shaft, triangle and distance: what positions and distances are off by. docs/exactness.md counts
 /// the roundings that it pays for.
 inline constexpr float triangle_margin = 64 * 0x1p-24F;
-/// Added to margins, for products that are denormal; larger for products of three lengths.
+/// Added to margins, for halves and products that are denormal; larger for products of three lengths.
 inline constexpr float triangle_denormals = 0x1p-120F;
 inline constexpr float triangle_normal_denormals = 0x1p-105F;
 /// The turn of a projected triangle, a sum of two products of edges, is off by so much of the edges' lengths.
