@@ -16,7 +16,7 @@ inline constexpr unsigned triangle_streams = 9;
 
 /// Triangles in a block: few enough for the boxes around them to be on the stack, and many, so that what is left of
 /// them fills vectors.
-inline constexpr unsigned triangle_block = 1024;
+inline constexpr unsigned triangle_block = 768;
 
 /// An added plane's value at a vertex: four roundings, relative to what it is a sum of, and as much again to spare.
 inline constexpr float vertex_value_margin = 8 * 0x1p-24F;
