@@ -23,7 +23,7 @@ inline Triangle sometimes_degenerate(Random& random, Triangle triangle) {
       v1 = v2 = v0;
       break;
     case 2:  // in one line, but for rounding
-      for (std::size_t k = 0; k != 3; ++k) v2[k] = v0[k] + 0.5F * (v1[k] - v0[k]);
+      for (std::size_t k = 0; k != 3; ++k) v2[k] = 0.5F * v0[k] + 0.5F * v1[k];
       break;
     case 3:
     case 4:
