@@ -28,10 +28,10 @@ constexpr std::uint64_t recorded = 2012080876133702002U;
 constexpr std::uint64_t recorded_of_moving = 9822450572968547462U;
 constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
 /// Likewise with open contact.
-constexpr std::uint64_t recorded_of_open = 0U;
-constexpr std::uint64_t recorded_of_open_moving = 0U;
+constexpr std::uint64_t recorded_of_open = 15062841140550317724U;
+constexpr std::uint64_t recorded_of_open_moving = 15332369385780691612U;
 /// Of triangles, by vertices and exactly.
-constexpr std::uint64_t recorded_triangles[2] = {0, 0};
+constexpr std::uint64_t recorded_triangles[2] = {11495070151279336606U, 3417442053769072641U};
 
 constexpr std::size_t shafts = 600;
 constexpr std::size_t bounds = 131;  // two words and a rest
