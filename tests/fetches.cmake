@@ -39,7 +39,7 @@ foreach(source IN LISTS sources_of_walks)
       string(APPEND idle "\n  ${walk}: ${fetches} of ${lines}")
     endif()
     set(walk "")
-    if(token MATCHES "Walk<.*>::visit\\(")
+    if(token MATCHES "Walk<.*>::visit\\(" AND NOT token MATCHES "clone [.]cold")  # which is where exceptions pass
       string(REGEX REPLACE "^.*[0-9a-f] <(.*)>:$" "\\1" walk "${token}")
       set(fetches 0)
       set(lines 24)

@@ -250,7 +250,7 @@ class Comparison {
     for (const Plane& plane : it_.planes) {
       if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) planes.push_back(plane);
     }
-    if (oracle::is_outside(ShaftInput{it_.a, it_.b, planes}, triangle, test) != is_kept) return;
+    if (oracle::is_outside(ShaftInput{it_.a, it_.b, planes, it_.options.contact}, triangle, test) != is_kept) return;
     fail("a triangle is answered wrongly: " + source_text(triangle), it_);
   }
 

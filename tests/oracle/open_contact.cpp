@@ -189,7 +189,7 @@ Answer OpenHull::answer(const Sphere& sphere) const {
   if (sphere.radius < 0) return Answer::outside;
   const mpq_class square = mpq_class(sphere.radius) * mpq_class(sphere.radius);
   if (sphere.radius == 0) {
-    if (is_separated({sphere.centre, sphere.centre})) return Answer::outside;
+    if (is_separated(Box{sphere.centre, sphere.centre})) return Answer::outside;
   } else if ((between_ ? between_->squared_distance(sphere.centre) : moving_->squared_distance(sphere.centre)) >=
              square) {
     return Answer::outside;
