@@ -1,8 +1,9 @@
-/// A box as text: "lo x,lo y,lo z,hi x,hi y,hi z".
+/// Boxes and vectors as text: "lo x,lo y,lo z,hi x,hi y,hi z" and "x,y,z".
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shaftcull/bounds.hpp"
 
@@ -15,6 +16,14 @@ namespace shaftcull::cli {
 /// numbers with lo ≤ hi.
 [[nodiscard]] Box box_option(std::string_view option, std::string_view text);
 
+/// The vector that `text` spells. Throws InvalidArgument, naming the option, what the vector is ("a displacement") and
+/// what is wrong, unless it is three finite numbers.
+[[nodiscard]] Vec3 vector_option(std::string_view option, std::string_view text, std::string_view noun);
+
+/// The point that `text` spells in three numbers, or the eight corners of the box that it spells in six.
+[[nodiscard]] std::vector<Vec3> corners_option(std::string_view option, std::string_view text);
+
 [[nodiscard]] std::string to_text(const Box& box);
+[[nodiscard]] std::string to_text(const Vec3& vector);
 
 }  // namespace shaftcull::cli

@@ -1,16 +1,24 @@
-/// `shaftcull draw`: three slices through a shaft, in characters.
+/// `shaftcull draw`: slices through a shaft, in characters, or a picture of it, in SVG.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <numeric>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "box_text.hpp"
+#include "drawing.hpp"
 #include "instruction_set.hpp"
 #include "number.hpp"
+#include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
 
@@ -21,13 +29,19 @@ struct DrawOptions {
   // The pair that the paper's harness shows first.
   std::string from = "0,0,0,1,1,1";
   std::string to = "-1,-1,0.5,-0.5,1.5,1.5";
+  ShaftChoice choice;
+  std::vector<std::string> bounds;
+  std::vector<std::string> solids;
+  bool times = false;
   int columns = 48;
+  bool svg = false;
+  std::string view = "xy";
   InstructionSet isa;
 };
 
 /// A character is about twice as high as wide.
 constexpr double character_aspect = 2.0;
-/// Cells of outside drawn around the shaft box.
+/// Cells of outside drawn around what is shown.
 constexpr int margin = 2;
 
 /// The cells of one slice: `across` and `up` are the axes of the picture, `through` the axis that is cut.
@@ -44,62 +58,53 @@ bool holds(const Box& box, std::size_t axis, double x) {
 /// Draws slices of one shaft, all at one scale.
 class Picture {
  public:
-  Picture(const Box& a, const Box& b, int columns)
-      : shaft_(a, b), compiled_(compile(shaft_)), cell_width_(widest(shaft_.box()) / (columns - 2 * margin)) {
+  Picture(const ShaftDrawing& drawing, int columns)
+      : drawing_(drawing), cell_width_(widest(drawing.frame) / (columns - 2 * margin)) {
     // A shaft that is a point has no extent to scale by.
     if (cell_width_ == 0) cell_width_ = 1;
   }
 
   std::string draw(const Slice& slice) const {
-    const double cut = middle(slice.through);
+    const double cut = drawing_.frame.middle(slice.through);
     std::string text = fmt::format("{}{} slice at {} = {:.4g}  ({} to the right, {} up)\n", "xyz"[slice.across],
                                    "xyz"[slice.up], "xyz"[slice.through], cut, "xyz"[slice.across], "xyz"[slice.up]);
     const double cell_height = cell_width_ * character_aspect;
     const int columns = cells(slice.across, cell_width_);
     const int rows = cells(slice.up, cell_height);
     for (int row = rows - 1; row >= 0; --row) {
-      const double y = middle(slice.up) + (row - (rows - 1) / 2.0) * cell_height;
+      const double y = drawing_.frame.middle(slice.up) + (row - (rows - 1) / 2.0) * cell_height;
       text += fmt::format("{:>8.3g} ", y);
       for (int column = 0; column < columns; ++column) {
-        const double x = middle(slice.across) + (column - (columns - 1) / 2.0) * cell_width_;
+        const double x = drawing_.frame.middle(slice.across) + (column - (columns - 1) / 2.0) * cell_width_;
         text += mark(slice, x, y, cut);
       }
       text += '\n';
     }
-    const double left = middle(slice.across) - (columns - 1) / 2.0 * cell_width_;
-    const double right = middle(slice.across) + (columns - 1) / 2.0 * cell_width_;
+    const double left = drawing_.frame.middle(slice.across) - (columns - 1) / 2.0 * cell_width_;
+    const double right = drawing_.frame.middle(slice.across) + (columns - 1) / 2.0 * cell_width_;
     text += fmt::format("{:9}{:<{}.3g}{:>{}.3g}\n", "", left, columns / 2, right, columns - columns / 2);
     return text;
   }
 
  private:
-  static double widest(const Box& box) {
-    double width = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      width = std::max(width, static_cast<double>(box.hi[axis]) - static_cast<double>(box.lo[axis]));
-    }
-    return width;
-  }
-
-  double middle(std::size_t axis) const {
-    return (static_cast<double>(shaft_.box().lo[axis]) + static_cast<double>(shaft_.box().hi[axis])) / 2;
+  static double widest(const ShownSpace& frame) {
+    return std::max({frame.extent(0), frame.extent(1), frame.extent(2)});
   }
 
   int cells(std::size_t axis, double size) const {
-    const double extent = static_cast<double>(shaft_.box().hi[axis]) - static_cast<double>(shaft_.box().lo[axis]);
-    return static_cast<int>(std::ceil(extent / size)) + 2 * margin;
+    return static_cast<int>(std::ceil(drawing_.frame.extent(axis) / size)) + 2 * margin;
   }
 
   /// The letter of a box in this cell: a capital where the slice cuts it, small where it lies before or behind
   /// the slice, 0 where it is not.
-  static char box_mark(const Box& box, const Slice& slice, double x, double y, double cut, char letter) {
-    if (!holds(box, slice.across, x) || !holds(box, slice.up, y)) return 0;
-    return holds(box, slice.through, cut) ? letter : static_cast<char>(letter - 'A' + 'a');
+  static char box_mark(const std::optional<Box>& box, const Slice& slice, double x, double y, double cut, char letter) {
+    if (!box || !holds(*box, slice.across, x) || !holds(*box, slice.up, y)) return 0;
+    return holds(*box, slice.through, cut) ? letter : static_cast<char>(letter - 'A' + 'a');
   }
 
   char mark(const Slice& slice, double x, double y, double cut) const {
-    const char a = box_mark(shaft_.a(), slice, x, y, cut, 'A');
-    const char b = box_mark(shaft_.b(), slice, x, y, cut, 'B');
+    const char a = box_mark(drawing_.a, slice, x, y, cut, 'A');
+    const char b = box_mark(drawing_.b, slice, x, y, cut, 'B');
     // What the slice cuts hides what lies before or behind it.
     if (a != 0 && b != 0 && (a == 'A') == (b == 'B')) return '@';
     if (a == 'A' || (a != 0 && b == 0)) return a;
@@ -110,7 +115,7 @@ class Picture {
     set(cell, slice.up, y, half_height);
     // A cell has no thickness: with one, no cell could be inside a flat shaft.
     set(cell, slice.through, cut, 0);
-    switch (classify(compiled_, cell)) {
+    switch (classify(drawing_.shaft.compiled(), cell)) {
       case Answer::inside:
         return '#';
       case Answer::overlap:
@@ -122,24 +127,101 @@ class Picture {
   }
 
   static void set(Box& box, std::size_t axis, double centre, double half_extent) {
-    box.lo[axis] = static_cast<float>(centre - half_extent);
-    box.hi[axis] = static_cast<float>(centre + half_extent);
+    constexpr double most = std::numeric_limits<float>::max();
+    box.lo[axis] = static_cast<float>(std::clamp(centre - half_extent, -most, most));
+    box.hi[axis] = static_cast<float>(std::clamp(centre + half_extent, -most, most));
   }
 
-  Shaft shaft_;
-  CompiledShaft compiled_;
+  const ShaftDrawing& drawing_;
   double cell_width_;
 };
 
+/// What the user asks about: bounds, then solids.
+std::vector<DrawnBound> bounds_of(const DrawOptions& options, const CompiledShaft& shaft) {
+  std::vector<DrawnBound> bounds;
+  for (const std::string& text : options.bounds) bounds.push_back({box_option("--bound", text), {}, false, {}});
+  for (const std::string& text : options.solids) bounds.push_back({box_option("--solid", text), {}, false, {}});
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    bounds[i].answer = classify(shaft, bounds[i].box);
+    bounds[i].blocks = i >= options.bounds.size() && blocked(shaft, bounds[i].box);
+  }
+  if (!options.times) return bounds;
+  std::vector<Box> boxes;
+  for (const DrawnBound& bound : bounds) boxes.push_back(bound.box);
+  std::vector<std::uint32_t> indices(bounds.size());
+  std::iota(indices.begin(), indices.end(), 0U);
+  std::vector<float> times(bounds.size());
+  entry_times(shaft, BoxStream(boxes), indices, times);
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (bounds[i].answer != Answer::outside) bounds[i].time = times[i];
+  }
+  return bounds;
+}
+
+ShaftDrawing drawing_of(const DrawOptions& options) {
+  const ShaftChoice& choice = options.choice;
+  const Box from = box_option("--from", options.from);
+  const Box to = box_option("--to", options.to);
+  ShaftDrawing drawing{choice, {}, {}, choice.form(from, to), {}, region_of(choice, from, to), {}};
+  if (choice.has_from()) drawing.a = from;
+  if (choice.has_to()) drawing.b = to;
+  if (choice.kind() == ShaftKind::swept) drawing.b = drawing.shaft.compiled().b();
+  drawing.bounds = bounds_of(options, drawing.shaft.compiled());
+  std::vector<Box> shown;
+  for (const std::optional<Box>& end : {drawing.a, drawing.b}) {
+    if (end) shown.push_back(*end);
+  }
+  for (const DrawnBound& bound : drawing.bounds) shown.push_back(bound.box);
+  drawing.frame = frame_around(drawing.region, shown);
+  return drawing;
+}
+
+/// The lines above the slices: what the letters are.
+std::string heading_of(const ShaftDrawing& drawing) {
+  const ShaftChoice& choice = drawing.choice;
+  const auto box = [](const std::optional<Box>& end) { return to_text(*end); };
+  std::string what;
+  switch (choice.kind()) {
+    case ShaftKind::between:
+      what = fmt::format("A = [{}]\nB = [{}]\n{} joining planes", box(drawing.a), box(drawing.b),
+                         Shaft(*drawing.a, *drawing.b).joining_planes().size());
+      break;
+    case ShaftKind::swept:
+      what = fmt::format("body A = [{}]\nends at B = [{}]\nSwept by {}", box(drawing.a), box(drawing.b),
+                         to_text(choice.motion()));
+      break;
+    case ShaftKind::swept_without_end:
+      what = fmt::format("body A = [{}]\nSwept without end along {}", box(drawing.a), to_text(choice.motion()));
+      break;
+    case ShaftKind::shadow:
+      what = fmt::format(
+          "light A = [{}]\noccluder B = [{}]\nShadow {}", box(drawing.a), box(drawing.b),
+          choice.reach() ? fmt::format("up to {} times the distance of the occluder", *choice.reach()) : "without end");
+      break;
+    case ShaftKind::hull:
+      what = fmt::format("Convex hull of {} points", choice.points().size());
+      if (!choice.directions().empty()) {
+        what += fmt::format(", and all that lies from it towards {}", to_text(choice.directions().front()));
+      }
+      break;
+  }
+  const char* const letters = choice.kind() == ShaftKind::hull ? ""
+                              : drawing.b ? " A B boxes (a b: before or behind the slice, @: both),"
+                                          : " A box (a: before or behind the slice),";
+  return fmt::format("{}.{} # inside, + overlap, . outside\n", what, letters);
+}
+
 void run(const DrawOptions& options) {
   options.isa.select();
-  const Box a = box_option("--from", options.from);
-  const Box b = box_option("--to", options.to);
-  const Picture picture(a, b, options.columns);
-  fmt::print("A = [{}]\nB = [{}]\n", to_text(a), to_text(b));
-  fmt::print(
-      "{} joining planes. A B boxes (a b: before or behind the slice, @: both), # inside, + overlap, . outside\n",
-      Shaft(a, b).joining_planes().size());
+  const ShaftDrawing drawing = drawing_of(options);
+  if (options.svg) {
+    const auto axis = [&](std::size_t i) { return static_cast<std::size_t>(options.view[i] - 'x'); };
+    std::fputs(svg_of(drawing, axis(0), axis(1)).c_str(), stdout);
+    return;
+  }
+  const Picture picture(drawing, options.columns);
+  fmt::print("{}", heading_of(drawing));
+  for (const DrawnBound& bound : drawing.bounds) fmt::print("[{}]: {}\n", to_text(bound.box), label_of(bound));
   for (const Slice& slice : {Slice{0, 1, 2}, Slice{0, 2, 1}, Slice{1, 2, 0}}) fmt::print("\n{}", picture.draw(slice));
 }
 
@@ -147,13 +229,38 @@ void run(const DrawOptions& options) {
 
 void add_draw(CLI::App& program) {
   const auto options = std::make_shared<DrawOptions>();
-  CLI::App& draw = *program.add_subcommand("draw", "Draw three slices through the middle of a shaft");
-  draw.add_option("--from", options->from, "Box A: lo x,lo y,lo z,hi x,hi y,hi z")->type_name("BOX");
-  draw.add_option("--to", options->to, "Box B, likewise")->type_name("BOX");
-  add_number(draw, "--size", options->columns, 12, 400,
-             "Columns that the longest side of the picture takes (default: 48)")
-      ->type_name("COLS");
+  CLI::App& draw = *program.add_subcommand("draw", "Draw slices through the middle of a shaft, or a picture of it");
+  CLI::Option* from =
+      draw.add_option("--from", options->from, "Box A: lo x,lo y,lo z,hi x,hi y,hi z; the body, or the light")
+          ->type_name("BOX");
+  CLI::Option* to = draw.add_option("--to", options->to, "Box B, likewise; the occluder")->type_name("BOX");
+  options->choice.add_options(draw, to);
+  CLI::Option* solid = draw.add_option("--solid", options->solids,
+                                       "Boxes to show that are solid, and whether they block: hide all of A from B")
+                           ->type_name("BOX")
+                           ->excludes("--swept")
+                           ->excludes("--shadow");
+  CLI::Option* times =
+      draw.add_flag("--times", options->times, "Say when the moving box reaches each bound: 0 at A, 1 at B");
+  options->choice.add_hull_options(draw, std::array{from, to, solid, times});
+  draw.add_option("--bound", options->bounds, "Boxes to show, with their answers")->type_name("BOX");
+  CLI::Option* size = add_number(draw, "--size", options->columns, 12, 400,
+                                 "Columns that the longest side of the picture takes (default: 48)")
+                          ->type_name("COLS");
+  CLI::Option* svg =
+      draw.add_flag("--svg", options->svg, "Write an SVG file to standard output instead of slices")->excludes(size);
+  draw.add_option("--view", options->view, "With --svg: which two axes it shows (default: xy)")
+      ->check(CLI::IsMember({"xy", "xz", "yz"}))
+      ->type_name("AXES")
+      ->needs(svg);
   options->isa.add_option(draw);
+  draw.footer(
+      "A shaft lies between two boxes, unless an option says otherwise: what a body sweeps over (--swept), what an\n"
+      "occluder can shadow from a light (--shadow), or a convex hull (--hull). What has no end is cut off at the edge "
+      "of\n"
+      "the picture. Times are shares of a displacement, or multiples of it without end; of a shadow 0 at the "
+      "occluder,\n"
+      "and 1 where things are twice as far from the light.");
   draw.callback([options] { run(*options); });
 }
 

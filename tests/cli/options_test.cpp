@@ -143,6 +143,7 @@ const std::vector<std::vector<std::string>> writers{{"--help"},
                                                     {"draw", "--help"},
                                                     {"draw"},
                                                     {"draw", "--size", "400"},
+                                                    {"draw", "--svg"},
                                                     {"stats", "--shafts", "1"},
                                                     {"verify", "--cases", "100"},
                                                     {"demo", "--bounds", "100", "--frames", "1"}};
