@@ -1,5 +1,6 @@
-/// `shaftcull cull`: which bounds of a mesh file may lie between two of its objects?
+/// `shaftcull cull`: which bounds of a mesh file may lie between two of its objects, in the way of one, in a shadow?
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdio>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "mesh.hpp"
 #include "name_search.hpp"
 #include "number.hpp"
+#include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
 
@@ -32,7 +34,9 @@ struct CullOptions {
   std::string format = "text";
   bool tree = false;
   bool solid = false;
-  std::string contact = "closed";
+  bool times = false;
+  std::string triangles;  ///< empty: boxes around them are tested
+  ShaftChoice choice;
   InstructionSet isa;
 };
 
@@ -85,8 +89,8 @@ bool joins_parts(const MeshScene& scene, const CullOptions& options) {
   return options.ends.empty() ? scene.names.size() < fewest_objects : options.ends == "part";
 }
 
-/// Pairs of different objects, or of different parts. Drawn with a generator and a method of our own choice, so that
-/// a seed means the same pairs with every standard library.
+/// Pairs of different objects, or of different parts; those of a shadow are apart. Drawn with a generator and a method
+/// of our own choice, so that a seed means the same pairs with every standard library.
 std::vector<PairResult> random_pairs(const MeshScene& scene, const CullOptions& options) {
   const bool parts = joins_parts(scene, options);
   const std::size_t ends = parts ? scene.parts.size() : scene.names.size();
@@ -97,28 +101,51 @@ std::vector<PairResult> random_pairs(const MeshScene& scene, const CullOptions& 
   }
   const auto end = [&](std::uint32_t i) { return parts ? part_end(scene, i) : object_end(scene, i); };
   std::mt19937_64 random(options.seed);
-  std::vector<PairResult> pairs(options.random_pairs);
-  for (PairResult& pair : pairs) {
+  const auto draw = [&] {
     const auto from = static_cast<std::uint32_t>(random() % ends);
     const auto skipped = static_cast<std::uint32_t>(random() % (ends - 1));
-    pair.from = end(from);
-    pair.to = end(skipped < from ? skipped : skipped + 1);
+    return PairResult{end(from), end(skipped < from ? skipped : skipped + 1), {}};
+  };
+  std::vector<PairResult> pairs(options.random_pairs);
+  for (PairResult& pair : pairs) {
+    pair = draw();
+    constexpr int most_draws = 10'000;
+    for (int i = 0; options.choice.kind() == ShaftKind::shadow && touch(pair.from.box, pair.to.box); ++i) {
+      if (i == most_draws) {
+        throw InvalidArgument(
+            fmt::format("--random {}: no two {}s of {} were found that are apart, as a light and an "
+                        "occluder must be",
+                        options.random_pairs, parts ? "part" : "object", options.path));
+      }
+      pair = draw();
+    }
+    if (!options.choice.has_to()) pair.to = {};
   }
   return pairs;
 }
 
+/// What is missing on a command line that does not say which shaft.
+[[noreturn]] void ask_for_ends(const MeshScene& scene, const CullOptions& options) {
+  const ShaftKind kind = options.choice.kind();
+  const bool one = kind == ShaftKind::swept || kind == ShaftKind::swept_without_end;
+  const char* const question = one                         ? "what is swept? Add --from NAME"
+                               : kind == ShaftKind::shadow ? "what shadows what? Add --from LIGHT --to OCCLUDER"
+                                                           : "between what? Add --from NAME --to NAME";
+  throw InvalidArgument(
+      fmt::format("cull {}: {}, or --random 10; {}", options.path, question, names_of_ends("", scene)));
+}
+
 std::vector<PairResult> pairs_of(const MeshScene& scene, const CullOptions& options) {
+  if (!options.choice.has_from()) return {PairResult{}};
   if (options.random_pairs > 0) return random_pairs(scene, options);
-  if (options.from.empty()) {
-    throw InvalidArgument(fmt::format("cull {}: between what? Add --from NAME --to NAME, or --random 10; {}",
-                                      options.path, names_of_ends("", scene)));
-  }
-  return {{end_from_option(scene, options.path, "--from", options.from),
-           end_from_option(scene, options.path, "--to", options.to),
-           {}}};
+  if (options.from.empty() || (options.choice.has_to() && options.to.empty())) ask_for_ends(scene, options);
+  PairResult pair{end_from_option(scene, options.path, "--from", options.from), {}, {}};
+  if (options.choice.has_to()) pair.to = end_from_option(scene, options.path, "--to", options.to);
+  return {pair};
 }
 
 Grain grain_of(const CullOptions& options, const PairResult& pair) {
+  if (!options.triangles.empty()) return Grain::triangle;
   if (options.bounds.empty()) return pair.from.part != none || pair.to.part != none ? Grain::part : Grain::object;
   if (options.bounds == "object") return Grain::object;
   return options.bounds == "part" ? Grain::part : Grain::triangle;
@@ -145,72 +172,143 @@ std::vector<CullBound> bounds_of(const MeshScene& scene, Grain grain) {
   return bounds;
 }
 
-CompiledShaft shaft_of(const PairResult& pair, Contact contact) {
-  return compile(Shaft(pair.from.box, pair.to.box, {.contact = contact}));
+/// Adds what the shaft keeps, but for its own ends. In the order of the file, if `kept` is.
+void add_candidates(std::span<const CullBound> all, std::span<const std::uint32_t> kept, bool inside,
+                    PairResult& pair) {
+  for (const std::uint32_t bound : kept) {
+    if (!pair.from.holds(all[bound]) && !pair.to.holds(all[bound])) pair.candidates.push_back({bound, inside, false});
+  }
 }
 
-void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, Contact contact, PairResult& pair) {
-  const CompiledShaft shaft = shaft_of(pair, contact);
-  std::vector<std::uint32_t> overlap(bounds.size());
-  std::vector<std::uint32_t> inside(bounds.size());
-  const KeptCounts counts = list_classified(shaft, bounds, std::span(overlap), std::span(inside));
-  const auto add = [&](std::span<const std::uint32_t> indices, bool is_inside) {
-    for (const std::uint32_t bound : indices) {
-      if (!pair.from.holds(all[bound]) && !pair.to.holds(all[bound]))
-        pair.candidates.push_back({bound, is_inside, false});
-    }
-  };
-  add(std::span(overlap).first(counts.overlap), false);
-  add(std::span(inside).first(counts.inside), true);
-  // In the order of the file, as a scan has them.
+void sort_candidates(PairResult& pair) {
   std::sort(pair.candidates.begin(), pair.candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
 }
 
-void find_candidates(std::span<const CullBound> all, const BoxStream& bounds, Contact contact, PairResult& pair) {
-  const CompiledShaft shaft = shaft_of(pair, contact);
+void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, const CompiledShaft& shaft,
+                     PairResult& pair) {
+  std::vector<std::uint32_t> overlap(bounds.size());
+  std::vector<std::uint32_t> inside(bounds.size());
+  const KeptCounts counts = list_classified(shaft, bounds, std::span(overlap), std::span(inside));
+  add_candidates(all, std::span(overlap).first(counts.overlap), false, pair);
+  add_candidates(all, std::span(inside).first(counts.inside), true, pair);
+  sort_candidates(pair);
+}
+
+void find_candidates(std::span<const CullBound> all, const BoxStream& bounds, const CompiledShaft& shaft,
+                     PairResult& pair) {
   std::vector<std::uint64_t> kept(words_for(bounds.size()));
   std::vector<std::uint64_t> inside(kept.size());
   classify(shaft, bounds.view(), kept, inside);
   for (std::size_t w = 0; w < kept.size(); ++w) {
     for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
       const auto bit = static_cast<std::size_t>(std::countr_zero(left));
-      const std::size_t bound = 64 * w + bit;
-      if (pair.from.holds(all[bound]) || pair.to.holds(all[bound])) continue;
-      pair.candidates.push_back({bound, (inside[w] >> bit & 1) != 0, false});
+      const auto bound = static_cast<std::uint32_t>(64 * w + bit);
+      add_candidates(all, std::span(&bound, 1), (inside[w] >> bit & 1) != 0, pair);
     }
   }
 }
 
-void find_blockers(std::span<const CullBound> all, PairResult& pair) {
+TriangleTest test_of(const CullOptions& options) {
+  return options.triangles == "exact" ? TriangleTest::exact : TriangleTest::vertices;
+}
+
+std::span<const Vec3> vertices_of(const CullReport& report, const Candidate& candidate) {
+  return report.scene.triangles[candidate.bound].vertex;
+}
+
+/// `Triangles` is a stream or a tree of the mesh's triangles, which are the report's bounds.
+template <class Triangles>
+void find_triangles(const CullOptions& options, const Triangles& triangles, const CullReport& report,
+                    PairResult& pair) {
+  const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
+  std::vector<std::uint32_t> kept(triangles.size());
+  kept.resize(list(shaft.compiled(), triangles, std::span(kept), test_of(options)));
+  add_candidates(report.bounds, kept, false, pair);
+  sort_candidates(pair);
+  // A shaft is convex, so that a triangle is inside iff its vertices are. That they may be in the shaft's surface,
+  // where points are outside with open contact, is why contact is closed here.
+  const FormedShaft closed = options.choice.form(pair.from.box, pair.to.box, Contact::closed);
+  for (Candidate& candidate : pair.candidates) {
+    const std::span<const Vec3> vertices = vertices_of(report, candidate);
+    candidate.inside = std::all_of(vertices.begin(), vertices.end(), [&](const Vec3& vertex) {
+      return classify(closed.compiled(), Box{vertex, vertex}) == Answer::inside;
+    });
+  }
+}
+
+void find_triangles(const CullOptions& options, CullReport& report) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(report.scene.triangles.size());
+  for (const MeshTriangle& each : report.scene.triangles) triangles.push_back({each.vertex});
+  const std::span<const Triangle> all = triangles;
+  if (options.tree) {
+    const TriangleTree tree(all);
+    for (PairResult& pair : report.pairs) find_triangles(options, tree, report, pair);
+  } else {
+    const TriangleStream stream(all);
+    for (PairResult& pair : report.pairs) find_triangles(options, stream, report, pair);
+  }
+}
+
+void find_blockers(const CullOptions& options, const CullReport& report, PairResult& pair) {
   const CompiledShaft shaft = compile(pair.from.box, pair.to.box);
-  for (Candidate& candidate : pair.candidates) candidate.blocks = blocked(shaft, all[candidate.bound].box);
+  for (Candidate& candidate : pair.candidates) {
+    candidate.blocks = options.triangles.empty() ? blocked(shaft, report.bounds[candidate.bound].box)
+                                                 : blocked(shaft, vertices_of(report, candidate));
+  }
+}
+
+void find_times(const CullOptions& options, const BoxStream& bounds, PairResult& pair) {
+  std::vector<std::uint32_t> indices;
+  for (const Candidate& candidate : pair.candidates) indices.push_back(static_cast<std::uint32_t>(candidate.bound));
+  std::vector<float> times(indices.size());
+  entry_times(options.choice.form(pair.from.box, pair.to.box).compiled(), bounds, indices, times);
+  for (std::size_t i = 0; i < times.size(); ++i) pair.candidates[i].time = times[i];
+}
+
+void find_bounds(const CullOptions& options, CullReport& report) {
+  const MinMaxRecords records{&report.bounds.front().box.lo, &report.bounds.front().box.hi, sizeof(CullBound),
+                              report.bounds.size()};
+  const BoxStream stream(records);
+  const BoxTree tree = options.tree ? BoxTree(records) : BoxTree();
+  for (PairResult& pair : report.pairs) {
+    const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
+    if (options.tree) {
+      find_candidates(report.bounds, tree, shaft.compiled(), pair);
+    } else {
+      find_candidates(report.bounds, stream, shaft.compiled(), pair);
+    }
+    if (options.times) find_times(options, stream, pair);
+  }
 }
 
 void run(const CullOptions& options) {
   options.isa.select();
+  if (options.choice.kind() == ShaftKind::hull && options.triangles == "exact") {
+    throw InvalidArgument("--triangles exact: convex hulls test triangles by their vertices only; give vertices");
+  }
+  const bool with_triangles = options.bounds == "triangle" || !options.triangles.empty();
   CullReport report{options.path,
                     Grain::object,
                     std::string(name(active_isa())),
-                    load_mesh_isolated(options.path, options.bounds == "triangle"),
+                    load_mesh_isolated(options.path, with_triangles),
                     {},
                     {},
-                    options.solid};
+                    options.solid,
+                    options.times,
+                    options.choice,
+                    options.triangles};
   report.pairs = pairs_of(report.scene, options);
   report.grain = grain_of(options, report.pairs.front());
   report.bounds = bounds_of(report.scene, report.grain);
-  const Contact contact = options.contact == "open" ? Contact::open : Contact::closed;
-  const MinMaxRecords records{&report.bounds.front().box.lo, &report.bounds.front().box.hi, sizeof(CullBound),
-                              report.bounds.size()};
-  if (options.tree) {
-    const BoxTree tree(records);
-    for (PairResult& pair : report.pairs) find_candidates(report.bounds, tree, contact, pair);
+  if (options.triangles.empty()) {
+    find_bounds(options, report);
   } else {
-    const BoxStream stream(records);
-    for (PairResult& pair : report.pairs) find_candidates(report.bounds, stream, contact, pair);
+    find_triangles(options, report);
   }
   if (options.solid) {
-    for (PairResult& pair : report.pairs) find_blockers(report.bounds, pair);
+    for (PairResult& pair : report.pairs) find_blockers(options, report, pair);
   }
   std::fputs(format_report(report, format_of(options)).c_str(), stdout);
 }
@@ -219,22 +317,24 @@ void run(const CullOptions& options) {
 
 void add_cull(CLI::App& program) {
   const auto options = std::make_shared<CullOptions>();
-  CLI::App& cull = *program.add_subcommand("cull", "List what may lie between two objects, or parts, of a mesh file");
+  CLI::App& cull = *program.add_subcommand(
+      "cull", "List what of a mesh file may lie between two objects, in the way of one, or in a shadow");
   CLI::Option* scene =
       cull.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
-  cull.add_option("--bounds", options->bounds,
-                  "What gets a bound: object, part or triangle (default: object, or part if the ends are parts)")
-      ->check(CLI::IsMember({"object", "part", "triangle"}))
-      ->type_name("KIND");
+  CLI::Option* bounds =
+      cull.add_option("--bounds", options->bounds,
+                      "What gets a bound: object, part or triangle (default: object, or part if the ends are parts)")
+          ->check(CLI::IsMember({"object", "part", "triangle"}))
+          ->type_name("KIND");
   CLI::Option* from = cull.add_option("--from", options->from,
-                                      "One end: a name (room, or room part 3), or lo x,lo y,lo z,hi x,hi y,hi z")
+                                      "One end, body or light: a name (room, or room part 3), or lo x,lo y,lo z,hi x,"
+                                      "hi y,hi z")
                           ->type_name("NAME|BOX");
-  CLI::Option* to = cull.add_option("--to", options->to, "The other end")->type_name("NAME|BOX");
-  from->needs(to);
+  CLI::Option* to = cull.add_option("--to", options->to, "The other end, or the occluder")->type_name("NAME|BOX");
   to->needs(from);
-  CLI::Option* random =
-      add_number(cull, "--random", options->random_pairs, 1, 1'000'000, "Between N random pairs instead")
-          ->type_name("N");
+  CLI::Option* random = add_number(cull, "--random", options->random_pairs, 1, 1'000'000,
+                                   "Between N random pairs instead, or of N random bodies")
+                            ->type_name("N");
   random->excludes(from)->excludes(to);
   cull.add_option("--ends", options->ends,
                   "What --random pairs: object or part (default: part if there are fewer than 4 objects)")
@@ -249,18 +349,30 @@ void add_cull(CLI::App& program) {
       ->type_name("FORMAT");
   cull.add_flag("--tree", options->tree,
                 "Put the bounds into a tree instead of scanning all of them: the same answers");
-  cull.add_flag("--solid", options->solid,
-                "Take bounds for solid boxes, and say which of them block: hide all of one end from the other");
-  cull.add_option(
-          "--contact", options->contact,
-          "What becomes of bounds that only touch the shaft: closed keeps them, open does not (default: closed)")
-      ->check(CLI::IsMember({"closed", "open"}))
-      ->type_name("CONTACT");
+  options->choice.add_options(cull, to);
+  CLI::Option* solid =
+      cull.add_flag("--solid", options->solid,
+                    "Take bounds for solid, and say which of them block: hide all of one end from the other")
+          ->excludes(cull.get_option("--swept"))
+          ->excludes(cull.get_option("--shadow"));
+  CLI::Option* times = cull.add_flag("--times", options->times,
+                                     "Say when the moving box of the shaft reaches each bound: 0 at its start");
+  cull.add_option("--triangles", options->triangles,
+                  "Test triangles of the mesh instead of boxes: by their vertices, or exact")
+      ->check(CLI::IsMember({"vertices", "exact"}))
+      ->type_name("TEST")
+      ->excludes(bounds)
+      ->excludes(times);
+  options->choice.add_hull_options(cull, std::array{from, to, random, solid, times});
   options->isa.add_option(cull);
   cull.footer(
-      "The two ends themselves are not listed: they always meet the shaft between them. A candidate's answer is\n"
-      "\"inside\" if its bound is fully inside the shaft, else \"overlap\"; with --solid it is \"blocks\" if every\n"
-      "segment between the two ends passes through it.\n"
+      "A shaft lies between two ends, unless an option says otherwise: what --from sweeps over (--swept), what --to "
+      "can\n"
+      "shadow from --from (--shadow), or a convex hull (--hull). The ends themselves are not listed. A candidate's\n"
+      "answer is \"inside\" if it is fully inside the shaft, else \"overlap\"; with --solid it is \"blocks\" if every\n"
+      "segment between the two ends passes through it. With --times it has the first time at which the moving box\n"
+      "touches it, rounded down: a share of the displacement, or a multiple of it without end; of a shadow 0 at the\n"
+      "occluder, and 1 where things are twice as far from the light.\n"
       "Parts are triangles of one object that lie close together: the object is halved along its widest axis, and so\n"
       "are its halves, until a part has no more than a 64th of the file's triangles.");
   cull.callback([options, scene] {

@@ -49,6 +49,24 @@ std::string plural(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
 }
 
+/// What is kept, as the kind of shaft has it.
+std::string sentence(const ShaftChoice& choice, const PairResult& pair, std::string_view kept) {
+  switch (choice.kind()) {
+    case ShaftKind::swept:
+      return fmt::format("{} swept by {}: {} may be hit", pair.from.label, to_text(choice.motion()), kept);
+    case ShaftKind::swept_without_end:
+      return fmt::format("{} swept without end along {}: {} may be hit", pair.from.label, to_text(choice.motion()),
+                         kept);
+    case ShaftKind::shadow:
+      return fmt::format("shadow of {} from {}: {} may lie in it", pair.to.label, pair.from.label, kept);
+    case ShaftKind::hull:
+      return fmt::format("convex hull of {} points: {} may lie in it", choice.points().size(), kept);
+    case ShaftKind::between:
+      break;
+  }
+  return fmt::format("{} -> {}: {} may lie between", pair.from.label, pair.to.label, kept);
+}
+
 std::string as_text(const CullReport& report) {
   std::string text =
       fmt::format("{}: {}, {}, {}\n", printable(report.path), plural(report.scene.names.size(), "object"),
@@ -56,9 +74,9 @@ std::string as_text(const CullReport& report) {
   for (const PairResult& pair : report.pairs) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
-    text += fmt::format("\n{} -> {}: {} may lie between ({} inside, {} overlap)", printable(pair.from.label),
-                        printable(pair.to.label), plural(pair.candidates.size(), grain_name(report.grain)),
-                        grouped(inside), grouped(pair.candidates.size() - inside));
+    const std::string kept = plural(pair.candidates.size(), grain_name(report.grain));
+    text += fmt::format("\n{} ({} inside, {} overlap)", printable(sentence(report.choice, pair, kept)), grouped(inside),
+                        grouped(pair.candidates.size() - inside));
     if (report.solid) {
       const auto blocking = static_cast<std::size_t>(
           std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.blocks; }));
@@ -71,8 +89,9 @@ std::string as_text(const CullReport& report) {
       const std::string number = report.grain == Grain::object
                                      ? ""
                                      : fmt::format(" {} {}", grain_name(report.grain), number_in_object(report, bound));
-      text += fmt::format("  {:<7}  {}{}  [{}]\n", answer_name(candidate), printable(report.scene.names[bound.object]),
-                          number, to_text(bound.box));
+      const std::string time = report.times ? fmt::format("  from {}", candidate.time) : "";
+      text += fmt::format("  {:<7}  {}{}  [{}]{}\n", answer_name(candidate),
+                          printable(report.scene.names[bound.object]), number, to_text(bound.box), time);
     }
   }
   return text;
@@ -86,15 +105,16 @@ std::string csv_cell(const std::string& text) {
 }
 
 std::string as_csv(const CullReport& report) {
-  std::string text = fmt::format("pair,from,to,object,{},answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z\n",
-                                 report.grain == Grain::part ? "part" : "triangle");
+  std::string text = fmt::format("pair,from,to,object,{},answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z{}\n",
+                                 report.grain == Grain::part ? "part" : "triangle", report.times ? ",time" : "");
   for (std::size_t p = 0; p < report.pairs.size(); ++p) {
     const PairResult& pair = report.pairs[p];
     for (const Candidate& candidate : pair.candidates) {
       const CullBound& bound = report.bounds[candidate.bound];
-      text += fmt::format("{},{},{},{},{},{},{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
+      text += fmt::format("{},{},{},{},{},{},{}{}\n", p, csv_cell(pair.from.label), csv_cell(pair.to.label),
                           csv_cell(report.scene.names[bound.object]), number_in_object(report, bound),
-                          answer_name(candidate), to_text(bound.box));
+                          answer_name(candidate), to_text(bound.box),
+                          report.times ? fmt::format(",{}", candidate.time) : "");
     }
   }
   return text;
@@ -103,14 +123,35 @@ std::string as_csv(const CullReport& report) {
 /// The number with the fewest digits that is `value` as a float: 0.1, not 0.10000000149.
 double shortest(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
 
-Json as_json(const Box& box) {
-  Json lo = Json::array();
-  Json hi = Json::array();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    lo.push_back(shortest(box.lo[axis]));
-    hi.push_back(shortest(box.hi[axis]));
+Json as_json(const Vec3& vector) {
+  Json json = Json::array();
+  for (const float x : vector) json.push_back(shortest(x));
+  return json;
+}
+
+Json as_json(const Box& box) { return Json{{"lo", as_json(box.lo)}, {"hi", as_json(box.hi)}}; }
+
+Json as_json(const ShaftChoice& choice) {
+  Json json{{"kind", std::string(name(choice.kind()))}};
+  switch (choice.kind()) {
+    case ShaftKind::swept:
+      json["displacement"] = as_json(choice.motion());
+      break;
+    case ShaftKind::swept_without_end:
+      json["direction"] = as_json(choice.motion());
+      break;
+    case ShaftKind::shadow:
+      json["reach"] = choice.reach() ? Json(shortest(*choice.reach())) : Json(nullptr);
+      break;
+    case ShaftKind::hull:
+      for (const Vec3& point : choice.points()) json["points"].push_back(as_json(point));
+      for (const Vec3& direction : choice.directions()) json["direction"] = as_json(direction);
+      return json;
+    case ShaftKind::between:
+      break;
   }
-  return Json{{"lo", std::move(lo)}, {"hi", std::move(hi)}};
+  json["contact"] = choice.contact() == Contact::open ? "open" : "closed";
+  return json;
 }
 
 Json as_json(const MeshScene& scene, const ShaftEnd& end) {
@@ -131,22 +172,27 @@ std::string as_json(const CullReport& report) {
       if (report.grain == Grain::triangle) entry["triangle"] = bound.triangle;
       entry["answer"] = answer_name(candidate);
       entry["box"] = as_json(bound.box);
+      if (report.times) entry["time"] = shortest(candidate.time);
       candidates.push_back(std::move(entry));
     }
-    pairs.push_back(Json{{"from", as_json(report.scene, pair.from)},
-                         {"to", as_json(report.scene, pair.to)},
-                         {"candidates", std::move(candidates)}});
+    Json entry = Json::object();
+    if (report.choice.has_from()) entry["from"] = as_json(report.scene, pair.from);
+    if (report.choice.has_to()) entry["to"] = as_json(report.scene, pair.to);
+    entry["candidates"] = std::move(candidates);
+    pairs.push_back(std::move(entry));
     if (report.solid) {
       pairs.back()["blocked"] =
           std::any_of(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.blocks; });
     }
   }
-  const Json root{{"scene", report.path},
-                  {"bounds", grain_name(report.grain)},
-                  {"objects", report.scene.names.size()},
-                  {"count", report.bounds.size()},
-                  {"isa", report.isa},
-                  {"pairs", std::move(pairs)}};
+  Json root{{"scene", report.path},
+            {"bounds", grain_name(report.grain)},
+            {"objects", report.scene.names.size()},
+            {"count", report.bounds.size()},
+            {"isa", report.isa},
+            {"shaft", as_json(report.choice)}};
+  if (!report.triangles.empty()) root["triangles"] = report.triangles;
+  root["pairs"] = std::move(pairs);
   // Names come from files: bytes that are not UTF-8 are replaced, not an error.
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh.hpp"
+#include "shaft_choice.hpp"
 #include "shaftcull/bounds.hpp"
 
 namespace shaftcull::cli {
@@ -25,11 +26,12 @@ struct CullBound {
   std::uint32_t triangle;  ///< position within the object, or none
 };
 
-/// A bound that may lie between the two ends of a shaft.
+/// A bound that a shaft keeps.
 struct Candidate {
   std::size_t bound;  ///< position in CullReport::bounds
   bool inside;        ///< fully inside the shaft, else it overlaps it
-  bool blocks;        ///< as a solid box it hides one end from the other; false unless that was asked
+  bool blocks;        ///< being solid it hides one end from the other; false unless that was asked
+  float time = 0;     ///< when the moving box reaches the bound, if that was asked
 };
 
 /// One end of a shaft: an object, a part of one, or a box of the user's.
@@ -45,10 +47,10 @@ struct ShaftEnd {
   }
 };
 
-/// The candidates between two ends, by position.
+/// The candidates of one shaft, by position.
 struct PairResult {
-  ShaftEnd from;
-  ShaftEnd to;
+  ShaftEnd from;  ///< not of a hull
+  ShaftEnd to;    ///< not of a hull, nor of a body that is swept
   std::vector<Candidate> candidates;
 };
 
@@ -61,6 +63,9 @@ struct CullReport {
   std::vector<CullBound> bounds;  ///< by object, then by part or triangle
   std::vector<PairResult> pairs;
   bool solid;  ///< whether it was asked what blocks
+  bool times;  ///< whether it was asked when bounds are reached
+  ShaftChoice choice;
+  std::string triangles;  ///< how triangles are tested, vertices or exact; empty if boxes around them are
 };
 
 enum class ReportFormat : std::uint8_t { text, json, csv };

@@ -1,6 +1,7 @@
 #include "mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -91,9 +92,11 @@ class Collector {
       const aiMesh& mesh = *file_.mMeshes[m];
       for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         if (mesh.mFaces[f].mNumIndices == 0) continue;
-        const Box box = face_box(mesh, mesh.mFaces[f], to_world, unique);
+        const std::array<Vec3, 3> vertices = face_vertices(mesh, mesh.mFaces[f], to_world, unique);
+        Box box = empty_box;
+        for (const Vec3& vertex : vertices) grow(box, {vertex, vertex});
         grow(whole, box);
-        triangles_.push_back({box, object, 0, triangle++});
+        triangles_.push_back({box, object, 0, triangle++, vertices});
       }
     }
     if (triangle == 0) return;
@@ -102,19 +105,20 @@ class Collector {
     scene_.names.push_back(unique);
   }
 
-  Box face_box(const aiMesh& mesh, const aiFace& face, const aiMatrix4x4& to_world, const std::string& object) const {
-    Box box = empty_box;
-    for (unsigned i = 0; i < face.mNumIndices; ++i) {
-      const unsigned index = face.mIndices[i];
+  std::array<Vec3, 3> face_vertices(const aiMesh& mesh, const aiFace& face, const aiMatrix4x4& to_world,
+                                    const std::string& object) const {
+    std::array<Vec3, 3> vertices{};
+    for (unsigned i = 0; i < vertices.size(); ++i) {
+      // Of points and lines the last vertex is repeated; the reader has made triangles of larger faces.
+      const unsigned index = face.mIndices[std::min(i, face.mNumIndices - 1)];
       // Checked before it is moved, which makes one NaN three.
       const aiVector3D& in_file = mesh.mVertices[index];
       require_finite({in_file.x, in_file.y, in_file.z}, index, object, "in the file");
       const aiVector3D vertex = to_world * in_file;
-      const Vec3 p{vertex.x, vertex.y, vertex.z};
-      require_finite(p, index, object, "in world space");
-      grow(box, {p, p});
+      vertices[i] = {vertex.x, vertex.y, vertex.z};
+      require_finite(vertices[i], index, object, "in world space");
     }
-    return box;
+    return vertices;
   }
 
   void require_finite(const Vec3& p, unsigned vertex, const std::string& object, const char* where) const {

@@ -1,6 +1,7 @@
 /// A mesh file as bounds in world space.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -10,12 +11,13 @@
 
 namespace shaftcull::cli {
 
-/// A triangle of an object.
+/// A triangle of an object. Points and lines are triangles with vertices repeated.
 struct MeshTriangle {
   Box box;
   std::uint32_t object;
   std::uint32_t part;      ///< position in MeshScene::parts
   std::uint32_t triangle;  ///< position within the object
+  std::array<Vec3, 3> vertex{};
 };
 
 /// Triangles of one object that lie close together (mesh_parts.hpp).

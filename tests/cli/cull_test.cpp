@@ -109,6 +109,157 @@ TEST_F(CliCull, LeavesOutWhatOnlyTouchesIfContactIsOpen) {
   expect_one_line_and_exit_code_2(run_program({"cull", shelf, "--random", "2", "--contact", "half"}));
 }
 
+TEST_F(CliCull, ListsWhatABodyMayHitAndWhen) {
+  const std::vector<std::string> arguments{"--from", "left", "--swept", "8,0,0", "--times", "--format"};
+  const auto as = [&](const char* format) {
+    auto with_format = arguments;
+    with_format.emplace_back(format);
+    Outcome outcome = cull(with_format);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    return outcome.out;
+  };
+  EXPECT_THAT(as("text"), AllOf(HasSubstr("left swept by 8,0,0: 3 objects may be hit (1 inside, 2 overlap)"),
+                                HasSubstr("overlap  middle  [3,-2,-2,7,2,2]  from 0.25\n"),
+                                HasSubstr("inside   small  [4.5,-0.5,-0.5,5.5,0.5,0.5]  from 0.4375\n"),
+                                HasSubstr("overlap  right  [9,-1,-1,11,1,1]  from 1\n")));
+  EXPECT_THAT(lines(as("csv")), ElementsAre("pair,from,to,object,triangle,answer,lo_x,lo_y,lo_z,hi_x,hi_y,hi_z,time",
+                                            "0,left,,middle,,overlap,3,-2,-2,7,2,2,0.25",
+                                            "0,left,,small,,inside,4.5,-0.5,-0.5,5.5,0.5,0.5,0.4375",
+                                            "0,left,,right,,overlap,9,-1,-1,11,1,1,1"));
+  const auto report = nlohmann::json::parse(as("json"));
+  EXPECT_EQ(report["shaft"]["kind"], "swept");
+  EXPECT_EQ(report["shaft"]["displacement"], nlohmann::json({8, 0, 0}));
+  const auto& pair = report["pairs"][0];
+  EXPECT_EQ(pair["from"]["object"], "left");
+  EXPECT_FALSE(pair.contains("to"));
+  EXPECT_EQ(pair["candidates"][1]["time"], 0.4375);
+}
+
+TEST_F(CliCull, ListsWhatABodyMayHitThatMovesWithoutEnd) {
+  const Outcome outcome =
+      cull({"--from", "left", "--swept", "0.5,0,0", "--without-end", "--times", "--format", "csv", "--tree"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("middle,,overlap,3,-2,-2,7,2,2,4\n"), HasSubstr("0.5,0.5,7\n"),
+                                 HasSubstr("right,,inside,9,-1,-1,11,1,1,16\n"), Not(HasSubstr("aside"))));
+}
+
+TEST_F(CliCull, ListsWhatLiesInAShadow) {
+  const Outcome outcome = cull({"--from", "left", "--to", "middle", "--shadow", "--times"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("shadow of middle from left: 2 objects may lie in it (2 inside, 0 overlap)"),
+                                 HasSubstr("inside   right  [9,-1,-1,11,1,1]  from 0.25\n"),
+                                 HasSubstr("inside   small  [4.5,-0.5,-0.5,5.5,0.5,0.5]  from 0\n")));
+  const Outcome near = cull({"--from", "left", "--to", "middle", "--shadow", "--reach", "1.125"});
+  ASSERT_EQ(near.exit_code, 0) << near.error;
+  EXPECT_THAT(near.out, AllOf(HasSubstr("small"), Not(HasSubstr("right"))));
+}
+
+TEST_F(CliCull, RefusesALightThatTouchesItsOccluder) {
+  const Outcome outcome = cull({"--from", "middle", "--to", "small", "--shadow"});
+  expect_one_line_and_exit_code_2(outcome);
+  EXPECT_THAT(outcome.error,
+              HasSubstr("--shadow: light [3,-2,-2,7,2,2] and occluder [4.5,-0.5,-0.5,5.5,0.5,0.5] touch"));
+}
+
+TEST_F(CliCull, DrawsRandomLightsAndOccludersThatAreApart) {
+  const Outcome outcome = cull({"--random", "50", "--shadow", "--format", "json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const auto report = nlohmann::json::parse(outcome.out);
+  ASSERT_THAT(report["pairs"], SizeIs(50));
+  for (const auto& pair : report["pairs"]) {
+    EXPECT_FALSE(pair["from"]["object"] == "middle" && pair["to"]["object"] == "small") << "they touch";
+    EXPECT_FALSE(pair["from"]["object"] == "small" && pair["to"]["object"] == "middle") << "they touch";
+  }
+  const std::string nested = folder_.write("nested.obj", obj_of({{"in", 0, 0, 1}, {"out", 0, 0, 2}}));
+  const Outcome none = run_program({"cull", nested, "--random", "1", "--shadow", "--ends", "object"});
+  expect_one_line_and_exit_code_2(none);
+  EXPECT_THAT(none.error, HasSubstr("no two objects of"));
+}
+
+TEST_F(CliCull, DrawsRandomBodies) {
+  const Outcome outcome = cull({"--random", "6", "--swept", "8,0,0"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr(" swept by 8,0,0: "), Not(HasSubstr("->"))));
+}
+
+TEST_F(CliCull, ListsWhatLiesInAConvexHull) {
+  const Outcome outcome = cull({"--hull", "4,-1,-1,6,1,1", "5,3,0", "--format", "json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  const auto report = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(report["shaft"]["kind"], "hull");
+  EXPECT_EQ(report["shaft"]["points"].size(), 9U);
+  const auto& candidates = report["pairs"][0]["candidates"];
+  ASSERT_THAT(candidates, SizeIs(2));
+  EXPECT_EQ(candidates[0]["object"], "middle");
+  EXPECT_EQ(candidates[1]["object"], "small");
+  EXPECT_EQ(candidates[1]["answer"], "inside");
+  EXPECT_THAT(cull({"--hull", "4,-1,-1,6,1,1", "5,3,0", "--towards", "0,1,0"}).out,
+              AllOf(HasSubstr("convex hull of 9 points: 3 objects may lie in it"), HasSubstr("aside")));
+}
+
+TEST_F(CliCull, TestsTrianglesOrBoxesAroundThem) {
+  const std::string path = folder_.write("slanted.obj",
+                                         "o slanted\nv 5 3.4 -1\nv 5 -1 3.4\nv 6 3 3\nf 1 2 3\n"
+                                         "o wall\nv 7 -9 -9\nv 7 9 -9\nv 7 0 30\nf 4 5 6\n"
+                                         "o speck\nv 4 0 0\nv 4 0.5 0\nv 4 0 0.5\nf 7 8 9\n");
+  const std::vector<std::string> ends{"cull", path, "--from", "-1,-1,-1,1,1,1", "--to", "9,-1,-1,11,1,1"};
+  const auto of = [&](const std::vector<std::string>& more) {
+    auto arguments = ends;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    arguments.emplace_back("--tree");
+    EXPECT_EQ(run_program(arguments).out, outcome.out);
+    return outcome.out;
+  };
+  EXPECT_THAT(of({"--bounds", "triangle"}), HasSubstr("3 triangles may lie between (1 inside, 2 overlap)"));
+  EXPECT_THAT(of({"--triangles", "vertices"}), HasSubstr("overlap  slanted triangle 0"));
+  const std::string exact = of({"--triangles", "exact", "--solid"});
+  EXPECT_THAT(exact, AllOf(HasSubstr("2 triangles may lie between (1 inside, 1 overlap), 1 of them blocks"),
+                           HasSubstr("blocks   wall triangle 0"), HasSubstr("inside   speck triangle 0"),
+                           Not(HasSubstr("slanted triangle"))));
+  const auto report = nlohmann::json::parse(of({"--triangles", "exact", "--format", "json"}));
+  EXPECT_EQ(report["triangles"], "exact");
+  EXPECT_EQ(report["pairs"][0]["candidates"].size(), 2U);
+}
+
+TEST_F(CliCull, LeavesOutTrianglesThatOnlyTouchIfContactIsOpen) {
+  const std::string path = folder_.write("lid.obj",
+                                         "o lid\nv 4 1 0\nv 6 1 0\nv 5 3 0\nf 1 2 3\n"
+                                         "o fin\nv 4 0.5 0\nv 6 0.5 0\nv 5 3 0\nf 4 5 6\n"
+                                         "o tip\nv 4 0.5 0\nv 6 0.5 0\nv 5 1 0\nf 7 8 9\n");
+  const std::vector<std::string> arguments{"cull",           path,          "--from", "-1,-1,-1,1,1,1", "--to",
+                                           "9,-1,-1,11,1,1", "--triangles", "exact",  "--contact"};
+  auto closed = arguments;
+  closed.emplace_back("closed");
+  EXPECT_THAT(run_program(closed).out, AllOf(HasSubstr("lid triangle"), HasSubstr("fin triangle")));
+  auto open = arguments;
+  open.emplace_back("open");
+  EXPECT_THAT(run_program(open).out, AllOf(Not(HasSubstr("lid triangle")), HasSubstr("overlap  fin triangle"),
+                                           HasSubstr("inside   tip triangle")));
+}
+
+TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
+  const std::vector<std::string> ends{"--from", "left", "--to", "right"};
+  const std::vector<std::string> body{"--from", "left", "--swept", "1,0,0"};
+  const std::vector<std::string> hull{"--hull", "0,0,0,1,1,1"};
+  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  for (const auto& arguments :
+       {with(ends, {"--swept", "1,0,0"}), with(ends, {"--without-end"}), with(ends, {"--reach", "2"}),
+        with(ends, {"--towards", "1,0,0"}), with(ends, {"--shadow", "--solid"}), with(body, {"--shadow"}),
+        with(body, {"--solid"}), with(hull, ends), with(hull, {"--swept", "1,0,0"}), with(hull, {"--shadow"}),
+        with(hull, {"--random", "2"}), with(hull, {"--times"}), with(hull, {"--solid"}),
+        with(hull, {"--contact", "open"}), with(hull, {"--triangles", "exact"}),
+        with(ends, {"--triangles", "exact", "--times"}), with(ends, {"--triangles", "exact", "--bounds", "object"}),
+        std::vector<std::string>{"--swept", "1,0,0"}, std::vector<std::string>{"--shadow", "--from", "left"}}) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    expect_one_line_and_exit_code_2(cull(arguments));
+  }
+}
+
 TEST_F(CliCull, ListsWhatLiesBetweenAsJson) {
   const Outcome outcome = cull({"--from", "left", "--to", "right", "--format", "json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
