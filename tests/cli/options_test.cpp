@@ -40,6 +40,7 @@ const std::vector<NumberOption> whole_numbers{
     {{"cull", "a.obj"}, "--random", "1", "1000000"},
     {{"cull", "a.obj", "--random", "1"}, "--seed", "0", "18446744073709551615"},
     {{"stats"}, "--shafts", "1", "100000000"},
+    {{"stats"}, "--lattice", "1", "1000000"},
     {{"stats"}, "--seed", "0", "18446744073709551615"},
     {{"draw"}, "--size", "12", "400"},
     {{"verify"}, "--cases", "1", "1125899906842624"},

@@ -200,5 +200,48 @@ TEST(CliDraw, RefusesWhatNoShaftCanBeMadeOf) {
   EXPECT_THAT(refusal_of({"draw", "--bound", "1,2,3"}), HasSubstr("--bound 1,2,3: 3 numbers; a box takes six"));
 }
 
+/// The percentages in the row of a table that begins so.
+std::vector<double> shares_in(const std::string& text, const std::string& row) {
+  for (const std::string& line : lines(text)) {
+    if (line.starts_with(row)) return numbers_in(line.substr(row.size()));
+  }
+  ADD_FAILURE() << "no row of " << row << " in\n" << text;
+  return {0, 0, 0, 0};
+}
+
+TEST(CliStats, CountAnswersOfEveryKind) {
+  struct KindOptions {
+    std::string row;
+    std::vector<std::string> options;
+  };
+  for (const KindOptions& kind : {KindOptions{"swept  ", {"--swept", "0.5,0.25,0"}},
+                                  KindOptions{"swept without end", {"--swept", "0.5,0.25,0", "--without-end"}},
+                                  KindOptions{"shadow", {"--shadow"}}, KindOptions{"between", {"--lattice", "40"}}}) {
+    SCOPED_TRACE(kind.row);
+    const std::string text = output_of(with({"stats", "--shafts", "200"}, kind.options));
+    const std::vector<double> shares = shares_in(text, kind.row);
+    ASSERT_THAT(shares, SizeIs(4));
+    EXPECT_NEAR(shares[0] + shares[2] + shares[3], 100, 0.2);
+    EXPECT_GT(shares[0], 1);
+    EXPECT_GT(shares[2], 1);
+    EXPECT_EQ(shares[1], 0);
+  }
+}
+
+TEST(CliStats, ShadowsThatEndKeepLess) {
+  const std::vector<std::string> arguments{"stats", "--shafts", "200", "--shadow"};
+  EXPECT_GT(shares_in(output_of(with(arguments, {"--reach", "1.25"})), "shadow")[0],
+            shares_in(output_of(arguments), "shadow")[0]);
+}
+
+TEST(CliStats, CountWhatOnlyTouchesIfContactIsOpen) {
+  const std::vector<std::string> arguments{"stats", "--shafts", "200", "--lattice", "40", "--contact"};
+  const std::vector<double> closed = shares_in(output_of(with(arguments, {"closed"})), "between");
+  const std::vector<double> open = shares_in(output_of(with(arguments, {"open"})), "between");
+  EXPECT_EQ(closed[1], 0);
+  EXPECT_GT(open[1], 1);
+  EXPECT_NEAR(open[0] * (1 - open[1] / 100), closed[0], 0.2) << "what touches is all that contact changes";
+}
+
 }  // namespace
 }  // namespace shaftcull::test
