@@ -1,11 +1,14 @@
-/// Which shaft the command line asks for, in `draw` and `stats`, from outside.
+/// Which shaft the command line asks for, in `draw` and `stats`, from outside; and the pictures of docs/kinds.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,11 @@ std::string refusal_of(const std::vector<std::string>& arguments) {
   EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
   EXPECT_THAT(outcome.out, IsEmpty());
   return outcome.error;
+}
+
+std::string file_content(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::vector<double> numbers_in(const std::string& text) {
@@ -241,6 +249,42 @@ TEST(CliStats, CountWhatOnlyTouchesIfContactIsOpen) {
   EXPECT_EQ(closed[1], 0);
   EXPECT_GT(open[1], 1);
   EXPECT_NEAR(open[0] * (1 - open[1] / 100), closed[0], 0.2) << "what touches is all that contact changes";
+}
+
+/// The commands of a page that make pictures, with what they are written to.
+struct PictureCommand {
+  std::vector<std::string> arguments;
+  std::string file;
+};
+
+std::vector<PictureCommand> picture_commands(const std::string& page) {
+  const std::string joined = std::regex_replace(page, std::regex(R"(\\\n)"), " ");
+  std::vector<PictureCommand> commands;
+  for (const std::string& line : lines(joined)) {
+    if (!line.starts_with("    shaftcull draw --svg")) continue;
+    std::istringstream words(line);
+    PictureCommand command;
+    std::string word;
+    words >> word;
+    while (words >> word && word != ">") command.arguments.push_back(word);
+    words >> command.file;
+    commands.push_back(command);
+  }
+  return commands;
+}
+
+TEST(KindsPage, HasThePicturesThatItsCommandsMake) {
+  const std::string docs = SHAFTCULL_DOCS;
+  const std::string page = file_content(docs + "/kinds.md");
+  const std::vector<PictureCommand> commands = picture_commands(page);
+  EXPECT_THAT(commands, SizeIs(7));
+  for (const PictureCommand& command : commands) {
+    SCOPED_TRACE(command.file);
+    ASSERT_THAT(command.file, testing::StartsWith("docs/kinds/"));
+    const std::string name = command.file.substr(std::string("docs/").size());
+    EXPECT_THAT(page, HasSubstr("](" + name + ")"));
+    EXPECT_EQ(output_of(command.arguments), file_content(docs + "/" + name));
+  }
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
-/// The README's table of questions: its lines of code compile as they stand there, and the shafts that they make keep
-/// what is in the way and cull what is not.
+/// The README's table of questions, and the page of kinds: their lines of code compile as they stand there, and the
+/// shafts that they make keep what is in the way and cull what is not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -89,9 +91,28 @@ TEST(ReadmeQuestions, ATriangleIsInTheWayOrNot) {
   EXPECT_FALSE(in_the_way({{{{{2.2F, 0, 5}, {0, 2.2F, 5}, {2, 2, 6}}}}})) << "its box is in the way";
 }
 
+std::string text_of(const char* path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ReadmeQuestions, AreAskedOnThePageOfKindsAsHere) {
+  const std::string page = text_of(SHAFTCULL_KINDS_PAGE);
+  std::size_t found = 0;
+  for (std::size_t begin = 0; (begin = page.find("`sc::", begin)) != std::string::npos; ++found) {
+    const std::size_t end = page.find('`', begin + 1);
+    const std::string code = page.substr(begin + 1, end - begin - 1);
+    const std::vector<Question> known = questions();
+    EXPECT_TRUE(code == "sc::blocked(sc::compile(patch, other_patch), walls)" ||
+                std::any_of(known.begin(), known.end(), [&](const Question& each) { return each.code == code; }))
+        << code << " is compiled by no test";
+    begin = end + 1;
+  }
+  EXPECT_GE(found, 8U);
+}
+
 TEST(ReadmeQuestions, AreAskedAsTheReadmeSays) {
-  std::ifstream file(SHAFTCULL_README);
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string readme = text_of(SHAFTCULL_README);
   EXPECT_NE(readme.find("`sc::any(sc::compile(patch, other_patch), sc::TriangleTree(mesh))`"), std::string::npos);
   EXPECT_NE(readme.find("`sc::blocked(sc::compile(patch, other_patch), walls)`"), std::string::npos);
   for (const Question& question : questions()) {
