@@ -35,6 +35,7 @@ struct CullOptions {
   bool tree = false;
   bool solid = false;
   bool times = false;
+  bool first = false;
   std::string triangles;  ///< empty: boxes around them are tested
   ShaftChoice choice;
   InstructionSet isa;
@@ -267,11 +268,21 @@ void find_times(const CullOptions& options, const BoxStream& bounds, PairResult&
   for (std::size_t i = 0; i < times.size(); ++i) pair.candidates[i].time = times[i];
 }
 
+/// Of what the shaft keeps, but for its own ends, leaves the bound that it reaches first.
+void keep_first(std::span<const CullBound> all, const BoxTree& bounds, const CompiledShaft& shaft, PairResult& pair) {
+  std::vector<std::uint64_t> ends(words_for(bounds.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (pair.from.holds(all[i]) || pair.to.holds(all[i])) ends[i / 64] |= std::uint64_t{1} << i % 64;
+  }
+  const FirstContact first = first_contact(shaft, bounds, {.mask = ends});
+  std::erase_if(pair.candidates, [&](const Candidate& candidate) { return candidate.bound != first.index; });
+}
+
 void find_bounds(const CullOptions& options, CullReport& report) {
   const MinMaxRecords records{&report.bounds.front().box.lo, &report.bounds.front().box.hi, sizeof(CullBound),
                               report.bounds.size()};
   const BoxStream stream(records);
-  const BoxTree tree = options.tree ? BoxTree(records) : BoxTree();
+  const BoxTree tree = options.tree || options.first ? BoxTree(records) : BoxTree();
   for (PairResult& pair : report.pairs) {
     const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
     if (options.tree) {
@@ -279,7 +290,8 @@ void find_bounds(const CullOptions& options, CullReport& report) {
     } else {
       find_candidates(report.bounds, stream, shaft.compiled(), pair);
     }
-    if (options.times) find_times(options, stream, pair);
+    if (options.first) keep_first(report.bounds, tree, shaft.compiled(), pair);
+    if (report.times) find_times(options, stream, pair);
   }
 }
 
@@ -296,7 +308,8 @@ void run(const CullOptions& options) {
                     {},
                     {},
                     options.solid,
-                    options.times,
+                    options.times || options.first,
+                    options.first,
                     options.choice,
                     options.triangles};
   report.pairs = pairs_of(report.scene, options);
@@ -357,13 +370,15 @@ void add_cull(CLI::App& program) {
           ->excludes(cull.get_option("--shadow"));
   CLI::Option* times = cull.add_flag("--times", options->times,
                                      "Say when the moving box of the shaft reaches each bound: 0 at its start");
+  CLI::Option* first = cull.add_flag("--first", options->first, "List only the bound that is reached first, and when");
   cull.add_option("--triangles", options->triangles,
                   "Test triangles of the mesh instead of boxes: by their vertices, or exact")
       ->check(CLI::IsMember({"vertices", "exact"}))
       ->type_name("TEST")
       ->excludes(bounds)
-      ->excludes(times);
-  options->choice.add_hull_options(cull, std::array{from, to, random, solid, times});
+      ->excludes(times)
+      ->excludes(first);
+  options->choice.add_hull_options(cull, std::array{from, to, random, solid, times, first});
   options->isa.add_option(cull);
   cull.footer(
       "A shaft lies between two ends, unless an option says otherwise: what --from sweeps over (--swept), what --to "

@@ -49,22 +49,26 @@ std::string plural(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
 }
 
-/// What is kept, as the kind of shaft has it.
-std::string sentence(const ShaftChoice& choice, const PairResult& pair, std::string_view kept) {
+/// Which shaft, and what is the case of those that it keeps.
+struct Heading {
+  std::string shaft;
+  const char* verb;
+};
+
+Heading heading_of(const ShaftChoice& choice, const PairResult& pair) {
   switch (choice.kind()) {
     case ShaftKind::swept:
-      return fmt::format("{} swept by {}: {} may be hit", pair.from.label, to_text(choice.motion()), kept);
+      return {fmt::format("{} swept by {}", pair.from.label, to_text(choice.motion())), "may be hit"};
     case ShaftKind::swept_without_end:
-      return fmt::format("{} swept without end along {}: {} may be hit", pair.from.label, to_text(choice.motion()),
-                         kept);
+      return {fmt::format("{} swept without end along {}", pair.from.label, to_text(choice.motion())), "may be hit"};
     case ShaftKind::shadow:
-      return fmt::format("shadow of {} from {}: {} may lie in it", pair.to.label, pair.from.label, kept);
+      return {fmt::format("shadow of {} from {}", pair.to.label, pair.from.label), "may lie in it"};
     case ShaftKind::hull:
-      return fmt::format("convex hull of {} points: {} may lie in it", choice.points().size(), kept);
+      return {fmt::format("convex hull of {} points", choice.points().size()), "may lie in it"};
     case ShaftKind::between:
       break;
   }
-  return fmt::format("{} -> {}: {} may lie between", pair.from.label, pair.to.label, kept);
+  return {fmt::format("{} -> {}", pair.from.label, pair.to.label), "may lie between"};
 }
 
 std::string as_text(const CullReport& report) {
@@ -75,8 +79,12 @@ std::string as_text(const CullReport& report) {
     const auto inside = static_cast<std::size_t>(
         std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.inside; }));
     const std::string kept = plural(pair.candidates.size(), grain_name(report.grain));
-    text += fmt::format("\n{} ({} inside, {} overlap)", printable(sentence(report.choice, pair, kept)), grouped(inside),
-                        grouped(pair.candidates.size() - inside));
+    const Heading heading = heading_of(report.choice, pair);
+    text += fmt::format("\n{}: ", printable(heading.shaft));
+    text += !report.first_only        ? fmt::format("{} {}", kept, heading.verb)
+            : pair.candidates.empty() ? "nothing is reached"
+                                      : fmt::format("{} is reached first", kept);
+    text += fmt::format(" ({} inside, {} overlap)", grouped(inside), grouped(pair.candidates.size() - inside));
     if (report.solid) {
       const auto blocking = static_cast<std::size_t>(
           std::count_if(pair.candidates.begin(), pair.candidates.end(), [](const Candidate& c) { return c.blocks; }));

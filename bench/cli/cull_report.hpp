@@ -62,8 +62,9 @@ struct CullReport {
   MeshScene scene;
   std::vector<CullBound> bounds;  ///< by object, then by part or triangle
   std::vector<PairResult> pairs;
-  bool solid;  ///< whether it was asked what blocks
-  bool times;  ///< whether it was asked when bounds are reached
+  bool solid;       ///< whether it was asked what blocks
+  bool times;       ///< whether it was asked when bounds are reached
+  bool first_only;  ///< whether it was asked which is reached first
   ShaftChoice choice;
   std::string triangles;  ///< how triangles are tested, vertices or exact; empty if boxes around them are
 };

@@ -143,6 +143,21 @@ TEST_F(CliCull, ListsWhatABodyMayHitThatMovesWithoutEnd) {
                                  HasSubstr("right,,inside,9,-1,-1,11,1,1,16\n"), Not(HasSubstr("aside"))));
 }
 
+TEST_F(CliCull, ListsOnlyWhatIsReachedFirst) {
+  const std::vector<std::string> arguments{"--from", "right", "--swept", "-8,0,0", "--first"};
+  EXPECT_THAT(cull(arguments).out,
+              AllOf(HasSubstr("right swept by -8,0,0: 1 object is reached first (0 inside, 1 overlap)"),
+                    HasSubstr("overlap  middle  [3,-2,-2,7,2,2]  from 0.25\n"), Not(HasSubstr("small  [")),
+                    Not(HasSubstr("left  ["))));
+  auto away = arguments;
+  away[3] = "8,0,0";
+  EXPECT_THAT(cull(away).out, HasSubstr("right swept by 8,0,0: nothing is reached"));
+  // Both start in the large cube, and of equal times the first in the file counts.
+  const Outcome csv = cull({"--from", "5,0,0,5,0,0", "--swept", "1,0,0", "--first", "--format", "csv"});
+  EXPECT_THAT(lines(csv.out),
+              ElementsAre(HasSubstr("hi_z,time"), "0,\"5,0,0,5,0,0\",,middle,,overlap,3,-2,-2,7,2,2,0"));
+}
+
 TEST_F(CliCull, ListsWhatLiesInAShadow) {
   const Outcome outcome = cull({"--from", "left", "--to", "middle", "--shadow", "--times"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -247,14 +262,27 @@ TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   };
-  for (const auto& arguments :
-       {with(ends, {"--swept", "1,0,0"}), with(ends, {"--without-end"}), with(ends, {"--reach", "2"}),
-        with(ends, {"--towards", "1,0,0"}), with(ends, {"--shadow", "--solid"}), with(body, {"--shadow"}),
-        with(body, {"--solid"}), with(hull, ends), with(hull, {"--swept", "1,0,0"}), with(hull, {"--shadow"}),
-        with(hull, {"--random", "2"}), with(hull, {"--times"}), with(hull, {"--solid"}),
-        with(hull, {"--contact", "open"}), with(hull, {"--triangles", "exact"}),
-        with(ends, {"--triangles", "exact", "--times"}), with(ends, {"--triangles", "exact", "--bounds", "object"}),
-        std::vector<std::string>{"--swept", "1,0,0"}, std::vector<std::string>{"--shadow", "--from", "left"}}) {
+  for (const auto& arguments : {with(ends, {"--swept", "1,0,0"}),
+                                with(ends, {"--without-end"}),
+                                with(ends, {"--reach", "2"}),
+                                with(ends, {"--towards", "1,0,0"}),
+                                with(ends, {"--shadow", "--solid"}),
+                                with(body, {"--shadow"}),
+                                with(body, {"--solid"}),
+                                with(hull, ends),
+                                with(hull, {"--swept", "1,0,0"}),
+                                with(hull, {"--shadow"}),
+                                with(hull, {"--random", "2"}),
+                                with(hull, {"--times"}),
+                                with(hull, {"--first"}),
+                                with(hull, {"--solid"}),
+                                with(hull, {"--contact", "open"}),
+                                with(hull, {"--triangles", "exact"}),
+                                with(ends, {"--triangles", "exact", "--times"}),
+                                with(ends, {"--triangles", "exact", "--first"}),
+                                with(ends, {"--triangles", "exact", "--bounds", "object"}),
+                                std::vector<std::string>{"--swept", "1,0,0"},
+                                std::vector<std::string>{"--shadow", "--from", "left"}}) {
     SCOPED_TRACE(testing::PrintToString(arguments));
     expect_one_line_and_exit_code_2(cull(arguments));
   }
