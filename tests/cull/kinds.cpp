@@ -19,7 +19,7 @@
 #include "flat/grid_group.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
-#include "oracle/cases/shafts.hpp"
+#include "oracle/cases/moving.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/moving_hull.hpp"
 #include "oracle/open_contact.hpp"
@@ -31,16 +31,9 @@
 namespace shaftcull {
 namespace {
 
-using Kind = MovingInput::Kind;
-constexpr Kind kinds[] = {Kind::swept, Kind::swept_without_end, Kind::shadow, Kind::shadow_without_end};
-
+/// With the fault that a mutation test puts into it, if any.
 CompiledShaft compiled(const MovingInput& input) {
-  CompiledShaft shaft = input.kind == Kind::swept ? swept(input.box, input.displacement, input.added)
-                        : input.kind == Kind::swept_without_end
-                            ? swept_without_end(input.box, input.displacement, input.added)
-                        : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
-                                                     : shadow(input.light, input.box, input.added);
-  set_contact(shaft, input.contact);
+  CompiledShaft shaft = shaft_of(input);
   if (mutate != nullptr) mutate(shaft);
   return shaft;
 }
@@ -101,77 +94,13 @@ void expect_exact_of_open(MovingInput input, const std::vector<Box>& boxes, cons
   expect_exact(input, hull, some(spheres));
 }
 
-/// Where the face of box(t) on axis k is, and t from 0 to `end`, roughly.
-struct Path {
-  double start;
-  double slope;
-};
-Path path(const MovingInput& input, std::size_t k, bool hi) {
-  const auto at = [&](const Box& box, bool of_hi) { return static_cast<double>(of_hi ? box.hi[k] : box.lo[k]); };
-  return {at(input.box, hi),
-          input.is_shadow() ? at(input.box, hi) - at(input.light, !hi) : static_cast<double>(input.displacement[k])};
-}
-double random_t(Random& random, const MovingInput& input) {
-  const double end = input.kind == Kind::shadow ? static_cast<double>(input.reach) - 1 : 1;
-  if (input.is_endless() && random.one_in(2)) return std::exp2(static_cast<double>(random.uniform(-3, 12)));
-  if (random.one_in(4)) return end * static_cast<double>(random.integer(0, 1));
-  return end * static_cast<double>(random.uniform(0, 1));
-}
-float as_float(double x) { return static_cast<float>(std::clamp(x, -3e38, 3e38)); }
-
-/// A box with a corner on the path of a corner of the moving box, but for an ulp or two; it extends outwards, inwards,
-/// or lies across.
-Box touching_box(Random& random, const MovingInput& input) {
-  const double t = random_t(random, input);
-  const bool inwards = random.one_in(3);
-  const double size = static_cast<double>(random.uniform(0, random.one_in(3) ? 3.0F : 0.3F));
-  Box box{};
-  for (std::size_t k = 0; k != 3; ++k) {
-    const bool hi = random.one_in(2);
-    const Path on = path(input, k, hi);
-    const float point = random.nudge(as_float(on.start + t * on.slope));
-    const double extent =
-        random.one_in(4) ? 0 : size * std::max({std::abs(on.start), std::abs(on.slope), std::abs(double{point}) / 64});
-    const bool across = random.one_in(5);
-    const bool upwards = hi != inwards;
-    box.lo[k] = across || !upwards ? std::min(point, as_float(double{point} - extent)) : point;
-    box.hi[k] = across || upwards ? std::max(point, as_float(double{point} + extent)) : point;
-  }
-  return box;
-}
-
-Vec3 nearby_point(Random& random, const MovingInput& input) {
-  const double t = random_t(random, input);
-  Vec3 point{};
-  for (std::size_t k = 0; k != 3; ++k) {
-    const Path lo = path(input, k, false);
-    const Path hi = path(input, k, true);
-    const double at = static_cast<double>(random.uniform(-0.7F, 1.7F));
-    point[k] = as_float((1 - at) * (lo.start + t * lo.slope) + at * (hi.start + t * hi.slope) +
-                        0.2 * static_cast<double>(random.uniform(-1, 1)) * std::abs(lo.slope));
-  }
-  return point;
-}
-
-/// A sphere, as often as not one that touches the shaft from outside or inside, but for an ulp or two.
-Sphere nearby_sphere(Random& random, const MovingInput& input, const oracle::MovingHull& hull) {
-  const Vec3 centre = nearby_point(random, input);
-  if (random.one_in(3)) {
-    const double size = std::abs(path(input, random.below(3), false).slope);
-    return {centre, random.one_in(4) ? 0.0F : as_float(size * static_cast<double>(random.uniform(0, 1)))};
-  }
-  const mpq_class distance = hull.squared_distance(centre);
-  const mpq_class square = distance > 0 ? distance : hull.squared_depth(centre);
-  return {centre, std::max(0.0F, random.nudge(as_float(std::sqrt(mpf_class(square, 256).get_d()))))};
-}
-
 /// Checks `shafts` inputs of each kind.
 template <class MakeInput>
 void check(std::uint64_t seed, std::size_t shafts, const MakeInput& input_of) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   for (std::size_t i = 0; i != random_cases(shafts); ++i) {
-    for (const Kind kind : kinds) {
+    for (const MovingKind kind : moving_kinds) {
       if (testing::Test::HasFailure()) return;
       const MovingInput input = input_of(random, kind);
       std::vector<Box> boxes;
@@ -191,149 +120,32 @@ void check(std::uint64_t seed, std::size_t shafts, const MakeInput& input_of) {
   }
 }
 
-bool are_apart(const Box& light, const Box& occluder) {
-  for (std::size_t k = 0; k != 3; ++k) {
-    if (light.hi[k] < occluder.lo[k] || occluder.hi[k] < light.lo[k]) return true;
-  }
-  return false;
-}
+TEST(Kinds, OrdinaryShaftsAnswerExactly) { check(1, 20, random_movement); }
 
-/// An input of boxes and displacements that `box` and `vector` make.
-template <class MakeBox, class MakeVector>
-MovingInput input_of(Random& random, Kind kind, const MakeBox& box, const MakeVector& vector) {
-  MovingInput input{kind, box()};
-  do {
-    input.displacement = vector();
-  } while (input.displacement == Vec3{0, 0, 0});
-  do {
-    input.light = box();
-    if (random.one_in(4)) input.light.hi = input.light.lo;  // a point light
-    if (!are_apart(input.light, input.box)) input.box = box();
-  } while (!are_apart(input.light, input.box));
-  constexpr float reaches[] = {1.0F, 1.5F, 2.0F, 10.0F};
-  input.reach = random.one_in(2) ? reaches[random.below(4)] : 1 + std::exp2(random.uniform(-12, 6));
-  return input;
-}
+TEST(Kinds, ShaftsOnAGridAnswerExactly) { check(2, 20, grid_movement); }
 
-MovingInput random_input(Random& random, Kind kind) {
-  const float size = random.one_in(2) ? 5.0F : 1.0F;
-  return input_of(
-      random, kind, [&] { return random.box(-5, 5, 0.05F, 1.0F); }, [&] { return random.vec3(-size, size); });
-}
+TEST(Kinds, ShaftsAlongAnAxisOrAPlaneAnswerExactly) { check(3, 20, straight_movement); }
 
-TEST(Kinds, OrdinaryShaftsAnswerExactly) { check(1, 20, random_input); }
+TEST(Kinds, DisplacementsOfAFewUlpsAreNotRoundedAway) { check(4, 15, tiny_movement); }
 
-TEST(Kinds, ShaftsOnAGridAnswerExactly) {
-  check(2, 20, [](Random& random, Kind kind) {
-    MovingInput input = input_of(
-        random, kind, [&] { return random.grid_box(0, 8); },
-        [&] {
-          return Vec3{random.integer(-4, 4), random.integer(-4, 4), random.integer(-4, 4)};
-        });
-    input.reach = random.integer(1, 4);
-    return input;
-  });
-}
+TEST(Kinds, ShaftsFarFromTheOriginAnswerExactly) { check(5, 15, distant_movement); }
 
-TEST(Kinds, ShaftsAlongAnAxisOrAPlaneAnswerExactly) {
-  check(3, 20, [](Random& random, Kind kind) {
-    return input_of(
-        random, kind, [&] { return random.one_in(2) ? random.grid_box(0, 3) : random.box(-3, 3, 0.1F, 1.0F); },
-        [&] {
-          Vec3 d = random.vec3(-3, 3);
-          d[random.below(3)] = 0;
-          if (random.one_in(2)) d[random.below(3)] = -0.0F;
-          return d;
-        });
-  });
-}
+TEST(Kinds, ShaftsThatEndFarBeyondTheSceneAnswerExactly) { check(6, 15, far_movement); }
 
-TEST(Kinds, DisplacementsOfAFewUlpsAreNotRoundedAway) {
-  check(4, 15, [](Random& random, Kind kind) {
-    return input_of(
-        random, kind, [&] { return random.box(-5, 5, 0.05F, 1.0F); },
-        [&] {
-          Vec3 d{};
-          for (float& x : d) x = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.integer(-40, 1)));
-          return d;
-        });
-  });
-}
+TEST(Kinds, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) { check(7, 30, wild_movement); }
 
-TEST(Kinds, ShaftsFarFromTheOriginAnswerExactly) {
-  check(5, 15, [](Random& random, Kind kind) {
-    const float distance = std::pow(10.0F, random.uniform(1, 7));
-    return input_of(
-        random, kind,
-        [&] {
-          Box box = random.box(-5, 5, 0.05F, 1.0F);
-          for (std::size_t k = 0; k != 3; ++k) {
-            box.lo[k] += distance;
-            box.hi[k] += distance;
-          }
-          return box;
-        },
-        [&] { return random.vec3(-5, 5); });
-  });
-}
-
-TEST(Kinds, ShaftsThatEndFarBeyondTheSceneAnswerExactly) {
-  check(6, 15, [](Random& random, Kind kind) {
-    MovingInput input = input_of(
-        random, kind, [&] { return random.box(-5, 5, 0.05F, 1.0F); },
-        [&] {
-          const int exponent = static_cast<int>(random.integer(15, 125));
-          Vec3 d{};
-          for (float& x : d) x = std::ldexp(random.uniform(-1, 1), exponent - static_cast<int>(random.integer(0, 20)));
-          return d;
-        });
-    input.reach = std::exp2(random.uniform(10, 120));
-    return input;
-  });
-}
-
-TEST(Kinds, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) {
-  check(7, 30, [](Random& random, Kind kind) {
-    const bool mixed = random.one_in(3);
-    const int low = mixed ? -149 : static_cast<int>(random.integer(-149, 122));
-    const int high = mixed ? 127 : low + 5;
-    const auto vector = [&] { return Vec3{random.wild(low, high), random.wild(low, high), random.wild(low, high)}; };
-    return input_of(
-        random, kind,
-        [&] {
-          const Vec3 p = vector();
-          return Random::sorted(p, vector());
-        },
-        vector);
-  });
-}
-
-/// Nearly all bounds touch, and half of the extents are 0.
 TEST(Kinds, ShaftsWithOpenContactOnALatticeAnswerExactly) {
   constexpr std::uint64_t seed = 8;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   for (std::size_t i = 0; i != random_cases(40); ++i) {
-    for (const Kind kind : kinds) {
+    for (const MovingKind kind : moving_kinds) {
       if (HasFailure()) return;
-      MovingInput input = input_of(
-          random, kind, [&] { return lattice_box(random); },
-          [&] {
-            return Vec3{random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)};
-          });
-      input.reach = random.integer(1, 3);
+      MovingInput input = lattice_movement(random, kind);
       input.contact = Contact::open;
-      if (random.one_in(3)) input.added.push_back(plane_through(random, input.box.lo, true));
       const oracle::OpenHull hull(input);
       std::vector<Box> boxes;
-      for (int k = 0; k != 64; ++k) {
-        boxes.push_back(lattice_box(random, 5));
-        const Vec3 by{random.integer(-3, 0), random.integer(-3, 0), random.integer(-3, 0)};
-        for (std::size_t axis = 0; axis != 3; ++axis) {
-          boxes.back().lo[axis] += by[axis];
-          boxes.back().hi[axis] += by[axis];
-        }
-      }
+      for (int k = 0; k != 64; ++k) boxes.push_back(lattice_bound(random));
       expect_exact(input, hull, boxes);
       std::vector<Sphere> spheres;
       for (int k = 0; k != 32; ++k) spheres.push_back({boxes[static_cast<std::size_t>(k)].lo, random.integer(0, 2)});
@@ -521,7 +333,7 @@ struct GridCase {
   GridCase(Random& random, std::size_t bounds) {
     std::vector<MovingInput> inputs;
     for (std::size_t s = 0; s != 24; ++s) {
-      inputs.push_back(random_input(random, kinds[s % 4]));
+      inputs.push_back(random_movement(random, moving_kinds[s % 4]));
       shafts.push_back(compiled(inputs.back()));
     }
     for (std::size_t i = 0; i != bounds; ++i) {
@@ -646,17 +458,7 @@ TEST(Kinds, BoundsThatAreMetAfterEveryFloatAreMet) {
   }
 }
 
-TEST(Kinds, AddedPlanesAreAnsweredExactly) {
-  check(8, 15, [](Random& random, Kind kind) {
-    MovingInput input = random_input(random, kind);
-    for (unsigned planes = 1 + random.below(3); planes != 0; --planes) {
-      const Vec3 p = nearby_point(random, input);
-      const Vec3 n = random.vec3(-1, 1);
-      input.added.push_back({n, n[0] * p[0] + n[1] * p[1] + n[2] * p[2]});
-    }
-    return input;
-  });
-}
+TEST(Kinds, AddedPlanesAreAnsweredExactly) { check(8, 15, movement_with_planes); }
 
 }  // namespace
 }  // namespace shaftcull

@@ -75,7 +75,6 @@ MovingHull::MovingHull(const MovingInput& input) : input_(input) {
     added_.push_back(
         {{Rational(plane.normal[0]), Rational(plane.normal[1]), Rational(plane.normal[2])}, Rational(plane.offset)});
   }
-  find_facets();
 }
 
 bool MovingHull::meets(const Box& box) const {
@@ -120,7 +119,9 @@ std::array<MovingHull::Point, 2> MovingHull::position(const Rational& t) const {
   return at;
 }
 
-void MovingHull::find_facets() {
+void MovingHull::find_facets() const {
+  if (has_facets_) return;
+  has_facets_ = true;
   std::vector<Vertex> vertices;
   const auto add_corners = [&](const std::array<Point, 2>& box, bool are_directions) {
     for (unsigned corner = 0; corner != 8; ++corner) {
@@ -246,6 +247,7 @@ Rational MovingHull::squared_distance(const Vec3& point) const {
 
 Rational MovingHull::squared_depth(const Vec3& point) const {
   if (!meets({point, point})) return -1;
+  find_facets();
   Rational least = -1;
   for (const RationalPlane& facet : facets_) {
     const Rational height =

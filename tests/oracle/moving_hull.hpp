@@ -45,6 +45,7 @@ class MovingHull {
   /// Squared distance of a point from the volume, added planes left out.
   [[nodiscard]] Rational squared_distance(const Vec3& point) const;
   /// Squared distance of a point inside from the nearest of the volume's facets; −1 if it is not inside.
+  /// Not to be asked by several threads at once, nor are spheres: facets are kept.
   [[nodiscard]] Rational squared_depth(const Vec3& point) const;
 
  private:
@@ -58,10 +59,12 @@ class MovingHull {
   [[nodiscard]] bool meets(const Box& box) const;
   /// Where the box is when it has moved t times its way: lo and hi. Shadows begin at t = 1.
   [[nodiscard]] std::array<Point, 2> position(const Rational& t) const;
-  void find_facets();
+  void find_facets() const;
 
   MovingInput input_;
-  std::vector<RationalPlane> facets_;  ///< of a volume that is not flat, all; of a flat one, its plane from both sides
+  /// Of a volume that is not flat, all; of a flat one, its plane from both sides. Found when first asked for.
+  mutable std::vector<RationalPlane> facets_;
+  mutable bool has_facets_ = false;
   std::vector<RationalPlane> added_;
 };
 
