@@ -217,13 +217,15 @@ class HullFormation {
     for (unsigned i = 0; i < n; ++i) plane.inward[i] = static_cast<float>(plane.inward[i] * back);
     plane.offset = static_cast<float>(offset * back + margin);
     plane.length = static_cast<float>(std::sqrt(square) * back);
-    plane.magnitude = static_cast<float>((terms + std::fabs(offset)) * back * (1 + 0x1p-20));
+    plane.magnitude = static_cast<float>((terms + std::fabs(offset)) * back * (1 + 0x1p-20) + least_magnitude);
   }
 
   static constexpr double unit = 0x1p-24;  // of a float
   static constexpr double smallest_component = 0x1p-60;
   static constexpr double largest_terms = 0x1p60;
   static constexpr int most_exponent = 60;
+  /// So that a margin relative to it is more than what products that are denormal are off by.
+  static constexpr double least_magnitude = 0x1p-120;
 
   HullData& hull_;
 };

@@ -10,8 +10,10 @@
 
 #include "columns.hpp"
 #include "instruction_sets.hpp"
+#include "oracle/cases/hulls.hpp"
 #include "oracle/convex_hull.hpp"
 #include "oracle/random.hpp"
+#include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
@@ -21,26 +23,6 @@
 
 namespace shaftcull {
 namespace {
-
-/// The vertices of a hull, and what coordinates its neighbours have.
-struct Vertices {
-  std::vector<Vec3> points;
-  std::vector<Vec3> directions;
-};
-
-std::string text(const Vec3& v) {
-  std::string text = "{";
-  for (const float x : v) text += std::to_string(x) + " ";
-  return text + "}";
-}
-
-std::string text(const Vertices& vertices) {
-  std::string text = "points";
-  for (const Vec3& p : vertices.points) text += " " + shaftcull::text(p);
-  text += ", directions";
-  for (const Vec3& d : vertices.directions) text += " " + shaftcull::text(d);
-  return text;
-}
 
 bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1U) != 0; }
 
@@ -72,93 +54,51 @@ std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bo
   return all;
 }
 
-void expect_exact(const Vertices& vertices, const std::vector<Box>& boxes) {
-  const oracle::ConvexHull oracle(vertices.points, vertices.directions);
-  std::vector<Answer> right;
-  right.reserve(boxes.size());
-  for (const Box& box : boxes) right.push_back(oracle.answer(box));
-  const ConvexHull hull(vertices.points, vertices.directions);
+/// Fails, with a reproducer for the first wrong one, unless all answers are right: `correct` is given each with its
+/// bound, and returns what it should be.
+template <class Bound, class Correct>
+void expect_right(const HullInput& input, const std::vector<Bound>& bounds, const char* form, const Correct& correct) {
+  const ConvexHull hull(input.points, input.directions);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) {
-      const std::vector<Answer> found = answers(hull, boxes, form);
-      for (std::size_t i = 0; i != boxes.size(); ++i) {
-        ASSERT_EQ(found[i], right[i]) << name(isa) << ", box " << i << " " << text(boxes[i].lo) << " to "
-                                      << text(boxes[i].hi) << ", " << text(vertices);
+    for (const Form way : {Form::slab, Form::planes}) {
+      const std::vector<Answer> found = answers(hull, bounds, way);
+      for (std::size_t i = 0; i != bounds.size(); ++i) {
+        const Answer right = correct(i, found[i]);
+        ASSERT_EQ(found[i], right) << "on " << name(isa) << ", form " << form << "; bound " << i << ":\n  "
+                                   << source_text(input) << "\n  " << source_text(bounds[i]) << "\n  is " << text(right)
+                                   << ", answered " << text(found[i]);
       }
     }
   }
 }
 
-/// Spheres that are outside are beyond a plane, those that are clearly so are outside; likewise inside.
-void expect_sound(const Vertices& vertices, const std::vector<Sphere>& spheres) {
-  constexpr double slack = 0x1p-24;
-  const oracle::ConvexHull oracle(vertices.points, vertices.directions);
-  const ConvexHull hull(vertices.points, vertices.directions);
-  std::vector<Answer> first;
-  for (const Isa isa : isas_under_test()) {
-    const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) {
-      const std::vector<Answer> found = answers(hull, spheres, form);
-      if (first.empty()) first = found;
-      EXPECT_EQ(found, first) << name(isa);
-    }
-  }
-  for (std::size_t i = 0; i != spheres.size(); ++i) {
-    const auto which = [&] {
-      return "sphere " + text(spheres[i].centre) + std::to_string(spheres[i].radius) + text(vertices);
-    };
-    if (first[i] == Answer::outside) {
-      ASSERT_TRUE(oracle.is_beyond(spheres[i])) << which();
-    } else {
-      ASSERT_FALSE(oracle.is_beyond(spheres[i], slack)) << which();
-    }
-    if (first[i] == Answer::inside) {
-      ASSERT_TRUE(oracle.is_within(spheres[i])) << which();
-    } else {
-      ASSERT_FALSE(oracle.is_within(spheres[i], slack)) << which();
-    }
-  }
+void expect_exact(const HullInput& input, const std::vector<Box>& boxes) {
+  const oracle::ConvexHull oracle(input);
+  std::vector<Answer> right;
+  right.reserve(boxes.size());
+  for (const Box& box : boxes) right.push_back(oracle.answer(box));
+  expect_right(input, boxes, "boxes of a hull", [&](std::size_t i, Answer) { return right[i]; });
 }
 
-/// Up to `most` points, and sometimes a few directions, with what `coordinate` draws.
-template <class Coordinate>
-Vertices vertices_of(Random& random, unsigned most, Coordinate coordinate) {
-  Vertices vertices;
-  const unsigned count = 1 + random.below(most);
-  for (unsigned i = 0; i != count; ++i) vertices.points.push_back({coordinate(), coordinate(), coordinate()});
-  if (random.one_in(3)) {
-    const unsigned directions = 1 + random.below(3);
-    while (vertices.directions.size() != directions) {
-      const Vec3 direction = {coordinate(), coordinate(), coordinate()};
-      if (direction != Vec3{0, 0, 0}) vertices.directions.push_back(direction);
-    }
-  }
-  return vertices;
-}
-
-/// A box that is put next to the hull: a corner, or a point of an edge or a face between two of the points.
-Box near_box(Random& random, const Vertices& vertices, float size) {
-  const Vec3& p = vertices.points[random.below(static_cast<unsigned>(vertices.points.size()))];
-  const Vec3& q = vertices.points[random.below(static_cast<unsigned>(vertices.points.size()))];
-  const float share = random.uniform(0, 1);
-  Box box{};
-  for (std::size_t k = 0; k != 3; ++k) {
-    const float x = random.one_in(3) ? p[k] : random.nudge(p[k] + share * (q[k] - p[k]));
-    const float far = x + (random.one_in(2) ? 1.0F : -1.0F) * (random.one_in(4) ? 0 : random.uniform(0, size));
-    box.lo[k] = std::min(x, far);
-    box.hi[k] = std::max(x, far);
-  }
-  return box;
+/// Spheres that are outside are beyond a plane, those that are clearly so are outside; likewise inside. All instruction
+/// sets give the same answers.
+void expect_sound(const HullInput& input, const std::vector<Sphere>& spheres) {
+  const oracle::ConvexHull oracle(input);
+  std::vector<Answer> right;
+  expect_right(input, spheres, "spheres of a hull", [&](std::size_t i, Answer found) {
+    if (right.size() == i) right.push_back(oracle.corrected(spheres[i], found));
+    return right[i];
+  });
 }
 
 TEST(Hull, BoxesAnywhereAreAnsweredExactly) {
   Random random(1);
   for (std::uint64_t i = 0; i != random_cases(120); ++i) {
-    const Vertices vertices = vertices_of(random, 9, [&] { return random.uniform(-10, 10); });
+    const HullInput input = hull_of(random, 9, [&] { return random.uniform(-10, 10); });
     std::vector<Box> boxes;
     for (unsigned b = 0; b != 90 + i % 7; ++b) boxes.push_back(random.box(-15, 15, 0, 4));
-    expect_exact(vertices, boxes);
+    expect_exact(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -167,10 +107,10 @@ TEST(Hull, BoxesThatTouchAreAnsweredExactly) {
   Random random(2);
   for (std::uint64_t i = 0; i != random_cases(200); ++i) {
     const float at = random.one_in(3) ? 1e5F : 0;
-    const Vertices vertices = vertices_of(random, 8, [&] { return random.uniform(-3, 3) + at; });
+    const HullInput input = hull_of(random, 8, [&] { return random.uniform(-3, 3) + at; });
     std::vector<Box> boxes;
-    for (unsigned b = 0; b != 70; ++b) boxes.push_back(near_box(random, vertices, 2));
-    expect_exact(vertices, boxes);
+    for (unsigned b = 0; b != 70; ++b) boxes.push_back(near_box(random, input, 2));
+    expect_exact(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -179,10 +119,10 @@ TEST(Hull, OnAGridWherePointsAreFlatStraightAndRepeated) {
   Random random(3);
   for (std::uint64_t i = 0; i != random_cases(400); ++i) {
     const int side = 1 + static_cast<int>(random.below(3));
-    const Vertices vertices = vertices_of(random, 8, [&] { return random.integer(-side, side); });
+    const HullInput input = hull_of(random, 8, [&] { return random.integer(-side, side); });
     std::vector<Box> boxes;
     for (unsigned b = 0; b != 70; ++b) boxes.push_back(random.grid_box(-side - 2, side + 2));
-    expect_exact(vertices, boxes);
+    expect_exact(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -192,13 +132,13 @@ TEST(Hull, OfAnyMagnitude) {
   for (std::uint64_t i = 0; i != random_cases(150); ++i) {
     const int high = static_cast<int>(random.integer(-140, 127));
     const int low = std::max(-149, high - static_cast<int>(random.below(40)));
-    const Vertices vertices = vertices_of(random, 7, [&] { return random.wild(low, high); });
+    const HullInput input = hull_of(random, 7, [&] { return random.wild(low, high); });
     std::vector<Box> boxes;
     for (unsigned b = 0; b != 66; ++b) {
       const auto corner = [&] { return Vec3{random.wild(low, high), random.wild(low, high), random.wild(low, high)}; };
       boxes.push_back(Random::sorted(corner(), corner()));
     }
-    expect_exact(vertices, boxes);
+    expect_exact(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -207,7 +147,7 @@ TEST(Hull, UnboundedAndEmptyBoxes) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Random random(5);
   for (std::uint64_t i = 0; i != random_cases(100); ++i) {
-    const Vertices vertices = vertices_of(random, 6, [&] { return random.integer(-3, 3); });
+    const HullInput input = hull_of(random, 6, [&] { return random.integer(-3, 3); });
     std::vector<Box> boxes = {{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}};
     for (unsigned b = 0; b != 70; ++b) {
       Box box = random.grid_box(-5, 5);
@@ -217,7 +157,7 @@ TEST(Hull, UnboundedAndEmptyBoxes) {
       }
       boxes.push_back(box);
     }
-    expect_exact(vertices, boxes);
+    expect_exact(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -225,18 +165,18 @@ TEST(Hull, UnboundedAndEmptyBoxes) {
 TEST(Hull, AsManyVerticesAsThereMayBe) {
   Random random(6);
   for (const std::size_t directions : {std::size_t{0}, std::size_t{5}}) {
-    Vertices vertices;
-    while (vertices.points.size() + directions != ConvexHull::max_vertices) {
+    HullInput input;
+    while (input.points.size() + directions != ConvexHull::max_vertices) {
       Vec3 p = random.vec3(-1, 1);  // on a sphere, so that all are corners
       const float length = std::hypot(p[0], p[1], p[2]);
       for (float& x : p) x *= 4 / length;
-      vertices.points.push_back(p);
+      input.points.push_back(p);
     }
-    while (vertices.directions.size() != directions) vertices.directions.push_back(random.vec3(0.5F, 1));
+    while (input.directions.size() != directions) input.directions.push_back(random.vec3(0.5F, 1));
     std::vector<Box> boxes;
-    for (unsigned b = 0; b != 40; ++b) boxes.push_back(near_box(random, vertices, 1));
+    for (unsigned b = 0; b != 40; ++b) boxes.push_back(near_box(random, input, 1));
     for (unsigned b = 0; b != 40; ++b) boxes.push_back(random.box(-5, 5, 0, 1));
-    expect_exact(vertices, boxes);
+    expect_exact(input, boxes);
   }
 }
 
@@ -244,16 +184,44 @@ TEST(Hull, SpheresAreOutsideOnlyBeyondAPlane) {
   Random random(7);
   for (std::uint64_t i = 0; i != random_cases(150); ++i) {
     const bool on_grid = random.one_in(3);
-    const Vertices vertices =
-        vertices_of(random, 8, [&] { return on_grid ? random.integer(-3, 3) : random.uniform(-5, 5); });
+    const HullInput input = hull_of(random, 8, [&] { return on_grid ? random.integer(-3, 3) : random.uniform(-5, 5); });
     std::vector<Sphere> spheres;
     for (unsigned s = 0; s != 70; ++s) {
       const Vec3 centre =
           on_grid ? Vec3{random.integer(-6, 6), random.integer(-6, 6), random.integer(-6, 6)} : random.vec3(-8, 8);
       spheres.push_back({centre, on_grid ? random.integer(0, 4) : random.uniform(0, 4)});
     }
-    expect_sound(vertices, spheres);
+    expect_sound(input, spheres);
     if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Hull, SpheresThatTouchAPlaneButForAnUlpAreOutsideOnlyBeyondIt) {
+  for (const HullFamily& family : hull_families) {
+    SCOPED_TRACE(family.name);
+    Random random(10);
+    for (std::uint64_t i = 0; i != random_cases(40); ++i) {
+      const HullInput input = family.input(random);
+      const oracle::ConvexHull hull(input);
+      std::vector<Sphere> spheres;
+      while (spheres.size() != 40) spheres.push_back(family.sphere(random, input, hull));
+      expect_sound(input, spheres);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(Hull, BoxesOfEveryFamilyAreAnsweredExactly) {
+  for (const HullFamily& family : hull_families) {
+    SCOPED_TRACE(family.name);
+    Random random(11);
+    for (std::uint64_t i = 0; i != random_cases(40); ++i) {
+      const HullInput input = family.input(random);
+      std::vector<Box> boxes;
+      while (boxes.size() != 66) boxes.push_back(family.box(random, input));
+      expect_exact(input, boxes);
+      if (HasFatalFailure()) return;
+    }
   }
 }
 
@@ -307,11 +275,11 @@ TEST(Hull, OfAViewIsWhatItsPlanesShowAndNoMore) {
         EXPECT_EQ(cull(view, Box{at, at}), most < 0) << most;
       }
     }
-    const Vertices vertices{{view.points().begin(), view.points().end()},
-                            {view.directions().begin(), view.directions().end()}};
+    const HullInput input{{view.points().begin(), view.points().end()},
+                          {view.directions().begin(), view.directions().end()}};
     std::vector<Box> boxes;
     for (unsigned b = 0; b != 100; ++b) boxes.push_back(random.box(-70, 70, 0, 12));
-    expect_exact(vertices, boxes);
+    expect_exact(input, boxes);
     if (HasFatalFailure()) return;
   }
 }
@@ -328,8 +296,8 @@ TEST(Hull, OfCastersDoesNotFlickerWhereTheLightCrossesTheViewsPlane) {
     for (unsigned i = 0; i != 9; ++i, x = std::nextafter(x, 10.0F)) {
       const Vec3 light = {x, y, 6};
       const ConvexHull hull = casters(view, light);
-      Vertices vertices{corners, {}};
-      vertices.points.push_back(light);
+      HullInput input{corners, {}};
+      input.points.push_back(light);
       std::vector<Box> boxes;
       for (unsigned b = 0; b != 65; ++b) {
         const float at = 2 + static_cast<float>(b) / 8;
@@ -337,7 +305,7 @@ TEST(Hull, OfCastersDoesNotFlickerWhereTheLightCrossesTheViewsPlane) {
         boxes.push_back({{std::nextafter(at / 2, 10.0F), -1, at}, {at / 2 + 1, 7, at}});
       }
       boxes.push_back({light, light});
-      expect_exact(vertices, boxes);
+      expect_exact(input, boxes);
       if (HasFatalFailure()) return;
       EXPECT_TRUE(cull(hull, Box{light, light}));
     }
@@ -372,8 +340,8 @@ TEST(Hull, GoesWhereShaftsGo) {
   std::vector<ConvexHull> hulls;
   std::vector<CompiledShaft> shafts;
   for (unsigned h = 0; h != 24; ++h) {
-    const Vertices vertices = vertices_of(random, 8, [&] { return random.uniform(-25, 25); });
-    hulls.emplace_back(vertices.points, vertices.directions);
+    const HullInput input = hull_of(random, 8, [&] { return random.uniform(-25, 25); });
+    hulls.emplace_back(input.points, input.directions);
   }
   for (const ConvexHull& hull : hulls) {
     shafts.push_back(hull);

@@ -3,9 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <utility>
 
-namespace shaftcull::oracle {
+namespace shaftcull {
+
+std::string source_text(const HullInput& input) {
+  const auto list = [](const std::vector<Vec3>& vectors) {
+    std::string text = "{";
+    for (const Vec3& v : vectors) {
+      char coordinates[120];
+      const int length = std::snprintf(coordinates, sizeof coordinates, "{%aF, %aF, %aF}", static_cast<double>(v[0]),
+                                       static_cast<double>(v[1]), static_cast<double>(v[2]));
+      if (text.size() != 1) text += ", ";
+      text.append(coordinates, static_cast<std::size_t>(length));
+    }
+    return text + "}";
+  };
+  return "HullInput{" + list(input.points) + ", " + list(input.directions) + "}";
+}
+
+namespace oracle {
 namespace {
 
 using Vector = std::array<mpq_class, 3>;
@@ -31,6 +49,7 @@ Vector unit(std::size_t axis) {
 ConvexHull::ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions) {
   for (const Vec3& p : points) {
     if (std::find(points_.begin(), points_.end(), vector(p)) == points_.end()) points_.push_back(vector(p));
+    for (std::size_t k = 0; k != 3; ++k) largest_[k] = std::max(largest_[k], mpq_class(abs(points_.back()[k])));
   }
   for (const Vec3& d : directions) directions_.push_back(vector(d));
   std::vector<Vector> along;  // all ways along which a face or an edge may lead
@@ -89,8 +108,8 @@ bool ConvexHull::is_beyond(const Sphere& sphere, double slack) const {
   const Vector centre = vector(sphere.centre);
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     if (!plane.is_spanned) return false;
-    mpq_class terms = abs(plane.offset);
-    for (std::size_t k = 0; k != 3; ++k) terms += abs(plane.normal[k] * centre[k]);
+    mpq_class terms = 0;
+    for (std::size_t k = 0; k != 3; ++k) terms += abs(plane.normal[k]) * (abs(centre[k]) + largest_[k]);
     const mpq_class value = dot(plane.normal, centre) - plane.offset - slack * terms;
     const mpq_class radius = mpq_class(sphere.radius) * (1 + slack);
     return sgn(value) > 0 && value * value > radius * radius * dot(plane.normal, plane.normal);
@@ -101,12 +120,34 @@ bool ConvexHull::is_within(const Sphere& sphere, double slack) const {
   const Vector centre = vector(sphere.centre);
   return std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     if (!plane.is_spanned) return true;
-    mpq_class terms = abs(plane.offset);
-    for (std::size_t k = 0; k != 3; ++k) terms += abs(plane.normal[k] * centre[k]);
+    mpq_class terms = 0;
+    for (std::size_t k = 0; k != 3; ++k) terms += abs(plane.normal[k]) * (abs(centre[k]) + largest_[k]);
     const mpq_class depth = plane.offset - dot(plane.normal, centre) - slack * terms;
     const mpq_class radius = mpq_class(sphere.radius) * (1 + slack);
     return sgn(depth) >= 0 && depth * depth >= radius * radius * dot(plane.normal, plane.normal);
   });
 }
 
-}  // namespace shaftcull::oracle
+double ConvexHull::distance_to_surface(const Vec3& centre) const {
+  constexpr unsigned bits = 128;
+  const Vector point = vector(centre);
+  double most = -HUGE_VAL;
+  for (const Plane& plane : planes_) {
+    if (!plane.is_spanned) continue;
+    const mpq_class height = dot(plane.normal, point) - plane.offset;
+    const mpq_class square = height * height / dot(plane.normal, plane.normal);
+    most = std::max(most, sgn(height) * mpf_class(sqrt(mpf_class(square, bits))).get_d());
+  }
+  return std::isfinite(most) ? std::fabs(most) : 0;
+}
+
+Answer ConvexHull::corrected(const Sphere& sphere, Answer answer) const {
+  constexpr double rounding = 0x1p-24;
+  if (answer == Answer::outside) return is_beyond(sphere) ? Answer::outside : Answer::overlap;
+  if (is_beyond(sphere, rounding)) return Answer::outside;
+  if (answer == Answer::inside) return is_within(sphere) ? Answer::inside : Answer::overlap;
+  return is_within(sphere, rounding) ? Answer::inside : Answer::overlap;
+}
+
+}  // namespace oracle
+}  // namespace shaftcull

@@ -10,26 +10,46 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/cull.hpp"
 
-namespace shaftcull::oracle {
+namespace shaftcull {
+
+/// A convex hull, as what its constructor is given: conv(points) + cone(directions).
+struct HullInput {
+  std::vector<Vec3> points{};
+  std::vector<Vec3> directions{};
+};
+
+/// C++ source text that makes the same values again, to the bit.
+std::string source_text(const HullInput& input);
+
+namespace oracle {
 
 class ConvexHull {
  public:
-  /// conv(points) + cone(directions).
   explicit ConvexHull(std::span<const Vec3> points, std::span<const Vec3> directions = {});
+  explicit ConvexHull(const HullInput& input) : ConvexHull(input.points, input.directions) {}
 
   /// Infinite extents are unbounded boxes; a box with lo > hi meets nothing.
   [[nodiscard]] Answer answer(const Box& box) const;
 
   /// Whether the sphere, with a finite centre and radius, is beyond one of the planes that are spanned by more than its
-  /// radius times 1 + `slack`, and `slack` of the coordinates.
+  /// radius times 1 + `slack`, and `slack` of its coordinates and the largest of the hull's.
   [[nodiscard]] bool is_beyond(const Sphere& sphere, double slack = 0) const;
   /// Whether it is behind all of them by its radius, likewise.
   [[nodiscard]] bool is_within(const Sphere& sphere, double slack = 0) const;
+
+  /// About the radius at which a sphere around `centre` comes to touch the plane that decides about it, from outside or
+  /// from inside.
+  [[nodiscard]] double distance_to_surface(const Vec3& centre) const;
+
+  /// An answer about a sphere if it may be given, else what it should have been. Outside must be beyond a plane, inside
+  /// behind all of them. What of this holds by more than rounding must be seen.
+  [[nodiscard]] Answer corrected(const Sphere& sphere, Answer answer) const;
 
  private:
   using Vector = std::array<mpq_class, 3>;
@@ -45,8 +65,10 @@ class ConvexHull {
   void add_planes(const Vector& normal, const Vector* through);
 
   std::vector<Vector> points_;
+  Vector largest_;  ///< magnitude of a coordinate of theirs
   std::vector<Vector> directions_;
   std::vector<Plane> planes_;
 };
 
-}  // namespace shaftcull::oracle
+}  // namespace oracle
+}  // namespace shaftcull
