@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -9,16 +10,21 @@
 
 #include "oracle/blocking.hpp"
 #include "oracle/cases/families.hpp"
+#include "oracle/cases/hulls.hpp"
+#include "oracle/cases/moving.hpp"
 #include "oracle/cases/triangles.hpp"
 #include "oracle/entry_time.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
+#include "oracle/moving_hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "oracle/quick_hull.hpp"
 #include "oracle/random.hpp"
 #include "oracle/triangle.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/kinds.hpp"
+#include "shaftcull/query.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/tree.hpp"
 #include "undecided.hpp"
@@ -37,6 +43,10 @@ constexpr unsigned open_trials = 32;
 
 /// Likewise about triangles, for the same reason.
 constexpr unsigned triangle_trials = 16;
+
+/// Likewise about moving boxes and convex hulls. Of those with moving boxes one in a few is about open contact.
+constexpr std::uint64_t other_trials = 16;
+constexpr unsigned open_moving_trials = 4;
 
 /// Sebastiano Vigna's splitmix64: neighbouring numbers become unrelated seeds.
 constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
@@ -64,6 +74,54 @@ std::uint64_t population(const std::vector<std::uint64_t>& words) {
 
 constexpr std::uint64_t bit(std::size_t i) noexcept { return std::uint64_t{1} << i % 64; }
 
+bool is_finite(const Triangle& triangle) {
+  return std::all_of(triangle.vertex.begin(), triangle.vertex.end(), [](const Vec3& vertex) {
+    return std::isfinite(vertex[0]) && std::isfinite(vertex[1]) && std::isfinite(vertex[2]);
+  });
+}
+
+/// The same shaft, formed by the call for many.
+CompiledShaft batch_of(const MovingInput& input) {
+  const BoxStream boxes(std::vector<Box>{input.box});
+  const BoxStream lights(std::vector<Box>{input.light});
+  const std::span<const Vec3> displacements(&input.displacement, 1);
+  CompiledShaft shaft;
+  const std::span<CompiledShaft> out(&shaft, 1);
+  switch (input.kind) {
+    case MovingKind::swept:
+      swept_batch(boxes.view(), displacements, out, input.added);
+      break;
+    case MovingKind::swept_without_end:
+      swept_without_end_batch(boxes.view(), displacements, out, input.added);
+      break;
+    case MovingKind::shadow:
+      shadow_batch(lights.view(), boxes.view(), input.reach, out, {.b = input.added});
+      break;
+    case MovingKind::shadow_without_end:
+      shadow_batch(lights.view(), boxes.view(), out, {.b = input.added});
+      break;
+  }
+  set_contact(shaft, input.contact);
+  return shaft;
+}
+
+/// Whose turn it is: what a trial is about depends on its number alone.
+struct Turn {
+  std::size_t subject;
+  bool has_spheres;
+  unsigned round;  ///< how often it was that subject's turn before, with either shape of bounds
+
+  explicit Turn(std::uint64_t number) noexcept {
+    const bool is_other = number % other_trials == other_trials - 1;
+    const std::uint64_t turn = is_other ? number / other_trials : number - number / other_trials;
+    const std::size_t first = is_other ? std::size(families) : 0;
+    const std::size_t count = is_other ? Trial::subjects - std::size(families) : std::size(families);
+    subject = first + static_cast<std::size_t>(turn % count);
+    has_spheres = turn / count % 2 != 0;
+    round = static_cast<unsigned>(turn / count / 2);
+  }
+};
+
 }  // namespace
 
 TrialCounts& TrialCounts::operator+=(const TrialCounts& other) noexcept {
@@ -86,29 +144,47 @@ std::size_t Trial::natural_size(std::uint64_t number) noexcept {
 
 Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
     : number_(number),
-      family_(static_cast<std::size_t>(number % std::size(families))),
+      subject_(Turn(number).subject),
       count_(bounds),
-      spheres_(number / std::size(families) % 2 != 0),
+      spheres_(Turn(number).has_spheres),
       kept_(words_for(bounds)),
       inside_(words_for(bounds)),
       blocking_(words_for(bounds)),
       wrong_(words_for(bounds)) {
   Random random(mixed(seed) ^ number);
-  const Family& family = families[family_];
-  input_ = family.shaft(random, static_cast<unsigned>(number / std::size(families) / 2));
-  if ((mixed(number) >> 40U) % open_trials == 0) input_.contact = Contact::open;
-  shaft_ = compile(formed(random, input_));
-  batched_ = input_.added.empty() && random.one_in(2);
-
   // Streams of any alignment, with NaN around them: a kernel that reads past its view shows it.
   const std::size_t streams = spheres_ ? 4 : 6;
   memory_.assign(streams * (count_ + 16), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t s = 0; s != streams; ++s) start_[s] = s * (count_ + 16) + random.below(16);
+  if (subject_ < std::size(families)) {
+    make_between_boxes(random, families[subject_], Turn(number).round);
+  } else if (subject_ < std::size(families) + std::size(moving_kinds)) {
+    make_moving(random, moving_kinds[subject_ - std::size(families)]);
+  } else {
+    make_hull(random);
+  }
+  counts_.bounds = count_;
+  counts_.outside = count_ - population(kept_);
+  counts_.inside = population(inside_);
+  counts_.blocking = population(blocking_);
+  if (spheres_) {
+    count_undecided(sphere_view());
+  } else {
+    count_undecided(boxes());
+  }
+}
 
-  const oracle::QuickHull quick(input_);
+void Trial::make_between_boxes(Random& random, const Family& family, unsigned index) {
+  ShaftInput input = family.shaft(random, index);
+  if ((mixed(number_) >> 40U) % open_trials == 0) input.contact = Contact::open;
+  input_ = input;
+  shaft_ = compile(formed(random, input));
+  batched_ = input.added.empty() && random.one_in(2);
+
+  const oracle::QuickHull quick(input);
   std::optional<oracle::Hull> exact;
   std::optional<oracle::OpenHull> open;
-  if (input_.contact == Contact::open) open.emplace(input_);
+  if (input.contact == Contact::open) open.emplace(input);
   const auto answer_by_oracle = [&](std::size_t i, const auto& bound) {
     const std::optional<Answer> proved = quick.answer(bound);
     Answer right{};
@@ -120,45 +196,113 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
     } else if (proved && !random.one_in(second_opinion)) {
       right = *proved;
     } else {
-      if (!exact) exact.emplace(input_.a, input_.b, input_.added);
+      if (!exact) exact.emplace(input.a, input.b, input.added);
       right = exact->answer(bound);
       ++counts_.by_rationals;
       if (!proved && right != Answer::outside && exact->touches(bound)) ++counts_.touching;
       if (proved && *proved != right)
         fail(i, fmt::format("oracles disagree: rationals {}, intervals {}", text(right), text(*proved)));
     }
-    if (right != Answer::outside) kept_[i / 64] |= bit(i);
-    if (right == Answer::inside) inside_[i / 64] |= bit(i);
+    note(i, right);
   };
   for (std::size_t i = 0; i != count_; ++i) {
     if (spheres_) {
-      const Sphere sphere = family.sphere(random, input_, quick);
-      for (std::size_t k = 0; k != 3; ++k) memory_[start_[k] + i] = sphere.centre[k];
-      memory_[start_[3] + i] = sphere.radius;
+      const Sphere sphere = family.sphere(random, input, quick);
+      set(i, sphere);
       answer_by_oracle(i, sphere);
     } else {
-      const Box box = random.one_in(8) ? blocking_box(random, input_) : family.box(random, input_);
-      for (std::size_t k = 0; k != 3; ++k) {
-        memory_[start_[k] + i] = box.lo[k];
-        memory_[start_[k + 3] + i] = box.hi[k];
-      }
+      const Box box = random.one_in(8) ? blocking_box(random, input) : family.box(random, input);
+      set(i, box);
       answer_by_oracle(i, box);
       // What blocks meets the shaft between the boxes; whether a plane that was added is in the way does not matter.
-      const bool is_outside = input_.added.empty() && (kept_[i / 64] & bit(i)) == 0;
-      if (!is_outside && oracle::blocks(input_.a, input_.b, box)) blocking_[i / 64] |= bit(i);
+      const bool is_outside = input.added.empty() && (kept_[i / 64] & bit(i)) == 0;
+      if (!is_outside && oracle::blocks(input.a, input.b, box)) blocking_[i / 64] |= bit(i);
     }
   }
-  if (!spheres_ && random.one_in(contact_trials)) find_first_contact();
-  if (!spheres_ && random.one_in(triangle_trials)) find_triangles(random);
-  counts_.bounds = count_;
-  counts_.outside = count_ - population(kept_);
-  counts_.inside = population(inside_);
-  counts_.blocking = population(blocking_);
-  if (spheres_) {
-    count_undecided(sphere_view());
-  } else {
-    count_undecided(boxes());
+  if (spheres_) return;
+  if (random.one_in(contact_trials)) {
+    find_first_contact([&](const Box& box) { return oracle::entry_time(input.a, input.b, box); });
   }
+  if (random.one_in(triangle_trials)) find_triangles(random, input, input);
+}
+
+void Trial::make_moving(Random& random, MovingKind kind) {
+  const MovingFamily& family = moving_families[random.below(std::size(moving_families))];
+  MovingInput input = family.input(random, kind);
+  if (random.one_in(open_moving_trials)) input.contact = Contact::open;
+  input_ = input;
+  shaft_ = shaft_of(input);
+  if (random.one_in(2)) complete(shaft_);
+  batched_ = random.one_in(2);
+
+  const oracle::MovingHull closed(input);
+  std::optional<oracle::OpenHull> open;
+  if (input.contact == Contact::open) open.emplace(input);
+  const auto answer_by_oracle = [&](std::size_t i, const auto& bound) {
+    set(i, bound);
+    note(i, open ? open->answer(bound) : closed.answer(bound));
+    ++counts_.by_rationals;
+  };
+  for (std::size_t i = 0; i != count_; ++i) {
+    if (spheres_) {
+      answer_by_oracle(i, family.sphere(random, input, closed));
+    } else {
+      answer_by_oracle(i, family.box(random, input));
+    }
+  }
+  if (spheres_) return;
+  if (random.one_in(contact_trials)) {
+    find_first_contact([&](const Box& box) { return oracle::entry_time(input, box); });
+  }
+  if (random.one_in(triangle_trials)) find_triangles(random, input, part_of(random, input));
+}
+
+void Trial::make_hull(Random& random) {
+  const HullFamily& family = hull_families[random.below(std::size(hull_families))];
+  const HullInput input = family.input(random);
+  input_ = input;
+  hull_.emplace(input.points, input.directions);
+  shaft_ = hull_->compiled();
+  const oracle::ConvexHull exact(input);
+  for (std::size_t i = 0; i != count_; ++i) {
+    if (spheres_) {
+      // Some may be kept that miss the hull: all instruction sets must answer as this one does, and that must be one of
+      // the answers that are right.
+      const Sphere sphere = family.sphere(random, input, exact);
+      set(i, sphere);
+      note(i, exact.corrected(sphere, classify(shaft_, sphere)));
+    } else {
+      const Box box = family.box(random, input);
+      set(i, box);
+      note(i, exact.answer(box));
+    }
+    ++counts_.by_rationals;
+  }
+}
+
+const char* Trial::subject_name(std::size_t subject) noexcept {
+  constexpr const char* kind_names[] = {"swept", "swept without end", "shadow", "shadow without end"};
+  static_assert(std::size(kind_names) == std::size(moving_kinds));
+  if (subject < std::size(families)) return families[subject].name;
+  subject -= std::size(families);
+  return subject < std::size(kind_names) ? kind_names[subject] : "convex hulls";
+}
+
+void Trial::set(std::size_t i, const Box& box) noexcept {
+  for (std::size_t k = 0; k != 3; ++k) {
+    memory_[start_[k] + i] = box.lo[k];
+    memory_[start_[k + 3] + i] = box.hi[k];
+  }
+}
+
+void Trial::set(std::size_t i, const Sphere& sphere) noexcept {
+  for (std::size_t k = 0; k != 3; ++k) memory_[start_[k] + i] = sphere.centre[k];
+  memory_[start_[3] + i] = sphere.radius;
+}
+
+void Trial::note(std::size_t i, Answer right) noexcept {
+  if (right != Answer::outside) kept_[i / 64] |= bit(i);
+  if (right == Answer::inside) inside_[i / 64] |= bit(i);
 }
 
 BoxView Trial::boxes() const noexcept {
@@ -175,12 +319,16 @@ SphereView Trial::sphere_view() const noexcept {
   return view;
 }
 
-void Trial::find_triangles(Random& random) {
+template <class Input>
+void Trial::find_triangles(Random& random, const Input& input, const ShaftInput& near) {
   for (std::vector<std::uint64_t>& kept : kept_triangles_) kept.resize(words_for(count_));
-  for (std::size_t i = 0; i != count_; ++i) {
-    triangles_.push_back(random.one_in(2) ? nearby_triangle(random, input_) : touching_triangle(random, input_));
+  while (triangles_.size() != count_) {
+    const Triangle triangle = random.one_in(2) ? nearby_triangle(random, near) : touching_triangle(random, near);
+    if (!is_finite(triangle)) continue;  // of a huge shaft
+    const std::size_t i = triangles_.size();
+    triangles_.push_back(triangle);
     for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
-      if (oracle::is_outside(input_, triangles_[i], test)) continue;
+      if (oracle::is_outside(input, triangle, test)) continue;
       kept_triangles_[static_cast<std::size_t>(test)][i / 64] |= bit(i);
     }
   }
@@ -209,12 +357,13 @@ void Trial::ask_triangles(const CompiledShaft& shaft, const char* how) {
   }
 }
 
-void Trial::find_first_contact() {
+template <class TimeOf>
+void Trial::find_first_contact(const TimeOf& time_of) {
   FirstContactOf<std::uint64_t> first;
   std::optional<mpq_class> least;
   for (std::size_t i = 0; i != count_; ++i) {
     if ((kept_[i / 64] & bit(i)) == 0) continue;
-    const std::optional<mpq_class> time = oracle::entry_time(input_.a, input_.b, boxes()[i]);
+    const std::optional<mpq_class> time = time_of(boxes()[i]);
     if (!time) {
       fail(i, "oracles disagree: a box that is kept is never reached");
       continue;
@@ -244,8 +393,10 @@ void Trial::count_undecided(const View& view) {
   std::vector<std::uint64_t> asked(kept_.size());
   std::vector<std::uint64_t> kept(kept_.size());
   std::vector<std::uint64_t> inside(kept_.size());
+  CompiledShaft with_planes = shaft_;
+  complete(with_planes);
   for (const Form form : {Form::slab, Form::planes}) {
-    undecided(shaft_, view, form, asked, kept, inside);
+    undecided(with_planes, view, form, asked, kept, inside);
     (form == Form::slab ? counts_.undecided_slab : counts_.undecided_planes) = population(asked);
   }
 }
@@ -315,40 +466,66 @@ void Trial::ask(const CompiledShaft& shaft, const View& view, const char* how) {
   compare(inside, inside_, [=] { return fmt::format("contained, {}, {}", how, name(active_isa())); });
 }
 
+template <class Bound, class View>
+void Trial::ask_tree(const CompiledShaft& shaft, const View& view, const char* how) {
+  // Each bound twice, so that there are nodes above the leaves.
+  std::vector<Bound> leaves;
+  for (std::size_t i = 0; i != 2 * count_; ++i) leaves.push_back(view[i / 2]);
+  const BoundsTree<Bound> tree{std::span<const Bound>(leaves)};
+  std::vector<std::uint64_t> kept(words_for(leaves.size()));
+  std::vector<std::uint64_t> inside(kept.size());
+  classify(shaft, tree, kept, inside);
+  const auto question = [&](const char* bits) {
+    return [=] { return fmt::format("classify of a tree, {}, {}, {}", bits, how, name(active_isa())); };
+  };
+  compare(every_bit(kept, 2, count_), kept_, question("kept"));
+  compare(every_bit(inside, 2, count_), inside_, question("inside"));
+}
+
+void Trial::ask_all(const CompiledShaft& shaft, const char* how) {
+  if (spheres_) {
+    ask(shaft, sphere_view(), how);
+    ask_tree<Sphere>(shaft, sphere_view(), how);
+    return;
+  }
+  ask(shaft, boxes(), how);
+  ask_tree<Box>(shaft, boxes(), how);
+  if (std::holds_alternative<ShaftInput>(input_)) ask_blocking(shaft, how);
+  ask_triangles(shaft, how);
+  ask_first_contact(shaft, how);
+}
+
 void Trial::ask(std::span<Trial> trials) {
   std::vector<Box> a;
   std::vector<Box> b;
   for (const Trial& trial : trials) {
-    a.push_back(trial.input_.a);
-    b.push_back(trial.input_.b);
+    const auto* const input = std::get_if<ShaftInput>(&trial.input_);
+    a.push_back(input != nullptr ? input->a : Box{});
+    b.push_back(input != nullptr ? input->b : Box{});
   }
   const BoxStream from(a);
   const BoxStream to(b);
   std::vector<CompiledShaft> batch(trials.size());
   compile_batch(from.view(), to.view(), batch);
-  for (std::size_t i = 0; i != trials.size(); ++i) set_contact(batch[i], trials[i].input_.contact);
   for (std::size_t i = 0; i != trials.size(); ++i) {
     Trial& trial = trials[i];
-    const auto ask_of = [&](const CompiledShaft& shaft, const char* how) {
-      if (trial.spheres_) {
-        trial.ask(shaft, trial.sphere_view(), how);
-      } else {
-        trial.ask(shaft, trial.boxes(), how);
-        trial.ask_blocking(shaft, how);
-        trial.ask_triangles(shaft, how);
-        trial.ask_first_contact(shaft, how);
-      }
-    };
-    ask_of(trial.shaft_, "compile");
-    if (trial.batched_) ask_of(batch[i], "compile_batch");
+    trial.ask_all(trial.shaft_, "alone");
+    if (!trial.batched_) continue;
+    if (const auto* const between = std::get_if<ShaftInput>(&trial.input_)) {
+      set_contact(batch[i], between->contact);
+      trial.ask_all(batch[i], "of a batch");
+    } else if (const auto* const moving = std::get_if<MovingInput>(&trial.input_)) {
+      trial.ask_all(batch_of(*moving), "of a batch");
+    }
   }
 }
 
 void Trial::fail(std::size_t bound, const std::string& what) {
   if ((wrong_[bound / 64] & bit(bound)) == 0) ++counts_.wrong;
   wrong_[bound / 64] |= bit(bound);
-  failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, families[family_].name,
-                                  bound, count_, what, source_text(input_), bound_text(bound)));
+  const std::string input = std::visit([](const auto& of) { return source_text(of); }, input_);
+  failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, subject_name(subject_),
+                                  bound, count_, what, input, bound_text(bound)));
 }
 
 std::string Trial::bound_text(std::size_t i) const {

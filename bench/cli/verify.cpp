@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -16,7 +15,6 @@
 #include "instruction_sets.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
-#include "oracle/cases/families.hpp"
 #include "progress.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
@@ -82,7 +80,7 @@ class Verification {
   [[nodiscard]] int interrupted() const noexcept { return compared_ < options_.cases ? interrupt_.signal() : 0; }
 
   void print_summary() const {
-    Table table({"family", "cases", "outside", "inside", "blocking", "undecided, slab", "undecided, planes",
+    Table table({"subject", "cases", "outside", "inside", "blocking", "undecided, slab", "undecided, planes",
                  "on the boundary", "wrong"});
     TrialCounts sum;
     const auto add_row = [&](const std::string& what, const TrialCounts& counts) {
@@ -95,10 +93,10 @@ class Verification {
                      share(counts.undecided_slab), share(counts.undecided_planes), share(counts.touching),
                      grouped(counts.wrong)});
     };
-    for (std::size_t family = 0; family != std::size(families); ++family) {
+    for (std::size_t subject = 0; subject != Trial::subjects; ++subject) {
       for (const bool spheres : {false, true}) {
-        const TrialCounts& counts = counts_[spheres][family];
-        add_row(fmt::format("{}: {}", spheres ? "spheres" : "boxes", families[family].name), counts);
+        const TrialCounts& counts = counts_[spheres][subject];
+        add_row(fmt::format("{}: {}", spheres ? "spheres" : "boxes", Trial::subject_name(subject)), counts);
         sum += counts;
       }
     }
@@ -158,7 +156,7 @@ class Verification {
     const bool complete = interrupt_.signal() == 0;
     for (const std::vector<Trial>& chunk : chunks) {
       for (const Trial& trial : chunk) {
-        if (complete) counts_[trial.has_spheres()][trial.family()] += trial.counts();
+        if (complete) counts_[trial.has_spheres()][trial.subject()] += trial.counts();
         take_failures(trial);
       }
     }
@@ -188,7 +186,7 @@ class Verification {
 
   const VerifyOptions& options_;
   std::vector<Isa> isas_;
-  TrialCounts counts_[2][std::size(families)];  ///< of boxes, then of spheres
+  TrialCounts counts_[2][Trial::subjects];  ///< of boxes, then of spheres
   std::size_t batch_trials_ = first_batch_trials;
   std::uint64_t next_ = 0;
   std::uint64_t compared_ = 0;  ///< cases in all complete batches
@@ -229,14 +227,15 @@ void add_verify(CLI::App& program) {
              "Threads, 0 for all there are; results do not depend on it (default: 0)")
       ->type_name("N");
   verify.footer(
-      "A case is one bound against one shaft: every question, in slab and plane form, on every instruction set. "
-      "Shafts\n"
-      "and bounds come from families that look for trouble: touching but for an ulp, on a grid, degenerate, far from "
-      "the\n"
-      "origin, of every magnitude, with faces of every colour, with added planes; one shaft in 32 has open\ncontact. "
-      "Exit code 1 if any answer is wrong. "
-      "Ctrl-C\n"
-      "(SIGINT, or SIGTERM) ends it early with the summary of the cases until then; a second one ends it at once.");
+      "A case is one bound against one shaft: every question, in slab and plane form, among many shafts and in a tree, "
+      "on\n"
+      "every instruction set. Shafts and bounds come from families that look for trouble: touching but for an ulp, on "
+      "a\n"
+      "grid, degenerate, far from the origin, of every magnitude, with faces of every colour, with added planes. One "
+      "in\n"
+      "32 has open contact. One in 16 is a swept body, a shadow or a convex hull. Exit code 1 if any answer is wrong.\n"
+      "Ctrl-C (SIGINT, or SIGTERM) ends it early with the summary of the cases until then; a second one ends it at "
+      "once.");
   verify.callback([options] { run(*options); });
 }
 

@@ -29,21 +29,23 @@ struct GridAnswers {
 inline Box frame_around(const CompiledShaft& shaft, unsigned doublings) {
   const Box a = shaft.a();
   const Box b = shaft.b();
+  const auto finite = [](double x) {  // a hull without end has an infinite box
+    constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
+    return std::clamp(x, -most, most);
+  };
+  double lo[3];
+  double hi[3];
   double size = 0;
   for (std::size_t k = 0; k != 3; ++k) {
-    const auto lo = static_cast<double>(std::min(a.lo[k], b.lo[k]));
-    const auto hi = static_cast<double>(std::max(a.hi[k], b.hi[k]));
-    size = std::max(size, hi - lo);
+    lo[k] = finite(static_cast<double>(std::min(a.lo[k], b.lo[k])));
+    hi[k] = finite(static_cast<double>(std::max(a.hi[k], b.hi[k])));
+    size = std::max(size, hi[k] - lo[k]);
   }
   const double beyond = 0.5 * size * static_cast<double>((1U << doublings) - 1U);
-  const auto as_float = [](double x) {
-    constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
-    return static_cast<float>(std::clamp(x, -most, most));
-  };
   Box frame{};
   for (std::size_t k = 0; k != 3; ++k) {
-    frame.lo[k] = as_float(static_cast<double>(std::min(a.lo[k], b.lo[k])) - beyond);
-    frame.hi[k] = as_float(static_cast<double>(std::max(a.hi[k], b.hi[k])) + beyond);
+    frame.lo[k] = static_cast<float>(finite(lo[k] - beyond));
+    frame.hi[k] = static_cast<float>(finite(hi[k] + beyond));
   }
   return frame;
 }
