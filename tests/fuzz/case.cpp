@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -82,12 +83,16 @@ Case Case::read(std::span<const std::uint8_t> bytes) {
   it.options.spheres = (options & 64U) == 0;
   it.options.contact = (options & open_contact) == 0 ? Contact::closed : Contact::open;
   const std::uint8_t shape = reader.byte();
+  const unsigned subject = static_cast<unsigned>(shape) >> subject_shift;
+  it.subject = static_cast<Subject>(subject == 7 ? 0 : subject);
+  if (it.subject != Subject::between_boxes) it.options.outside = it.options.inside = it.options.spheres = true;
   it.a = reader.box();
   it.b = reader.box();
   if ((shape & sort_corners) != 0) {
     sort(it.a);
     sort(it.b);
   }
+  if (it.subject == Subject::shadow) it.reach = reader.number();
   it.planes.reserve(shape % 4);
   for (int i = 0; i != shape % 4; ++i) {
     const Vec3 normal = reader.vec3();
@@ -119,6 +124,37 @@ Case Case::read(std::span<const std::uint8_t> bytes) {
     fill(it.spheres, {{far, far, far}, 0});
   }
   return it;
+}
+
+Case::Input Case::input(const std::vector<Plane>& added) const {
+  if (is_hull()) {
+    HullInput hull{{a.lo, a.hi, b.lo}, {}};
+    std::vector<Vec3>& others = subject == Subject::hull ? hull.points : hull.directions;
+    others.push_back(b.hi);
+    for (const Plane& plane : planes) others.push_back(plane.normal);
+    return hull;
+  }
+  if (!is_moving()) return ShaftInput{a, b, added, options.contact};
+  constexpr MovingInput::Kind kinds[] = {MovingInput::Kind::swept, MovingInput::Kind::swept_without_end,
+                                         MovingInput::Kind::shadow, MovingInput::Kind::shadow_without_end};
+  const auto kind = kinds[static_cast<std::size_t>(subject) - static_cast<std::size_t>(Subject::swept)];
+  return MovingInput{kind, a, b.lo, b, reach, added, options.contact};
+}
+
+Case::Input Case::input() const {
+  std::vector<Plane> added;
+  std::copy_if(planes.begin(), planes.end(), std::back_inserter(added), is_addable);
+  return input(added);
+}
+
+std::string Case::text() const {
+  return std::visit([](const auto& of) { return source_text(of); }, input(planes));
+}
+
+bool is_addable(const Plane& plane) {
+  const auto is_number = [](float x) { return std::isfinite(x); };
+  return std::all_of(plane.normal.begin(), plane.normal.end(), is_number) && is_number(plane.offset) &&
+         plane.normal != Vec3{};
 }
 
 }  // namespace shaftcull::fuzz

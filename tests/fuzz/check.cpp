@@ -3,22 +3,32 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "columns.hpp"
 #include "compiled/shaft_data.hpp"
 #include "fuzz/packing.hpp"
 #include "oracle/blocking.hpp"
+#include "oracle/cases/moving.hpp"
+#include "oracle/convex_hull.hpp"
+#include "oracle/entry_time.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
+#include "oracle/moving_hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "oracle/shaft_input.hpp"
 #include "oracle/triangle.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
 
 namespace shaftcull::fuzz {
@@ -50,14 +60,6 @@ bool is_specified(const Sphere& sphere) {
   return !(sphere.radius < 0) && std::none_of(sphere.centre.begin(), sphere.centre.end(), is_infinite);
 }
 
-ShaftInput input(const Case& it) {
-  ShaftInput input{it.a, it.b, {}, it.options.contact};
-  for (const Plane& plane : it.planes) {
-    if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) input.added.push_back(plane);
-  }
-  return input;
-}
-
 /// The result of `call`, or nothing if it throws InvalidArgument.
 template <class Call>
 auto unless_refused(const Call& call) -> std::optional<decltype(call())> {
@@ -68,9 +70,7 @@ auto unless_refused(const Call& call) -> std::optional<decltype(call())> {
   }
 }
 
-[[noreturn]] void fail(const std::string& what, const Case& it) {
-  throw Fault(what + "\n  " + source_text(ShaftInput{it.a, it.b, it.planes, it.options.contact}));
-}
+[[noreturn]] void fail(const std::string& what, const Case& it) { throw Fault(what + "\n  " + it.text()); }
 
 /// The shaft, if it may be formed; a fault if it is refused without reason or accepted without right.
 std::optional<Shaft> formed(const Case& it) {
@@ -98,7 +98,7 @@ std::optional<Shaft> formed(const Case& it) {
                                shaft->add_plane(plane);
                                return true;
                              }).has_value();
-    const bool is_good = is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{};
+    const bool is_good = is_addable(plane);
     if (is_accepted != is_good) fail(is_good ? "refused a good plane" : "added a bad plane", it);
     added += is_good ? 1U : 0U;
   }
@@ -161,9 +161,10 @@ class Comparison {
     }
     if constexpr (std::is_same_v<Bound, Box>) {
       for (const Isa isa : isas()) {
-        if (isa == Isa::scalar || is_drawn(isa)) require_exact_blocking(shaft, isa);
+        if (!it_.is_moving() && !it_.is_hull() && (isa == Isa::scalar || is_drawn(isa)))
+          require_exact_blocking(shaft, isa);
       }
-      run_on_triangles(shaft);
+      if (!it_.is_hull()) run_on_triangles(shaft);
     }
     if (slab_.culled && (!draw_ || *draw_ % 4 == 0)) {
       for (const Isa isa : isas()) {
@@ -246,11 +247,11 @@ class Comparison {
       if (!is_finite(vertex)) return;
     }
     if (draw_ && *draw_ % 8 != 0) return;  // rationals take long
-    std::vector<Plane> planes;
-    for (const Plane& plane : it_.planes) {
-      if (is_finite(plane.normal) && std::isfinite(plane.offset) && plane.normal != Vec3{}) planes.push_back(plane);
-    }
-    if (oracle::is_outside(ShaftInput{it_.a, it_.b, planes, it_.options.contact}, triangle, test) != is_kept) return;
+    const Case::Input input = it_.input();
+    const auto* const moving = std::get_if<MovingInput>(&input);
+    const bool is_outside = moving != nullptr ? oracle::is_outside(*moving, triangle, test)
+                                              : oracle::is_outside(std::get<ShaftInput>(input), triangle, test);
+    if (is_outside != is_kept) return;
     fail("a triangle is answered wrongly: " + source_text(triangle), it_);
   }
 
@@ -375,49 +376,188 @@ std::optional<CompiledShaft> batched(const Case& it) {
   return scalar;
 }
 
-}  // namespace
-
-void check_answers(const Case& it, std::optional<unsigned> draw) {
-  const Isa before = active_isa();
-  check_packing(it);
-  std::optional<CompiledShaft> pending = batched(it);
-  const std::optional<Shaft> shaft = formed(it);
-  if (shaft) {
-    const CompiledShaft compiled = compile(*shaft);
-    if (!same_slab(compiled, *pending)) fail("compile() and compile_batch() differ", it);
-    set_contact(*pending, it.options.contact);
-    const bool asks_the_same =
-        it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
-    const CompiledShaft* const batch = asks_the_same ? &*pending : nullptr;
-    Comparison<Box>(it, it.boxes, draw).run(compiled, batch);
-    Comparison<Sphere>(it, it.spheres, draw).run(compiled, batch);
+/// Whether the calls that form it take what the case describes, planes left out.
+bool is_formable(const MovingInput& input) {
+  if (!is_joinable(input.box)) return false;
+  if (!input.is_shadow()) {
+    return is_finite(input.displacement) && (!input.is_endless() || input.displacement != Vec3{});
   }
-  select_isa(before);
+  return is_joinable(input.light) && are_apart(input.light, input.box) &&
+         (input.is_endless() || (std::isfinite(input.reach) && input.reach >= 1));
+}
+bool is_formable(const HullInput& input) {
+  return std::all_of(input.points.begin(), input.points.end(), is_finite) &&
+         std::all_of(input.directions.begin(), input.directions.end(),
+                     [](const Vec3& direction) { return is_finite(direction) && direction != Vec3{}; });
 }
 
-void check_exact(const Case& it, std::size_t most_bounds) {
-  if (!is_joinable(it.a) || !is_joinable(it.b)) return;
-  const ShaftInput of = input(it);
-  Shaft shaft(of.a, of.b, {.contact = of.contact});
-  for (const Plane& plane : of.added) shaft.add_plane(plane);
-  const CompiledShaft compiled = compile(shaft);
-  const oracle::Hull closed(of.a, of.b, of.added);
-  const oracle::OpenHull open(of);
-  const auto check = [&](const auto& bound) {
-    const Answer right = of.contact == Contact::open ? open.answer(bound) : closed.answer(bound);
-    const Answer answer = classify(compiled, bound);
+/// The shaft of a moving box, if it may be formed; a fault if it is refused without reason or accepted without right.
+std::optional<CompiledShaft> formed(const Case& it, const MovingInput& input) {
+  std::optional<CompiledShaft> shaft = unless_refused([&] { return shaft_of(input); });
+  const bool is_right = is_formable(input);
+  if (shaft.has_value() != is_right) fail(is_right ? "refused to form a good shaft" : "formed a bad shaft", it);
+  MovingInput with_all = input;
+  with_all.added = it.planes;
+  const bool are_good = std::all_of(it.planes.begin(), it.planes.end(), is_addable);
+  if (unless_refused([&] { return shaft_of(with_all); }).has_value() != (is_right && are_good))
+    fail(are_good ? "refused good planes" : "added a bad plane", it);
+  return shaft;
+}
+
+/// Likewise a convex hull, which has closed contact only.
+std::optional<ConvexHull> formed(const Case& it, const HullInput& input) {
+  std::optional<ConvexHull> hull = unless_refused([&] { return ConvexHull(input.points, input.directions); });
+  const bool is_right = is_formable(input);
+  if (hull.has_value() != is_right) fail(is_right ? "refused to form a good hull" : "formed a bad hull", it);
+  if (!hull) return hull;
+  CompiledShaft copy = *hull;
+  const bool is_opened = unless_refused([&] {
+                           set_contact(copy, Contact::open);
+                           return true;
+                         }).has_value();
+  if (is_opened) fail("a hull took open contact", it);
+  return hull;
+}
+
+/// A fault unless the oracle's answers about the first bounds are those of the shaft.
+template <class Hull>
+void require_exact(const Case& it, const CompiledShaft& shaft, const Hull& hull, std::size_t most_bounds) {
+  const auto check = [&](const auto& bound, const auto& corrected) {
+    const Answer answer = classify(shaft, bound);
+    const Answer right = corrected(answer);
     if (answer == right) return;
     fail(source_text(bound) + "\n  is " + shaftcull::text(right) + ", answered " + shaftcull::text(answer), it);
   };
   for (std::size_t i = 0; i != std::min(most_bounds, it.boxes.size()); ++i) {
-    if (is_legal(it.boxes[i])) check(it.boxes[i]);
+    const Box& box = it.boxes[i];
+    if (!is_legal(box) || (it.is_moving() && !is_joinable(box))) continue;
+    check(box, [&](Answer) { return hull.answer(box); });
+  }
+  for (std::size_t i = 0; i != std::min(most_bounds, it.spheres.size()); ++i) {
+    const Sphere& sphere = it.spheres[i];
+    const bool is_between = !it.is_moving() && !it.is_hull();
+    if (!is_legal(sphere) || (!is_between && !std::isfinite(sphere.radius))) continue;
+    check(sphere, [&](Answer answer) {
+      if constexpr (requires { hull.corrected(sphere, answer); }) {
+        return hull.corrected(sphere, answer);
+      } else {
+        static_cast<void>(answer);
+        return hull.answer(sphere);
+      }
+    });
+  }
+}
+
+/// Entry times of the first boxes that are kept, and infinity for the others.
+template <class TimeOf>
+void require_exact_times(const Case& it, const CompiledShaft& shaft, std::size_t most_bounds, const TimeOf& time_of) {
+  std::vector<Box> boxes(it.boxes.begin(),
+                         it.boxes.begin() + static_cast<std::ptrdiff_t>(std::min(most_bounds, it.boxes.size())));
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), [](const Box& box) { return !is_joinable(box); }),
+              boxes.end());
+  const BoxColumns memory(boxes);
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i != boxes.size(); ++i) indices.push_back(static_cast<std::uint32_t>(i));
+  std::vector<float> times(boxes.size());
+  entry_times(shaft, memory.view(), indices, times);
+  for (std::size_t i = 0; i != boxes.size(); ++i) {
+    const bool is_kept = cull(shaft, boxes[i]);
+    const std::optional<mpq_class> time = time_of(boxes[i]);
+    if (is_kept && !time) fail(source_text(boxes[i]) + "\n  is kept, but never reached", it);
+    const float right = is_kept ? oracle::rounded_down(*time) : std::numeric_limits<float>::infinity();
+    if (times[i] != right) fail(source_text(boxes[i]) + "\n  is reached at another time", it);
+  }
+}
+
+void check_exact_between(const Case& it, const ShaftInput& of, std::size_t most_bounds) {
+  if (!is_joinable(it.a) || !is_joinable(it.b)) return;
+  Shaft shaft(of.a, of.b, {.contact = of.contact});
+  for (const Plane& plane : of.added) shaft.add_plane(plane);
+  const CompiledShaft compiled = compile(shaft);
+  if (of.contact == Contact::open) {
+    require_exact(it, compiled, oracle::OpenHull(of), most_bounds);
+  } else {
+    require_exact(it, compiled, oracle::Hull(of.a, of.b, of.added), most_bounds);
+  }
+  for (std::size_t i = 0; i != std::min(most_bounds, it.boxes.size()); ++i) {
     const bool right = oracle::blocks(of.a, of.b, it.boxes[i]);
     if (blocked(compiled, it.boxes[i]) != right) {
       fail(source_text(it.boxes[i]) + (right ? "\n  blocks" : "\n  does not block") + ", answered otherwise", it);
     }
   }
-  for (std::size_t i = 0; i != std::min(most_bounds, it.spheres.size()); ++i) {
-    if (is_legal(it.spheres[i])) check(it.spheres[i]);
+  require_exact_times(it, compiled, most_bounds, [&](const Box& box) { return oracle::entry_time(of.a, of.b, box); });
+}
+
+void check_exact_moving(const Case& it, const MovingInput& of, std::size_t most_bounds) {
+  if (!is_formable(of)) return;
+  const CompiledShaft shaft = shaft_of(of);
+  if (of.contact == Contact::open) {
+    require_exact(it, shaft, oracle::OpenHull(of), most_bounds);
+  } else {
+    require_exact(it, shaft, oracle::MovingHull(of), most_bounds);
+  }
+  require_exact_times(it, shaft, most_bounds, [&](const Box& box) { return oracle::entry_time(of, box); });
+}
+
+void check_exact_hull(const Case& it, const HullInput& of, std::size_t most_bounds) {
+  if (!is_formable(of)) return;
+  require_exact(it, ConvexHull(of.points, of.directions), oracle::ConvexHull(of), most_bounds);
+}
+
+void check_between_boxes(const Case& it, std::optional<unsigned> draw) {
+  std::optional<CompiledShaft> pending = batched(it);
+  const std::optional<Shaft> shaft = formed(it);
+  if (!shaft) return;
+  const CompiledShaft compiled = compile(*shaft);
+  if (!same_slab(compiled, *pending)) fail("compile() and compile_batch() differ", it);
+  set_contact(*pending, it.options.contact);
+  const bool asks_the_same =
+      it.options.outside && it.options.inside && it.options.spheres && shaft->added_planes().empty();
+  const CompiledShaft* const batch = asks_the_same ? &*pending : nullptr;
+  Comparison<Box>(it, it.boxes, draw).run(compiled, batch);
+  Comparison<Sphere>(it, it.spheres, draw).run(compiled, batch);
+}
+
+void check_moving(const Case& it, const MovingInput& input, std::optional<unsigned> draw) {
+  const std::optional<CompiledShaft> pending = formed(it, input);
+  if (!pending) return;
+  CompiledShaft shaft = *pending;
+  complete(shaft);
+  Comparison<Box>(it, it.boxes, draw).run(shaft, &*pending);
+  Comparison<Sphere>(it, it.spheres, draw).run(shaft, &*pending);
+}
+
+void check_hull(const Case& it, const HullInput& input, std::optional<unsigned> draw) {
+  const std::optional<ConvexHull> hull = formed(it, input);
+  if (!hull) return;
+  Comparison<Box>(it, it.boxes, draw).run(*hull, nullptr);
+  Comparison<Sphere>(it, it.spheres, draw).run(*hull, nullptr);
+}
+
+}  // namespace
+
+void check_answers(const Case& it, std::optional<unsigned> draw) {
+  const Isa before = active_isa();
+  check_packing(it);
+  const Case::Input input = it.input();
+  if (const auto* const moving = std::get_if<MovingInput>(&input)) {
+    check_moving(it, *moving, draw);
+  } else if (const auto* const hull = std::get_if<HullInput>(&input)) {
+    check_hull(it, *hull, draw);
+  } else {
+    check_between_boxes(it, draw);
+  }
+  select_isa(before);
+}
+
+void check_exact(const Case& it, std::size_t most_bounds) {
+  const Case::Input input = it.input();
+  if (const auto* const moving = std::get_if<MovingInput>(&input)) {
+    check_exact_moving(it, *moving, most_bounds);
+  } else if (const auto* const hull = std::get_if<HullInput>(&input)) {
+    check_exact_hull(it, *hull, most_bounds);
+  } else {
+    check_exact_between(it, std::get<ShaftInput>(input), most_bounds);
   }
 }
 

@@ -15,7 +15,8 @@ class Fault : public std::logic_error {
 };
 
 /// Packs, forms, compiles and tests, and throws Fault unless
-/// * packing and formation refuse exactly what the headers say, and pack exactly what they are given;
+/// * packing and formation, of all kinds of shafts and of hulls, refuse exactly what the headers say, and pack exactly
+///   what they are given;
 /// * every instruction set gives the answers of the scalar one;
 /// * both forms, cull() and contained() agree on bounds that are legal or have a NaN;
 /// * what is inside is kept, and nothing with a NaN is inside;
@@ -24,7 +25,8 @@ class Fault : public std::logic_error {
 /// tile. Over millions of inputs, a new input finds more than one more comparison of the same input does.
 void check_answers(const Case& it, std::optional<unsigned> draw = std::nullopt);
 
-/// Throws Fault unless the answers for the first bounds of either kind are those of exact arithmetic. Slow.
+/// Throws Fault unless the answers for the first bounds of either kind, and entry times of boxes, are those of exact
+/// arithmetic. Slow.
 void check_exact(const Case& it, std::size_t most_bounds);
 
 }  // namespace shaftcull::fuzz

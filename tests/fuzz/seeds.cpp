@@ -1,5 +1,7 @@
 /// Writes the seed corpus: `test_fuzz_seeds FOLDER` makes one file for each kind of input that fuzzing should start
 /// from.
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +12,10 @@
 
 #include "fuzz/case.hpp"
 #include "oracle/cases/families.hpp"
+#include "oracle/cases/hulls.hpp"
+#include "oracle/cases/moving.hpp"
+#include "oracle/convex_hull.hpp"
+#include "oracle/moving_hull.hpp"
 
 namespace {
 
@@ -28,15 +34,41 @@ class Seed {
     bytes_.push_back(static_cast<std::uint8_t>(flags | planes));
     add(input.a);
     add(input.b);
-    for (std::size_t i = 0; i != planes; ++i) {
-      for (const float n : input.added[i].normal) add(n);
-      add(input.added[i].offset);
+    for (std::size_t i = 0; i != planes; ++i) add(input.added[i]);
+  }
+  Seed(const MovingInput& input, std::uint8_t options, std::uint8_t flags) {
+    bytes_.reserve(1024);
+    bytes_.push_back(options);
+    const auto subject = static_cast<unsigned>(fuzz::Case::Subject::swept) + static_cast<unsigned>(input.kind);
+    const auto planes = std::min<std::size_t>(input.added.size(), 3);
+    bytes_.push_back(static_cast<std::uint8_t>(flags | subject << fuzz::subject_shift | planes));
+    add(input.box);
+    add(input.is_shadow() ? input.light : Box{input.displacement, {}});
+    if (input.kind == MovingInput::Kind::shadow) add(input.reach);
+    for (std::size_t i = 0; i != planes; ++i) add(input.added[i]);
+  }
+  /// Of a hull that is fitted().
+  Seed(const HullInput& input, std::uint8_t flags) {
+    bytes_.reserve(1024);
+    bytes_.push_back(0);
+    std::vector<Vec3> vertices = input.points;
+    vertices.insert(vertices.end(), input.directions.begin(), input.directions.end());
+    const auto subject = static_cast<unsigned>(input.directions.empty() ? fuzz::Case::Subject::hull
+                                                                        : fuzz::Case::Subject::hull_without_end);
+    bytes_.push_back(static_cast<std::uint8_t>(flags | subject << fuzz::subject_shift | (vertices.size() - 4)));
+    for (std::size_t i = 0; i != vertices.size(); ++i) {
+      for (const float x : vertices[i]) add(x);
+      if (i >= 4) add(0.0F);  // an offset
     }
   }
   void add(float x) {
     std::uint8_t raw[sizeof x];
     std::memcpy(raw, &x, sizeof x);
     bytes_.insert(bytes_.end(), std::begin(raw), std::end(raw));
+  }
+  void add(const Plane& plane) {
+    for (const float n : plane.normal) add(n);
+    add(plane.offset);
   }
   void add(const Box& box) {
     for (const float x : box.lo) add(x);
@@ -80,6 +112,92 @@ void write_families(const std::filesystem::path& folder) {
     derived.write(folder, std::string(family.name) + "-derived");
     open.write(folder, std::string(family.name) + "-open");
   }
+}
+
+/// The hull of as many of its last vertices as an input may have: four to seven points, or three and one to four
+/// directions.
+HullInput fitted(HullInput input) {
+  constexpr std::size_t most = 7;
+  const bool is_endless = !input.directions.empty();
+  const std::size_t least_points = is_endless ? 3 : 4;
+  const std::size_t most_points = is_endless ? least_points : most;
+  while (input.points.size() < least_points) input.points.push_back(input.points.back());
+  if (input.points.size() > most_points)
+    input.points.erase(input.points.begin(), input.points.end() - static_cast<std::ptrdiff_t>(most_points));
+  if (input.directions.size() > most - least_points) input.directions.resize(most - least_points);
+  return input;
+}
+
+void write_moving(const std::filesystem::path& folder) {
+  constexpr const char* kinds[] = {"swept", "swept without end", "shadow", "shadow without end"};
+  Random random(2);
+  for (const MovingFamily& family : moving_families) {
+    const bool is_lattice = family.input == lattice_movement;
+    if (!is_lattice && family.input != random_movement && family.input != wild_movement) continue;
+    for (const MovingKind kind : moving_kinds) {
+      const MovingInput input = family.input(random, kind);
+      const oracle::MovingHull hull(input);
+      const std::string name = std::string(kinds[static_cast<std::size_t>(kind)]) + " " + family.name;
+      Seed boxes(input, 0, 0);
+      Seed spheres(input, 0, 0);
+      Seed derived(input, fuzz::open_contact, fuzz::sort_corners | fuzz::derive_bounds);
+      for (int i = 0; i != 4; ++i) boxes.add(family.box(random, input));
+      for (int i = 0; i != 6; ++i) spheres.add(family.sphere(random, input, hull));
+      for (int i = 0; i != 36; ++i) derived.add_byte(random.below(256));
+      if (is_lattice) {
+        derived.write(folder, name + "-open");
+      } else {
+        boxes.write(folder, name + "-boxes");
+        spheres.write(folder, name + "-spheres");
+      }
+    }
+  }
+}
+
+void write_hulls(const std::filesystem::path& folder) {
+  Random random(3);
+  for (const HullFamily& family : hull_families) {
+    for (const bool is_endless : {false, true}) {
+      HullInput input = family.input(random);
+      if (is_endless && input.directions.empty()) input.directions.push_back(random.vec3(-1, 1));
+      if (!is_endless) input.directions.clear();
+      input = fitted(input);
+      const oracle::ConvexHull hull(input);
+      Seed boxes(input, 0);
+      Seed spheres(input, 0);
+      for (int i = 0; i != 4; ++i) boxes.add(family.box(random, input));
+      for (int i = 0; i != 6; ++i) spheres.add(family.sphere(random, input, hull));
+      const std::string name = std::string(is_endless ? "hull without end " : "hull ") + family.name;
+      boxes.write(folder, name + "-boxes");
+      spheres.write(folder, name + "-spheres");
+    }
+  }
+}
+
+/// Shafts of moving boxes and hulls that must be refused, or that mean little.
+void write_odd_others(const std::filesystem::path& folder) {
+  constexpr Box unit{{0, 0, 0}, {1, 1, 1}};
+  constexpr Box lamp{{3, -2, 5}, {3, -2, 5}};
+  const auto write = [&](const auto& input, const std::string& name) {
+    Seed seed(input, 0, fuzz::fill_word);
+    seed.add(unit);
+    seed.add(Box{{-inf, 0, 0}, {inf, 1, 1}});
+    seed.write(folder, name);
+  };
+  write(MovingInput{MovingKind::swept, unit, {0, 0, 0}}, "swept-nowhere");
+  write(MovingInput{MovingKind::swept, unit, {0, nan, 0}}, "swept-nan");
+  write(MovingInput{MovingKind::swept_without_end, unit, {0, -0.0F, 0}}, "swept-without-end-nowhere");
+  write(MovingInput{MovingKind::shadow, unit, {}, lamp, 1}, "shadow-of-reach-1");
+  write(MovingInput{MovingKind::shadow, unit, {}, lamp, 0.5F}, "shadow-of-reach-below-1");
+  write(MovingInput{MovingKind::shadow, unit, {}, lamp, inf}, "shadow-of-infinite-reach");
+  write(MovingInput{MovingKind::shadow_without_end, unit, {}, unit}, "shadow-of-what-touches");
+  write(MovingInput{MovingKind::shadow_without_end, unit, {}, lamp, 1, {{{0, 0, 0}, 1}}}, "shadow-with-a-bad-plane");
+  Seed hull(HullInput{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, nan, 0}}, {}}, 0);
+  hull.add(unit);
+  hull.write(folder, "hull-nan");
+  Seed nowhere(HullInput{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}}}, 0);
+  nowhere.add(unit);
+  nowhere.write(folder, "hull-without-end-nowhere");
 }
 
 void write_odd_values(const std::filesystem::path& folder) {
@@ -133,6 +251,9 @@ int main(int argc, char** argv) {
   }
   write_families(argv[1]);
   write_odd_values(argv[1]);
+  write_moving(argv[1]);
+  write_hulls(argv[1]);
+  write_odd_others(argv[1]);
   write_found(argv[1]);
   return 0;
 }

@@ -4,14 +4,17 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "columns.hpp"
 #include "fuzz/check.hpp"
 #include "fuzz/packing.hpp"
+#include "oracle/cases/moving.hpp"
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/first_contact.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
@@ -23,6 +26,23 @@ namespace {
 /// Enough copies of eight bounds for a level of nodes.
 constexpr std::size_t copies = 17;
 
+/// Whether a scan and a tree of boxes agree about what blocks the shaft, and about first contact, if it has any.
+bool asks_boxes_alike(const Case& it, const CompiledShaft& shaft, const BoxTree& tree, const std::vector<Box>& boxes) {
+  const BoxColumns memory(boxes);
+  if (!it.is_moving() && !it.is_hull()) {
+    Indices in_view(boxes.size());
+    in_view.resize(list_blocking(shaft, memory.view(), in_view));
+    Indices in_tree(boxes.size());
+    in_tree.resize(list_blocking(shaft, tree, in_tree));
+    if (sorted(in_tree) != in_view) return false;
+  }
+  if (it.is_hull()) return true;
+  const auto of_scan = first_contact(shaft, memory.view());
+  const auto of_tree = first_contact(shaft, tree);
+  return of_tree.index == static_cast<std::uint32_t>(of_scan.index) && of_tree.time == of_scan.time;
+}
+bool asks_boxes_alike(const Case&, const CompiledShaft&, const SphereTree&, const std::vector<Sphere>&) { return true; }
+
 template <class Bound>
 void require_flat_answers(const Case& it, const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
                           const std::vector<Bound>& bounds, const char* when) {
@@ -32,29 +52,14 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
   std::vector<LeafRange> overlap(bounds.size());
   std::vector<LeafRange> inside(bounds.size());
   const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
-  bool blocks_alike = true;
-  if constexpr (std::is_same_v<Bound, Box>) {
-    Indices in_view(bounds.size());
-    in_view.resize(list_blocking(shaft, columns(bounds).view(), in_view));
-    Indices in_tree(bounds.size());
-    in_tree.resize(list_blocking(shaft, tree, in_tree));
-    blocks_alike = sorted(in_tree) == in_view;
-  }
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
-  bool is_first_the_same = true;
-  if constexpr (std::is_same_v<Bound, Box>) {
-    const auto of_scan = first_contact(shaft, columns(bounds).view());
-    const auto of_tree = first_contact(shaft, tree);
-    is_first_the_same = of_tree.index == static_cast<std::uint32_t>(of_scan.index) && of_tree.time == of_scan.time;
-  }
-  if (blocks_alike && sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
-      sorted(inside, tree.order()) == flat.inside && is_first_the_same) {
+  if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
+      sorted(inside, tree.order()) == flat.inside && asks_boxes_alike(it, shaft, tree, bounds)) {
     return;
   }
   std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) +
-                        " differs from a flat scan\n  " +
-                        source_text(ShaftInput{it.a, it.b, it.planes, it.options.contact});
+                        " differs from a flat scan\n  " + it.text();
   for (const Bound& bound : bounds) message += "\n  " + source_text(bound);
   throw Fault(message);
 }
@@ -80,8 +85,8 @@ void check_tree(const Case& it, const CompiledShaft& shaft, const std::vector<Bo
   }
 }
 
-/// Forms the shaft with those planes that it takes; throws InvalidArgument if it may not be formed.
-CompiledShaft shaft_of(const Case& it) {
+/// Forms the shaft between both boxes with those planes that it takes; throws InvalidArgument if it may not be formed.
+CompiledShaft between_boxes(const Case& it) {
   Shaft shaft(it.a, it.b, it.options);
   for (const Plane& plane : it.planes) {
     try {
@@ -101,9 +106,18 @@ void check_both_trees(const Case& it, const CompiledShaft& shaft) {
 }  // namespace
 
 void check_trees(const Case& it) {
+  std::optional<ConvexHull> hull;
   std::optional<CompiledShaft> shaft;
   try {
-    shaft = shaft_of(it);
+    const Case::Input input = it.input();
+    if (const auto* const moving = std::get_if<MovingInput>(&input)) {
+      shaft = shaft_of(*moving);
+    } else if (const auto* const vertices = std::get_if<HullInput>(&input)) {
+      hull.emplace(vertices->points, vertices->directions);
+      shaft = *hull;
+    } else {
+      shaft = between_boxes(it);
+    }
   } catch (const InvalidArgument&) {
     return;
   }
