@@ -15,6 +15,7 @@
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/triangles.hpp"
@@ -30,6 +31,8 @@ constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
 /// Likewise with open contact.
 constexpr std::uint64_t recorded_of_open = 15062841140550317724U;
 constexpr std::uint64_t recorded_of_open_moving = 15332369385780691612U;
+/// Of convex hulls.
+constexpr std::uint64_t recorded_of_hulls = 6499552852178139732U;
 /// Of triangles, by vertices and exactly.
 constexpr std::uint64_t recorded_triangles[2] = {11495070151279336606U, 3417442053769072641U};
 
@@ -242,6 +245,44 @@ std::uint64_t moving_answers(Way way, Contact contact = Contact::closed) {
   return digest.value();
 }
 
+/// Hulls of one to eight points and up to two directions, in one plane or on one line now and then; boxes and spheres
+/// of which many touch a point, or a line or a plane through some of them.
+std::uint64_t hull_answers(Way way) {
+  constexpr std::size_t hulls = 200;
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t h = 0; h != hulls; ++h) {
+    const bool is_wild = h % 5 == 4;
+    const Number number = is_wild ? &Numbers::any : h % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+    std::vector<Vec3> points;
+    for (int left = 1 + numbers.below(8); left != 0; --left) points.push_back(point(numbers, number));
+    if (numbers.below(6) == 0) {
+      for (Vec3& p : points) p[h % 3] = points[0][h % 3];
+    }
+    std::vector<Vec3> directions;
+    for (int left = numbers.below(6) - 3; left > 0; --left) {
+      const Vec3 direction = point(numbers, number);
+      if (direction != Vec3{}) directions.push_back(direction);
+    }
+    const ConvexHull hull(points, directions);
+    const auto any_point = [&] {
+      return points[static_cast<std::size_t>(numbers.below(static_cast<int>(points.size())))];
+    };
+    std::vector<Box> boxes;
+    std::vector<Sphere> spheres;
+    for (std::size_t i = 0; i != bounds; ++i) {
+      const bool touches = !is_wild && numbers.below(2) == 0;
+      const Vec3 p = any_point();
+      const Vec3 on = touches ? edge_point(numbers, {p, p}, {any_point(), p}) : point(numbers, number);
+      boxes.push_back(numbers.below(4) == 0 ? Box{on, on} : sorted(on, point(numbers, number)));
+      spheres.push_back({on, numbers.below(4) == 0 ? 0.0F : std::abs((numbers.*number)())});
+    }
+    add_answers(hull, BoxColumns(boxes).view(), way, digest);
+    add_answers(hull, SphereColumns(spheres).view(), way, digest);
+  }
+  return digest.value();
+}
+
 std::uint64_t triangle_answers(TriangleTest test) {
   Numbers numbers;
   Digest digest;
@@ -288,6 +329,15 @@ TEST(SameBits, EveryBuildGivesTheAnswersOnRecordOfShaftsOfMovingBoxes) {
     EXPECT_EQ(moving_answers(Way::slab), recorded_of_moving) << name(isa) << ", slab form";
     EXPECT_EQ(moving_answers(Way::planes), recorded_of_moving) << name(isa) << ", plane form";
     EXPECT_EQ(moving_answers(Way::grid), recorded_of_moving) << name(isa) << ", on a grid";
+  }
+}
+
+TEST(SameBits, EveryBuildGivesTheAnswersOnRecordOfConvexHulls) {
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    EXPECT_EQ(hull_answers(Way::slab), recorded_of_hulls) << name(isa) << ", slab form";
+    EXPECT_EQ(hull_answers(Way::planes), recorded_of_hulls) << name(isa) << ", plane form";
+    EXPECT_EQ(hull_answers(Way::grid), recorded_of_hulls) << name(isa) << ", among many";
   }
 }
 
