@@ -42,10 +42,10 @@ constexpr unsigned contact_trials = 8;
 constexpr unsigned open_trials = 32;
 
 /// Likewise about triangles, for the same reason.
-constexpr unsigned triangle_trials = 16;
+constexpr unsigned triangle_trials = 64;
 
 /// Likewise about moving boxes and convex hulls. Of those with moving boxes one in a few is about open contact.
-constexpr std::uint64_t other_trials = 16;
+constexpr std::uint64_t other_trials = 6;
 constexpr unsigned open_moving_trials = 4;
 
 /// Sebastiano Vigna's splitmix64: neighbouring numbers become unrelated seeds.

@@ -15,6 +15,7 @@
 #include "columns.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/cases/families.hpp"
+#include "oracle/cases/moving.hpp"
 #include "oracle/entry_time.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/moving_hull.hpp"
@@ -54,15 +55,15 @@ void expect_contact(const CompiledShaft& shaft, const std::vector<Box>& boxes,
   const BoxColumns columns(boxes);
   const auto expect = [&](const FirstContactOf<std::uint64_t>& found, const char* of, Isa isa) {
     if (found == expected) return;
-    ADD_FAILURE() << "on " << name(isa) << ", " << of << " of " << boxes.size() << ": " << text_of(found)
-                  << " is first, should be " << text_of(expected) << "; " << source;
+    ADD_FAILURE() << "on " << name(isa) << ", form " << of << "; of " << boxes.size() << " boxes " << text_of(expected)
+                  << " is first, answered " << text_of(found) << ":\n  " << source;
   };
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const Form form : {Form::slab, Form::planes}) expect(first_contact(shaft, columns.view(), form), "view", isa);
     std::vector<FirstContactOf<std::uint64_t>> many(3);
     first_contact_many(std::vector<CompiledShaft>(3, shaft), columns.view(), many);
-    for (const auto& one : many) expect(one, "view, many shafts", isa);
+    for (const auto& one : many) expect(one, "view of many shafts", isa);
     const BoundsTree<Box, std::uint64_t> tree{std::span<const Box>(boxes)};
     expect(first_contact(shaft, tree), "tree", isa);
   }
@@ -78,14 +79,9 @@ void expect_contact(const ShaftInput& input, const std::vector<Box>& boxes) {
 }
 
 void expect_contact(const MovingInput& input, const std::vector<Box>& boxes) {
-  using Kind = MovingInput::Kind;
   const auto expected = expected_contact(
       oracle::MovingHull(input), [&](const Box& box) { return oracle::entry_time(input, box); }, boxes);
-  const CompiledShaft shaft = input.kind == Kind::swept               ? swept(input.box, input.displacement)
-                              : input.kind == Kind::swept_without_end ? swept_without_end(input.box, input.displacement)
-                              : input.kind == Kind::shadow            ? shadow(input.light, input.box, input.reach)
-                                                                      : shadow(input.light, input.box);
-  expect_contact(shaft, boxes, expected, source_text(input));
+  expect_contact(shaft_of(input), boxes, expected, source_text(input));
 }
 
 TEST(FirstContact, IsThatOfExactArithmeticForAllFamilies) {
