@@ -1,11 +1,14 @@
 #include "oracle/entry_time.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace shaftcull::oracle {
 namespace {
@@ -60,40 +63,158 @@ std::optional<mpq_class> first_time(Times times, const FaceOf& lo, const FaceOf&
   return times.from;
 }
 
-}  // namespace
+using FaceOf = std::function<Face(std::size_t)>;
 
-std::optional<mpq_class> entry_time(const Box& a, const Box& b, const Box& box) {
-  using FaceOf = std::function<Face(std::size_t)>;
-  const FaceOf lo = [&](std::size_t k) { return Face{a.lo[k], mpq_class(b.lo[k]) - mpq_class(a.lo[k])}; };
-  const FaceOf hi = [&](std::size_t k) { return Face{a.hi[k], mpq_class(b.hi[k]) - mpq_class(a.hi[k])}; };
-  return first_time<FaceOf>({0, 1}, lo, hi, box);
+/// How much farther than its radius the centre of a sphere is from the moving box at t, squared: the squared distance
+/// less r².
+mpq_class excess_at(const mpq_class& t, const FaceOf& lo, const FaceOf& hi, const Sphere& sphere) {
+  const mpq_class radius = sphere.radius;
+  mpq_class excess = -radius * radius;
+  for (std::size_t k = 0; k != 3; ++k) {
+    const mpq_class c = sphere.centre[k];
+    const Face low = lo(k);
+    const Face high = hi(k);
+    const mpq_class from = low.start + t * low.speed;
+    const mpq_class to = high.start + t * high.speed;
+    const mpq_class distance = c < from ? mpq_class(from - c) : c > to ? mpq_class(c - to) : mpq_class(0);
+    excess += distance * distance;
+  }
+  return excess;
 }
 
-std::optional<mpq_class> entry_time(const MovingInput& input, const Box& box) {
-  using FaceOf = std::function<Face(std::size_t)>;
-  // A box of a shadow is as wide as what lies between the light's far sides: its lo comes from the light's hi.
-  const FaceOf lo = [&](std::size_t k) {
-    const mpq_class start = input.box.lo[k];
-    return Face{start, input.is_shadow() ? mpq_class(start - mpq_class(input.light.hi[k])) : input.displacement[k]};
-  };
-  const FaceOf hi = [&](std::size_t k) {
-    const mpq_class start = input.box.hi[k];
-    return Face{start, input.is_shadow() ? mpq_class(start - mpq_class(input.light.lo[k])) : input.displacement[k]};
-  };
+/// The smaller root of the parabola with these values at t = from, from + step and from + 2 step, of which the first is
+/// positive; none if it has no roots. A sum of squares is open upwards, or constant.
+std::optional<RootTime> smaller_root(const mpq_class& from, const mpq_class& step,
+                                     const std::array<mpq_class, 3>& value) {
+  // value[0] + u (first + (u − 1) second / 2) with u = (t − from) / step.
+  const mpq_class first = value[1] - value[0];
+  const mpq_class second = value[2] - 2 * value[1] + value[0];
+  if (second == 0) return std::nullopt;
+  const mpq_class middle = mpq_class(1, 2) - first / second;
+  const mpq_class square = middle * middle - 2 * value[0] / second;
+  if (square < 0) return std::nullopt;
+  return RootTime{from + step * middle, step * step * square};
+}
+
+/// As first_time(), of a sphere.
+std::optional<RootTime> first_time_of_sphere(const Times& times, const FaceOf& lo, const FaceOf& hi,
+                                             const Sphere& sphere) {
+  if (sphere.radius < 0) return std::nullopt;
+  if (std::isinf(sphere.radius)) return RootTime{times.from};
+  // Between the times at which a face passes the centre the excess is a parabola.
+  std::vector<mpq_class> breaks{times.from};
+  for (std::size_t k = 0; k != 3; ++k) {
+    for (const Face& face : {lo(k), hi(k)}) {
+      if (face.speed == 0) continue;
+      const mpq_class then = (mpq_class(sphere.centre[k]) - face.start) / face.speed;
+      if (then > times.from && (!times.to || then < *times.to)) breaks.push_back(then);
+    }
+  }
+  if (times.to) breaks.push_back(*times.to);
+  std::sort(breaks.begin(), breaks.end());
+  for (std::size_t i = 0; i != breaks.size(); ++i) {
+    const mpq_class excess = excess_at(breaks[i], lo, hi, sphere);
+    if (excess <= 0) return RootTime{breaks[i]};
+    const bool is_last = i + 1 == breaks.size();
+    if (is_last && times.to) break;
+    const mpq_class step = is_last ? mpq_class(1) : mpq_class((breaks[i + 1] - breaks[i]) / 2);
+    if (step == 0) continue;
+    const std::optional<RootTime> root = smaller_root(
+        breaks[i], step,
+        {excess, excess_at(breaks[i] + step, lo, hi, sphere), excess_at(breaks[i] + 2 * step, lo, hi, sphere)});
+    if (root && *root > RootTime{breaks[i]} && (is_last || *root <= RootTime{breaks[i + 1]})) return root;
+  }
+  return std::nullopt;
+}
+
+/// The faces of a box that goes from a at 0 to b at 1.
+struct FacesBetween {
+  FaceOf lo;
+  FaceOf hi;
+
+  FacesBetween(const Box& a, const Box& b)
+      : lo([=](std::size_t k) {
+          return Face{a.lo[k], mpq_class(b.lo[k]) - mpq_class(a.lo[k])};
+        }),
+        hi([=](std::size_t k) {
+          return Face{a.hi[k], mpq_class(b.hi[k]) - mpq_class(a.hi[k])};
+        }) {}
+};
+
+/// Those of a body that is swept and of a shadow, and how long they move.
+struct FacesOfMovingBox {
+  FaceOf lo;
+  FaceOf hi;
   Times times;
-  if (!input.is_endless()) times.to = input.is_shadow() ? mpq_class(mpq_class(input.reach) - 1) : mpq_class(1);
-  return first_time<FaceOf>(times, lo, hi, box);
-}
 
-float rounded_down(const mpq_class& time) {
+  // A box of a shadow is as wide as what lies between the light's far sides: its lo comes from the light's hi.
+  explicit FacesOfMovingBox(const MovingInput& input)
+      : lo([=](std::size_t k) {
+          const mpq_class start = input.box.lo[k];
+          return Face{start,
+                      input.is_shadow() ? mpq_class(start - mpq_class(input.light.hi[k])) : input.displacement[k]};
+        }),
+        hi([=](std::size_t k) {
+          const mpq_class start = input.box.hi[k];
+          return Face{start,
+                      input.is_shadow() ? mpq_class(start - mpq_class(input.light.lo[k])) : input.displacement[k]};
+        }) {
+    if (!input.is_endless()) times.to = input.is_shadow() ? mpq_class(mpq_class(input.reach) - 1) : mpq_class(1);
+  }
+};
+
+/// The largest float whose value, as `Time`, is not larger than a time.
+template <class Time>
+float largest_float_not_above(const Time& time) {
   // Floats that are not negative are in the order of their bits.
   std::uint32_t low = 0;
   std::uint32_t high = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
   while (high - low > 1) {
     const std::uint32_t middle = low + (high - low) / 2;
-    (mpq_class(std::bit_cast<float>(middle)) <= time ? low : high) = middle;
+    (Time{mpq_class(std::bit_cast<float>(middle))} <= time ? low : high) = middle;
   }
   return std::bit_cast<float>(low);
 }
+
+}  // namespace
+
+std::strong_ordering operator<=>(const RootTime& a, const RootTime& b) {
+  // a − b = d + s with d = a.whole − b.whole and s = √b.square − √a.square.
+  const mpq_class d = a.whole - b.whole;
+  const int sign_of_d = sgn(d);
+  const int sign_of_s = cmp(b.square, a.square) > 0 ? 1 : cmp(b.square, a.square) < 0 ? -1 : 0;
+  const auto ordering = [](int sign) { return sign <=> 0; };
+  if (sign_of_d == 0) return ordering(sign_of_s);
+  if (sign_of_s == 0 || sign_of_s == sign_of_d) return ordering(sign_of_d);
+  // Whichever is larger has its sign: d² − s² = e + 2 √(a.square b.square).
+  const mpq_class e = d * d - a.square - b.square;
+  const mpq_class product = 4 * a.square * b.square;
+  const int larger = e >= 0 ? (e > 0 || product > 0 ? 1 : 0) : sgn(mpq_class(product - e * e));
+  return ordering(larger > 0 ? sign_of_d : larger < 0 ? sign_of_s : 0);
+}
+
+std::optional<mpq_class> entry_time(const Box& a, const Box& b, const Box& box) {
+  const FacesBetween faces(a, b);
+  return first_time<FaceOf>({0, 1}, faces.lo, faces.hi, box);
+}
+
+std::optional<RootTime> entry_time(const Box& a, const Box& b, const Sphere& sphere) {
+  const FacesBetween faces(a, b);
+  return first_time_of_sphere({0, 1}, faces.lo, faces.hi, sphere);
+}
+
+std::optional<mpq_class> entry_time(const MovingInput& input, const Box& box) {
+  const FacesOfMovingBox faces(input);
+  return first_time<FaceOf>(faces.times, faces.lo, faces.hi, box);
+}
+
+std::optional<RootTime> entry_time(const MovingInput& input, const Sphere& sphere) {
+  const FacesOfMovingBox faces(input);
+  return first_time_of_sphere(faces.times, faces.lo, faces.hi, sphere);
+}
+
+float rounded_down(const mpq_class& time) { return largest_float_not_above(time); }
+
+float rounded_down(const RootTime& time) { return largest_float_not_above(time); }
 
 }  // namespace shaftcull::oracle

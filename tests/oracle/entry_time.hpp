@@ -1,8 +1,9 @@
-/// When a moving box first touches another box, in exact rational arithmetic, straight from the definition.
+/// When a moving box first touches another box or a sphere, in exact arithmetic, straight from the definition.
 #pragma once
 
 #include <gmpxx.h>
 
+#include <compare>
 #include <optional>
 
 #include "oracle/moving_hull.hpp"
@@ -18,7 +19,22 @@ std::optional<mpq_class> entry_time(const Box& a, const Box& b, const Box& box);
 /// distances of it from the light: where the box was at t, it was l + (1 + t) (o − l) for points of both.
 std::optional<mpq_class> entry_time(const MovingInput& input, const Box& box);
 
+/// A time that a sphere is reached at: whole − √square.
+struct RootTime {
+  mpq_class whole;
+  mpq_class square = 0;  ///< not negative
+
+  friend std::strong_ordering operator<=>(const RootTime& a, const RootTime& b);
+  friend bool operator==(const RootTime& a, const RootTime& b) { return (a <=> b) == 0; }
+};
+
+/// The least t at which the centre of the sphere is no farther than its radius from box(t); likewise. The centre is
+/// finite.
+std::optional<RootTime> entry_time(const Box& a, const Box& b, const Sphere& sphere);
+std::optional<RootTime> entry_time(const MovingInput& input, const Sphere& sphere);
+
 /// The largest float that is not larger than a time, which is not negative.
 float rounded_down(const mpq_class& time);
+float rounded_down(const RootTime& time);
 
 }  // namespace shaftcull::oracle
