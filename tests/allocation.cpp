@@ -110,6 +110,8 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                   (void)count_at_most(shaft, boxes.view(), 9);
                   (void)first_contact(shaft, boxes.view());
                   entry_times(shaft, boxes.view(), std::span<const std::uint32_t>(few), times);
+                  (void)first_contact(shaft, spheres.view());
+                  entry_times(shaft, spheres.view(), std::span<const std::uint32_t>(few), times);
                   (void)list_at_most(shaft, spheres.view(), std::span(listed).first(9));
                   (void)list(shaft, boxes.view(), listed);
                   (void)list_classified(shaft, boxes.view(), listed, std::span<std::uint32_t>());
@@ -207,6 +209,7 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
   std::vector<std::uint64_t> bits(words_for(bound_count));
   std::vector<std::uint64_t> other_bits(bits.size());
   (void)refine(shafts_[0], boxes, own, kept);  // the first one looks up the leaves of indices
+  (void)refine(shafts_[0], spheres, own, kept);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
@@ -231,6 +234,8 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
                   (void)count_at_most(shaft, boxes, 9);
                   (void)first_contact(shaft, boxes, {.own = own});
                   entry_times(shaft, boxes, own, times);
+                  (void)first_contact(shaft, spheres, {.own = own});
+                  entry_times(shaft, spheres, own, times);
                   (void)list_at_most(shaft, spheres, std::span(kept).first(9));
                 }
               }),
@@ -275,11 +280,11 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
         count_at_most_many(shafts_, view, 9, counts, form);
         list_at_most_many(shafts_, view, 9, few, counts, form);
         contained_many(shafts_, view, inside);
+        first_contact_many(shafts_, view, contacts, form);
       };
       ask(boxes.view());
       ask(spheres.view());
       blocked_many(shafts_, boxes.view(), std::span(counts).first(1));
-      first_contact_many(shafts_, boxes.view(), contacts, form);
     }
   };
   calls();  // threads are started once

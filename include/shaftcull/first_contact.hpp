@@ -1,21 +1,23 @@
-/// First contact: which box the moving box of a shaft reaches first, and when.
+/// First contact: which bound the moving box of a shaft reaches first, and when.
 ///
 /// A shaft between boxes a and b is where a box is that moves from a, at time 0, to b, at time 1, each of its six faces
 /// at a speed of its own. Of a body that is swept (kinds.hpp) time is the share of the displacement, or a multiple of
 /// the direction if there is no end; of a shadow it is 0 at the occluder, and 1 where things are twice as far from the
-/// light. The *entry time* of a box that the shaft keeps is the first time at which the moving box touches it: 0 if it
-/// touches where that starts. First contact is the box with the least entry time of those that the shaft keeps, and of
-/// several with the same time the one with the lowest index. Planes that were added to the shaft leave out boxes that
-/// are beyond them, as they do in every query, and open contact (set_contact()) leaves out boxes that the moving box
-/// only touches; times of the others do not depend on either.
+/// light. The *entry time* of a box or sphere that the shaft keeps is the first time at which the moving box touches
+/// it: 0 if it touches where that starts. First contact is the bound with the least entry time of those that the shaft
+/// keeps, and of several with the same time the one with the lowest index. Planes that were added to the shaft leave
+/// out bounds that are beyond them, as they do in every query, and open contact (set_contact()) leaves out bounds that
+/// the moving box only touches; times of the others do not depend on either. A coordinate that is infinite or NaN, of a
+/// bound that is kept, puts no constraint on its time, and a sphere whose radius is either is reached at time 0.
 ///
-/// Times are compared exactly, as real numbers, so which box comes first is the same on every instruction set, in views
-/// and in trees. The time that is written is the exact one rounded down to a float that is finite: the moving box
-/// touches nothing before it.
+/// Times are compared exactly, as real numbers, so which bound comes first is the same on every instruction set, in
+/// views and in trees. The time that is written is the exact one rounded down to a float that is finite: the moving box
+/// touches nothing before it. Times of spheres are irrational in general: roots of quadratic polynomials, which are
+/// compared as such.
 ///
 /// Errors, threads and stack are as in cull.hpp, many.hpp and query.hpp, of the calls that count, and InvalidArgument
-/// for a convex hull (hull.hpp), in which nothing moves. Nothing is allocated
-/// but task memory of oneTBB by calls for many shafts.
+/// for a convex hull (hull.hpp), in which nothing moves. Nothing is allocated but task memory of oneTBB by calls for
+/// many shafts.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +41,7 @@ template <BoundIndex Index>
 struct FirstContactOf {
   static constexpr Index none = static_cast<Index>(~std::uint64_t{0});
 
-  Index index = none;  ///< of the box: its position in a view, the user's index in a tree; `none` for nothing
+  Index index = none;  ///< of the bound: its position in a view, the user's index in a tree; `none` for nothing
   float time = std::numeric_limits<float>::infinity();  ///< rounded down; +∞ for nothing
 
   constexpr explicit operator bool() const noexcept { return index != none; }
@@ -47,36 +49,44 @@ struct FirstContactOf {
 };
 using FirstContact = FirstContactOf<std::uint32_t>;
 
-/// First contact among the boxes of a view. O(count).
+/// First contact among the bounds of a view. O(count).
 [[nodiscard]] FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const BoxView& boxes,
                                                           Form form = Form::fastest);
+[[nodiscard]] FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const SphereView& spheres,
+                                                          Form form = Form::fastest);
 
-/// First contact among the boxes of a tree. Visits near nodes first and no node that is reached later than the first
-/// box found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
-template <BoundIndex Index>
-[[nodiscard]] FirstContactOf<Index> first_contact(const CompiledShaft& shaft, const BoundsTree<Box, Index>& tree,
+/// First contact among the bounds of a tree. Visits near nodes first and no node that is reached later than the first
+/// bound found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
+template <class Bound, BoundIndex Index>
+[[nodiscard]] FirstContactOf<Index> first_contact(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                                                   const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
 /// fewer.
 void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
                         std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
-template <BoundIndex Index>
-void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& tree,
+void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
+template <class Bound, BoundIndex Index>
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
                         std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
-/// Entry times of boxes that a list names: times[i] becomes that of box indices[i], rounded down, or +∞ if the shaft
+/// Entry times of bounds that a list names: times[i] becomes that of bound indices[i], rounded down, or +∞ if the shaft
 /// does not keep it. Indices are positions in the view, or the user's indices in a tree. O(indices.size()), some 50 ns
-/// each. Throws InvalidArgument for an index not below the number of boxes, unless there are as many times as indices,
-/// if the two share memory, or as count(), and NeedsRefit for a tree that needs a refit. Allocates nothing, but for a
-/// tree what refine() allocates.
+/// for a box and 400 ns for a sphere. Throws InvalidArgument for an index not below the number of bounds, unless there
+/// are as many times as indices, if the two share memory, or as count(), and NeedsRefit for a tree that needs a refit.
+/// Allocates nothing, but for a tree what refine() allocates.
 void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> indices,
                  std::span<float> times);
 void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> indices,
                  std::span<float> times);
-template <BoundIndex Index>
-void entry_times(const CompiledShaft& shaft, const BoundsTree<Box, Index>& tree,
+void entry_times(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> indices,
+                 std::span<float> times);
+void entry_times(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> indices,
+                 std::span<float> times);
+template <class Bound, BoundIndex Index>
+void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
                  std::type_identity_t<std::span<const Index>> indices, std::span<float> times);
 
 }  // namespace shaftcull

@@ -16,7 +16,7 @@ EntryTimes::EntryTimes(const ShaftData& shaft) noexcept : moving_(shaft) {
 }
 
 EntryTimes::Time EntryTimes::exact(const float* const* stream, std::size_t i) const noexcept {
-  Time latest{0, zero, 0};
+  Time latest = zero;
   for (unsigned n = 0; n < faces_; ++n) {
     const Face& face = face_[n];
     const float x = stream[face.near][i];
@@ -31,14 +31,14 @@ EntryTimes::Time EntryTimes::exact(const float* const* stream, std::size_t i) co
 int EntryTimes::compare(const Time& one, const Time& other) const noexcept {
   if (one.value < other.value * (1 - entry_margin)) return -1;
   if (one.value * (1 - entry_margin) > other.value) return 1;
-  if (one.face == zero || other.face == zero) return one.face == other.face ? 0 : one.face == zero ? -1 : 1;
+  if (one.is_zero() || other.is_zero()) return one.face == other.face ? 0 : one.is_zero() ? -1 : 1;
   if (one.face == other.face && one.x == other.x) return 0;
   // The side is that of the second time beyond the first.
   return -Edge(moving_, one.face, other.face).side(one.x, other.x);
 }
 
 float EntryTimes::rounded_down(const Time& time) const noexcept {
-  if (time.face == zero) return 0;
+  if (time.is_zero()) return 0;
   const unsigned f = time.face;
   const auto is_after = [&](float t) {  // t > time: t · q > x − p, if q is positive
     if (t * (1 - entry_margin) > time.value) return true;

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 
 #include "compiled/moving_faces.hpp"
 
@@ -21,10 +19,13 @@ class EntryTimes {
   /// The time (x − p) / q of a face, or 0.
   struct Time {
     double value;   ///< within 2⁻⁵⁰ of it, relatively
-    unsigned face;  ///< `zero` for 0
+    unsigned face;  ///< `no_face` for 0
     float x;
+
+    [[nodiscard]] bool is_zero() const noexcept { return face == no_face; }
   };
-  static constexpr unsigned zero = 6;
+  static constexpr unsigned no_face = 6;
+  static constexpr Time zero{0, no_face, 0};
 
   /// Of a bound, the corners of which are in separate streams, at position i: not more than its entry time is off by
   /// rounding. The bound need not meet the shaft.
@@ -41,15 +42,26 @@ class EntryTimes {
   /// The same, and which constraint it comes from.
   [[nodiscard]] Time exact(const float* const* stream, std::size_t i) const noexcept;
 
-  /// Whether a rough time is later than an exact one, whatever rounding did.
+  /// Whether a rough time is later than an exact one, whatever rounding did. Of the exact one, the value or any that is
+  /// not lower.
+  [[nodiscard]] static bool is_surely_later(double rough, double than) noexcept {
+    return rough * (1 - entry_margin) > than;
+  }
   [[nodiscard]] static bool is_surely_later(double rough, const Time& than) noexcept {
-    return rough * (1 - entry_margin) > than.value;
+    return is_surely_later(rough, than.value);
+  }
+  /// The same of such a bound as above.
+  [[nodiscard]] bool is_surely_later(const float* const* stream, std::size_t i, const Time& than) const noexcept {
+    return is_surely_later(rough(stream, i), than);
   }
   /// −1, 0 or 1: whether one time is earlier than, equal to or later than another.
   [[nodiscard]] int compare(const Time& one, const Time& other) const noexcept;
 
   /// The largest float that is not larger.
   [[nodiscard]] float rounded_down(const Time& time) const noexcept;
+
+  /// For the boxes around some bounds.
+  [[nodiscard]] const EntryTimes& times_of_boxes() const noexcept { return *this; }
 
  private:
   /// Twice what values of two times may be off by together is far below this.
@@ -65,45 +77,6 @@ class EntryTimes {
   MovingFaces moving_;
   Face face_[6];
   unsigned faces_ = 0;
-};
-
-/// The bound with the least entry time of those offered, and of several the one with the lowest index.
-class FirstEntry {
- public:
-  static constexpr std::uint64_t none = ~std::uint64_t{0};
-
-  explicit FirstEntry(const ShaftData& shaft) noexcept : times_(shaft) {}
-
-  /// Of the bound at position i of separate streams, which meets the shaft.
-  void offer(const float* const* stream, std::size_t i, std::uint64_t index) noexcept {
-    if (is_no_first(times_.rough(stream, i), index)) return;
-    const EntryTimes::Time time = times_.exact(stream, i);
-    const int order = index_ == none ? -1 : times_.compare(time, time_);
-    if (order > 0 || (order == 0 && index_ < index)) return;
-    time_ = time;
-    index_ = index;
-  }
-  /// Whether no bound with such a rough entry time, or a later one, and such an index, or a higher one, can be first.
-  [[nodiscard]] bool is_no_first(double rough, std::uint64_t index) const noexcept {
-    if (index_ == none) return false;
-    return EntryTimes::is_surely_later(rough, time_) || is_before_all_above(index);
-  }
-  /// Whether no bound with such an index, or a higher one, can be first.
-  [[nodiscard]] bool is_before_all_above(std::uint64_t index) const noexcept {
-    return index_ < index && time_.face == EntryTimes::zero;
-  }
-
-  [[nodiscard]] const EntryTimes& times() const noexcept { return times_; }
-  [[nodiscard]] std::uint64_t index() const noexcept { return index_; }  ///< `none` if nothing was offered
-  /// Rounded down; +∞ if nothing was offered.
-  [[nodiscard]] float time() const noexcept {
-    return index_ == none ? std::numeric_limits<float>::infinity() : times_.rounded_down(time_);
-  }
-
- private:
-  EntryTimes times_;
-  EntryTimes::Time time_{0, EntryTimes::zero, 0};
-  std::uint64_t index_ = none;
 };
 
 }  // namespace shaftcull::kernel

@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "compiled/answers.hpp"
-#include "exact/entry_time.hpp"
+#include "exact/first_entry.hpp"
 #include "flat/batch_job.hpp"
 #include "flat/chunks.hpp"
 #include "parallel/parallel.hpp"
@@ -17,53 +17,54 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 using ContactInView = FirstContactOf<std::uint64_t>;
-static_assert(ContactInView::none == kernel::FirstEntry::none);
+static_assert(ContactInView::none == kernel::FirstEntry<BoxView>::none);
 
 /// Offers the bounds from `from` on whose bits are set. Bounds are offered in order.
-void offer(kernel::FirstEntry& first, const BoxView& boxes, std::size_t from, const std::uint64_t* kept,
+template <class View>
+void offer(kernel::FirstEntry<View>& first, const View& bounds, std::size_t from, const std::uint64_t* kept,
            std::size_t words) noexcept {
   for (std::size_t w = 0; w != words; ++w) {
     for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
       const std::size_t i = from + w * 64 + static_cast<std::size_t>(std::countr_zero(left));
       if (first.is_before_all_above(i)) return;
-      first.offer(boxes.stream.data(), i, i);
+      first.offer(bounds.stream.data(), i, i);
     }
   }
 }
 
-/// Makes box `index` the first one that shaft s reaches, unless the one in `first` comes before it.
-void hand_over(const kernel::ShaftData& shaft, const BoxView& boxes, std::uint64_t index,
-               std::uint64_t& first) noexcept {
+/// Makes bound `index` the first one that shaft s reaches, unless the one in `first` comes before it.
+template <class View>
+void hand_over(const kernel::ShaftData& shaft, const View& bounds, std::uint64_t index, std::uint64_t& first) noexcept {
   const std::atomic_ref<std::uint64_t> best(first);
   std::uint64_t other = best.load(std::memory_order_relaxed);
   for (;;) {
-    kernel::FirstEntry both(shaft);
-    both.offer(boxes.stream.data(), index, index);
-    if (other != ContactInView::none) both.offer(boxes.stream.data(), other, other);
+    kernel::FirstEntry<View> both(shaft);
+    both.offer(bounds.stream.data(), index, index);
+    if (other != ContactInView::none) both.offer(bounds.stream.data(), other, other);
     if (both.index() == other) return;
     if (best.compare_exchange_weak(other, index, std::memory_order_relaxed)) return;
   }
 }
 
-}  // namespace
-
-FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
-  const kernel::Chunks<BoxView> chunks(shaft, boxes, false, form);
+template <class View>
+ContactInView contact_in_view(const CompiledShaft& shaft, const View& bounds, Form form) {
+  const kernel::Chunks<View> chunks(shaft, bounds, false, form);
   kernel::require_motion(kernel::data_of(shaft), 0);
   return kernel::in_float_environment([&] {
-    kernel::FirstEntry first(kernel::data_of(shaft));
+    kernel::FirstEntry<View> first(kernel::data_of(shaft));
     chunks.for_each(kernel::first_chunk_bounds,
                     [&](std::size_t from, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
-                      offer(first, boxes, from, kept, words);
+                      offer(first, bounds, from, kept, words);
                       return !first.is_before_all_above(from + 64 * words);
                     });
     return ContactInView{first.index(), first.time()};
   });
 }
 
-void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form) {
-  const kernel::BatchJob<BoxView> job(shafts, boxes, kernel::Bits::kept, form);
+template <class View>
+void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds, std::span<ContactInView> contacts,
+                      Form form) {
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_counts("contacts", contacts, shafts.size());
   const std::span<const kernel::ShaftData> data = kernel::data_of(shafts);
   for (std::size_t s = 0; s != data.size(); ++s) kernel::require_motion(data[s], s);
@@ -78,19 +79,38 @@ void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& bo
     job.test(block, group, {kept, words});
     for (std::size_t s = 0; s != group.size; ++s) {
       const kernel::ShaftData& shaft = data[group.first + s];
-      kernel::FirstEntry first(shaft);
-      offer(first, boxes, block.first, kept + s * words, words);
-      if (first.index() != ContactInView::none) hand_over(shaft, boxes, first.index(), contacts[group.first + s].index);
+      kernel::FirstEntry<View> first(shaft);
+      offer(first, bounds, block.first, kept + s * words, words);
+      if (first.index() == ContactInView::none) continue;
+      hand_over(shaft, bounds, first.index(), contacts[group.first + s].index);
     }
   });
   kernel::in_float_environment([&] {
     for (std::size_t s = 0; s != contacts.size(); ++s) {
       if (!contacts[s]) continue;
-      kernel::FirstEntry first(data[s]);
-      first.offer(boxes.stream.data(), contacts[s].index, contacts[s].index);
+      kernel::FirstEntry<View> first(data[s]);
+      first.offer(bounds.stream.data(), contacts[s].index, contacts[s].index);
       contacts[s].time = first.time();
     }
   });
+}
+
+}  // namespace
+
+FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
+  return contact_in_view(shaft, boxes, form);
+}
+FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
+  return contact_in_view(shaft, spheres, form);
+}
+
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form) {
+  contacts_in_view(shafts, boxes, contacts, form);
+}
+void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form) {
+  contacts_in_view(shafts, spheres, contacts, form);
 }
 
 }  // namespace shaftcull

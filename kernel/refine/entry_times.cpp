@@ -1,10 +1,11 @@
 /// entry_times(): of boxes that are named, in a view or a tree.
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
-#include "exact/entry_time.hpp"
+#include "exact/first_entry.hpp"
 #include "refine/positions.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
@@ -16,10 +17,10 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 /// Checks what is asked, but for the view or tree.
-template <class Index>
+template <class View, class Index>
 void require_askable(const kernel::ShaftData& shaft, std::size_t count, std::span<const Index> indices,
                      std::span<float> times) {
-  kernel::require_answers(shaft, true, false, false, 0);
+  kernel::require_answers(shaft, true, false, std::is_same_v<View, SphereView>, 0);
   kernel::require_motion(shaft, 0);
   kernel::require_below("indices", indices, count);
   if (times.size() != indices.size()) {
@@ -30,26 +31,26 @@ void require_askable(const kernel::ShaftData& shaft, std::size_t count, std::spa
   kernel::require_apart("entry_times", "times", kernel::bytes_of(times), "indices", kernel::bytes_of(indices));
 }
 
-template <class Index, class Position>
-void write_times(const kernel::ShaftData& shaft, const BoxView& boxes, std::span<const Index> indices,
+template <class View, class Index, class Position>
+void write_times(const kernel::ShaftData& shaft, const View& bounds, std::span<const Index> indices,
                  const Position& position, std::span<float> times) {
-  kernel::KeepsOne* const keeps = kernel::active_kernels().keeps_one(boxes);
+  kernel::KeepsOne* const keeps = kernel::active_kernels().keeps_one(bounds);
   kernel::in_float_environment([&] {
-    const kernel::EntryTimes entry(shaft);
+    const kernel::EntryTimesOf<View> entry(shaft);
     for (std::size_t i = 0; i != indices.size(); ++i) {
-      const BoxView box = boxes.slice(position(indices[i]), 1);
-      times[i] = keeps(shaft, box.stream.data()) ? entry.rounded_down(entry.exact(box.stream.data(), 0))
-                                                 : std::numeric_limits<float>::infinity();
+      const View bound = bounds.slice(position(indices[i]), 1);
+      times[i] = keeps(shaft, bound.stream.data()) ? entry.rounded_down(entry.exact(bound.stream.data(), 0))
+                                                   : std::numeric_limits<float>::infinity();
     }
   });
 }
 
-template <class Index>
-void write_times_in_view(const CompiledShaft& shaft, const BoxView& boxes, std::span<const Index> indices,
+template <class View, class Index>
+void write_times_in_view(const CompiledShaft& shaft, const View& bounds, std::span<const Index> indices,
                          std::span<float> times) {
-  kernel::require_view(boxes);
-  require_askable(kernel::data_of(shaft), boxes.count, indices, times);
-  write_times(kernel::data_of(shaft), boxes, indices, kernel::PositionInView(), times);
+  kernel::require_view(bounds);
+  require_askable<View>(kernel::data_of(shaft), bounds.count, indices, times);
+  write_times(kernel::data_of(shaft), bounds, indices, kernel::PositionInView(), times);
 }
 
 }  // namespace
@@ -62,18 +63,30 @@ void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<con
                  std::span<float> times) {
   write_times_in_view(shaft, boxes, indices, times);
 }
-
-template <BoundIndex Index>
-void entry_times(const CompiledShaft& shaft, const BoundsTree<Box, Index>& tree,
-                 std::type_identity_t<std::span<const Index>> indices, std::span<float> times) {
-  kernel::require_refitted("entry_times", tree);
-  require_askable<Index>(kernel::data_of(shaft), tree.size(), indices, times);
-  write_times<Index>(kernel::data_of(shaft), tree.leaves(), indices, kernel::places_of(tree), times);
+void entry_times(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> indices,
+                 std::span<float> times) {
+  write_times_in_view(shaft, spheres, indices, times);
+}
+void entry_times(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> indices,
+                 std::span<float> times) {
+  write_times_in_view(shaft, spheres, indices, times);
 }
 
-template void entry_times(const CompiledShaft&, const BoundsTree<Box, std::uint32_t>&, std::span<const std::uint32_t>,
-                          std::span<float>);
-template void entry_times(const CompiledShaft&, const BoundsTree<Box, std::uint64_t>&, std::span<const std::uint64_t>,
-                          std::span<float>);
+template <class Bound, BoundIndex Index>
+void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                 std::type_identity_t<std::span<const Index>> indices, std::span<float> times) {
+  kernel::require_refitted("entry_times", tree);
+  require_askable<ViewOf<Bound>, Index>(kernel::data_of(shaft), tree.size(), indices, times);
+  write_times<ViewOf<Bound>, Index>(kernel::data_of(shaft), tree.leaves(), indices, kernel::places_of(tree), times);
+}
+
+#define SHAFTCULL_ENTRY_TIMES(Bound, Index)                                                                \
+  template void entry_times(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<const Index>, \
+                            std::span<float>);
+SHAFTCULL_ENTRY_TIMES(Box, std::uint32_t)
+SHAFTCULL_ENTRY_TIMES(Box, std::uint64_t)
+SHAFTCULL_ENTRY_TIMES(Sphere, std::uint32_t)
+SHAFTCULL_ENTRY_TIMES(Sphere, std::uint64_t)
+#undef SHAFTCULL_ENTRY_TIMES
 
 }  // namespace shaftcull

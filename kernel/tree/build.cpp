@@ -48,14 +48,13 @@ TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, cons
   TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
-  constexpr bool has_first_contact = std::is_same_v<Bound, Box>;
-  if (has_first_contact) parts.least_index.resize(words_for(parts.size));
+  parts.least_index.resize(words_for(parts.size));
   write_tree_order<Index>(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(scratch.records());
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
     write_leaves(parts, kernels, parts.order.data(), block, all);
-    for (std::size_t first = block.first; has_first_contact && first < block.end(); first += fanout) {
+    for (std::size_t first = block.first; first < block.end(); first += fanout) {
       parts.least_index[first / fanout] = least(parts.order.data() + first, std::min(fanout, block.end() - first));
     }
   });

@@ -6,9 +6,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "compiled/contact.hpp"
-#include "exact/entry_time.hpp"
+#include "compiled/with_planes.hpp"
+#include "exact/first_entry.hpp"
 #include "kernels/table.hpp"
 #include "support/prefetch.hpp"
 #include "tree/exclusion.hpp"
@@ -16,22 +18,23 @@
 
 namespace shaftcull::kernel {
 
-template <class Index>
+template <class Bound, class Index>
 class FirstContactWalk {
  public:
-  FirstContactWalk(const TreeParts<Box, Index>& parts, const Kernels& kernels, const ShaftData& shaft,
+  FirstContactWalk(const TreeParts<Bound, Index>& parts, const Kernels& kernels, const ShaftData& shaft,
                    const Exclusion<Index>& exclusion) noexcept
       : parts_(parts),
-        test_(kernels.listed_boxes),
-        shaft_(shaft),
-        of_nodes_(shaft),
+        test_leaves_(kernels.listed(ViewOf<Bound>{})),
+        test_nodes_(kernels.listed_boxes),
+        with_planes_(shaft, outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest)),
+        of_nodes_(with_planes_.shaft()),
         exclusion_(exclusion),
         prefetches_(parts.is_worth_prefetching()),
         leaf_(parts.leaves.view().stream),
         first_(shaft) {}
 
   /// What is reached first of the leaves that are not left out.
-  const FirstEntry& run() noexcept {
+  const FirstEntry<ViewOf<Bound>>& run() noexcept {
     if (parts_.levels == 0) return first_;
     const std::size_t top = parts_.levels - 1;
     for (std::uint32_t w = 0; w != parts_.level[top].words(); ++w) visit(top, w);
@@ -57,14 +60,14 @@ class FirstContactWalk {
     if (k == 0) return visit_leaves(word);
     const auto stream = parts_.node_words(k, 0, parts_.level[k].words()).stream;
     std::uint64_t kept = 0;
-    test_(of_nodes_.shaft(), stream.data(), &word, 1, &kept, nullptr, 1);
+    test_nodes_(of_nodes_.shaft(), stream.data(), &word, 1, &kept, nullptr, 1);
     const std::uint32_t from = word * static_cast<std::uint32_t>(fanout);
     kept = exclusion_.nodes(k, from, kept);
     Node node[fanout];
     std::size_t nodes = 0;
     for (; kept != 0; kept &= kept - 1) {
       const std::uint32_t entry = from + static_cast<std::uint32_t>(std::countr_zero(kept));
-      const double time = first_.times().rough(stream.data(), entry);
+      const double time = first_.times_of_boxes().rough(stream.data(), entry);
       const std::uint64_t least = k == 1 ? parts_.least_index[entry] : 0;
       if (!first_.is_no_first(time, least)) node[nodes++] = {time, least, entry};
     }
@@ -78,7 +81,7 @@ class FirstContactWalk {
 
   void visit_leaves(std::uint32_t word) noexcept {
     std::uint64_t kept = 0;
-    test_(shaft_, leaf_.data(), &word, 1, &kept, nullptr, 1);
+    test_leaves_(with_planes_.shaft(), leaf_.data(), &word, 1, &kept, nullptr, 1);
     const std::size_t from = std::size_t{word} * fanout;
     if (kept != 0) kept = exclusion_.leaves(from, kept);
     for (; kept != 0; kept &= kept - 1) {
@@ -99,14 +102,15 @@ class FirstContactWalk {
     }
   }
 
-  const TreeParts<Box, Index>& parts_;
-  TestListedWords* test_;
-  const ShaftData& shaft_;
+  const TreeParts<Bound, Index>& parts_;
+  TestListedWords* test_leaves_;
+  TestListedWords* test_nodes_;
+  WithPlanes with_planes_;
   WithClosedContact of_nodes_;
   Exclusion<Index> exclusion_;
   bool prefetches_;
-  std::array<const float*, 6> leaf_;
-  FirstEntry first_;
+  std::array<const float*, rows_of<Bound>> leaf_;
+  FirstEntry<ViewOf<Bound>> first_;
 };
 
 }  // namespace shaftcull::kernel

@@ -94,7 +94,7 @@ struct TreeLevels {
 template <class Bound, class Index>
 struct TreeParts : TreeLevels<Bound> {
   std::vector<Index> order;        ///< leaf → the user's index
-  std::vector<Index> least_index;  ///< of each word of leaves, if these are boxes
+  std::vector<Index> least_index;  ///< of each word of leaves
   LeafPlaces<Index> places;        ///< the user's index → leaf
 };
 

@@ -71,11 +71,11 @@ class Arguments : public testing::Test {
     ask([&] { (void)list_at_most(shafts_[0], view, kept); });
     ask([&] { count_at_most_many(shafts_, view, 3, counts); });
     ask([&] { list_at_most_many(shafts_, view, 3, few, counts); });
-    if constexpr (std::is_same_v<View, BoxView>) {
-      std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
-      ask([&] { (void)first_contact(shafts_[0], view); });
-      ask([&] { first_contact_many(shafts_, view, contacts); });
-    }
+    std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
+    std::vector<float> times(candidates.size());
+    ask([&] { (void)first_contact(shafts_[0], view); });
+    ask([&] { first_contact_many(shafts_, view, contacts); });
+    ask([&] { entry_times(shafts_[0], view, std::span<const std::uint32_t>(candidates), times); });
     ask([&] { list_many(shafts_, view, lists); });
     ask([&] { list_classified_many(shafts_, view, lists, insides); });
     ask([&] { for_each_tile(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
@@ -206,6 +206,10 @@ TEST_F(Arguments, NullOutputsAreRefused) {
               }),
               HasSubstr("contacts is null"));
   EXPECT_THAT(message_of([&] {
+                first_contact_many(shafts_, spheres_, {static_cast<FirstContactOf<std::uint64_t>*>(nullptr), 4});
+              }),
+              HasSubstr("contacts is null"));
+  EXPECT_THAT(message_of([&] {
                 first_contact_many(shafts_, tree, {static_cast<FirstContact*>(nullptr), 4});
               }),
               HasSubstr("contacts is null"));
@@ -323,6 +327,8 @@ TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
   std::vector<FirstContactOf<std::uint64_t>> contacts(4);
   EXPECT_THAT(message_of([&] { (void)first_contact(shafts_[0], boxes_, form); }), names_it);
   EXPECT_THAT(message_of([&] { first_contact_many(shafts_, boxes_, contacts, form); }), names_it);
+  EXPECT_THAT(message_of([&] { (void)first_contact(shafts_[0], spheres_, form); }), names_it);
+  EXPECT_THAT(message_of([&] { first_contact_many(shafts_, spheres_, contacts, form); }), names_it);
   EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, indices, form); }), names_it);
   EXPECT_THAT(
       message_of([&] { (void)list_classified(shafts_[0], boxes_, indices, std::span(indices).first(0), form); }),

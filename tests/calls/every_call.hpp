@@ -369,16 +369,14 @@ class EveryCall {
           note(words, std::span(inside).first(counts.inside));
         }
       });
-      if constexpr (std::is_same_v<Bound, Box>) {
-        add("first_contact" + how, true, [=, this](AnswerWords& words) {
-          std::vector<float> times(candidates_.size());
-          for (const CompiledShaft& shaft : shafts_) {
-            note(words, first_contact(shaft, view, form));
-            entry_times(shaft, view, std::span<const std::uint32_t>(candidates_), times);
-            note(words, times);
-          }
-        });
-      }
+      add("first_contact" + how, true, [=, this](AnswerWords& words) {
+        std::vector<float> times(candidates_.size());
+        for (const CompiledShaft& shaft : shafts_) {
+          note(words, first_contact(shaft, view, form));
+          entry_times(shaft, view, std::span<const std::uint32_t>(candidates_), times);
+          note(words, times);
+        }
+      });
       for (const std::size_t some : {std::size_t{3}, shafts_.size()}) {
         const std::size_t count = std::min(some, shafts_.size());
         const std::string many = how + ", " + std::to_string(count) + " shafts";
@@ -410,13 +408,11 @@ class EveryCall {
           any_many(asked(), view, bits, form);
           note(words, bits);
         });
-        if constexpr (std::is_same_v<Bound, Box>) {
-          add("first_contact_many" + many, true, [=](AnswerWords& words) {
-            std::vector<FirstContactOf<std::uint64_t>> contacts(count);
-            first_contact_many(asked(), view, contacts, form);
-            note(words, contacts);
-          });
-        }
+        add("first_contact_many" + many, true, [=](AnswerWords& words) {
+          std::vector<FirstContactOf<std::uint64_t>> contacts(count);
+          first_contact_many(asked(), view, contacts, form);
+          note(words, contacts);
+        });
         add("count_at_most_many" + many, true, [=](AnswerWords& words) {
           std::vector<std::uint64_t> counts(count);
           count_at_most_many(asked(), view, 5, counts, form);
@@ -550,19 +546,17 @@ class EveryCall {
       moved.renumber();
       note_tree(words, moved);
     });
-    if constexpr (std::is_same_v<Bound, Box>) {
-      add("first_contact, first_contact_many in a tree", true, [=, this, &tree](AnswerWords& words) {
-        std::vector<FirstContact> contacts(shafts_.size());
-        std::vector<float> times(candidates_.size());
-        for (const CompiledShaft& shaft : shafts_) {
-          note(words, first_contact(shaft, tree, {.own = candidates_}));
-          entry_times(shaft, tree, candidates_, times);
-          note(words, times);
-        }
-        first_contact_many(shafts_, tree, contacts);
-        note(words, contacts);
-      });
-    }
+    add("first_contact, first_contact_many in a tree" + of, true, [=, this, &tree](AnswerWords& words) {
+      std::vector<FirstContact> contacts(shafts_.size());
+      std::vector<float> times(candidates_.size());
+      for (const CompiledShaft& shaft : shafts_) {
+        note(words, first_contact(shaft, tree, {.own = candidates_}));
+        entry_times(shaft, tree, candidates_, times);
+        note(words, times);
+      }
+      first_contact_many(shafts_, tree, contacts);
+      note(words, contacts);
+    });
     add("keep_layers" + of, true, [=, this](AnswerWords& words) {
       std::vector<std::uint64_t> kept(words_for(view.count));
       std::vector<std::uint32_t> layers(view.count);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "columns.hpp"
@@ -341,6 +342,37 @@ class OpenContactVerbs : public testing::Test {
       EXPECT_EQ(vector(refined[s]), some);
     }
   }
+
+  /// Times are those of closed contact, and first is the first of those that are kept.
+  template <class View>
+  void expect_first_of_kept(const View& bounds, const std::vector<std::vector<std::uint32_t>>& kept) {
+    const BoundsTree<std::remove_cvref_t<decltype(bounds[0])>> tree(bounds);
+    std::vector<FirstContact> of_tree(shafts_.size());
+    first_contact_many(shafts_, tree, of_tree);
+    std::vector<std::uint32_t> all(bounds.count);
+    for (std::uint32_t i = 0; i != all.size(); ++i) all[i] = i;
+    std::vector<float> times(all.size());
+    std::vector<float> closed_times(all.size());
+    for (std::size_t s = 0; s != shafts_.size(); ++s) {
+      entry_times(shafts_[s], bounds, std::span<const std::uint32_t>(all), times);
+      CompiledShaft closed = shafts_[s];
+      set_contact(closed, Contact::closed);
+      entry_times(closed, bounds, std::span<const std::uint32_t>(all), closed_times);
+      float least = infinity;
+      for (std::uint32_t i = 0; i != all.size(); ++i) {
+        const bool is_kept = std::binary_search(kept[s].begin(), kept[s].end(), i);
+        EXPECT_EQ(times[i], is_kept ? closed_times[i] : infinity);
+        least = std::min(least, times[i]);
+      }
+      EXPECT_EQ(first_contact(shafts_[s], bounds).time, least);
+      const FirstContact first = first_contact(shafts_[s], tree);
+      EXPECT_EQ(first.time, least);
+      EXPECT_EQ(of_tree[s], first);
+      if (first) {
+        EXPECT_EQ(times[first.index], least);
+      }
+    }
+  }
 };
 
 TEST_F(OpenContactVerbs, OfViewsAndTreesKeepWhatReachesIntoTheShaft) {
@@ -356,33 +388,8 @@ TEST_F(OpenContactVerbs, OfViewsAndTreesKeepWhatReachesIntoTheShaft) {
 
 TEST_F(OpenContactVerbs, FirstContactIsThatOfWhatIsKept) {
   on_each_instruction_set([&] {
-    const BoxStream boxes(boxes_);
-    const BoxTree tree(boxes.view());
-    std::vector<FirstContact> of_tree(shafts_.size());
-    first_contact_many(shafts_, tree, of_tree);
-    std::vector<std::uint32_t> all(boxes_.size());
-    for (std::uint32_t i = 0; i != all.size(); ++i) all[i] = i;
-    std::vector<float> times(all.size());
-    std::vector<float> closed_times(all.size());
-    for (std::size_t s = 0; s != shafts_.size(); ++s) {
-      entry_times(shafts_[s], boxes.view(), std::span<const std::uint32_t>(all), times);
-      CompiledShaft closed = shafts_[s];
-      set_contact(closed, Contact::closed);
-      entry_times(closed, boxes.view(), std::span<const std::uint32_t>(all), closed_times);
-      float least = infinity;
-      for (std::uint32_t i = 0; i != all.size(); ++i) {
-        const bool is_kept = std::binary_search(kept_boxes_[s].begin(), kept_boxes_[s].end(), i);
-        EXPECT_EQ(times[i], is_kept ? closed_times[i] : infinity);
-        least = std::min(least, times[i]);
-      }
-      EXPECT_EQ(first_contact(shafts_[s], boxes.view()).time, least);
-      const FirstContact first = first_contact(shafts_[s], tree);
-      EXPECT_EQ(first.time, least);
-      EXPECT_EQ(of_tree[s], first);
-      if (first) {
-        EXPECT_EQ(times[first.index], least);
-      }
-    }
+    expect_first_of_kept(BoxStream(boxes_).view(), kept_boxes_);
+    expect_first_of_kept(SphereStream(spheres_).view(), kept_spheres_);
   });
 }
 

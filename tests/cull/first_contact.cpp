@@ -1,4 +1,4 @@
-/// First contact: which box is reached first, and when, are those of exact arithmetic, in views and in trees.
+/// First contact: which bound is reached first, and when, are those of exact arithmetic, in views and in trees.
 #include "shaftcull/first_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "oracle/entry_time.hpp"
 #include "oracle/hull.hpp"
 #include "oracle/moving_hull.hpp"
+#include "oracle/quick_hull.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/kinds.hpp"
@@ -26,16 +28,17 @@
 namespace shaftcull {
 namespace {
 
-/// First contact by the definition: of the boxes that are not outside, the one with the least time.
-template <class Hull, class TimeOf>
-FirstContactOf<std::uint64_t> expected_contact(const Hull& hull, const TimeOf& time_of, const std::vector<Box>& boxes) {
+/// First contact by the definition: of the bounds that are not outside, the one with the least time.
+template <class Hull, class TimeOf, class Bound>
+FirstContactOf<std::uint64_t> expected_contact(const Hull& hull, const TimeOf& time_of,
+                                               const std::vector<Bound>& bounds) {
   FirstContactOf<std::uint64_t> first;
-  std::optional<mpq_class> least;
-  for (std::size_t i = 0; i != boxes.size(); ++i) {
-    if (hull.answer(boxes[i]) == Answer::outside) continue;
-    const std::optional<mpq_class> time = time_of(boxes[i]);
+  decltype(time_of(bounds[0])) least;
+  for (std::size_t i = 0; i != bounds.size(); ++i) {
+    if (hull.answer(bounds[i]) == Answer::outside) continue;
+    const auto time = time_of(bounds[i]);
     if (!time.has_value()) {
-      ADD_FAILURE() << "a box that meets the shaft is never reached: " << source_text(boxes[i]);
+      ADD_FAILURE() << "a bound that meets the shaft is never reached: " << source_text(bounds[i]);
       continue;
     }
     if (least && *least <= *time) continue;
@@ -50,59 +53,115 @@ std::string text_of(const FirstContactOf<std::uint64_t>& contact) {
 }
 
 /// Asks a view and trees, whose first contact must be the one expected.
-void expect_contact(const CompiledShaft& shaft, const std::vector<Box>& boxes,
+template <class Bound>
+void expect_contact(const CompiledShaft& shaft, const std::vector<Bound>& bounds,
                     const FirstContactOf<std::uint64_t>& expected, const std::string& source) {
-  const BoxColumns columns(boxes);
+  const auto memory = columns(bounds);
   const auto expect = [&](const FirstContactOf<std::uint64_t>& found, const char* of, Isa isa) {
     if (found == expected) return;
-    ADD_FAILURE() << "on " << name(isa) << ", form " << of << "; of " << boxes.size() << " boxes " << text_of(expected)
-                  << " is first, answered " << text_of(found) << ":\n  " << source;
+    ADD_FAILURE() << "on " << name(isa) << ", form " << of << "; of " << bounds.size() << " " << text_of(expected)
+                  << " is first, answered " << text_of(found) << ":\n  " << source << "; "
+                  << (found ? source_text(bounds[found.index]) : std::string()) << "; "
+                  << (expected ? source_text(bounds[expected.index]) : std::string());
   };
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) expect(first_contact(shaft, columns.view(), form), "view", isa);
+    for (const Form form : {Form::slab, Form::planes}) expect(first_contact(shaft, memory.view(), form), "view", isa);
     std::vector<FirstContactOf<std::uint64_t>> many(3);
-    first_contact_many(std::vector<CompiledShaft>(3, shaft), columns.view(), many);
+    first_contact_many(std::vector<CompiledShaft>(3, shaft), memory.view(), many);
     for (const auto& one : many) expect(one, "view of many shafts", isa);
-    const BoundsTree<Box, std::uint64_t> tree{std::span<const Box>(boxes)};
+    const BoundsTree<Bound, std::uint64_t> tree{std::span<const Bound>(bounds)};
     expect(first_contact(shaft, tree), "tree", isa);
   }
 }
 
-void expect_contact(const ShaftInput& input, const std::vector<Box>& boxes) {
+template <class Bound>
+void expect_contact(const ShaftInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
       oracle::Hull(input.a, input.b, input.added),
-      [&](const Box& box) { return oracle::entry_time(input.a, input.b, box); }, boxes);
+      [&](const Bound& bound) { return oracle::entry_time(input.a, input.b, bound); }, bounds);
   Shaft shaft(input.a, input.b);
   for (const Plane& plane : input.added) shaft.add_plane(plane);
-  expect_contact(compile(shaft), boxes, expected, source_text(input));
+  expect_contact(compile(shaft), bounds, expected, source_text(input));
 }
 
-void expect_contact(const MovingInput& input, const std::vector<Box>& boxes) {
+template <class Bound>
+void expect_contact(const MovingInput& input, const std::vector<Bound>& bounds) {
   const auto expected = expected_contact(
-      oracle::MovingHull(input), [&](const Box& box) { return oracle::entry_time(input, box); }, boxes);
-  expect_contact(shaft_of(input), boxes, expected, source_text(input));
+      oracle::MovingHull(input), [&](const Bound& bound) { return oracle::entry_time(input, bound); }, bounds);
+  expect_contact(shaft_of(input), bounds, expected, source_text(input));
 }
 
-TEST(FirstContact, IsThatOfExactArithmeticForAllFamilies) {
+/// Bounds of one kind from a family.
+template <class Bound>
+class FamilyBounds {
+ public:
+  FamilyBounds(const Family& family, const ShaftInput& input) : family_(family), input_(input), hull_(input) {}
+
+  Bound operator()(Random& random) const {
+    if constexpr (std::is_same_v<Bound, Box>) {
+      return family_.box(random, input_);
+    } else {
+      return family_.sphere(random, input_, hull_);
+    }
+  }
+
+ private:
+  const Family& family_;
+  const ShaftInput& input_;
+  oracle::QuickHull hull_;
+};
+
+template <class Bound>
+Bound grid_bound(Random& random) {
+  if constexpr (std::is_same_v<Bound, Box>) {
+    return random.grid_box(-12, 12);
+  } else {
+    return {{random.integer(-12, 12), random.integer(-12, 12), random.integer(-12, 12)}, random.integer(0, 5)};
+  }
+}
+
+template <class Bound>
+Bound any_bound(Random& random) {
+  if constexpr (std::is_same_v<Bound, Box>) {
+    return random.box(-12, 12, 0.01F, 3);
+  } else {
+    return {random.vec3(-12, 12), random.uniform(0.01F, 4)};
+  }
+}
+
+/// Asks about 24 bounds, and some of them again.
+template <class Input, class NextBound>
+void expect_contact_of(Random& random, const Input& input, const NextBound& next) {
+  std::vector<decltype(next())> bounds;
+  while (bounds.size() != 24) bounds.push_back(next());
+  for (int same = 0; same != 6; ++same) bounds.push_back(bounds[random.below(24)]);  // ties
+  expect_contact(input, bounds);
+  std::reverse(bounds.begin(), bounds.end());
+  expect_contact(input, bounds);
+}
+
+template <class Bound>
+class FirstContactOfBounds : public testing::Test {};
+using BoundKinds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(FirstContactOfBounds, BoundKinds);
+
+TYPED_TEST(FirstContactOfBounds, IsThatOfExactArithmeticForAllFamilies) {
   for (const Family& family : families) {
     SCOPED_TRACE(family.name);
     Random random(800);
-    for (unsigned i = 0; i != random_cases(40) && !HasFailure(); ++i) {
+    for (unsigned i = 0; i != random_cases(40) && !testing::Test::HasFailure(); ++i) {
       const ShaftInput input = family.shaft(random, i * 17);
-      std::vector<Box> boxes;
-      while (boxes.size() != 24) boxes.push_back(family.box(random, input));
-      for (int same = 0; same != 6; ++same) boxes.push_back(boxes[random.below(24)]);  // ties
-      expect_contact(input, boxes);
-      expect_contact(input, {boxes.rbegin(), boxes.rend()});
+      const FamilyBounds<TypeParam> bounds(family, input);
+      expect_contact_of(random, input, [&] { return bounds(random); });
     }
   }
 }
 
-TEST(FirstContact, IsThatOfExactArithmeticForSweepsAndShadows) {
+TYPED_TEST(FirstContactOfBounds, IsThatOfExactArithmeticForSweepsAndShadows) {
   using Kind = MovingInput::Kind;
   Random random(804);
-  for (unsigned i = 0; i != random_cases(400) && !HasFailure(); ++i) {
+  for (unsigned i = 0; i != random_cases(400) && !testing::Test::HasFailure(); ++i) {
     const bool is_on_grid = random.one_in(2);
     const auto box = [&] { return is_on_grid ? random.grid_box(-8, 8) : random.box(-8, 8, 0.01F, 1.5F); };
     MovingInput input{static_cast<Kind>(i % 4), box()};
@@ -117,11 +176,8 @@ TEST(FirstContact, IsThatOfExactArithmeticForSweepsAndShadows) {
       input.light = {{input.box.hi[0] + 0.3F, -1, -2}, {input.box.hi[0] + 1, 1, -1}};
     }
     input.reach = is_on_grid ? random.integer(1, 5) : random.uniform(1, 9);
-    std::vector<Box> boxes;
-    while (boxes.size() != 24) boxes.push_back(is_on_grid ? random.grid_box(-12, 12) : random.box(-12, 12, 0.01F, 3));
-    for (int same = 0; same != 6; ++same) boxes.push_back(boxes[random.below(24)]);
-    expect_contact(input, boxes);
-    expect_contact(input, {boxes.rbegin(), boxes.rend()});
+    expect_contact_of(random, input,
+                      [&] { return is_on_grid ? grid_bound<TypeParam>(random) : any_bound<TypeParam>(random); });
   }
 }
 
@@ -182,8 +238,8 @@ TEST(FirstContact, TellsTimesApartThatDoublesCannotTellApart) {
     const ShaftInput input{{{-far, -far, 0}, {x.from, y.from, 1}}, {{-far, -far, 0}, {x.to, y.to, 1}}};
     const Box reached_by_x{{x.place, -far, 0}, {far, far, 1}};
     const Box reached_by_y{{-far, y.place, 0}, {far, far, 1}};
-    expect_contact(input, {reached_by_x, reached_by_y});
-    expect_contact(input, {reached_by_y, reached_by_x});
+    expect_contact(input, std::vector<Box>{reached_by_x, reached_by_y});
+    expect_contact(input, std::vector<Box>{reached_by_y, reached_by_x});
     const bool is_x_first = x.time() < y.time();
     if (is_x_first != (x.rounded_time() < y.rounded_time())) ++misled;
   }
@@ -240,32 +296,33 @@ TEST(FirstContact, IsNothingWhereNothingIsKept) {
   });
 }
 
-TEST(EntryTimes, AreThoseOfExactArithmeticForAllFamilies) {
+TYPED_TEST(FirstContactOfBounds, EntryTimesAreThoseOfExactArithmeticForAllFamilies) {
   for (const Family& family : families) {
     SCOPED_TRACE(family.name);
     Random random(803);
-    for (unsigned i = 0; i != random_cases(40) && !HasFailure(); ++i) {
+    for (unsigned i = 0; i != random_cases(40) && !testing::Test::HasFailure(); ++i) {
       const ShaftInput input = family.shaft(random, i * 13);
       const oracle::Hull hull(input.a, input.b, input.added);
-      std::vector<Box> boxes;
+      const FamilyBounds<TypeParam> next(family, input);
+      std::vector<TypeParam> bounds;
       std::vector<float> expected;
-      while (boxes.size() != 20) {
-        boxes.push_back(family.box(random, input));
-        expected.push_back(hull.answer(boxes.back()) == Answer::outside
+      while (bounds.size() != 20) {
+        bounds.push_back(next(random));
+        expected.push_back(hull.answer(bounds.back()) == Answer::outside
                                ? std::numeric_limits<float>::infinity()
-                               : oracle::rounded_down(oracle::entry_time(input.a, input.b, boxes.back()).value()));
+                               : oracle::rounded_down(oracle::entry_time(input.a, input.b, bounds.back()).value()));
       }
       Shaft shaft(input.a, input.b);
       for (const Plane& plane : input.added) shaft.add_plane(plane);
       const CompiledShaft compiled = compile(shaft);
-      const BoxColumns columns(boxes);
-      const BoundsTree<Box, std::uint64_t> tree{std::span<const Box>(boxes)};
+      const auto memory = columns(bounds);
+      const BoundsTree<TypeParam, std::uint64_t> tree{std::span<const TypeParam>(bounds)};
       std::vector<std::uint64_t> indices;  // backwards
-      for (std::size_t n = boxes.size(); n-- != 0;) indices.push_back(n);
+      for (std::size_t n = bounds.size(); n-- != 0;) indices.push_back(n);
       for (const Isa isa : isas_under_test()) {
         const UseIsa use(isa);
-        std::vector<float> times(boxes.size());
-        entry_times(compiled, columns.view(), indices, times);
+        std::vector<float> times(bounds.size());
+        entry_times(compiled, memory.view(), indices, times);
         ASSERT_EQ(std::vector<float>(times.rbegin(), times.rend()), expected) << source_text(input) << name(isa);
         std::fill(times.begin(), times.end(), 7.0F);
         entry_times(compiled, tree, indices, times);

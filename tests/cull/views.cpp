@@ -130,6 +130,18 @@ TEST(Views, NothingBehindAViewIsReadForAnyKindOfShaft) {
       }
     }
   };
+  const auto expect_first = [](const CompiledShaft& shaft, const auto& view) {
+    const std::uint64_t none = FirstContactOf<std::uint64_t>::none;
+    const std::uint64_t first = first_contact(shaft, view).index;
+    for (std::size_t count = 0; count <= most_bounds; ++count) {
+      const GuardedView guarded(view.slice(0, count));
+      const std::uint64_t found = first_contact(shaft, guarded.view()).index;
+      if (first < count) {
+        ASSERT_EQ(found, first);
+      }
+      ASSERT_TRUE(found == none || found < count);
+    }
+  };
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (std::size_t s = 0; s != std::size(shafts); ++s) {
@@ -137,16 +149,8 @@ TEST(Views, NothingBehindAViewIsReadForAnyKindOfShaft) {
       expect_right(shafts[s], box_memory.view());
       expect_right(shafts[s], sphere_memory.view());
       if (&shafts[s] == std::end(shafts) - 1) continue;  // hulls do not move
-      const std::uint64_t none = FirstContactOf<std::uint64_t>::none;
-      const std::uint64_t first = first_contact(shafts[s], box_memory.view()).index;
-      for (std::size_t count = 0; count <= most_bounds; ++count) {
-        const GuardedView guarded(box_memory.view().slice(0, count));
-        const std::uint64_t found = first_contact(shafts[s], guarded.view()).index;
-        if (first < count) {
-          ASSERT_EQ(found, first);
-        }
-        ASSERT_TRUE(found == none || found < count);
-      }
+      expect_first(shafts[s], box_memory.view());
+      expect_first(shafts[s], sphere_memory.view());
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -26,22 +27,25 @@ namespace {
 /// Enough copies of eight bounds for a level of nodes.
 constexpr std::size_t copies = 17;
 
-/// Whether a scan and a tree of boxes agree about what blocks the shaft, and about first contact, if it has any.
-bool asks_boxes_alike(const Case& it, const CompiledShaft& shaft, const BoxTree& tree, const std::vector<Box>& boxes) {
-  const BoxColumns memory(boxes);
-  if (!it.is_moving() && !it.is_hull()) {
-    Indices in_view(boxes.size());
-    in_view.resize(list_blocking(shaft, memory.view(), in_view));
-    Indices in_tree(boxes.size());
-    in_tree.resize(list_blocking(shaft, tree, in_tree));
-    if (sorted(in_tree) != in_view) return false;
-  }
+/// Whether a scan and a tree agree about what blocks the shaft, and about first contact, where it answers that.
+template <class Bound>
+bool asks_alike(const Case& it, const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
+                const std::vector<Bound>& bounds) {
   if (it.is_hull()) return true;
+  const auto memory = columns(bounds);
+  if constexpr (std::is_same_v<Bound, Box>) {
+    if (!it.is_moving()) {
+      Indices in_view(bounds.size());
+      in_view.resize(list_blocking(shaft, memory.view(), in_view));
+      Indices in_tree(bounds.size());
+      in_tree.resize(list_blocking(shaft, tree, in_tree));
+      if (sorted(in_tree) != in_view) return false;
+    }
+  }
   const auto of_scan = first_contact(shaft, memory.view());
   const auto of_tree = first_contact(shaft, tree);
   return of_tree.index == static_cast<std::uint32_t>(of_scan.index) && of_tree.time == of_scan.time;
 }
-bool asks_boxes_alike(const Case&, const CompiledShaft&, const SphereTree&, const std::vector<Sphere>&) { return true; }
 
 template <class Bound>
 void require_flat_answers(const Case& it, const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
@@ -55,7 +59,7 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
   if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
-      sorted(inside, tree.order()) == flat.inside && asks_boxes_alike(it, shaft, tree, bounds)) {
+      sorted(inside, tree.order()) == flat.inside && asks_alike(it, shaft, tree, bounds)) {
     return;
   }
   std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) +

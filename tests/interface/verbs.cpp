@@ -32,9 +32,8 @@ constexpr std::array<std::array<const char*, 5>, 17> table = {{
     {"does a box block every segment", "blocked", "blocked_many", "blocked", "blocked_many"},
     {"the first box that does: its index", "blocked_by", "", "blocked_by", ""},
     {"which boxes do: indices", "list_blocking", "list_blocking_many", "list_blocking", "list_blocking_many"},
-    {"which box is reached first, and when", "first_contact", "first_contact_many", "first_contact",
-     "first_contact_many"},
-    {"when each box of a list is reached", "entry_times", "", "entry_times", ""},
+    {"which is reached first, and when", "first_contact", "first_contact_many", "first_contact", "first_contact_many"},
+    {"when each of a list is reached", "entry_times", "", "entry_times", ""},
     {"how many are kept, up to so many", "count_at_most", "count_at_most_many", "count_at_most", "count_at_most_many"},
     {"which are kept, up to so many: indices", "list_at_most", "list_at_most_many", "list_at_most",
      "list_at_most_many"},
@@ -130,7 +129,7 @@ concept ListsWhatBlocksWide = requires(const Bounds& bounds, Given given) {
   { list_blocking_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
 };
 
-/// Of boxes, as positions or as indices of the tree's kind.
+/// As positions or as indices of the tree's kind.
 template <class Bounds, class Index>
 concept TellsFirstContact = requires(const Bounds& bounds, Given given, std::vector<FirstContactOf<Index>>& contacts,
                                      std::vector<Index>& indices, std::vector<float>& times) {
@@ -141,7 +140,10 @@ concept TellsFirstContact = requires(const Bounds& bounds, Given given, std::vec
 static_assert(TellsFirstContact<BoxView, std::uint64_t> && TellsFirstContact<BoxStream, std::uint64_t>);
 static_assert(TellsFirstContact<BoxTree, std::uint32_t>);
 static_assert(TellsFirstContact<BoundsTree<Box, std::uint64_t>, std::uint64_t>);
-static_assert(!TellsFirstContact<SphereView, std::uint64_t> && !TellsFirstContact<SphereTree, std::uint32_t>);
+static_assert(TellsFirstContact<SphereView, std::uint64_t> && TellsFirstContact<SphereStream, std::uint64_t>);
+static_assert(TellsFirstContact<SphereTree, std::uint32_t>);
+static_assert(TellsFirstContact<BoundsTree<Sphere, std::uint64_t>, std::uint64_t>);
+static_assert(!TellsFirstContact<TriangleView, std::uint64_t>);
 
 template <class Bounds>
 concept CallsBackForTiles = requires(const Bounds& bounds, Given given) {

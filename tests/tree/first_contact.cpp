@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "columns.hpp"
@@ -22,22 +23,31 @@
 namespace shaftcull {
 namespace {
 
-template <class Index>
+/// A tree's kind of bounds and of indices.
+template <class BoundKind, class IndexKind>
+struct TreeKind {
+  using Bound = BoundKind;
+  using Index = IndexKind;
+};
+
+template <class Kind>
 class TreeFirstContact : public testing::Test {
  protected:
-  using Tree = BoundsTree<Box, Index>;
+  using Tree = BoundsTree<typename Kind::Bound, typename Kind::Index>;
 
-  /// The tree's answers for all shafts, one by one and together, are those of a scan of `boxes`.
-  static void expect_flat(const Tree& tree, const std::vector<Box>& boxes, const std::vector<CompiledShaft>& shafts,
-                          const ExcludingOf<Index>& excluding = {}) {
-    const BoxColumns columns(boxes);
+  /// The tree's answers for all shafts, one by one and together, are those of a scan of `bounds`.
+  static void expect_flat(const Tree& tree, const std::vector<typename Kind::Bound>& bounds,
+                          const std::vector<CompiledShaft>& shafts,
+                          const ExcludingOf<typename Kind::Index>& excluding = {}) {
+    using Index = typename Kind::Index;
+    const auto memory = columns(bounds);
     std::vector<FirstContactOf<std::uint64_t>> flat(shafts.size());
     std::vector<FirstContactOf<Index>> many(shafts.size());
-    first_contact_many(shafts, columns.view(), flat);
+    first_contact_many(shafts, memory.view(), flat);
     first_contact_many(shafts, tree, many, excluding);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      SCOPED_TRACE("shaft " + std::to_string(s) + " of " + std::to_string(boxes.size()) + " boxes");
-      const FirstContactOf<std::uint64_t> one = first_contact(shafts[s], columns.view());
+      SCOPED_TRACE("shaft " + std::to_string(s) + " of " + std::to_string(bounds.size()) + " bounds");
+      const FirstContactOf<std::uint64_t> one = first_contact(shafts[s], memory.view());
       EXPECT_EQ(flat[s], one);
       EXPECT_EQ(many[s].index, static_cast<Index>(one.index));
       EXPECT_EQ(many[s].time, one.time);
@@ -46,86 +56,115 @@ class TreeFirstContact : public testing::Test {
     }
   }
 };
-using IndexKinds = testing::Types<std::uint32_t, std::uint64_t>;
-TYPED_TEST_SUITE(TreeFirstContact, IndexKinds);
+using TreeKinds = testing::Types<TreeKind<Box, std::uint32_t>, TreeKind<Box, std::uint64_t>,
+                                 TreeKind<Sphere, std::uint32_t>, TreeKind<Sphere, std::uint64_t>>;
+TYPED_TEST_SUITE(TreeFirstContact, TreeKinds);
+
+/// What no shaft meets.
+template <class Bound>
+Bound empty_bound() {
+  if constexpr (std::is_same_v<Bound, Box>) {
+    return empty_box;
+  } else {
+    return {{0, 0, 0}, -1};
+  }
+}
+
+/// Some of the size of a unit cube, with a face on x = 0.
+template <class Bound>
+Bound unit_bound() {
+  if constexpr (std::is_same_v<Bound, Box>) {
+    return {{0, 0, 0}, {1, 1, 1}};
+  } else {
+    return {{0.5F, 0.5F, 0.5F}, 0.5F};
+  }
+}
 
 TYPED_TEST(TreeFirstContact, IsThatOfAFlatScanForEveryShapeAndCount) {
+  using Bound = typename TypeParam::Bound;
   Random random(810);
   for (const Shape shape : shapes) {
     for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 129U, 4097U, 20000U}) {
       SCOPED_TRACE(text(shape));
-      const std::vector<Box> boxes = scene<Box>(random, shape, count);
-      const typename TestFixture::Tree tree{std::span<const Box>(boxes)};
-      this->expect_flat(tree, boxes, shafts_for(random, random_cases(20)));
+      const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
+      const typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
+      this->expect_flat(tree, bounds, shafts_for(random, random_cases(20)));
       if (this->HasFailure()) return;
     }
   }
 }
 
 TYPED_TEST(TreeFirstContact, StaysThatOfAFlatScanAsTheTreeChanges) {
+  using Bound = typename TypeParam::Bound;
+  using Index = typename TypeParam::Index;
   Random random(811);
-  std::vector<Box> boxes = scene<Box>(random, Shape::grid, 5000);
-  typename TestFixture::Tree tree{std::span<const Box>(boxes)};
+  std::vector<Bound> bounds = scene<Bound>(random, Shape::grid, 5000);
+  typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
   const std::vector<CompiledShaft> shafts = shafts_for(random, 30);
-  boxes = scene<Box>(random, Shape::grid, boxes.size());
-  tree.update(std::span<const Box>(boxes));
-  this->expect_flat(tree, boxes, shafts);
+  bounds = scene<Bound>(random, Shape::grid, bounds.size());
+  tree.update(std::span<const Bound>(bounds));
+  this->expect_flat(tree, bounds, shafts);
   tree.rebuild();
-  this->expect_flat(tree, boxes, shafts);
-  this->expect_flat(typename TestFixture::Tree(tree), boxes, shafts);
-  std::vector<Box> renumbered;
-  for (const TypeParam i : tree.order()) renumbered.push_back(boxes[i]);
+  this->expect_flat(tree, bounds, shafts);
+  this->expect_flat(typename TestFixture::Tree(tree), bounds, shafts);
+  std::vector<Bound> renumbered;
+  for (const Index i : tree.order()) renumbered.push_back(bounds[i]);
   tree.renumber();
   this->expect_flat(tree, renumbered, shafts);
 }
 
 TYPED_TEST(TreeFirstContact, LooksOnWhereTheFirstIsLeftOut) {
+  using Bound = typename TypeParam::Bound;
   Random random(812);
   for (const Shape shape : {Shape::uniform, Shape::grid}) {
-    const std::vector<Box> boxes = scene<Box>(random, shape, 5000);
-    typename TestFixture::Tree tree{std::span<const Box>(boxes)};
+    const std::vector<Bound> bounds = scene<Bound>(random, shape, 5000);
+    typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
     const std::vector<CompiledShaft> shafts = shafts_for(random, 10);
-    // Leaving out is as if the box were not there: an empty box is met by nothing.
-    std::vector<std::uint64_t> mask(words_for(boxes.size()));
-    std::vector<std::uint32_t> layers(boxes.size(), 2);
-    std::vector<Box> rest = boxes;
-    for (std::size_t i = 0; i != boxes.size(); ++i) {
+    // Leaving out is as if the bound were not there: an empty bound is met by nothing.
+    std::vector<std::uint64_t> mask(words_for(bounds.size()));
+    std::vector<std::uint32_t> layers(bounds.size(), 2);
+    std::vector<Bound> rest = bounds;
+    for (std::size_t i = 0; i != bounds.size(); ++i) {
       const bool is_masked = random.one_in(3);
       if (is_masked) mask[i / 64] |= std::uint64_t{1} << i % 64;
       if (random.one_in(3)) layers[i] = 5;
-      if (is_masked || layers[i] == 5) rest[i] = empty_box;
+      if (is_masked || layers[i] == 5) rest[i] = empty_bound<Bound>();
     }
     tree.set_layers(layers);
     this->expect_flat(tree, rest, shafts, {.mask = mask, .only_layers = {2}});
     for (const CompiledShaft& shaft : shafts) {
-      std::vector<Box> left = boxes;
+      std::vector<Bound> left = bounds;
       for (int i = 0; i != 5; ++i) {
         const auto first = first_contact(shaft, tree);
         if (!first) break;
-        left[first.index] = empty_box;
+        left[first.index] = empty_bound<Bound>();
         this->expect_flat(tree, left, {shaft}, {.own = {first.index}});
-        left = boxes;
+        left = bounds;
       }
     }
   }
 }
 
 TYPED_TEST(TreeFirstContact, WantsOneContactForEachShaft) {
-  const typename TestFixture::Tree tree{std::vector<Box>(100, Box{{0, 0, 0}, {1, 1, 1}})};
+  using Bound = typename TypeParam::Bound;
+  using Index = typename TypeParam::Index;
+  const typename TestFixture::Tree tree{std::vector<Bound>(100, unit_bound<Bound>())};
   Random random(813);
   const std::vector<CompiledShaft> shafts = shafts_for(random, 3);
-  std::vector<FirstContactOf<TypeParam>> two(2, {9, 0.25F});
+  std::vector<FirstContactOf<Index>> two(2, {9, 0.25F});
   EXPECT_THAT(message_of([&] { first_contact_many(shafts, tree, two); }),
               testing::HasSubstr("contacts has room for 2 counts; 3 shafts need one each"));
-  EXPECT_EQ(two, (std::vector<FirstContactOf<TypeParam>>(2, {9, 0.25F})));
+  EXPECT_EQ(two, (std::vector<FirstContactOf<Index>>(2, {9, 0.25F})));
 }
 
 TYPED_TEST(TreeFirstContact, TimesOfAListFitTheListAndTheTree) {
-  const std::vector<Box> boxes(100, Box{{0, 0, 0}, {1, 1, 1}});
-  typename TestFixture::Tree tree{std::span<const Box>(boxes)};
+  using Bound = typename TypeParam::Bound;
+  using Index = typename TypeParam::Index;
+  const std::vector<Bound> bounds(100, unit_bound<Bound>());
+  typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
   const CompiledShaft shaft = compile({{-3, 0, 0}, {-2, 1, 1}}, {{1, 0, 0}, {2, 1, 1}});
   std::vector<float> times(3, 7);
-  const std::vector<TypeParam> indices = {3, 99, 100};
+  const std::vector<Index> indices = {3, 99, 100};
   EXPECT_THAT(message_of([&] { entry_times(shaft, tree, indices, times); }),
               testing::HasSubstr("indices[2] = 100 is not below the number of bounds, 100"));
   EXPECT_THAT(message_of([&] { entry_times(shaft, tree, std::span(indices).first(2), times); }),
@@ -137,33 +176,37 @@ TYPED_TEST(TreeFirstContact, TimesOfAListFitTheListAndTheTree) {
   EXPECT_EQ(times, std::vector<float>(3, 7));
   entry_times(shaft, tree, std::span(indices).first(2), std::span(times).first(2));
   EXPECT_EQ(times, (std::vector<float>{0.5F, 0.5F, 7}));
-  tree.update(std::span(indices).first(1), std::span<const Box>(boxes).first(1));
+  tree.update(std::span(indices).first(1), std::span<const Bound>(bounds).first(1));
   EXPECT_THAT(
       message_of<NeedsRefit>([&] { entry_times(shaft, tree, std::span(indices).first(1), std::span(times).first(1)); }),
       testing::HasSubstr("entry_times of a tree whose bounds were updated; call refit() first"));
 }
 
 TYPED_TEST(TreeFirstContact, IsRefusedForAConvexHullInWhichNothingMoves) {
-  const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
-  const typename TestFixture::Tree tree{std::span<const Box>(boxes)};
+  using Bound = typename TypeParam::Bound;
+  using Index = typename TypeParam::Index;
+  const std::vector<Bound> bounds(3, unit_bound<Bound>());
+  const typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
   const std::vector<Vec3> points = {{-1, -1, -1}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
   const ConvexHull hull(points);
-  const BoxColumns columns(boxes);
-  std::vector<FirstContactOf<TypeParam>> contacts(1);
+  const auto memory = columns(bounds);
+  std::vector<FirstContactOf<Index>> contacts(1);
   std::vector<FirstContactOf<std::uint64_t>> flat(1);
   std::vector<float> times(1);
-  const std::vector<TypeParam> indices = {0};
+  const std::vector<Index> indices = {0};
   const auto refuses = testing::HasSubstr("shaft 0 is a convex hull, in which nothing moves");
   EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, tree)); }), refuses);
-  EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, columns.view())); }), refuses);
+  EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, memory.view())); }), refuses);
   EXPECT_THAT(message_of([&] { first_contact_many({&hull.compiled(), 1}, tree, contacts); }), refuses);
-  EXPECT_THAT(message_of([&] { first_contact_many({&hull.compiled(), 1}, columns.view(), flat); }), refuses);
+  EXPECT_THAT(message_of([&] { first_contact_many({&hull.compiled(), 1}, memory.view(), flat); }), refuses);
   EXPECT_THAT(message_of([&] { entry_times(hull, tree, indices, times); }), refuses);
 }
 
 std::size_t words_tested = 0;
-kernel::TestListedWords* real_test = nullptr;
+kernel::TestListedWords* test_boxes = nullptr;
+kernel::TestListedWords* test_spheres = nullptr;
 
+template <kernel::TestListedWords*& real_test>
 void count_words(const kernel::ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                  std::size_t words, std::uint64_t* kept, std::uint64_t* inside, unsigned least_kept) noexcept {
   words_tested += words;
@@ -175,25 +218,33 @@ struct Tested {
   std::size_t first;
   std::size_t all;
 };
-Tested words_tested_by(const CompiledShaft& shaft, const BoxTree& tree) {
+template <class Bound>
+Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree) {
   const auto& parts = *TreeAccess::parts(tree);
   kernel::Kernels kernels = kernel::active_kernels();
-  real_test = kernels.listed_boxes;
-  kernels.listed_boxes = count_words;
+  test_boxes = kernels.listed_boxes;
+  test_spheres = kernels.listed_spheres;
+  kernels.listed_boxes = count_words<test_boxes>;
+  kernels.listed_spheres = count_words<test_spheres>;
   words_tested = 0;
   const kernel::Exclusion<std::uint32_t> nothing({parts.order, false, kernels}, {}, {}, {});
-  (void)kernel::FirstContactWalk<std::uint32_t>(parts, kernels, kernel::data_of(shaft), nothing).run();
+  (void)kernel::FirstContactWalk<Bound, std::uint32_t>(parts, kernels, kernel::data_of(shaft), nothing).run();
   const std::size_t first = words_tested;
   words_tested = 0;
   kernel::Counter counter;
-  kernel::Walk<Box, kernel::Counter>(parts, kernels, kernel::data_of(shaft), kernel::Question::kept, counter).run();
+  kernel::Walk<Bound, kernel::Counter>(parts, kernels, kernel::data_of(shaft), kernel::Question::kept, counter).run();
   return {first, words_tested};
 }
 
-TEST(FirstContactWalk, LooksAtLittleMoreThanWhatIsReachedFirst) {
+template <class Bound>
+class FirstContactWalk : public testing::Test {};
+using BoundKinds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(FirstContactWalk, BoundKinds);
+
+TYPED_TEST(FirstContactWalk, LooksAtLittleMoreThanWhatIsReachedFirst) {
   Random random(814);
-  const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 200000);
-  const BoxTree tree{std::span<const Box>(boxes)};
+  const std::vector<TypeParam> bounds = scene<TypeParam>(random, Shape::uniform, 200000);
+  const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
   // A plate that starts before all boxes, and moves through all of them.
   const Tested plate = words_tested_by(compile({{-9, -4, -4}, {-8, 4, 4}}, {{8, -4, -4}, {9, 4, 4}}), tree);
   EXPECT_LT(plate.first, plate.all / 20) << plate.all;

@@ -1,0 +1,65 @@
+/// Which bound the moving box of a shaft reaches first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "exact/entry_time.hpp"
+#include "exact/sphere_entry_time.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull::kernel {
+
+/// Entry times of the bounds of a view.
+template <class View>
+using EntryTimesOf = std::conditional_t<std::is_same_v<View, SphereView>, SphereEntryTimes, EntryTimes>;
+
+/// The bound with the least entry time of those offered, and of several the one with the lowest index. The shaft
+/// outlives it.
+template <class View>
+class FirstEntry {
+ public:
+  static constexpr std::uint64_t none = ~std::uint64_t{0};
+
+  explicit FirstEntry(const ShaftData& shaft) noexcept : times_(shaft) {}
+
+  /// Of the bound at position i of separate streams, which meets the shaft.
+  void offer(const float* const* stream, std::size_t i, std::uint64_t index) noexcept {
+    if (index_ != none && (times_.is_surely_later(stream, i, time_) || is_before_all_above(index))) return;
+    const Time time = times_.exact(stream, i);
+    const int order = index_ == none ? -1 : times_.compare(time, time_);
+    if (order > 0 || (order == 0 && index_ < index)) return;
+    time_ = time;
+    index_ = index;
+  }
+  /// Whether no bound within a box with such a rough entry time, or a later one, and such an index, or a higher one,
+  /// can be first.
+  [[nodiscard]] bool is_no_first(double rough, std::uint64_t index) const noexcept {
+    if (index_ == none) return false;
+    return times_.is_surely_later(rough, time_) || is_before_all_above(index);
+  }
+  /// Whether no bound with such an index, or a higher one, can be first.
+  [[nodiscard]] bool is_before_all_above(std::uint64_t index) const noexcept {
+    return index_ < index && time_.is_zero();
+  }
+
+  /// Rough entry times of boxes around bounds.
+  [[nodiscard]] const EntryTimes& times_of_boxes() const noexcept { return times_.times_of_boxes(); }
+  [[nodiscard]] std::uint64_t index() const noexcept { return index_; }  ///< `none` if nothing was offered
+  /// Rounded down; +∞ if nothing was offered.
+  [[nodiscard]] float time() const noexcept {
+    return index_ == none ? std::numeric_limits<float>::infinity() : times_.rounded_down(time_);
+  }
+
+ private:
+  using Times = EntryTimesOf<View>;
+  using Time = typename Times::Time;
+
+  Times times_;
+  Time time_ = Times::zero;
+  std::uint64_t index_ = none;
+};
+
+}  // namespace shaftcull::kernel
