@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -219,11 +220,10 @@ void Trial::make_between_boxes(Random& random, const Family& family, unsigned in
       if (!is_outside && oracle::blocks(input.a, input.b, box)) blocking_[i / 64] |= bit(i);
     }
   }
-  if (spheres_) return;
   if (random.one_in(contact_trials)) {
-    find_first_contact([&](const Box& box) { return oracle::entry_time(input.a, input.b, box); });
+    find_first_contact([&](const auto& bound) { return oracle::entry_time(input.a, input.b, bound); });
   }
-  if (random.one_in(triangle_trials)) find_triangles(random, input, input);
+  if (!spheres_ && random.one_in(triangle_trials)) find_triangles(random, input, input);
 }
 
 void Trial::make_moving(Random& random, MovingKind kind) {
@@ -250,11 +250,10 @@ void Trial::make_moving(Random& random, MovingKind kind) {
       answer_by_oracle(i, family.box(random, input));
     }
   }
-  if (spheres_) return;
   if (random.one_in(contact_trials)) {
-    find_first_contact([&](const Box& box) { return oracle::entry_time(input, box); });
+    find_first_contact([&](const auto& bound) { return oracle::entry_time(input, bound); });
   }
-  if (random.one_in(triangle_trials)) find_triangles(random, input, part_of(random, input));
+  if (!spheres_ && random.one_in(triangle_trials)) find_triangles(random, input, part_of(random, input));
 }
 
 void Trial::make_hull(Random& random) {
@@ -359,13 +358,22 @@ void Trial::ask_triangles(const CompiledShaft& shaft, const char* how) {
 
 template <class TimeOf>
 void Trial::find_first_contact(const TimeOf& time_of) {
+  if (spheres_) {
+    find_first_contact(sphere_view(), time_of);
+  } else {
+    find_first_contact(boxes(), time_of);
+  }
+}
+
+template <class View, class TimeOf>
+void Trial::find_first_contact(const View& bounds, const TimeOf& time_of) {
   FirstContactOf<std::uint64_t> first;
-  std::optional<mpq_class> least;
+  decltype(time_of(bounds[0])) least;
   for (std::size_t i = 0; i != count_; ++i) {
     if ((kept_[i / 64] & bit(i)) == 0) continue;
-    const std::optional<mpq_class> time = time_of(boxes()[i]);
+    const auto time = time_of(bounds[i]);
     if (!time) {
-      fail(i, "oracles disagree: a box that is kept is never reached");
+      fail(i, "oracles disagree: a bound that is kept is never reached");
       continue;
     }
     if (least && *least <= *time) continue;
@@ -375,7 +383,8 @@ void Trial::find_first_contact(const TimeOf& time_of) {
   first_ = first;
 }
 
-void Trial::ask_first_contact(const CompiledShaft& shaft, const char* how) {
+template <class View>
+void Trial::ask_first_contact(const CompiledShaft& shaft, const View& bounds, const char* how) {
   if (!first_ || count_ == 0) return;
   const auto compare_contact = [&](const FirstContactOf<std::uint64_t>& got, const char* of) {
     if (got == *first_) return;
@@ -383,9 +392,10 @@ void Trial::ask_first_contact(const CompiledShaft& shaft, const char* how) {
          fmt::format("first_contact of a {}, {}, {}: bound {} at {} instead of {} at {}", of, how, name(active_isa()),
                      got.index, got.time, first_->index, first_->time));
   };
-  compare_contact(first_contact(shaft, boxes(), Form::slab), "view, slab");
-  compare_contact(first_contact(shaft, boxes(), Form::planes), "view, planes");
-  compare_contact(first_contact(shaft, BoundsTree<Box, std::uint64_t>(boxes())), "tree");
+  using Bound = std::conditional_t<std::is_same_v<View, BoxView>, Box, Sphere>;
+  compare_contact(first_contact(shaft, bounds, Form::slab), "view, slab");
+  compare_contact(first_contact(shaft, bounds, Form::planes), "view, planes");
+  compare_contact(first_contact(shaft, BoundsTree<Bound, std::uint64_t>(bounds)), "tree");
 }
 
 template <class View>
@@ -486,13 +496,14 @@ void Trial::ask_all(const CompiledShaft& shaft, const char* how) {
   if (spheres_) {
     ask(shaft, sphere_view(), how);
     ask_tree<Sphere>(shaft, sphere_view(), how);
+    ask_first_contact(shaft, sphere_view(), how);
     return;
   }
   ask(shaft, boxes(), how);
   ask_tree<Box>(shaft, boxes(), how);
   if (std::holds_alternative<ShaftInput>(input_)) ask_blocking(shaft, how);
   ask_triangles(shaft, how);
-  ask_first_contact(shaft, how);
+  ask_first_contact(shaft, boxes(), how);
 }
 
 void Trial::ask(std::span<Trial> trials) {

@@ -85,7 +85,10 @@ class Trial {
   void ask_triangles(const CompiledShaft& shaft, const char* how);
   template <class TimeOf>
   void find_first_contact(const TimeOf& time_of);
-  void ask_first_contact(const CompiledShaft& shaft, const char* how);
+  template <class View, class TimeOf>
+  void find_first_contact(const View& bounds, const TimeOf& time_of);
+  template <class View>
+  void ask_first_contact(const CompiledShaft& shaft, const View& bounds, const char* how);
   void fail(std::size_t bound, const std::string& what);
   [[nodiscard]] std::string bound_text(std::size_t i) const;
 
