@@ -1,4 +1,5 @@
-/// layers/… and tree/{any,at_most,first}/…: queries of a bounds tree that want a part of what it would list.
+/// layers/… and tree/{any,at_most,first,first_of_spheres}/…: queries of a bounds tree that want a part of what it would
+/// list.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -81,6 +82,12 @@ void declare_setting(Suite& suite, const std::shared_ptr<LayeredScene>& scene, c
       [=](const CompiledShaft& shaft, Swept&) { benchmark::DoNotOptimize(count_at_most(shaft, scene->tree(), 10)); });
   add(row("first"),
       [=](const CompiledShaft& shaft, Swept&) { benchmark::DoNotOptimize(first_contact(shaft, scene->tree()).index); });
+  add(row("list_of_spheres"), [=](const CompiledShaft& shaft, Swept& swept) {
+    benchmark::DoNotOptimize(list(shaft, scene->sphere_tree(), std::span(swept.hits)));
+  });
+  add(row("first_of_spheres"), [=](const CompiledShaft& shaft, Swept&) {
+    benchmark::DoNotOptimize(first_contact(shaft, scene->sphere_tree()).index);
+  });
   if (finds_thousands) suite.add_time_ratio_target(named(row("any")), named(row("count")), 0.5);
   suite.add_time_ratio_target(named(row("first")), named(row("list")), finds_thousands ? 0.3 : 1.2);
 

@@ -41,6 +41,18 @@ struct TreeScene {
   BoxTree& tree() {
     return tree_.get([&] { return BoxTree(stream().view()); });
   }
+  /// Spheres as wide as the boxes on x, with the same centres.
+  const SphereTree& sphere_tree() {
+    return sphere_tree_.get([&] {
+      std::vector<Sphere> spheres(count);
+      for (std::size_t i = 0; i != count; ++i) {
+        const Box& box = boxes()[i];
+        for (std::size_t k = 0; k != 3; ++k) spheres[i].centre[k] = 0.5F * (box.lo[k] + box.hi[k]);
+        spheres[i].radius = 0.5F * (box.hi[0] - box.lo[0]);
+      }
+      return SphereTree(std::span<const Sphere>(spheres));
+    });
+  }
 #ifdef SHAFTCULL_BENCH_WITH_BULLET
   BulletTree& bullet() {
     if (!bullet_) bullet_ = std::make_unique<BulletTree>(boxes());
@@ -53,6 +65,7 @@ struct TreeScene {
   Lazy<std::vector<Box>> boxes_;
   Lazy<BoxStream> stream_;
   Lazy<BoxTree> tree_;
+  Lazy<SphereTree> sphere_tree_;
 #ifdef SHAFTCULL_BENCH_WITH_BULLET
   std::unique_ptr<BulletTree> bullet_;
 #endif
