@@ -25,9 +25,9 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// entries 64 i … 64 i + 63 of the level below, and a visit to a node is one word of answers of the same tests as
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
-/// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes; an Index a bound more
-/// from the first update by index or refine() on, and 4 bytes a bound for layers, if it has any. With indices of 32
-/// bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷; InvalidArgument for more.
+/// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes (spheres 2.5 %); an Index
+/// a bound more from the first update by index or refine() on, and 4 bytes a bound for layers, if it has any. With
+/// indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷; InvalidArgument for more.
 ///
 /// Bounds come from views and streams, from records of all kinds, and from arrays. They are checked as in packing: a
 /// NaN, lo > hi (but for the empty box), a negative radius or half extent, a centre and half extent that are both
