@@ -20,14 +20,16 @@ template <class L>
 template <class L, bool bounded>
 [[nodiscard, gnu::always_inline]] inline std::uint64_t hull_faces_word(const HullData& hull, const float* const* stream,
                                                                        std::size_t at) noexcept {
+  // So many vectors share what a plane takes to prepare.
+  constexpr unsigned vectors = word_bits / L::width < 8 ? word_bits / L::width : 8;
   std::uint64_t outside = 0;
   std::uint64_t undecided = 0;
-  for (unsigned four = 0; four < word_bits; four += 4 * L::width) {
-    HullDepths<L, 4, bounded> depths;
-    depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.apart, stream, at + four);
-    for (unsigned v = 0; v < 4; ++v) {
+  for (unsigned first = 0; first < word_bits; first += vectors * L::width) {
+    HullDepths<L, vectors, bounded> depths;
+    depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.apart, stream, at + first);
+    for (unsigned v = 0; v < vectors; ++v) {
       const auto zero = L::all(0.0F);
-      const unsigned lane = four + v * L::width;
+      const unsigned lane = first + v * L::width;
       outside |= L::bits(L::less(depths.most[v], zero)) << lane;
       if constexpr (bounded) {
         undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin))) << lane;

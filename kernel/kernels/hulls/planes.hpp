@@ -41,7 +41,7 @@ struct HullDepths {
       const float* x[coordinates];
       for (unsigned i = 0; i < coordinates; ++i) x[i] = stream[box_stream<corner>(hull.plane[p].near[i])] + at;
       const Coefficients<coordinates> plane(hull.plane[p]);
-#pragma GCC unroll 4
+#pragma GCC unroll 8
       for (unsigned v = 0; v < vectors; ++v) {
         const Vector depth = plane.depth(x, v);
         if constexpr (bounded) {
