@@ -33,6 +33,7 @@ struct HullData {
   std::uint8_t faces;  ///< with three coordinates each
   std::uint8_t apart;  ///< of the faces, those that come first: each of the others is nearly parallel to one of them
   std::uint8_t edges;  ///< behind the faces, with two coordinates each
+  std::uint8_t face_edges;  ///< of the edges, those that come first: each is a face of the hull, too
   std::uint8_t vertices;
   std::uint8_t points;  ///< come first; the other vertices are directions
   Plane plane[most_faces + most_edges];

@@ -120,7 +120,12 @@ class HullFormation {
     for (unsigned k = 0; k < 3; ++k) normal[k] = plane.normal(k);
     if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) return;  // on a line
     found.add(sides.in_plane);
-    if (normal[0] == 0 || normal[1] == 0 || normal[2] == 0) return;  // an edge, or a face of the box
+    if (normal[0] == 0 || normal[1] == 0 || normal[2] == 0) {  // an edge of a projection, or a face of the box
+      for (unsigned k = 0; k < 3; ++k) {
+        if (normal[k] == 0) faces_along_[k].add(sides.in_plane);
+      }
+      return;
+    }
     const Normal outward{3, {0, 1, 2}, {normal[0], normal[1], normal[2]}};
     const auto add = [&](int sign) { add_plane(hull_.faces++, outward, sign, {vertex(p), vertex(q), vertex(r)}, 3); };
     if (!sides.beyond) add(1);
@@ -168,7 +173,12 @@ class HullFormation {
     found.add(sides.in_plane);
     const Normal outward{2, {line.i, line.j, 0}, {normal[0], normal[1], 0}};
     const std::uint8_t vertices[3] = {static_cast<std::uint8_t>(p), static_cast<std::uint8_t>(q), 0};
-    const auto add = [&](int sign) { add_plane(hull_.faces + hull_.edges++, outward, sign, vertices, axis); };
+    const bool is_face = faces_along_[axis].holds(sides.in_plane);
+    const auto add = [&](int sign) {
+      const unsigned number = hull_.faces + hull_.edges++;
+      add_plane(number, outward, sign, vertices, axis);
+      if (is_face) std::swap(hull_.plane[number], hull_.plane[hull_.faces + hull_.face_edges++]);
+    };
     if (!sides.beyond) add(1);
     if (!sides.behind) add(-1);
   }
@@ -228,6 +238,7 @@ class HullFormation {
   static constexpr double least_magnitude = 0x1p-120;
 
   HullData& hull_;
+  Found faces_along_[3];  ///< faces that contain a line along an axis
 };
 
 }  // namespace

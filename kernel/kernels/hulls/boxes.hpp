@@ -16,7 +16,8 @@ template <class L>
                          [&](unsigned lane) { return hull_box_outside(hull, BoundAt<L, 6>(stream, at + lane).value); });
 }
 
-/// Bits of the boxes of the word at `at` that are beyond one of the hull's faces that are apart.
+/// Bits of the boxes of the word at `at` that are beyond a face of the hull that is apart from others, or an edge that
+/// is a face.
 template <class L, bool bounded>
 [[nodiscard, gnu::always_inline]] inline std::uint64_t hull_faces_word(const HullData& hull, const float* const* stream,
                                                                        std::size_t at) noexcept {
@@ -27,6 +28,7 @@ template <class L, bool bounded>
   for (unsigned first = 0; first < word_bits; first += vectors * L::width) {
     HullDepths<L, vectors, bounded> depths;
     depths.template add_boxes<3, HullCorner::near>(hull, 0, hull.apart, stream, at + first);
+    depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.face_edges, stream, at + first);
     for (unsigned v = 0; v < vectors; ++v) {
       const auto zero = L::all(0.0F);
       const unsigned lane = first + v * L::width;
@@ -68,7 +70,8 @@ template <class L, bool bounded, unsigned vectors>
   const auto zero = L::all(0.0F);
   HullDepths<L, vectors, bounded> depths;
   depths.template add_boxes<3, HullCorner::near>(hull, hull.apart, hull.faces, stream, at);
-  depths.template add_boxes<2, HullCorner::near>(hull, hull.faces, hull.faces + hull.edges, stream, at);
+  depths.template add_boxes<2, HullCorner::near>(hull, hull.faces + hull.face_edges, hull.faces + hull.edges, stream,
+                                                 at);
   std::uint64_t undecided = 0;
   for (unsigned v = 0; v < vectors; ++v) {
     const std::size_t first = at + v * L::width;
