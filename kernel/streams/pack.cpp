@@ -14,7 +14,7 @@ namespace shaftcull {
 namespace kernel {
 namespace {
 
-void require_memory(const void* start, std::size_t count, const char* name) {
+void require_records(const void* start, std::size_t count, const char* name) {
   if (start == nullptr && count != 0) {
     throw InvalidArgument(std::string(name) + " is null; it must point to the first of " + std::to_string(count) +
                           " records");
@@ -35,8 +35,8 @@ std::string nan_fault(const char* name, const float (&values)[3]) {
 
 MinMaxReader::MinMaxReader(const MinMaxRecords& records)
     : lo_(records.lo, records.stride), hi_(records.hi, records.stride), count_(records.count) {
-  require_memory(records.lo, records.count, "MinMaxRecords::lo");
-  require_memory(records.hi, records.count, "MinMaxRecords::hi");
+  require_records(records.lo, records.count, "MinMaxRecords::lo");
+  require_records(records.hi, records.count, "MinMaxRecords::hi");
 }
 
 std::string MinMaxReader::fault(std::size_t i) const {
@@ -54,8 +54,8 @@ std::string MinMaxReader::fault(std::size_t i) const {
 
 CentreExtentReader::CentreExtentReader(const CentreExtentRecords& records)
     : centre_(records.centre, records.stride), half_(records.half_extent, records.stride), count_(records.count) {
-  require_memory(records.centre, records.count, "CentreExtentRecords::centre");
-  require_memory(records.half_extent, records.count, "CentreExtentRecords::half_extent");
+  require_records(records.centre, records.count, "CentreExtentRecords::centre");
+  require_records(records.half_extent, records.count, "CentreExtentRecords::half_extent");
 }
 
 std::string CentreExtentReader::fault(std::size_t i) const {
@@ -76,8 +76,8 @@ std::string CentreExtentReader::fault(std::size_t i) const {
 
 SphereReader::SphereReader(const SphereRecords& records)
     : centre_(records.centre, records.stride), radius_(records.radius, records.stride), count_(records.count) {
-  require_memory(records.centre, records.count, "SphereRecords::centre");
-  require_memory(records.radius, records.count, "SphereRecords::radius");
+  require_records(records.centre, records.count, "SphereRecords::centre");
+  require_records(records.radius, records.count, "SphereRecords::radius");
 }
 
 std::string SphereReader::fault(std::size_t i) const {
