@@ -29,8 +29,9 @@ EntryTimes::Time EntryTimes::exact(const float* const* stream, std::size_t i) co
 }
 
 int EntryTimes::compare(const Time& one, const Time& other) const noexcept {
-  if (one.value < other.value * (1 - entry_margin)) return -1;
-  if (one.value * (1 - entry_margin) > other.value) return 1;
+  const double surely = 1 - entry_margin * entry_margin_factor;
+  if (one.value < other.value * surely) return -1;
+  if (one.value * surely > other.value) return 1;
   if (one.is_zero() || other.is_zero()) return one.face == other.face ? 0 : one.is_zero() ? -1 : 1;
   if (one.face == other.face && one.x == other.x) return 0;
   // The side is that of the second time beyond the first.
@@ -41,8 +42,9 @@ float EntryTimes::rounded_down(const Time& time) const noexcept {
   if (time.is_zero()) return 0;
   const unsigned f = time.face;
   const auto is_after = [&](float t) {  // t > time: t · q > x − p, if q is positive
-    if (t * (1 - entry_margin) > time.value) return true;
-    if (t < time.value * (1 - entry_margin)) return false;
+    const double surely = 1 - entry_margin * entry_margin_factor;
+    if (t * surely > time.value) return true;
+    if (t < time.value * surely) return false;
     const auto moved = Expansion<2>::difference(moving_.minuend[f], moving_.subtrahend[f]) * static_cast<double>(t);
     const int sign = (moved - Expansion<2>::difference(time.x, moving_.p[f])).sign();
     return (moving_.slope(f) > 0 ? sign : -sign) > 0;

@@ -1,4 +1,5 @@
-/// Makes test_cull a mutant: the environment variable SHAFTCULL_MUTANT names the fault to put into the library.
+/// Makes test_cull and test_hull a mutant: the environment variable SHAFTCULL_MUTANT names the fault to put into the
+/// library.
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -20,6 +21,10 @@ float grid_limit_factor = 1.0F;
 float blocking_margin_factor = 1.0F;
 float triangle_margin_factor = 1.0F;
 float measured_error_factor = 1.0F;
+float hull_margin_factor = 1.0F;
+float open_hull_margin_factor = 1.0F;
+float hull_radius_factor = 1.0F;
+float entry_margin_factor = 1.0F;
 
 }  // namespace kernel
 
@@ -30,6 +35,9 @@ constexpr float weak = 0.1F;
 void weaken_slab(CompiledShaft& shaft) { kernel::data_of(shaft).slab_margin *= weak; }
 void weaken_relative(CompiledShaft& shaft) {
   if (kernel::data_of(shaft).slab_form == kernel::ShaftData::SlabForm::relative) weaken_slab(shaft);
+}
+void weaken_endless(CompiledShaft& shaft) {
+  if (kernel::data_of(shaft).slab_form == kernel::ShaftData::SlabForm::endless) weaken_slab(shaft);
 }
 void weaken_joining(CompiledShaft& shaft) { kernel::data_of(shaft).joining_margin *= weak; }
 void weaken_added(CompiledShaft& shaft) {
@@ -47,6 +55,8 @@ bool apply(std::string_view fault) {
     mutate = weaken_slab;
   } else if (fault == "relative_margin") {
     mutate = weaken_relative;
+  } else if (fault == "endless_margin") {
+    mutate = weaken_endless;
   } else if (fault == "joining_margin") {
     mutate = weaken_joining;
   } else if (fault == "added_margin") {
@@ -68,6 +78,14 @@ bool apply(std::string_view fault) {
         weak * weak;  // which is as many units as errors add up to, by far not the worst ones
   } else if (fault == "measured_error") {
     kernel::measured_error_factor = weak;
+  } else if (fault == "hull_margin") {
+    kernel::hull_margin_factor = weak * weak;  // as of triangles
+  } else if (fault == "open_hull_margin") {
+    kernel::open_hull_margin_factor = weak * weak;
+  } else if (fault == "hull_radius") {
+    kernel::hull_radius_factor = 0;
+  } else if (fault == "entry_margin") {
+    kernel::entry_margin_factor = 0;
   } else if (fault == "no_exact_step") {
     kernel::drops_exact_step = true;
   } else if (fault == "no_face_contact") {

@@ -47,7 +47,7 @@ struct HullDepths {
         if constexpr (bounded) {
           most[v] = L::minimum(depth, most[v]);
         } else {
-          const Vector margin = L::multiply(plane.terms(x, v), L::all(unbounded_hull_margin));
+          const Vector margin = L::multiply(plane.terms(x, v), L::all(unbounded_hull_margin * open_hull_margin_factor));
           most[v] = L::minimum(L::add(depth, margin), most[v]);
           least[v] = L::minimum(L::subtract(depth, margin), least[v]);
         }
@@ -69,11 +69,11 @@ struct HullDepths {
       for (unsigned v = 0; v < vectors; ++v) {
         const Vector depth = plane.depth(x, v);
         Vector above = depth;
-        Vector below = L::subtract(depth, L::all(2 * hull_margin));
+        Vector below = L::subtract(depth, L::all(2 * hull_margin * hull_margin_factor));
         if constexpr (!bounded) {
           const Vector radius = L::load(stream[3] + at + v * L::width);
           const Vector terms = L::multiply_add(L::magnitude(radius), length, plane.terms(x, v));
-          const Vector margin = L::multiply(terms, L::all(unbounded_hull_margin));
+          const Vector margin = L::multiply(terms, L::all(unbounded_hull_margin * open_hull_margin_factor));
           above = L::add(depth, margin);
           below = L::subtract(depth, margin);
         }
