@@ -122,7 +122,8 @@ inline constexpr HullFamily hull_families[] = {
        return random.one_in(2) ? random.box(-8, 8, 0, 3) : near_box(random, input, 2);
      },
      [](Random& random, const HullInput&, const oracle::ConvexHull& hull) {
-       return sphere_around(random, hull, random.vec3(-8, 8), 4);
+       const float distance = random.one_in(4) ? 2000.0F : 8.0F;  // far ones have radii far above the hull's size
+       return sphere_around(random, hull, random.vec3(-distance, distance), distance / 2);
      }},
     {"grid", [](Random& random) { return hull_of(random, 7, [&] { return random.integer(-2, 2); }); },
      [](Random& random, const HullInput&) { return random.grid_box(-4, 4); },
