@@ -96,6 +96,7 @@ void print_targets(const Suite& suite, const Results& results) {
   if (suite.targets().empty()) return;
   fmt::print("\n{:<42}{:>12}{:>12}\n", "to be reached", "measured", "target");
   for (const Target& target : suite.targets()) {
+    if (!results.per_second(target.measured)) continue;  // left out by --filter
     const std::optional<double> figure = measured_figure(target, results);
     const char* const verdict = !figure ? "not measured" : is_met(target, *figure) ? "met" : "MISSED";
     const std::string meaning = target.kind == Target::Kind::speed_ratio  ? "× " + target.against
