@@ -55,7 +55,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// at most, and stops after the first chunk that holds one that does. O(count); no allocation.
 [[nodiscard]] bool blocked(const CompiledShaft& shaft, const BoxView& solids);
 
-/// Likewise for a tree. It looks only into nodes that every segment passes through, and stops at the first box that
+/// Likewise for a tree. It looks only into nodes that may hold a box that blocks, and stops at the first box that
 /// blocks the shaft. `excluding` leaves boxes out. Throws NeedsRefit if the tree needs one. No allocation.
 template <BoundIndex Index>
 [[nodiscard]] bool blocked(const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids,
@@ -82,7 +82,8 @@ template <BoundIndex Index>
 
 /// One bit a shaft, in parallel: bit s % 64 of word s / 64 of `blocked` is set iff a box blocks shafts[s]; bits past
 /// the last shaft are zero. `blocked` has exactly words_for(shafts.size()) words. Bits do not depend on the number of
-/// threads. Allocates nothing but task memory of oneTBB.
+/// threads. O(shafts · boxes), though it ends for each shaft as blocked() does. Allocates nothing but task memory of
+/// oneTBB.
 void blocked_many(std::span<const CompiledShaft> shafts, const BoxView& solids, std::span<std::uint64_t> blocked);
 
 /// Likewise for a tree. Throws InvalidArgument if `blocked` shares memory with `excluding`, too.

@@ -12,7 +12,8 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test.
+/// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test. One that is copied from a
+/// ConvexHull (hull.hpp) refers to that hull, which must live as long as the copy is used.
 ///
 /// A default one was *never formed*: it is valid to copy, to assign to and to complete(), and every query refuses it
 /// with InvalidArgument, by its position among many. So an array or a vector of them can be made first and filled
@@ -33,7 +34,8 @@ class alignas(64) CompiledShaft {
 
   /// The boxes that the shaft is between, as they were given; empty boxes, lo = +∞ and hi = −∞, if it was never formed.
   /// Of a moving box (kinds.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If
-  /// it moves without end, b is somewhere on its way.
+  /// it moves without end, b is somewhere on its way. A shadow does not tell its light. Of a convex hull both are the
+  /// box around it.
   [[nodiscard]] Box a() const noexcept;
   [[nodiscard]] Box b() const noexcept;
 
@@ -118,10 +120,10 @@ void complete(CompiledShaft& shaft) noexcept;
 /// exact, as ever.
 ///
 /// With Contact::open
-/// * a box is outside iff its relative interior has no point in common with that of the shaft: iff there is a plane
-/// that
-///   has the one on the one side and the other on the other, and does not hold both;
-/// * a sphere is outside iff its centre is at least its radius away from the shaft; one of radius 0 is a flat box;
+/// * a box is outside iff its relative interior has no point in common with that of the shaft. In other words: iff some
+///   plane has the box on one side and the shaft on the other, and does not hold both;
+/// * a sphere is outside iff its centre is at least its radius away from the shaft. One of radius 0 is answered as the
+///   box that is this point;
 /// * a bound is beyond an added plane iff none of its points is on the inner side, off the plane;
 /// * the same bounds are inside as with Contact::closed, but for flat ones in the shaft's surface, which are outside;
 /// * first_contact() and entry_times() tell of the bounds that are kept, and their times stay the same.

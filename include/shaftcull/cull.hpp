@@ -3,7 +3,8 @@
 /// Answers are exact. For all finite floats, degenerate and huge ones included, and on every instruction set the same
 /// bits: a box is outside, overlapping or inside as in real arithmetic for the floats given, and touching is not
 /// outside; a corner is beyond an added plane by the real sign of n·p − d; a sphere is outside iff its centre is
-/// farther than its radius from the shaft, and inside iff every face is at least that far away. Of a shaft with open
+/// farther than its radius from the shaft, and inside iff every face is at least that far away. Against a convex hull
+/// spheres are answered conservatively: hull.hpp says how. Of a shaft with open
 /// contact touching is outside, in the sense of relative interiors: set_contact() in compiled.hpp says it exactly. A
 /// bound with a NaN is never inside. Both forms agree, whatever floating-point mode the caller runs in. many.hpp,
 /// query.hpp and refine.hpp promise the same.

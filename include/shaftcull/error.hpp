@@ -16,7 +16,8 @@ class InvalidArgument : public std::invalid_argument {
 };
 
 /// A bound or point in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent, or a value
-/// that is not finite where the call needs finite ones.
+/// that is not finite where the call needs finite ones. Of a batch of shafts (kinds.hpp): the first that cannot be
+/// formed.
 class BadBound : public InvalidArgument {
  public:
   BadBound(std::size_t index, const std::string& what) : InvalidArgument(what), index_(index) {}

@@ -1,11 +1,17 @@
 /// First contact: which bound the moving box of a shaft reaches first, and when.
 ///
-/// A shaft between boxes a and b is where a box is that moves from a, at time 0, to b, at time 1, each of its six faces
-/// at a speed of its own. Of a body that is swept (kinds.hpp) time is the share of the displacement, or a multiple of
-/// the direction if there is no end; of a shadow it is 0 at the occluder, and 1 where things are twice as far from the
-/// light. The *entry time* of a box or sphere that the shaft keeps is the first time at which the moving box touches
-/// it: 0 if it touches where that starts. First contact is the bound with the least entry time of those that the shaft
-/// keeps, and of several with the same time the one with the lowest index. Planes that were added to the shaft leave
+/// A shaft between boxes a and b is what a box sweeps over that moves from a, at time 0, to b, at time 1; each of its
+/// six faces has a speed of its own. Of a body that is swept (kinds.hpp) time is the share of the displacement, or a
+/// multiple of the direction if there is no end; of a shadow it is 0 at the occluder, 1 where things are twice as far
+/// from the light, and goes up to `reach` − 1. The *entry time* of a box or sphere that the shaft keeps is the first
+/// time at which the moving box touches it: 0 if it touches where that starts. First contact is the bound with the
+/// least entry time of those that the shaft keeps, and of several with the same time the one with the lowest index.
+///
+/// A body that is among the bounds is reached at time 0, before all else: leave it out, `{.own = {me}}` of a tree.
+/// Calls of a view cannot leave bounds out. The floor that a body stands on is reached at 0, too; with open contact
+/// what the body only slides along is left out.
+///
+/// Planes that were added to the shaft leave
 /// out bounds that are beyond them, as they do in every query, and open contact (set_contact()) leaves out bounds that
 /// the moving box only touches; times of the others do not depend on either. A coordinate that is infinite or NaN, of a
 /// bound that is kept, puts no constraint on its time, and a sphere whose radius is either is reached at time 0.
@@ -15,9 +21,9 @@
 /// touches nothing before it. Times of spheres are irrational in general: roots of quadratic polynomials, which are
 /// compared as such.
 ///
-/// Errors, threads and stack are as in cull.hpp, many.hpp and query.hpp, of the calls that count, and InvalidArgument
-/// for a convex hull (hull.hpp), in which nothing moves. Nothing is allocated but task memory of oneTBB by calls for
-/// many shafts.
+/// Errors, threads and stack are those of count() in cull.hpp, many.hpp and query.hpp. A convex hull (hull.hpp), in
+/// which nothing moves, is refused with InvalidArgument, too. Nothing is allocated but task memory of oneTBB by calls
+/// for many shafts.
 #pragma once
 
 #include <cstddef>
@@ -47,6 +53,7 @@ struct FirstContactOf {
   constexpr explicit operator bool() const noexcept { return index != none; }
   friend bool operator==(const FirstContactOf&, const FirstContactOf&) = default;
 };
+/// Of trees with 32-bit indices. Views give FirstContactOf<std::uint64_t>.
 using FirstContact = FirstContactOf<std::uint32_t>;
 
 /// First contact among the bounds of a view. O(count).

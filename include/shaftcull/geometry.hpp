@@ -24,7 +24,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite. Coordinates must not be NaN. A face
 /// that would pass the largest float becomes infinite, which no Shaft takes.
 ///
-/// The shaft between a box and where it moves to is what the box sweeps over: Shaft(box, translated(box, travel)).
+/// What a box sweeps over is swept() (kinds.hpp), which rounds nothing.
 [[nodiscard]] Box translated(const Box& box, const Vec3& by);
 
 /// The box with every face moved out by a distance, rounded outwards as in translated(). The empty box stays empty.
@@ -48,7 +48,7 @@ struct ViewPlanes {
 };
 
 /// The planes of a view-projection matrix, normals outwards, ready for Shaft::add_plane(). Normals are not of unit
-/// length.
+/// length. What a camera sees as one exact volume is frustum() (hull.hpp); these planes cut a shaft to what is in view.
 ///
 /// The matrix has 4 rows of 4 floats, row after row, and maps column vectors: a point p of the world is at
 /// matrix · (p, 1) = (x, y, z, w) in clip space, and in view if −w ≤ x ≤ w, −w ≤ y ≤ w and z is as `depth` says. The

@@ -1,14 +1,18 @@
 /// Convex hulls in the place of shafts: view frusta, what casts shadows into view, volumes between polygons.
 ///
-/// A hull goes where a compiled shaft goes: every query takes it, alone or among shafts, on views, streams and trees.
+/// A hull goes where a compiled shaft goes, alone or among shafts, on views, streams and trees. Refused with
+/// InvalidArgument are set_contact(), calls for times (first_contact.hpp), calls for what blocks (blocked.hpp), and the
+/// exact test of triangles, which is the default there: pass TriangleTest::vertices.
+///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull: exactly,
 /// for the floats that were given, whatever way the points lie. The usual test of a frustum by its six planes keeps
 /// large boxes behind its corners; this one does not.
 ///
 /// A *sphere* is outside if it is beyond a plane that the boxes' answers depend on: those of the hull's faces, of the
-/// edges that the hull shows along x, y and z, and the faces of its box. So spheres near a corner or an edge may be
-/// kept, as may those that touch such a plane within 2⁻²⁸ of the coordinates; none that meets the hull is outside, and
-/// all machines give the same answers.
+/// edges that the hull shows along x, y and z, and the faces of its box. It is inside if it is behind all of these by
+/// its radius at least. So spheres near a corner or an edge may be kept though they are outside. Rounding errs to the
+/// safe side, by some 2⁻²⁸ of the largest coordinate: none that meets the hull is outside, none that leaves it is
+/// inside. All machines give the same answers.
 ///
 /// Contact is closed: what touches a hull is not outside, and set_contact() refuses hulls.
 #pragma once
@@ -40,7 +44,8 @@ class ConvexHull {
 
   ConvexHull(const ConvexHull& other);
   ConvexHull& operator=(const ConvexHull& other);
-  /// What is moved from can be assigned to and destroyed.
+  /// What is moved from was never formed: queries refuse it, points() is empty, and it can be copied, assigned to and
+  /// destroyed.
   ConvexHull(ConvexHull&& other) noexcept;
   ConvexHull& operator=(ConvexHull&& other) noexcept;
   ~ConvexHull();
@@ -62,12 +67,15 @@ class ConvexHull {
   CompiledShaft compiled_;  // refers to the parts
 };
 
+// Each of the following forms a ConvexHull, with its time, allocation and std::bad_alloc, and is safe to call from many
+// threads. Form views once a frame, not once a query.
+
 /// What a view-projection matrix shows: the hull of its eight corners. Of a projection without a far plane, that of the
 /// four near corners and the four directions in which the view goes on.
 ///
 /// The matrix is as for view_planes(). Corners are computed in doubles and rounded to the nearest floats; the hull is
 /// exact for these. Throws InvalidArgument if the matrix is not finite or not invertible, if a corner is not a float or
-/// behind the eye, or if `depth` is no enumerator.
+/// not in front of the eye, if a plane of the matrix leaves nothing in view, or if `depth` is no enumerator.
 [[nodiscard]] ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth);
 
 /// What can cast a shadow into `view` by a light at a point: the hull of both. Throws InvalidArgument if the light is

@@ -32,7 +32,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// All that an occluder can shadow from a light: every point p such that some segment from the light to p meets the
 /// occluder. It holds the occluder, and goes on behind it without end. A light, or a viewpoint, may be a point: then it
-/// is what the occluder hides from there.
+/// is what the occluder hides from there. A point is in the shadow if the occluder takes some of the light, so bounds
+/// inside need not be dark (blocked.hpp says which are), unless the light is a point.
 ///
 /// Throws InvalidArgument unless light and occluder are apart. If they touch, segments from a common point meet the
 /// occluder at once, so that all of space is in its shadow.
@@ -46,9 +47,10 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// swept(bodies[i], displacements[i]) into out[i]. Bodies have equally many planes, k = planes.size() / bodies.count
 /// each: body i has planes k · i to k · i + k − 1.
 ///
-/// Of this and the calls below: throws InvalidArgument if sizes differ or planes are not as they must be, and BadBound
-/// for the first shaft that the call for one refuses. Nothing is written then. O(shafts and planes), some 0.5 µs a
-/// shaft; no allocation; safe to call from many threads.
+/// Of this and the calls below: throws InvalidArgument if sizes differ, or if planes are too many, not equally many for
+/// each box, not finite or without a normal. Throws BadBound, with the position i, for the first shaft that cannot be
+/// formed: a box, vector or pair that the call for one shaft refuses. Nothing is written then. O(shafts and planes),
+/// some 0.5 µs a shaft; no allocation; safe to call from many threads.
 void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements, std::span<CompiledShaft> out,
                  std::span<const Plane> planes = {});
 
@@ -59,7 +61,7 @@ void swept_without_end_batch(const BoxView& bodies, std::span<const Vec3> direct
 /// shadow(lights[i], occluders[i]) into out[i]. `planes.a` are those of the lights, `planes.b` those of the occluders.
 void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<CompiledShaft> out,
                   const BatchPlanes& planes = {});
-/// The same up to a reach, which is one for all.
+/// The same up to `reach`, one for all; throws as shadow() does if it is below 1 or not finite.
 void shadow_batch(const BoxView& lights, const BoxView& occluders, float reach, std::span<CompiledShaft> out,
                   const BatchPlanes& planes = {});
 

@@ -2,8 +2,8 @@
 ///
 /// *Verbs* are those of views (cull.hpp, many.hpp). Bounds and indices are of the tree's kind, and a vector or an array
 /// passes for a span of them. Bits are by the user's index: bit i % 64 of word i / 64 is the bound with index i, and
-/// all words are written. Lists are in tree order (BoundsTree::order()), which depends on nothing but the bounds,
-/// by index, that the tree was last built or rebuilt from: not on threads, instruction sets, or what happened before.
+/// all words are written. Lists are in tree order (BoundsTree::order()). That depends only on the bounds, by index,
+/// that the tree was last built or rebuilt from.
 ///
 /// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`,
 /// `{.own = {3, 7}}`, `{.mask = words}`, `{.only_layers = {0b101}}`, or several of these (ExcludingOf). Whole nodes of
@@ -72,7 +72,8 @@ struct ExcludingOf {
   std::span<const std::uint64_t> mask{};
   /// Layers, one set of them for each shaft, or one for all shafts: a shaft's query leaves out every bound that is in
   /// none of them, layers & only_layers == 0. Layers are bits, and the tree must have them (BoundsTree::set_layers()).
-  /// Empty: bounds of all layers, and of none, are asked about.
+  /// Throws InvalidArgument for a tree of some bounds without layers, and unless there is one set, or one for each
+  /// shaft. Empty: bounds of all layers, and of none, are asked about.
   SpanOrBraces<std::uint32_t> only_layers{};
 };
 

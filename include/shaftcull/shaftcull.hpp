@@ -1,4 +1,5 @@
-/// Everything: two boxes → Shaft → CompiledShaft; bounds → streams or trees; both → bits, numbers, lists, callbacks.
+/// All public headers: shafts and hulls; views, streams and trees of boxes, spheres and triangles; the verbs that take
+/// both.
 #pragma once
 
 #include "shaftcull/blocked.hpp"

@@ -15,7 +15,7 @@
 /// Triangles may be degenerate: segments and points, with vertices repeated or in one line. Shafts may be flat, and of
 /// all kinds that boxes are tested with (kinds.hpp). A convex hull (hull.hpp) answers by vertices only.
 ///
-/// Of a shaft with open contact (set_contact() in compiled.hpp) a triangle is outside that only touches it: by
+/// With open contact (set_contact() in compiled.hpp) a triangle that only touches the shaft is outside: by
 /// `vertices` if the box around it is, and by `exact` if the relative interiors of shaft and triangle have no point in
 /// common; by both if no vertex is on the inner side of one added plane, off the plane. The relative interior of a
 /// triangle leaves out its edges; if it is degenerate, that of a segment its ends, and that of a point is the point.
@@ -149,6 +149,9 @@ class TriangleStream {
 /// Triangles in memory of its own, sorted so that neighbours in space are neighbours in memory, under a BoxTree of the
 /// boxes around each 32 of them, a *chunk*: dense meshes are passed over chunk by chunk. Answers equal those of a view.
 ///
+/// A tree is not updated: build it anew if triangles move, or update() a stream. It has no layers and leaves nothing
+/// out.
+///
 /// Building sorts, O(n log n), in parallel, with some 80 bytes a triangle of memory on the way. The tree then holds 36
 /// bytes a triangle, 4 for its index, and less than one for boxes. It throws what TriangleStream throws, and
 /// InvalidArgument for 2³² triangles or more. Const members and queries are safe to call from many threads. Copies are
@@ -223,7 +226,8 @@ template <BoundIndex Index>
 void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, IndexListsOf<Index>& lists,
                TriangleTest test = TriangleTest::exact);
 
-// The same of a tree. Bits are by the user's index; lists are in tree order. Costs grow with what is found.
+// The same of a tree. Bits are by the user's index, in words_for(tree.size()) words a row. Lists hold the user's
+// indices, in tree order (order()). Errors and allocation as above; time grows with what is found.
 
 void cull(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint64_t> kept,
           TriangleTest test = TriangleTest::exact);

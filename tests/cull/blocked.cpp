@@ -21,6 +21,7 @@
 #include "oracle/cases/families.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/blocked.hpp"
+#include "shaftcull/hull.hpp"
 #include "shaftcull/kinds.hpp"
 
 namespace shaftcull {
@@ -401,6 +402,8 @@ TEST(Blocked, ShaftsThatAreNotBetweenTwoBoxesAreRefusedByName) {
     EXPECT_THROW((void)blocked_by(other, solids.view()), InvalidArgument);
     EXPECT_THROW((void)blocked(other, BoxTree(solids.view())), InvalidArgument);
   }
+  const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  EXPECT_THAT(message_of([&] { (void)blocked(hull, box); }), testing::HasSubstr("or a hull"));
   EXPECT_EQ(bits[0], 7U);
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +25,9 @@ const sc::Box light{{0, 0, 10}, {1, 1, 10}};
 const sc::Box receiver{{0, 0, 0}, {1, 1, 1}};
 const sc::Vec3 light_position{0.5F, 0.5F, 10};
 const sc::Vec3 towards_sun{0, 0, 1};
+const sc::Vec3 from_sun{0, 0, 1};  // for what is above
+const sc::Vec3 down{0, 0, 1};
+const sc::Vec3 eye{0.5F, 0.5F, 10};
 const sc::Box occluder{{0, 0, 8}, {1, 1, 9}};
 constexpr float reach = 9;
 constexpr sc::ClipDepth depth = sc::ClipDepth::minus_one_to_one;
@@ -32,7 +35,24 @@ constexpr sc::ClipDepth depth = sc::ClipDepth::minus_one_to_one;
 constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
 
 const sc::ConvexHull view = sc::frustum(matrix, depth);
+const std::vector<sc::Vec3> view_corners(view.points().begin(), view.points().end());
 const std::vector<sc::Vec3> corners_of_both = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 10}, {1, 0, 10}, {1, 1, 10}};
+
+const sc::CompiledShaft shaft = sc::compile(patch, other_patch);
+const sc::BoxStream walls(std::vector<sc::Box>{{{20, 0, 5}, {21, 1, 6}}, {{-1, -1, 5}, {2, 2, 6}}});
+const std::vector<sc::Vec3> wall_corners = {{-9, -9, 5}, {9, -9, 5}, {9, 9, 6}, {-9, 9, 6}};
+const sc::BoxTree tree = [] {
+  sc::BoxTree boxes(std::vector<sc::Box>{body, {{0, 0, 5}, {1, 1, 6}}, {{20, 0, 5}, {21, 1, 6}}});
+  boxes.set_layers(std::vector<std::uint32_t>{1, 2, 4});
+  return boxes;
+}();
+const sc::SphereTree spheres(std::vector<sc::Sphere>{{{0.5F, 0.5F, 6}, 0.25F}});
+const sc::TriangleTree triangles(std::vector<sc::Triangle>{{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}});
+constexpr std::uint32_t me = 0;
+const std::vector<std::uint32_t> indices{1};
+std::vector<float> times(1);
+std::vector<std::uint32_t> kept(3);
+std::vector<std::uint32_t> sixteen(16);
 
 // Of a question: the code as text, and whether what it makes keeps a box.
 #define QUESTION(code)                                        \
@@ -57,7 +77,49 @@ std::vector<Question> questions() {
           QUESTION(sc::casters(view, light_position)),
           QUESTION(sc::casters_towards(view, towards_sun)),
           QUESTION(sc::ConvexHull(corners_of_both)),
+          QUESTION(sc::swept_without_end(body, down)),
+          QUESTION(sc::swept_without_end(body, from_sun)),
+          QUESTION(sc::shadow(sc::Box{eye, eye}, occluder)),
+          QUESTION(sc::ConvexHull(view_corners)),
           QUESTION(sc::compile(patch, other_patch, sc::Contact::open))};
+}
+
+// Of a question that is answered at once: the code as text, and whether the answer is right, which is `answer` in the
+// first argument.
+#define ANSWER(is_right, ...)             \
+  Answer {                                \
+#__VA_ARGS__, [] {                      \
+      const auto answer = __VA_ARGS__;      \
+      return static_cast<bool>(is_right);   \
+    } \
+  }
+// The same of a call that returns nothing.
+#define WRITES(is_right, ...)             \
+  Answer {                                \
+#__VA_ARGS__, [] {                      \
+      __VA_ARGS__;                          \
+      return static_cast<bool>(is_right);   \
+    } \
+  }
+
+struct Answer {
+  const char* code;
+  bool (*is_right)();
+};
+
+std::vector<Answer> answers() {
+  return {ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), walls)),
+          ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), wall_corners)),
+          ANSWER(answer.index == 1 && answer.time > 0.44F && answer.time < 0.45F,
+                 sc::first_contact(sc::swept(body, travel), tree, {.own = {me}})),
+          ANSWER(answer.index == 0 && answer.time > 0.52F && answer.time < 0.53F,
+                 sc::first_contact(sc::swept(body, travel), spheres)),
+          WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
+          ANSWER(answer, sc::any(shaft, triangles)),
+          ANSWER(answer, sc::any(shaft, triangles, sc::TriangleTest::vertices)),
+          ANSWER(answer, sc::any(shaft, tree)),
+          ANSWER(answer == 2 && sixteen[0] + sixteen[1] == 1, sc::list_at_most(shaft, tree, sixteen)),
+          ANSWER(answer == 1 && kept[0] == 0, sc::list(shaft, tree, kept, {.only_layers = {0b101}}))};
 }
 
 TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
@@ -75,20 +137,19 @@ TEST(ReadmeQuestions, TheWallBehindAPatchIsLeftOutWithOpenContact) {
   EXPECT_FALSE(cull(sc::compile(patch, other_patch, sc::Contact::open), wall));
 }
 
-TEST(ReadmeQuestions, AWallHidesAPatch) {
-  const auto is_hidden = [](const sc::BoxStream& walls) { return sc::blocked(sc::compile(patch, other_patch), walls); };
-  std::vector<sc::Box> walls{{{20, 0, 5}, {21, 1, 6}}, {{-1, -1, 5}, {2, 2, 6}}};
-  EXPECT_TRUE(is_hidden(sc::BoxStream(walls)));
-  walls[1].lo[0] = 0.5F;
-  EXPECT_FALSE(is_hidden(sc::BoxStream(walls)));
+TEST(ReadmeQuestions, AreAnsweredAtOnce) {
+  for (const Answer& each : answers()) EXPECT_TRUE(each.is_right()) << each.code;
 }
 
-TEST(ReadmeQuestions, ATriangleIsInTheWayOrNot) {
-  const auto in_the_way = [](const std::vector<sc::Triangle>& triangles) {
-    return sc::any(sc::compile(patch, other_patch), sc::TriangleTree(std::span<const sc::Triangle>(triangles)));
-  };
-  EXPECT_TRUE(in_the_way({{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}}));
-  EXPECT_FALSE(in_the_way({{{{{2.2F, 0, 5}, {0, 2.2F, 5}, {2, 2, 6}}}}})) << "its box is in the way";
+TEST(ReadmeQuestions, OneWallThatDoesNotHideAllHidesNothing) {
+  const sc::Box half{{0.5F, -1, 5}, {2, 2, 6}};
+  EXPECT_FALSE(sc::blocked(sc::compile(patch, other_patch), half));
+}
+
+TEST(ReadmeQuestions, ATriangleBesideTheShaftIsNotInTheWayThoughItsBoxIs) {
+  const sc::Triangle beside{{{{2.2F, 0, 5}, {0, 2.2F, 5}, {2, 2, 6}}}};
+  EXPECT_FALSE(cull(shaft, beside));
+  EXPECT_TRUE(cull(shaft, beside, sc::TriangleTest::vertices));
 }
 
 std::string text_of(const char* path) {
@@ -96,28 +157,40 @@ std::string text_of(const char* path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(ReadmeQuestions, AreAskedOnThePageOfKindsAsHere) {
-  const std::string page = text_of(SHAFTCULL_KINDS_PAGE);
-  std::size_t found = 0;
-  for (std::size_t begin = 0; (begin = page.find("`sc::", begin)) != std::string::npos; ++found) {
-    const std::size_t end = page.find('`', begin + 1);
-    const std::string code = page.substr(begin + 1, end - begin - 1);
-    const std::vector<Question> known = questions();
-    EXPECT_TRUE(code == "sc::blocked(sc::compile(patch, other_patch), walls)" ||
-                std::any_of(known.begin(), known.end(), [&](const Question& each) { return each.code == code; }))
-        << code << " is compiled by no test";
-    begin = end + 1;
-  }
-  EXPECT_GE(found, 8U);
+/// Whether a question above has this code.
+bool is_asked_here(const std::string& code) {
+  const std::vector<Question> all = questions();
+  const std::vector<Answer> at_once = answers();
+  const auto has_code = [&](const auto& each) { return each.code == code; };
+  return std::any_of(all.begin(), all.end(), has_code) || std::any_of(at_once.begin(), at_once.end(), has_code);
 }
 
-TEST(ReadmeQuestions, AreAskedAsTheReadmeSays) {
-  const std::string readme = text_of(SHAFTCULL_README);
-  EXPECT_NE(readme.find("`sc::any(sc::compile(patch, other_patch), sc::TriangleTree(mesh))`"), std::string::npos);
-  EXPECT_NE(readme.find("`sc::blocked(sc::compile(patch, other_patch), walls)`"), std::string::npos);
-  for (const Question& question : questions()) {
-    EXPECT_NE(readme.find("`" + std::string(question.code) + "`"), std::string::npos) << question.code;
+/// All code in a text that begins with the library's name.
+std::vector<std::string> code_in(const std::string& text) {
+  std::vector<std::string> code;
+  for (std::size_t begin = 0; (begin = text.find("`sc::", begin)) != std::string::npos;) {
+    const std::size_t end = text.find('`', begin + 1);
+    code.push_back(text.substr(begin + 1, end - begin - 1));
+    begin = end + 1;
   }
+  return code;
+}
+
+TEST(ReadmeQuestions, AreAskedOnThePageOfKindsAsHere) {
+  const std::vector<std::string> code = code_in(text_of(SHAFTCULL_KINDS_PAGE));
+  for (const std::string& each : code) EXPECT_TRUE(is_asked_here(each)) << each << " is compiled by no test";
+  EXPECT_GE(code.size(), 8U);
+}
+
+TEST(ReadmeQuestions, AreAskedInTheReadmeAsHere) {
+  const std::string readme = text_of(SHAFTCULL_README);
+  const std::size_t begin = readme.find("| question | code |");
+  ASSERT_NE(begin, std::string::npos);
+  const std::vector<std::string> code = code_in(readme.substr(begin, readme.find("\n\n", begin) - begin));
+  for (const std::string& each : code) EXPECT_TRUE(is_asked_here(each)) << each << " is compiled by no test";
+  const auto is_in_readme = [&](const char* each) { return std::find(code.begin(), code.end(), each) != code.end(); };
+  for (const Question& each : questions()) EXPECT_TRUE(is_in_readme(each.code)) << each.code;
+  for (const Answer& each : answers()) EXPECT_TRUE(is_in_readme(each.code)) << each.code;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 /// The rows of the README's table, which the assertions below go through: the question, then the verbs of one shaft and
 /// of many on views and on trees.
-constexpr std::array<std::array<const char*, 5>, 17> table = {{
+constexpr std::array<std::array<const char*, 5>, 19> table = {{
     {"which are kept: bits", "cull", "cull_many", "cull", "cull_many"},
     {"which are kept, which are inside: bits of both", "classify", "classify_many", "classify", "classify_many"},
     {"which are inside: bits", "contained", "contained_many", "contained", "contained_many"},
@@ -30,13 +30,15 @@ constexpr std::array<std::array<const char*, 5>, 17> table = {{
      "list_classified_many"},
     {"is any kept", "any", "any_many", "any", "any_many"},
     {"does a box block every segment", "blocked", "blocked_many", "blocked", "blocked_many"},
-    {"the first box that does: its index", "blocked_by", "", "blocked_by", ""},
+    {"one box that does: its index", "blocked_by", "", "blocked_by", ""},
     {"which boxes do: indices", "list_blocking", "list_blocking_many", "list_blocking", "list_blocking_many"},
     {"which is reached first, and when", "first_contact", "first_contact_many", "first_contact", "first_contact_many"},
     {"when each of a list is reached", "entry_times", "", "entry_times", ""},
     {"how many are kept, up to so many", "count_at_most", "count_at_most_many", "count_at_most", "count_at_most_many"},
     {"which are kept, up to so many: indices", "list_at_most", "list_at_most_many", "list_at_most",
      "list_at_most_many"},
+    {"which of these candidates are kept: indices", "refine", "refine_many", "refine", "refine_many"},
+    {"which are kept: ranges of leaves", "", "", "list", "list_many"},
     {"which are kept: a callback", "", "for_each_tile", "", "for_each_kept"},
     {"which overlap, which are inside: a callback", "", "for_each_classified_tile", "", "for_each_classified"},
 }};
