@@ -27,7 +27,7 @@ class FirstEntry {
 
   /// Of the bound at position i of separate streams, which meets the shaft.
   void offer(const float* const* stream, std::size_t i, std::uint64_t index) noexcept {
-    if (index_ != none && (times_.is_surely_later(stream, i, time_) || is_before_all_above(index))) return;
+    if (is_before_all_above(index) || (index_ != none && times_.is_surely_later(stream, i, time_))) return;
     const Time time = times_.exact(stream, i);
     const int order = index_ == none ? -1 : times_.compare(time, time_);
     if (order > 0 || (order == 0 && index_ < index)) return;
@@ -38,7 +38,7 @@ class FirstEntry {
   /// can be first.
   [[nodiscard]] bool is_no_first(double rough, std::uint64_t index) const noexcept {
     if (index_ == none) return false;
-    return times_.is_surely_later(rough, time_) || is_before_all_above(index);
+    return is_before_all_above(index) || times_.is_surely_later(rough, time_);
   }
   /// Whether no bound with such an index, or a higher one, can be first.
   [[nodiscard]] bool is_before_all_above(std::uint64_t index) const noexcept {

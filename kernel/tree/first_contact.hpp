@@ -67,8 +67,9 @@ class FirstContactWalk {
     std::size_t nodes = 0;
     for (; kept != 0; kept &= kept - 1) {
       const std::uint32_t entry = from + static_cast<std::uint32_t>(std::countr_zero(kept));
-      const double time = first_.times_of_boxes().rough(stream.data(), entry);
       const std::uint64_t least = k == 1 ? parts_.least_index[entry] : 0;
+      if (first_.is_before_all_above(least)) continue;  // which takes no time to work out
+      const double time = first_.times_of_boxes().rough(stream.data(), entry);
       if (!first_.is_no_first(time, least)) node[nodes++] = {time, least, entry};
     }
     std::sort(node, node + nodes);
