@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compiled/moving_faces.hpp"
+#include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {
 namespace {

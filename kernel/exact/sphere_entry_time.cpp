@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "exact/wide_integer.hpp"
+#include "support/exact_floats.hpp"
 #include "support/mutant.hpp"
 
 namespace shaftcull::kernel {

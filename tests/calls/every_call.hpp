@@ -268,14 +268,12 @@ class EveryCall {
     const std::size_t count = triangles_.size();
     const auto ask = [&](std::string name, auto call) {
       for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
-        add(name + of + (test == TriangleTest::exact ? ", exactly" : ", by vertices"), true,
-            [=, this, &triangles](AnswerWords& words) {
-              if constexpr (std::is_same_v<Triangles, TriangleView>) {
-                call(words, triangle_stream_.view(), test);
-              } else {
-                call(words, triangles, test);
-              }
-            });
+        const std::string what = name + of + (test == TriangleTest::exact ? ", exactly" : ", by vertices");
+        if constexpr (std::is_same_v<Triangles, TriangleView>) {
+          add(what, true, [=, this](AnswerWords& words) { call(words, triangle_stream_.view(), test); });
+        } else {
+          add(what, true, [=, &triangles](AnswerWords& words) { call(words, triangles, test); });
+        }
       }
     };
     ask("cull of triangles", [=, this](AnswerWords& words, const Triangles& all, TriangleTest test) {
