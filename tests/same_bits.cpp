@@ -291,7 +291,8 @@ std::uint64_t triangle_answers(TriangleTest test) {
     const Number number = is_wild ? &Numbers::any : s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
     const Box a = box(numbers, number);
     const Box b = box(numbers, number);
-    CompiledShaft shaft = moving_shaft(numbers.below(4), a, b, point(numbers, number));
+    const Vec3 movement = point(numbers, number);  // first: compilers may draw arguments in any order
+    CompiledShaft shaft = moving_shaft(numbers.below(4), a, b, movement);
     if (s % 3 == 0) {
       Shaft with_plane(a, b);
       with_plane.add_plane({{1, -2, 3}, numbers.grid()});

@@ -183,7 +183,7 @@ TEST(Triangles, ShaftsOfEveryFamilyAreAnsweredExactly) {
     SCOPED_TRACE(family.name);
     unsigned index = 0;
     check(
-        809, 2, 1000, 1000, [&](Random& random) { return family.shaft(random, index++ * 61); },
+        809, 2, 0, 0, [&](Random& random) { return family.shaft(random, index++ * 61); },
         [&](Random& random, const ShaftInput& input) {
           return random.one_in(3) ? nearby_triangle(random, input) : touching_triangle(random, input);
         });
