@@ -235,7 +235,8 @@ void add_verify(CLI::App& program) {
       "in\n"
       "32 has open contact, one in 6 is a swept body, a shadow or a convex hull. Of shafts between two boxes, what "
       "blocks\n"
-      "is asked, too; of one shaft in 8 the first contact, and of one in 64 triangles. Exit code 1 if any answer is wrong.\n"
+      "is asked, too; of one shaft in 8 the first contact, and of one in 64 triangles. Exit code 1 if any answer is "
+      "wrong.\n"
       "Ctrl-C (SIGINT, or SIGTERM) ends it early with the summary of the cases until then; a second one ends it at "
       "once.");
   verify.callback([options] { run(*options); });
