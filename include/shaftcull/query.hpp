@@ -219,8 +219,8 @@ void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
                LeafRangeListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes for each shaft what list_at_most() writes, `most` indices or fewer: those of shaft s from kept[s * most] on,
-/// and how many they are to kept_counts[s]. What is behind them is not written. `kept` has room for exactly `most`
-/// indices a shaft, and kept_counts for one count; the two share no memory.
+/// and how many they are to kept_counts[s]. The rest of each row may be overwritten with anything. `kept` has room for
+/// exactly `most` indices a shaft, and kept_counts for one count; the two share no memory.
 template <class Bound, BoundIndex Index>
 void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::size_t most,
                        std::type_identity_t<std::span<Index>> kept, std::span<std::uint64_t> kept_counts,

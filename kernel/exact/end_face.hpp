@@ -30,7 +30,7 @@ inline int difference_sign(const Expansion<9>& end, double x) noexcept {
 /// A number as floats have it, none of them infinite.
 struct EndFace {
   float nearest;  ///< to the face; but for the last bit, where that is a close decision
-  float within;   ///< the last float that is not further out than the face
+  float within;   ///< the last float that is not further out than the face; the largest one if the face is beyond that
 };
 
 inline EndFace end_face(const MovingFaces& faces, unsigned f) noexcept {
@@ -45,7 +45,7 @@ inline EndFace end_face(const MovingFaces& faces, unsigned f) noexcept {
   };
   const float inwards = f < 3 ? most : -most;
   float within = nearest;
-  while (!is_within(within)) within = std::nextafter(within, inwards);
+  while (within != inwards && !is_within(within)) within = std::nextafter(within, inwards);
   const float outwards = f < 3 ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
   for (;;) {
     const float next = std::nextafter(within, outwards);

@@ -134,6 +134,56 @@ TEST(Kinds, ShaftsThatEndFarBeyondTheSceneAnswerExactly) { check(6, 15, far_move
 
 TEST(Kinds, EveryMagnitudeFromDenormalsTo1e38IsAnsweredExactly) { check(7, 30, wild_movement); }
 
+TEST(Kinds, EndsBeyondTheLargestFloatAreAnsweredExactly) {
+  constexpr float most = std::numeric_limits<float>::max();
+  constexpr float far = 0.75F * most;
+  const std::vector<Box> bodies = {{{most, 0, 0}, {most, 1, 1}},
+                                   {{far, 0, 0}, {far, 1, 1}},
+                                   {{most / 2, 0, 0}, {most, 1, 1}},
+                                   {{far, far, far}, {far, far, far}}};
+  std::vector<Box> boxes = bodies;
+  for (const float x : {0.0F, far, most}) boxes.push_back({{x, -1, -1}, {most, 2, 2}});
+  boxes.push_back({{-1, -1, -1}, {far, 2, 2}});
+  boxes.push_back({{far, 2, 0}, {most, 3, 1}});
+  const std::vector<Sphere> spheres = {{{most, 0, 0}, 1}, {{far, 5, 0}, 4}, {{far, 5, 0}, 5}, {{0, 0, 0}, far}};
+  for (const Box& body : bodies) {
+    for (const float by : {1.0F, 0x1p103F, far, most}) {
+      for (const Vec3 displacement : {Vec3{by, 0, 0}, Vec3{by, by, by}}) {
+        const MovingInput input{MovingKind::swept, body, displacement, {}, 1, {}, Contact::closed};
+        expect_exact(input, oracle::MovingHull(input), boxes);
+        expect_exact(input, oracle::MovingHull(input), spheres);
+      }
+    }
+    for (const float reach : {1 + 0x1p-23F, 2.0F, 1000.0F}) {
+      const MovingInput input{MovingKind::shadow, body, {}, {{0, 0, 0}, {0, 0, 0}}, reach, {}, Contact::closed};
+      expect_exact(input, oracle::MovingHull(input), boxes);
+    }
+  }
+}
+
+TEST(Kinds, SpheresOnTheWayOfAFaceThatStartsFarOutAndHardlyMovesAreAnsweredExactly) {
+  Random random(11);
+  const auto power = [&](int low, int high) {
+    const float x = std::ldexp(1.0F, low + static_cast<int>(random.below(static_cast<unsigned>(high - low + 1))));
+    return random.one_in(2) ? x : -x;
+  };
+  for (std::size_t i = 0; i != random_cases(200); ++i) {
+    const float start = power(0, 90);
+    const Vec3 direction = {power(-20, 60), power(-99, -20), power(-30, 30)};
+    const float size = random.one_in(2) ? 0.0F : 0x1p-20F * std::fabs(direction[0]);
+    const MovingInput input{
+        MovingKind::swept_without_end, {{0, start, 0}, {size, start, size}}, direction, {}, 1, {}, Contact::closed};
+    std::vector<Sphere> spheres;
+    for (int k = 0; k != 24; ++k) {
+      const float t = std::ldexp(random.uniform(0.5F, 1.0F), static_cast<int>(random.below(30)) - 10);
+      const float radius = std::fabs(direction[0]) * std::ldexp(1.0F, -static_cast<int>(random.below(60)));
+      spheres.push_back({{t * direction[0], start, t * direction[2]}, radius});
+    }
+    expect_exact(input, oracle::MovingHull(input), spheres);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
 TEST(Kinds, ShaftsWithOpenContactOnALatticeAnswerExactly) {
   constexpr std::uint64_t seed = 8;
   SCOPED_TRACE("seed " + std::to_string(seed));
