@@ -22,11 +22,9 @@
 #include "tree/outputs.hpp"
 #include "tree/query.hpp"
 
-namespace SHAFTCULL_INTERFACE shaftcull {
-namespace {
+namespace shaftcull::kernel {
 
-constexpr std::size_t chunk_size = TriangleTree::chunk_size;
-
+/// What a TriangleTree holds.
 struct TriangleParts {
   TriangleStream triangles;          ///< chunk after chunk, in the tree order of their boxes
   std::vector<std::uint32_t> order;  ///< triangle → the user's index
@@ -36,14 +34,23 @@ struct TriangleParts {
 
   /// The first triangle of a leaf of the tree of chunks, or what is behind the last one.
   [[nodiscard]] std::size_t first_of(std::size_t leaf) const noexcept {
-    return leaf * chunk_size - (leaf > short_chunk ? missing : 0);
+    return leaf * TriangleTree::chunk_size - (leaf > short_chunk ? missing : 0);
   }
   /// The triangles of `size` leaves from `leaf` on; there may be fewer leaves.
-  [[nodiscard]] kernel::IndexRange triangles_of(std::size_t leaf, std::size_t size) const noexcept {
+  [[nodiscard]] IndexRange triangles_of(std::size_t leaf, std::size_t size) const noexcept {
     const std::size_t first = first_of(leaf);
     return {first, first_of(std::min(leaf + size, chunks.size())) - first};
   }
 };
+
+}  // namespace shaftcull::kernel
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+using kernel::TriangleParts;
+
+constexpr std::size_t chunk_size = TriangleTree::chunk_size;
 
 /// A copy of the triangles, the one at order[i] at i.
 TriangleStream in_order(const TriangleView& triangles, std::span<const std::uint32_t> order) {
