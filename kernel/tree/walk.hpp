@@ -104,15 +104,16 @@ class Walk {
     if (k == 0) return visit_leaves(word, words);
     std::uint64_t kept[batch];
     std::uint64_t inside[batch];
+    const bool tests_inside = tests_inside_;  // which no call changes
     const auto nodes = parts_.node_words(k, 0, parts_.level[k].words());
-    test_nodes_(of_nodes_.shaft(), nodes.stream.data(), word, words, kept, tests_inside_ ? inside : nullptr,
+    test_nodes_(of_nodes_.shaft(), nodes.stream.data(), word, words, kept, tests_inside ? inside : nullptr,
                 question_ == Question::kept ? many_kept : 1);
     std::uint32_t below[batch];
     std::size_t belows = 0;
     const std::uint64_t* const gaps = parts_.gap_words(k);
     for (std::size_t i = 0; i != words; ++i) {
       const std::uint32_t first = word[i] * static_cast<std::uint32_t>(fanout);
-      std::uint64_t whole = tests_inside_ ? inside[i] & ~gaps[word[i]] : 0;
+      std::uint64_t whole = tests_inside ? inside[i] & ~gaps[word[i]] : 0;
       if (whole != 0 && shaft_.contact == Contact::open) whole = touching_nothing(nodes, first, whole);
       std::uint64_t left = kept[i];
       if constexpr (picks_nodes) left = visitor_.nodes(k, first, left);
