@@ -1,6 +1,8 @@
 /// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
 #pragma once
 
+#include <optional>
+
 #include "exact/predicates.hpp"
 #include "kernels/forming/slab.hpp"
 #include "kernels/shared/word.hpp"
@@ -215,7 +217,7 @@ template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class
                                                      const Word& word, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin, true);
   const BoxCorners<L> corners(shaft, stream);
-  const SlabPredicate exact(shaft);
+  std::optional<SlabPredicate> exact;
   for (; undecided != 0; undecided &= undecided - 1) {
     const std::size_t w = first + static_cast<unsigned>(__builtin_ctzll(undecided));
     const std::size_t at = position(w);
@@ -228,8 +230,12 @@ template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class
       outside |= L::bits(L::less(length, L::all(0.0F))) << lane;
       near |= L::bits(L::less_equal(length, slab.two_margins)) << lane;
     }
-    outside |= decide_lanes<L>(near & ~outside,
-                               [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, at + lane).value); });
+    near &= ~outside;
+    if (near != 0) {
+      if (!exact) exact.emplace(shaft);
+      outside |= decide_lanes<L>(
+          near, [&](unsigned lane) { return exact->outside(BoundAt<L, 6>(stream, at + lane).value); });
+    }
     kept[w] = ~outside & word.lanes();
   }
 }
@@ -341,61 +347,80 @@ void slab_words(const ShaftData& shaft, float margin, const float* const* stream
   }
 }
 
+/// Of some lanes of the word at `at` those that are kept.
+template <class L>
+std::uint64_t exactly_kept(const SlabPredicate& exact, const float* const* stream, std::size_t at,
+                           std::uint64_t lanes) noexcept {
+  return lanes & ~decide_lanes<L>(
+                     lanes, [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, at + lane).value); });
+}
+
 /// For shafts that no margin holds for.
 template <class L, class Words>
 void box_exact_words(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
                      std::uint64_t* kept) noexcept {
   const SlabPredicate exact(shaft);
-  const auto kept_of = [&](std::size_t w, std::uint64_t lanes) {
-    return lanes & ~decide_lanes<L>(lanes, [&](unsigned lane) {
-             return exact.outside(BoundAt<L, 6>(stream, position(w) + lane).value);
-           });
-  };
-  for (std::size_t w = 0; w < words; ++w) kept[w] = kept_of(w, ~std::uint64_t{0});
+  for (std::size_t w = 0; w < words; ++w) kept[w] = exactly_kept<L>(exact, stream, position(w), ~std::uint64_t{0});
   if constexpr (requires { position.rest; }) {
-    if (position.rest != 0) kept[words] = kept_of(words, first_bits(position.rest));
+    if (position.rest != 0) kept[words] = exactly_kept<L>(exact, stream, position(words), first_bits(position.rest));
   }
 }
 
-/// Runs the slab_words() that suits a shaft: by its form, and by how many constraints bound t from above. In the fused
-/// form the reference face's always does.
-template <class L, template <class> class Corners, class Words>
-void slab_words_of(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
-                   std::size_t words, std::uint64_t* kept) noexcept {
+/// Calls Test::run<uppers, form> with what suits a shaft: its form, and how many constraints bound t from above. In the
+/// fused form the reference face's always does.
+template <class Test, class... Arguments>
+void with_slab_of(const ShaftData& shaft, Arguments... arguments) noexcept {
   using enum ShaftData::SlabForm;
-  using TestWords =
-      void(const ShaftData&, float, const float* const*, const Words&, std::size_t, std::uint64_t*) noexcept;
-  if constexpr (Corners<L>::exactly) {
-    static constexpr TestWords* relative_by_uppers[7] = {
-        slab_words<L, Corners, Words, 0, relative>, slab_words<L, Corners, Words, 1, relative>,
-        slab_words<L, Corners, Words, 2, relative>, slab_words<L, Corners, Words, 3, relative>,
-        slab_words<L, Corners, Words, 4, relative>, slab_words<L, Corners, Words, 5, relative>,
-        slab_words<L, Corners, Words, 6, relative>};
-    if (shaft.slab_form == relative) {
-      return relative_by_uppers[shaft.slab_uppers](shaft, margin, stream, position, words, kept);
-    }
+  using Run = void(const ShaftData&, Arguments...) noexcept;
+  if constexpr (Test::exactly) {
+    static constexpr Run* relative_by_uppers[7] = {
+        Test::template run<0, relative>, Test::template run<1, relative>, Test::template run<2, relative>,
+        Test::template run<3, relative>, Test::template run<4, relative>, Test::template run<5, relative>,
+        Test::template run<6, relative>};
+    if (shaft.slab_form == relative) return relative_by_uppers[shaft.slab_uppers](shaft, arguments...);
   }
   // A box that moves without end has a face that bounds t from above, and one that bounds it from below.
-  static constexpr TestWords* endless_by_uppers[7] = {nullptr,
-                                                      slab_words<L, Corners, Words, 1, endless>,
-                                                      slab_words<L, Corners, Words, 2, endless>,
-                                                      slab_words<L, Corners, Words, 3, endless>,
-                                                      slab_words<L, Corners, Words, 4, endless>,
-                                                      slab_words<L, Corners, Words, 5, endless>,
-                                                      nullptr};
-  if (shaft.slab_form == endless) {
-    return endless_by_uppers[shaft.slab_uppers](shaft, margin, stream, position, words, kept);
-  }
-  static constexpr TestWords* by_uppers[2][7] = {
-      {nullptr, slab_words<L, Corners, Words, 1, fused>, slab_words<L, Corners, Words, 2, fused>,
-       slab_words<L, Corners, Words, 3, fused>, slab_words<L, Corners, Words, 4, fused>,
-       slab_words<L, Corners, Words, 5, fused>, slab_words<L, Corners, Words, 6, fused>},
-      {slab_words<L, Corners, Words, 0, difference>, slab_words<L, Corners, Words, 1, difference>,
-       slab_words<L, Corners, Words, 2, difference>, slab_words<L, Corners, Words, 3, difference>,
-       slab_words<L, Corners, Words, 4, difference>, slab_words<L, Corners, Words, 5, difference>,
-       slab_words<L, Corners, Words, 6, difference>}};
-  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, margin, stream, position, words, kept);
+  static constexpr Run* endless_by_uppers[7] = {nullptr,
+                                                Test::template run<1, endless>,
+                                                Test::template run<2, endless>,
+                                                Test::template run<3, endless>,
+                                                Test::template run<4, endless>,
+                                                Test::template run<5, endless>,
+                                                nullptr};
+  if (shaft.slab_form == endless) return endless_by_uppers[shaft.slab_uppers](shaft, arguments...);
+  static constexpr Run* by_uppers[2][7] = {
+      {nullptr, Test::template run<1, fused>, Test::template run<2, fused>, Test::template run<3, fused>,
+       Test::template run<4, fused>, Test::template run<5, fused>, Test::template run<6, fused>},
+      {Test::template run<0, difference>, Test::template run<1, difference>, Test::template run<2, difference>,
+       Test::template run<3, difference>, Test::template run<4, difference>, Test::template run<5, difference>,
+       Test::template run<6, difference>}};
+  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, arguments...);
 }
+
+/// Words of a stream, most of which hold no bound that is undecided.
+template <class L, template <class> class Corners, class Words>
+struct TestSlabWords {
+  static constexpr bool exactly = Corners<L>::exactly;
+
+  template <unsigned uppers, ShaftData::SlabForm form>
+  static void run(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
+                  std::size_t words, std::uint64_t* kept) noexcept {
+    slab_words<L, Corners, Words, uppers, form>(shaft, margin, stream, position, words, kept);
+  }
+};
+
+/// One word of boxes, of which some are probably undecided.
+template <class L, class Word>
+struct ResolveSlabWord {
+  static constexpr bool exactly = true;
+
+  template <unsigned uppers, ShaftData::SlabForm form>
+  static void run(const ShaftData& shaft, const float* const* stream, std::size_t at, const Word& word,
+                  std::uint64_t* kept) noexcept {
+    resolve_slab_words<L, uppers_of_few<BoxCorners, uppers, form>, form>(
+        shaft, shaft.slab_margin, stream, ConsecutiveWords<L>{.first = at}, 0, 1, word, kept);
+  }
+};
 
 /// First stage of the slab form: writes the kept bits of `words` whole words, and of the rest behind them if there is
 /// one.
@@ -405,7 +430,21 @@ void box_slab_stage(const ShaftData& shaft, const float* const* stream, std::siz
   if (shaft.slab_form == ShaftData::SlabForm::exact) [[unlikely]] {
     return box_exact_words<L>(shaft, stream, position, words, kept);
   }
-  slab_words_of<L, BoxCorners>(shaft, shaft.slab_margin, stream, position, words, kept);
+  with_slab_of<TestSlabWords<L, BoxCorners, Words>, float, const float* const*, const Words&>(
+      shaft, shaft.slab_margin, stream, position, words, kept);
+}
+
+/// The kept bits of one word of boxes at `at`, of which some are probably undecided.
+template <class L, class Word>
+std::uint64_t undecided_slab_word(const ShaftData& shaft, const float* const* stream, std::size_t at,
+                                  const Word& word) noexcept {
+  std::uint64_t kept;
+  if (shaft.slab_form == ShaftData::SlabForm::exact) [[unlikely]] {
+    const SlabPredicate exact(shaft);
+    return exactly_kept<L>(exact, stream, at, word.lanes());
+  }
+  with_slab_of<ResolveSlabWord<L, Word>, const float* const*, std::size_t, const Word&>(shaft, stream, at, word, &kept);
+  return kept;
 }
 
 /// Likewise for spheres, or boxes around them, and a shaft in the fused or the endless form: clears the bits of those
@@ -415,7 +454,8 @@ template <class L, template <class> class Corners, class Words = ConsecutiveWord
 void sphere_slab_stage(const ShaftData& shaft, const float* const* stream, std::size_t words, std::uint64_t* kept,
                        const Words& position = {}) noexcept {
   constexpr float wider = 1.17F;
-  slab_words_of<L, Corners>(shaft, wider * shaft.slab_margin, stream, position, words, kept);
+  with_slab_of<TestSlabWords<L, Corners, Words>, float, const float* const*, const Words&>(
+      shaft, wider * shaft.slab_margin, stream, position, words, kept);
 }
 
 }  // namespace shaftcull::kernel

@@ -107,11 +107,9 @@ std::size_t test_on_grid(const GridShaft& shaft, const std::int16_t* const* grid
 template <class L>
 std::uint64_t test_word_in_floats(const ShaftData& shaft, const float* const* stream, std::size_t count,
                                   std::size_t word) noexcept {
-  std::uint64_t kept;
-  const bool whole = (word + 1) * word_bits <= count;
-  const unsigned rest = whole ? 0 : static_cast<unsigned>(count % word_bits);
-  box_slab_stage<L>(shaft, stream, whole ? 1 : 0, &kept, ConsecutiveWords<L>{.first = word * word_bits, .rest = rest});
-  return kept;
+  const std::size_t at = word * word_bits;
+  if (at + word_bits <= count) return undecided_slab_word<L>(shaft, stream, at, WholeWord<L>{});
+  return undecided_slab_word<L>(shaft, stream, at, PartialWord<L>{static_cast<unsigned>(count - at)});
 }
 
 /// As GridKernels has it.
