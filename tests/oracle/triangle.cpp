@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <vector>
 
 #include "oracle/hull.hpp"
@@ -57,6 +58,22 @@ std::vector<Condition> without(std::size_t unknown, const std::vector<Condition>
   return left;
 }
 
+/// Whether some time satisfies conditions that hold no other unknown: the latest beginning is not after the first end.
+bool leave_a_time(const std::vector<Condition>& conditions) {
+  std::optional<mpq_class> begin;
+  std::optional<mpq_class> end;
+  for (const Condition& condition : conditions) {
+    const mpq_class& factor = condition.factor[time_passed];
+    if (factor == 0) {
+      if (condition.constant < 0) return false;
+      continue;
+    }
+    const mpq_class at = -condition.constant / factor;
+    if (factor > 0 ? !begin || at > *begin : !end || at < *end) (factor > 0 ? begin : end) = at;
+  }
+  return !begin || !end || *begin <= *end;
+}
+
 /// A box whose faces are at start + t · slope, t from 0 to `end`, or without end if that is negative.
 struct Motion {
   std::array<mpq_class, 6> start;
@@ -87,9 +104,8 @@ bool meets(const Motion& motion, const Triangle& triangle) {
     within.constant = sign * (v0 - motion.start[face]);
     conditions.push_back(within);
   }
-  for (std::size_t unknown = unknowns; unknown-- != 0;) conditions = without(unknown, conditions);
-  return std::all_of(conditions.begin(), conditions.end(),
-                     [](const Condition& condition) { return condition.constant >= 0; });
+  for (std::size_t unknown = unknowns; --unknown != 0;) conditions = without(unknown, conditions);
+  return leave_a_time(conditions);
 }
 
 mpq_class face_of(const Box& box, std::size_t face) { return mpq_class(face < 3 ? box.lo[face] : box.hi[face - 3]); }
