@@ -1,6 +1,6 @@
 # A baseline of AVX-512, by clang.
 needs(clang++-19)
-configure(clang++-19 -D "PARENT_OPTIONS=-O1 -march=skylake-avx512" -D SHAFTCULL_WITH_TBB=OFF)
+configure(clang++-19 -D "PARENT_OPTIONS=-O0 -march=skylake-avx512" -D SHAFTCULL_WITH_TBB=OFF)
 build()
 if(machine_has_avx512)
   answers("scalar: as on record\nportable128: as on record\navx512: as on record\n")

@@ -1,6 +1,6 @@
 # A baseline of AVX2, by the oldest compiler that is tried. Kernels of SSE4.2 are left out.
 needs(clang++-14)
-configure(clang++-14 -D "PARENT_OPTIONS=-O1 -march=haswell" -D SHAFTCULL_WITH_TBB=OFF)
+configure(clang++-14 -D "PARENT_OPTIONS=-O0 -march=haswell" -D SHAFTCULL_WITH_TBB=OFF)
 build()
 answers()
 if(output MATCHES "sse4_2" OR NOT output MATCHES "avx2")
