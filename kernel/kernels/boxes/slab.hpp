@@ -265,7 +265,8 @@ template <class L, class SlabType, class Corners, class Word>
     return undecided != 0;
   }
   typename L::SignCollector signs(slab.two_margins);
-  for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
+  // Of vectors that fill a word four at a time, the compiler sees here that they do.
+  for (std::size_t four = 0; four < word_bits && four < word.bounds; four += 4 * L::width) {
     typename L::Vector length[4];
 #pragma GCC unroll 4
     for (unsigned v = 0; v < 4; ++v) {

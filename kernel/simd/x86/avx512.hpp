@@ -63,9 +63,7 @@ struct Floats {
   class FirstLanes {
    public:
     explicit FirstLanes(int count) noexcept
-        : mask_(static_cast<__mmask16>(count <= 0    ? 0U
-                                       : count >= 16 ? 0xffffU
-                                                     : (1U << count) - 1)) {}
+        : mask_(static_cast<__mmask16>(_bzhi_u32(0xffffU, count < 0 ? 0U : static_cast<unsigned>(count)))) {}
 
     [[nodiscard]] Vector load(const float* p) const noexcept { return _mm512_maskz_loadu_ps(mask_, p); }
     [[nodiscard]] Vector choose(Vector a, Vector b) const noexcept { return _mm512_mask_mov_ps(b, mask_, a); }
