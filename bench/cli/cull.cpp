@@ -19,6 +19,7 @@
 #include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
+#include "triangle_answer.hpp"
 
 namespace shaftcull::cli {
 namespace {
@@ -227,14 +228,9 @@ void find_triangles(const CullOptions& options, const Triangles& triangles, cons
   kept.resize(list(shaft.compiled(), triangles, std::span(kept), test_of(options)));
   add_candidates(report.bounds, kept, false, pair);
   sort_candidates(pair);
-  // A shaft is convex, so that a triangle is inside iff its vertices are. That they may be in the shaft's surface,
-  // where points are outside with open contact, is why contact is closed here.
   const FormedShaft closed = options.choice.form(pair.from.box, pair.to.box, Contact::closed);
   for (Candidate& candidate : pair.candidates) {
-    const std::span<const Vec3> vertices = vertices_of(report, candidate);
-    candidate.inside = std::all_of(vertices.begin(), vertices.end(), [&](const Vec3& vertex) {
-      return classify(closed.compiled(), Box{vertex, vertex}) == Answer::inside;
-    });
+    candidate.inside = all_inside(closed.compiled(), vertices_of(report, candidate));
   }
 }
 

@@ -21,6 +21,7 @@
 #include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
+#include "triangle_answer.hpp"
 
 namespace shaftcull::cli {
 namespace {
@@ -32,6 +33,7 @@ struct DrawOptions {
   ShaftChoice choice;
   std::vector<std::string> bounds;
   std::vector<std::string> solids;
+  std::vector<std::string> corners;  ///< of triangles, three each
   bool times = false;
   int columns = 48;
   bool svg = false;
@@ -51,8 +53,30 @@ struct Slice {
   std::size_t through;
 };
 
+std::array<Point3, 3> corners_of(const Triangle& triangle) {
+  return {in_doubles(triangle.vertex[0]), in_doubles(triangle.vertex[1]), in_doubles(triangle.vertex[2])};
+}
+
 bool holds(const Box& box, std::size_t axis, double x) {
   return x >= static_cast<double>(box.lo[axis]) && x <= static_cast<double>(box.hi[axis]);
+}
+
+/// What the plane x[axis] = cut has of a triangle: a segment, a point, all of it, or nothing.
+std::vector<Point3> cut_through(const Triangle& triangle, std::size_t axis, double cut) {
+  std::vector<Point3> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point3 p = in_doubles(triangle.vertex[i]);
+    const Point3 q = in_doubles(triangle.vertex[(i + 1) % 3]);
+    const double from_p = p[axis] - cut;
+    const double from_q = q[axis] - cut;
+    if (from_p == 0) points.push_back(p);
+    if ((from_p < 0 && from_q > 0) || (from_p > 0 && from_q < 0)) {
+      Point3 crossing{};
+      for (std::size_t k = 0; k < 3; ++k) crossing[k] = p[k] + from_p / (from_p - from_q) * (q[k] - p[k]);
+      points.push_back(crossing);
+    }
+  }
+  return points;
 }
 
 /// Draws slices of one shaft, all at one scale.
@@ -102,13 +126,36 @@ class Picture {
     return holds(*box, slice.through, cut) ? letter : static_cast<char>(letter - 'A' + 'a');
   }
 
+  /// T where the slice cuts a triangle, t where one lies before or behind it, 0 where there is none.
+  char triangle_mark(const Slice& slice, double x, double y, double cut) const {
+    const auto is_in_cell = [&](std::span<const Point3> points) {
+      std::vector<Point2> seen;
+      for (const Point3& point : points) seen.push_back({point[slice.across], point[slice.up]});
+      const double half_height = cell_width_ * character_aspect / 2;
+      return meets_rectangle(hull_outline(seen), {x - cell_width_ / 2, y - half_height},
+                             {x + cell_width_ / 2, y + half_height});
+    };
+    char mark = 0;
+    for (const DrawnTriangle& drawn : drawing_.triangles) {
+      if (is_in_cell(cut_through(drawn.triangle, slice.through, cut))) return 'T';
+      if (is_in_cell(corners_of(drawn.triangle))) mark = 't';
+    }
+    return mark;
+  }
+
   char mark(const Slice& slice, double x, double y, double cut) const {
+    // What the slice cuts hides what lies before or behind it.
     const char a = box_mark(drawing_.a, slice, x, y, cut, 'A');
     const char b = box_mark(drawing_.b, slice, x, y, cut, 'B');
-    // What the slice cuts hides what lies before or behind it.
-    if (a != 0 && b != 0 && (a == 'A') == (b == 'B')) return '@';
-    if (a == 'A' || (a != 0 && b == 0)) return a;
-    if (b != 0) return b;
+    if (a == 'A' && b == 'B') return '@';
+    if (a == 'A') return a;
+    if (b == 'B') return b;
+    const char triangle = triangle_mark(slice, x, y, cut);
+    if (triangle == 'T') return triangle;
+    if (a != 0 && b != 0) return '@';
+    for (const char seen : {a, b, triangle}) {
+      if (seen != 0) return seen;
+    }
     const double half_height = cell_width_ * character_aspect / 2;
     Box cell{};
     set(cell, slice.across, x, cell_width_ / 2);
@@ -158,20 +205,41 @@ std::vector<DrawnBound> bounds_of(const DrawOptions& options, const CompiledShaf
   return bounds;
 }
 
+std::vector<DrawnTriangle> triangles_of(const DrawOptions& options, const Box& from, const Box& to) {
+  const std::vector<std::string>& corners = options.corners;
+  if (corners.size() % 3 != 0) {
+    throw InvalidArgument(
+        fmt::format("--triangle {}: {} corners; a triangle takes three: X,Y,Z X,Y,Z X,Y,Z",
+                    fmt::join(corners, " "), corners.size()));
+  }
+  std::vector<DrawnTriangle> triangles;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) triangle.vertex[k] = vector_option("--triangle", corners[i + k], "a corner");
+    triangles.push_back({triangle, answer_of(triangle, options.choice, from, to)});
+  }
+  return triangles;
+}
+
 ShaftDrawing drawing_of(const DrawOptions& options) {
   const ShaftChoice& choice = options.choice;
   const Box from = box_option("--from", options.from);
   const Box to = box_option("--to", options.to);
-  ShaftDrawing drawing{choice, {}, {}, choice.form(from, to), {}, region_of(choice, from, to), {}};
+  ShaftDrawing drawing{choice, {}, {}, choice.form(from, to), {}, {}, region_of(choice, from, to), {}};
   if (choice.has_from()) drawing.a = from;
   if (choice.has_to()) drawing.b = to;
   if (choice.kind() == ShaftKind::swept) drawing.b = drawing.shaft.compiled().b();
   drawing.bounds = bounds_of(options, drawing.shaft.compiled());
-  std::vector<Box> shown;
+  drawing.triangles = triangles_of(options, from, to);
+  std::vector<Point3> shown;
+  const auto show = [&](const Box& box) { shown.insert(shown.end(), {in_doubles(box.lo), in_doubles(box.hi)}); };
   for (const std::optional<Box>& end : {drawing.a, drawing.b}) {
-    if (end) shown.push_back(*end);
+    if (end) show(*end);
   }
-  for (const DrawnBound& bound : drawing.bounds) shown.push_back(bound.box);
+  for (const DrawnBound& bound : drawing.bounds) show(bound.box);
+  for (const DrawnTriangle& drawn : drawing.triangles) {
+    for (const Vec3& vertex : drawn.triangle.vertex) shown.push_back(in_doubles(vertex));
+  }
   drawing.frame = frame_around(drawing.region, shown);
   return drawing;
 }
@@ -205,9 +273,13 @@ std::string heading_of(const ShaftDrawing& drawing) {
       }
       break;
   }
-  const char* const letters = choice.kind() == ShaftKind::hull ? ""
-                              : drawing.b ? " A B boxes (a b: before or behind the slice, @: both),"
-                                          : " A box (a: before or behind the slice),";
+  std::string letters;
+  if (drawing.b) {
+    letters = " A B boxes (a b: before or behind the slice, @: both),";
+  } else if (drawing.a) {
+    letters = " A box (a: before or behind the slice),";
+  }
+  if (!drawing.triangles.empty()) letters += " T triangle (t: before or behind it),";
   return fmt::format("{}.{} # inside, + overlap, . outside\n", what, letters);
 }
 
@@ -222,6 +294,10 @@ void run(const DrawOptions& options) {
   const Picture picture(drawing, options.columns);
   fmt::print("{}", heading_of(drawing));
   for (const DrawnBound& bound : drawing.bounds) fmt::print("[{}]: {}\n", to_text(bound.box), label_of(bound));
+  for (const DrawnTriangle& drawn : drawing.triangles) {
+    const auto& [p, q, r] = drawn.triangle.vertex;
+    fmt::print("triangle [{} {} {}]: {}\n", to_text(p), to_text(q), to_text(r), label_of(drawn));
+  }
   for (const Slice& slice : {Slice{0, 1, 2}, Slice{0, 2, 1}, Slice{1, 2, 0}}) fmt::print("\n{}", picture.draw(slice));
 }
 
@@ -242,7 +318,10 @@ void add_draw(CLI::App& program) {
                            ->excludes("--shadow");
   CLI::Option* times =
       draw.add_flag("--times", options->times, "Say when the moving box reaches each bound: 0 at A, 1 at B");
-  options->choice.add_hull_options(draw, std::array{from, to, solid, times});
+  CLI::Option* triangle =
+      draw.add_option("--triangle", options->corners, "Triangles to show, three corners each, with their answers")
+          ->type_name("X,Y,Z X,Y,Z X,Y,Z");
+  options->choice.add_hull_options(draw, std::array{from, to, solid, times, triangle});
   draw.add_option("--bound", options->bounds, "Boxes to show, with their answers")->type_name("BOX");
   CLI::Option* size = add_number(draw, "--size", options->columns, 12, 400,
                                  "Columns that the longest side of the picture takes (default: 48)")
@@ -260,7 +339,10 @@ void add_draw(CLI::App& program) {
       "of\n"
       "the picture. Times are shares of a displacement, or multiples of it without end; of a shadow 0 at the "
       "occluder,\n"
-      "and 1 where things are twice as far from the light.");
+      "and 1 where things are twice as far from the light.\n"
+      "Triangles are compared exactly. They have no times, and convex hulls do not take them: those know an exact "
+      "answer\n"
+      "of boxes only.");
   draw.callback([options] { run(*options); });
 }
 

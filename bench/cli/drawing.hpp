@@ -1,4 +1,4 @@
-/// What `shaftcull draw` shows: a shaft, what it is made of, and boxes with the answers that they get.
+/// What `shaftcull draw` shows: a shaft, what it is made of, and boxes and triangles with the answers that they get.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 #include "region.hpp"
 #include "shaft_choice.hpp"
 #include "shaftcull/cull.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace shaftcull::cli {
 
@@ -19,8 +20,15 @@ struct DrawnBound {
   std::optional<float> time;  ///< when the moving box reaches it, if that was asked and it does
 };
 
-/// "overlap from 0.25": what a bound's label says.
+/// A triangle that the user asks about, with the answer of the exact test.
+struct DrawnTriangle {
+  Triangle triangle;
+  Answer answer;
+};
+
+/// "overlap from 0.25": what the label says.
 [[nodiscard]] std::string label_of(const DrawnBound& bound);
+[[nodiscard]] std::string label_of(const DrawnTriangle& triangle);
 
 struct ShaftDrawing {
   ShaftChoice choice;
@@ -28,6 +36,7 @@ struct ShaftDrawing {
   std::optional<Box> b;  ///< the second box, where the body ends, the occluder
   FormedShaft shaft;
   std::vector<DrawnBound> bounds;
+  std::vector<DrawnTriangle> triangles;
   Region region;
   ShownSpace frame;
 };

@@ -8,8 +8,6 @@ namespace {
 
 constexpr unsigned box_corners = 8;
 
-Point3 in_doubles(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
 Point3 moved(const Point3& start, const Point3& way, double t) {
   Point3 end{};
   for (std::size_t axis = 0; axis < 3; ++axis) end[axis] = start[axis] + t * way[axis];
@@ -44,7 +42,18 @@ std::vector<Point2> cut_off(const std::vector<Point2>& polygon, std::size_t axis
   return rest;
 }
 
+/// The part of a polygon within the rectangle between two corners.
+std::vector<Point2> cut_off(std::vector<Point2> polygon, const Point2& lo, const Point2& hi) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    polygon = cut_off(polygon, axis, lo[axis], -1);
+    polygon = cut_off(polygon, axis, hi[axis], 1);
+  }
+  return polygon;
+}
+
 }  // namespace
+
+Point3 in_doubles(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 Point3 corner_of(const Box& box, unsigned corner) {
   Point3 point{};
@@ -91,7 +100,7 @@ Region region_of(const ShaftChoice& choice, const Box& from, const Box& to) {
   return region;
 }
 
-ShownSpace frame_around(const Region& region, std::span<const Box> boxes) {
+ShownSpace frame_around(const Region& region, std::span<const Point3> others) {
   ShownSpace frame{region.points.front(), region.points.front()};
   const auto include = [&](const Point3& point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -100,10 +109,7 @@ ShownSpace frame_around(const Region& region, std::span<const Box> boxes) {
     }
   };
   for (const Point3& point : region.points) include(point);
-  for (const Box& box : boxes) {
-    include(corner_of(box, 0));
-    include(corner_of(box, box_corners - 1));
-  }
+  for (const Point3& point : others) include(point);
   double extent = 0;
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -139,6 +145,10 @@ std::vector<Point2> hull_outline(std::vector<Point2> points) {
   return outline;
 }
 
+bool meets_rectangle(const std::vector<Point2>& polygon, const Point2& lo, const Point2& hi) {
+  return !cut_off(polygon, lo, hi).empty();
+}
+
 std::vector<Point2> outline_of(const Region& region, const ShownSpace& frame, std::size_t across, std::size_t up) {
   std::vector<Point2> points;
   for (const Point3& point : region.points) points.push_back({point[across], point[up]});
@@ -153,11 +163,7 @@ std::vector<Point2> outline_of(const Region& region, const ShownSpace& frame, st
       points.push_back({points[i][0] + direction[across] / length * far, points[i][1] + direction[up] / length * far});
     }
   }
-  std::vector<Point2> outline = hull_outline(std::move(points));
-  outline = cut_off(outline, 0, frame.lo[across], -1);
-  outline = cut_off(outline, 0, frame.hi[across], 1);
-  outline = cut_off(outline, 1, frame.lo[up], -1);
-  return cut_off(outline, 1, frame.hi[up], 1);
+  return cut_off(hull_outline(std::move(points)), {frame.lo[across], frame.lo[up]}, {frame.hi[across], frame.hi[up]});
 }
 
 }  // namespace shaftcull::cli

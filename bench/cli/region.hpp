@@ -31,13 +31,19 @@ struct ShownSpace {
   [[nodiscard]] double middle(std::size_t axis) const { return (lo[axis] + hi[axis]) / 2; }
 };
 
-/// The least frame around points and boxes, and around a way in each direction that is as long as these are wide.
-[[nodiscard]] ShownSpace frame_around(const Region& region, std::span<const Box> boxes);
+/// The least frame around points, of the region and others, and around a way in each direction that is as long as these
+/// are wide.
+[[nodiscard]] ShownSpace frame_around(const Region& region, std::span<const Point3> others);
 
 [[nodiscard]] Point3 corner_of(const Box& box, unsigned corner);
+[[nodiscard]] Point3 in_doubles(const Vec3& v);
 
 /// The corners of the convex hull, counterclockwise.
 [[nodiscard]] std::vector<Point2> hull_outline(std::vector<Point2> points);
+
+/// Whether a convex polygon, its edges included, has a point in common with the rectangle between two corners. It may
+/// be a segment or a point.
+[[nodiscard]] bool meets_rectangle(const std::vector<Point2>& polygon, const Point2& lo, const Point2& hi);
 
 /// The outline of the region as it is seen along the third axis, cut off where the frame ends. Counterclockwise; empty
 /// if the frame shows none of it.

@@ -31,9 +31,8 @@ constexpr Colours yellow{"#ffe066", "#b7791f", "#8a5a12"};
 constexpr Colours green{"#8ce99a", "#2b8a3e", "#2b8a3e"};
 constexpr Colours dark{"#495057", "#212529", "#212529"};
 
-const Colours& colours_of(const DrawnBound& bound) {
-  if (bound.blocks) return dark;
-  switch (bound.answer) {
+const Colours& colours_of(Answer answer) {
+  switch (answer) {
     case Answer::inside:
       return green;
     case Answer::overlap:
@@ -42,6 +41,20 @@ const Colours& colours_of(const DrawnBound& bound) {
       break;
   }
   return grey;
+}
+
+const Colours& colours_of(const DrawnBound& bound) { return bound.blocks ? dark : colours_of(bound.answer); }
+
+std::string_view text_of(Answer answer) {
+  switch (answer) {
+    case Answer::inside:
+      return "inside";
+    case Answer::overlap:
+      return "overlap";
+    case Answer::outside:
+      break;
+  }
+  return "outside";
 }
 
 /// A tenth of a pixel is enough.
@@ -77,10 +90,25 @@ class SvgPicture {
       add_box(bound.box, colours_of(bound), "");
       add_label(bound.box, label_of(bound), colours_of(bound));
     }
+    for (const DrawnTriangle& drawn : drawing_.triangles) add_triangle(drawn);
     return svg_ + "</svg>\n";
   }
 
  private:
+  /// The rectangle that a box is seen as, in pixels.
+  struct SeenBox {
+    double left;
+    double top;
+    double right;
+    double bottom;
+  };
+
+  SeenBox seen_box(const Box& box) const {
+    const Point2 lo = on_page(seen(in_doubles(box.lo)));
+    const Point2 hi = on_page(seen(in_doubles(box.hi)));
+    return {lo[0], hi[1], hi[0], lo[1]};
+  }
+
   std::string title() const {
     std::string_view what;
     switch (drawing_.choice.kind()) {
@@ -169,29 +197,60 @@ class SvgPicture {
     add_label(box, label, colours);
   }
 
+  /// A box that is flat as it is seen is a line, or a dot: SVG does not draw rectangles without width or height.
   void add_box(const Box& box, const Colours& colours, std::string_view style) {
-    const Point2 p = on_page(seen(corner_of(box, 0)));
-    const Point2 q = on_page(seen(corner_of(box, 7)));
-    svg_ += fmt::format(
-        "  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\"{}/>\n",
-        pixels(p[0]), pixels(q[1]), pixels(q[0] - p[0]), pixels(p[1] - q[1]), colours.fill, colours.line, style);
+    const auto [left, top, right, bottom] = seen_box(box);
+    const std::string width = pixels(right - left);
+    const std::string height = pixels(bottom - top);
+    if (width == "0" && height == "0") {
+      svg_ += fmt::format("  <circle cx=\"{}\" cy=\"{}\" r=\"4.5\" fill=\"{}\"{}/>\n", pixels(left), pixels(top),
+                          colours.line, style);
+    } else if (width == "0" || height == "0") {
+      svg_ += fmt::format("  <path d=\"M{},{} L{},{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"5\"{}/>\n",
+                          pixels(left), pixels(top), pixels(right), pixels(bottom), colours.line, style);
+    } else {
+      svg_ += fmt::format(
+          "  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\"{}/>\n",
+          pixels(left), pixels(top), width, height, colours.fill, colours.line, style);
+    }
   }
 
-  /// Within the box if it is large enough, else below it, or above it where the picture ends below.
   void add_label(const Box& box, std::string_view label, const Colours& colours) {
-    const Point2 p = on_page(seen(corner_of(box, 0)));
-    const Point2 q = on_page(seen(corner_of(box, 7)));
+    add_label(seen_box(box), label, colours, true);
+  }
+
+  /// Within the rectangle if that may be and it is large enough, else below it, or above it where the picture ends
+  /// below.
+  void add_label(const SeenBox& box, std::string_view label, const Colours& colours, bool may_be_within) {
     const double room = letter_width * static_cast<double>(label.size());
-    const bool within = q[0] - p[0] >= room && p[1] - q[1] >= 1.2 * font_size;
-    const double below = p[1] + 1.1 * font_size;
+    const bool within = may_be_within && box.right - box.left >= room && box.bottom - box.top >= 1.2 * font_size;
+    const double below = box.bottom + 1.1 * font_size;
     const bool fits_below = below + 0.3 * font_size < frame_.extent(up_) * scale_;
-    const double y = within ? (p[1] + q[1]) / 2 + 0.35 * font_size : fits_below ? below : q[1] - 0.4 * font_size;
+    const double y = within       ? (box.top + box.bottom) / 2 + 0.35 * font_size
+                     : fits_below ? below
+                                  : box.top - 0.4 * font_size;
     // Outside of the box, a white rim keeps the label apart from lines.
     const std::string style =
         within ? fmt::format("fill=\"{}\"", colours.fill == dark.fill ? "#ffffff" : colours.text)
                : fmt::format("fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", colours.text);
-    svg_ += fmt::format("  <text x=\"{}\" y=\"{}\" text-anchor=\"middle\" {}>{}</text>\n", pixels((p[0] + q[0]) / 2),
-                        pixels(y), style, label);
+    svg_ += fmt::format("  <text x=\"{}\" y=\"{}\" text-anchor=\"middle\" {}>{}</text>\n",
+                        pixels((box.left + box.right) / 2), pixels(y), style, label);
+  }
+
+  void add_triangle(const DrawnTriangle& drawn) {
+    const Colours& colours = colours_of(drawn.answer);
+    std::vector<Point2> corners;
+    for (const Vec3& vertex : drawn.triangle.vertex) corners.push_back(seen(in_doubles(vertex)));
+    svg_ += fmt::format(
+        "  <polygon points=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n",
+        list_of(corners), colours.fill, colours.line);
+    SeenBox around{1e300, 1e300, -1e300, -1e300};
+    for (const Point2& corner : corners) {
+      const Point2 page = on_page(corner);
+      around = {std::min(around.left, page[0]), std::min(around.top, page[1]), std::max(around.right, page[0]),
+                std::max(around.bottom, page[1])};
+    }
+    add_label(around, label_of(drawn), colours, false);
   }
 
   /// From the edge of the box towards where it goes: as far as it does, or a short way.
@@ -290,13 +349,12 @@ class SvgPicture {
 }  // namespace
 
 std::string label_of(const DrawnBound& bound) {
-  std::string label = bound.blocks                      ? "blocks"
-                      : bound.answer == Answer::inside  ? "inside"
-                      : bound.answer == Answer::overlap ? "overlap"
-                                                        : "outside";
+  std::string label(bound.blocks ? "blocks" : text_of(bound.answer));
   if (bound.time) label += fmt::format(" from {}", *bound.time);
   return label;
 }
+
+std::string label_of(const DrawnTriangle& triangle) { return std::string(text_of(triangle.answer)); }
 
 std::string svg_of(const ShaftDrawing& drawing, std::size_t across, std::size_t up) {
   return SvgPicture(drawing, across, up).text();

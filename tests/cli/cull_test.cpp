@@ -55,12 +55,6 @@ class CliCull : public testing::Test {
     return run_program(arguments);
   }
 
-  void expect_one_line_and_exit_code_2(const Outcome& outcome) const {
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
-    EXPECT_THAT(outcome.out, IsEmpty());
-  }
-
   ScratchFolder folder_;
   std::string row_ = folder_.write(
       "row.obj",
@@ -106,7 +100,7 @@ TEST_F(CliCull, LeavesOutWhatOnlyTouchesIfContactIsOpen) {
     ASSERT_EQ(open.exit_code, 0) << open.error;
     EXPECT_THAT(open.out, AllOf(HasSubstr("1 object may lie between"), HasSubstr("between"), Not(HasSubstr("below"))));
   }
-  expect_one_line_and_exit_code_2(run_program({"cull", shelf, "--random", "2", "--contact", "half"}));
+  expect_refusal(run_program({"cull", shelf, "--random", "2", "--contact", "half"}));
 }
 
 TEST_F(CliCull, ListsWhatABodyMayHitAndWhen) {
@@ -171,7 +165,7 @@ TEST_F(CliCull, ListsWhatLiesInAShadow) {
 
 TEST_F(CliCull, RefusesALightThatTouchesItsOccluder) {
   const Outcome outcome = cull({"--from", "middle", "--to", "small", "--shadow"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error,
               HasSubstr("--shadow: light [3,-2,-2,7,2,2] and occluder [4.5,-0.5,-0.5,5.5,0.5,0.5] touch"));
 }
@@ -187,7 +181,7 @@ TEST_F(CliCull, DrawsRandomLightsAndOccludersThatAreApart) {
   }
   const std::string nested = folder_.write("nested.obj", obj_of({{"in", 0, 0, 1}, {"out", 0, 0, 2}}));
   const Outcome none = run_program({"cull", nested, "--random", "1", "--shadow", "--ends", "object"});
-  expect_one_line_and_exit_code_2(none);
+  expect_refusal(none);
   EXPECT_THAT(none.error, HasSubstr("no two objects of"));
 }
 
@@ -284,7 +278,7 @@ TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
                                 std::vector<std::string>{"--swept", "1,0,0"},
                                 std::vector<std::string>{"--shadow", "--from", "left"}}) {
     SCOPED_TRACE(testing::PrintToString(arguments));
-    expect_one_line_and_exit_code_2(cull(arguments));
+    expect_refusal(cull(arguments));
   }
 }
 
@@ -377,19 +371,19 @@ TEST_F(CliCull, AnswersAlikeOnEveryInstructionSetOfThisMachine) {
 
 TEST_F(CliCull, RejectsAMissingFileInOneLine) {
   const Outcome outcome = run_program({"cull", "--scene", folder_.path("no such.obj"), "--random", "1"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("no such.obj: there is no such file"));
 }
 
 TEST_F(CliCull, RejectsAnEmptyFileInOneLine) {
   const Outcome outcome = run_program({"cull", "--scene", folder_.write("empty.obj", ""), "--random", "1"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("the file is empty"));
 }
 
 TEST_F(CliCull, RejectsADirectoryInOneLine) {
   const Outcome outcome = run_program({"cull", "--scene", folder_.path("."), "--random", "1"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("is a directory"));
 }
 
@@ -403,7 +397,7 @@ TEST_F(CliCull, RejectsBrokenFilesInOneLine) {
         folder_.write("unknown.xyz", "1 2 3\n")}) {
     SCOPED_TRACE(path);
     const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
-    expect_one_line_and_exit_code_2(outcome);
+    expect_refusal(outcome);
     EXPECT_THAT(outcome.error, HasSubstr(path));
   }
 }
@@ -414,21 +408,21 @@ TEST_F(CliCull, OutlivesAFileThatCrashesItsReader) {
                                          "property float y\nproperty float z\nelement face 500\n"
                                          "property list uchar int vertex_index\nend_header\n0123456789");
   const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr(path));
 }
 
 TEST_F(CliCull, RejectsANanVertexAndNamesItsObject) {
   const std::string path = folder_.write("nan.obj", "o sick\nv 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
   const Outcome outcome = run_program({"cull", "--scene", path, "--random", "1"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   // One coordinate is NaN, so one is named.
   EXPECT_THAT(outcome.error, AllOf(HasSubstr("x of vertex 1 of 'sick' is nan"), Not(HasSubstr("y of"))));
 }
 
 TEST_F(CliCull, NamesTheObjectsThereAreForAnUnknownName) {
   const Outcome outcome = cull({"--from", "Left", "--to", "right"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("--from Left"));
   EXPECT_THAT(outcome.error, HasSubstr("'left'"));
   EXPECT_THAT(outcome.error, HasSubstr("'middle'"));
@@ -440,15 +434,15 @@ TEST_F(CliCull, NamesTheClosestOfManyNames) {
   cubes.push_back({"lampshade", 0, 5, 1});
   const std::string path = folder_.write("many.obj", obj_of(cubes));
   const Outcome outcome = run_program({"cull", "--scene", path, "--from", "lampshde", "--to", "thing100"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("'lampshade'"));
   EXPECT_THAT(outcome.error, HasSubstr("35 more"));
 }
 
 TEST_F(CliCull, RejectsBoxesThatNoShaftCanHave) {
-  expect_one_line_and_exit_code_2(cull({"--from", "1,0,0,0,1,1", "--to", "right"}));
-  expect_one_line_and_exit_code_2(cull({"--from", "nan,0,0,1,1,1", "--to", "right"}));
-  expect_one_line_and_exit_code_2(cull({"--from", "0,0,0,1,1", "--to", "right"}));
+  expect_refusal(cull({"--from", "1,0,0,0,1,1", "--to", "right"}));
+  expect_refusal(cull({"--from", "nan,0,0,1,1,1", "--to", "right"}));
+  expect_refusal(cull({"--from", "0,0,0,1,1", "--to", "right"}));
 }
 
 TEST_F(CliCull, SaysTheSameWithATree) {
@@ -465,11 +459,11 @@ TEST_F(CliCull, SaysTheSameWithATree) {
 }
 
 TEST_F(CliCull, RejectsContradictoryOptions) {
-  expect_one_line_and_exit_code_2(cull({}));
-  expect_one_line_and_exit_code_2(cull({"--from", "left"}));
-  expect_one_line_and_exit_code_2(cull({"--from", "left", "--to", "right", "--random", "2"}));
-  expect_one_line_and_exit_code_2(cull({"--random", "0"}));
-  expect_one_line_and_exit_code_2(cull({"--random", "2", "--format", "xml"}));
+  expect_refusal(cull({}));
+  expect_refusal(cull({"--from", "left"}));
+  expect_refusal(cull({"--from", "left", "--to", "right", "--random", "2"}));
+  expect_refusal(cull({"--random", "0"}));
+  expect_refusal(cull({"--random", "2", "--format", "xml"}));
 }
 
 TEST_F(CliCull, TakesAFileWithoutAnOption) {
@@ -480,20 +474,20 @@ TEST_F(CliCull, TakesAFileWithoutAnOption) {
 
 TEST_F(CliCull, SaysWhatToAddToAFile) {
   const Outcome outcome = run_program({"cull", row_});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error,
               AllOf(HasSubstr("--from NAME --to NAME, or --random 10"), HasSubstr("'left'"), HasSubstr("'aside'")));
 }
 
 TEST_F(CliCull, SaysWhereTheFileBelongs) {
   const Outcome outcome = run_program({"cull"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("shaftcull cull FILE"));
 }
 
 TEST_F(CliCull, RefusesABoxOfFiveNumbersAsABox) {
   const Outcome outcome = cull({"--from", "0,0,0,1,1", "--to", "right"});
-  expect_one_line_and_exit_code_2(outcome);
+  expect_refusal(outcome);
   EXPECT_THAT(outcome.error, HasSubstr("--from 0,0,0,1,1: 5 numbers; a box takes six"));
 }
 

@@ -12,18 +12,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
-using testing::SizeIs;
-
-/// Expects a refusal in one line, and returns it.
-std::string refusal(const std::vector<std::string>& arguments) {
-  const Outcome outcome = run_program(arguments);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
-  EXPECT_THAT(outcome.out, IsEmpty());
-  return outcome.error;
-}
 
 struct NumberOption {
   std::vector<std::string> subcommand;
@@ -56,7 +45,7 @@ void expect_refused(const NumberOption& number, const std::string& value, const 
   SCOPED_TRACE(number.subcommand.front() + ' ' + number.option + ' ' + value);
   std::vector<std::string> arguments = number.subcommand;
   arguments.insert(arguments.end(), {number.option, value});
-  EXPECT_THAT(refusal(arguments), AllOf(HasSubstr(number.option + ' ' + value + ": " + reason),
+  EXPECT_THAT(refusal_of(arguments), AllOf(HasSubstr(number.option + ' ' + value + ": " + reason),
                                         HasSubstr("from " + number.least + " to " + number.most)));
 }
 
@@ -95,47 +84,47 @@ TEST(CliNumbers, EndsOfARangeBelongToIt) {
 }
 
 TEST(CliSubcommands, AnUnknownOneIsNamed) {
-  EXPECT_THAT(refusal({"fly"}), AllOf(HasSubstr("no subcommand 'fly'"), HasSubstr("'demo'"), HasSubstr("'cull'"),
+  EXPECT_THAT(refusal_of({"fly"}), AllOf(HasSubstr("no subcommand 'fly'"), HasSubstr("'demo'"), HasSubstr("'cull'"),
                                       HasSubstr("'bench-report'")));
 }
 
 TEST(CliSubcommands, AreListedWhereNoneIsGiven) {
-  EXPECT_THAT(refusal({}), AllOf(HasSubstr("'demo'"), HasSubstr("'stats'"), HasSubstr("shaftcull --help")));
+  EXPECT_THAT(refusal_of({}), AllOf(HasSubstr("'demo'"), HasSubstr("'stats'"), HasSubstr("shaftcull --help")));
 }
 
 TEST(CliSubcommands, AFileInPlaceOfOneIsGivenToCull) {
   const ScratchFolder folder;
   const std::string path = folder.write("room.obj", "v 0 0 0\n");
-  EXPECT_THAT(refusal({path}), HasSubstr("shaftcull cull " + path));
+  EXPECT_THAT(refusal_of({path}), HasSubstr("shaftcull cull " + path));
 }
 
 TEST(CliSubcommands, AnOptionInPlaceOfOneIsNamed) {
-  EXPECT_THAT(refusal({"--frames", "3"}), HasSubstr("--frames: no option of the program itself"));
+  EXPECT_THAT(refusal_of({"--frames", "3"}), HasSubstr("--frames: no option of the program itself"));
 }
 
 TEST(CliOptions, AnUnknownOneIsNamedWithTheHelpThatListsThem) {
-  EXPECT_THAT(refusal({"demo", "--frame", "3"}), AllOf(HasSubstr("--frame"), HasSubstr("shaftcull demo --help")));
+  EXPECT_THAT(refusal_of({"demo", "--frame", "3"}), AllOf(HasSubstr("--frame"), HasSubstr("shaftcull demo --help")));
 }
 
 TEST(CliBoxes, AWrongNumberOfNumbersIsCounted) {
-  EXPECT_THAT(refusal({"draw", "--from", "0,0,0,1,1"}), HasSubstr("--from 0,0,0,1,1: 5 numbers; a box takes six"));
-  EXPECT_THAT(refusal({"draw", "--to", "1"}), HasSubstr("--to 1: 1 number; a box takes six"));
-  EXPECT_THAT(refusal({"draw", "--to", "0,0,0,1,1,1,1"}), HasSubstr("7 numbers; a box takes six"));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,0,0,1,1"}), HasSubstr("--from 0,0,0,1,1: 5 numbers; a box takes six"));
+  EXPECT_THAT(refusal_of({"draw", "--to", "1"}), HasSubstr("--to 1: 1 number; a box takes six"));
+  EXPECT_THAT(refusal_of({"draw", "--to", "0,0,0,1,1,1,1"}), HasSubstr("7 numbers; a box takes six"));
 }
 
 TEST(CliBoxes, WhatIsNoNumberIsNamed) {
-  EXPECT_THAT(refusal({"draw", "--from", "0,0,0,1,one,1"}), HasSubstr("'one' is not a number"));
-  EXPECT_THAT(refusal({"draw", "--from", "0,0,0,1,,1"}), HasSubstr("'' is not a number"));
-  EXPECT_THAT(refusal({"draw", "--from", "0,0,0,1,1e99,1"}), HasSubstr("'1e99' is beyond what a float holds"));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,0,0,1,one,1"}), HasSubstr("'one' is not a number"));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,0,0,1,,1"}), HasSubstr("'' is not a number"));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,0,0,1,1e99,1"}), HasSubstr("'1e99' is beyond what a float holds"));
 }
 
 TEST(CliBoxes, TheCoordinateThatIsNotFiniteIsNamed) {
-  EXPECT_THAT(refusal({"draw", "--from", "0,nan,0,1,1,1"}), AllOf(HasSubstr("lo y is nan"), Not(HasSubstr("lo x"))));
-  EXPECT_THAT(refusal({"draw", "--from", "0,0,0,1,1,inf"}), HasSubstr("hi z is inf"));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,nan,0,1,1,1"}), AllOf(HasSubstr("lo y is nan"), Not(HasSubstr("lo x"))));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,0,0,1,1,inf"}), HasSubstr("hi z is inf"));
 }
 
 TEST(CliBoxes, CornersInTheWrongOrderAreNamed) {
-  EXPECT_THAT(refusal({"draw", "--from", "0,0,5,1,1,1"}), HasSubstr("lo z = 5 is greater than hi z = 1"));
+  EXPECT_THAT(refusal_of({"draw", "--from", "0,0,5,1,1,1"}), HasSubstr("lo z = 5 is greater than hi z = 1"));
 }
 
 /// Whatever writes to standard output.

@@ -1,6 +1,8 @@
 #include "program.hpp"
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -55,6 +57,24 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::string
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   outcome.error = content_of(error_file);
   return outcome;
+}
+
+std::string output_of(const std::vector<std::string>& arguments) {
+  const Outcome outcome = run_program(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  return outcome.out;
+}
+
+void expect_refusal(const Outcome& outcome) {
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(lines(outcome.error), testing::SizeIs(1)) << outcome.error;
+  EXPECT_THAT(outcome.out, testing::IsEmpty());
+}
+
+std::string refusal_of(const std::vector<std::string>& arguments) {
+  const Outcome outcome = run_program(arguments);
+  expect_refusal(outcome);
+  return outcome.error;
 }
 
 std::vector<std::string> lines(std::string_view text) {

@@ -22,6 +22,15 @@ struct Outcome {
 [[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments, const std::string& environment = "",
                                   const std::string& redirection = "");
 
+/// Runs the program, expects it to end well, and returns what it wrote.
+[[nodiscard]] std::string output_of(const std::vector<std::string>& arguments);
+
+/// Expects that the program refused what it was given: exit code 2, one line on standard error, no output.
+void expect_refusal(const Outcome& outcome);
+
+/// Runs the program, expects it to refuse, and returns what it said.
+[[nodiscard]] std::string refusal_of(const std::vector<std::string>& arguments);
+
 [[nodiscard]] std::vector<std::string> lines(std::string_view text);
 
 /// A folder of its own for one test, removed with everything in it at the end.

@@ -19,23 +19,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
-
-std::string output_of(const std::vector<std::string>& arguments) {
-  const Outcome outcome = run_program(arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  return outcome.out;
-}
-
-std::string refusal_of(const std::vector<std::string>& arguments) {
-  const Outcome outcome = run_program(arguments);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
-  EXPECT_THAT(outcome.out, IsEmpty());
-  return outcome.error;
-}
 
 std::string file_content(const std::string& path) {
   std::ifstream file(path);
