@@ -106,10 +106,9 @@ BlockingCount count_blocking(const RandomShafts& shafts, const ShaftChoice& choi
   for (std::uint32_t i = 0; i < shafts.count; ++i) {
     const BoxPair pair = next_pair(shafts, choice, random);
     const std::size_t found = list_blocking(choice.form(pair.a, pair.b).compiled(), cubes, std::span(blocking));
-    const auto between = static_cast<std::size_t>(
-        std::count_if(blocking.begin(), blocking.begin() + static_cast<std::ptrdiff_t>(found), [&](std::uint32_t cube) {
-          return !holds_all_of(all[cube], pair.a) && !holds_all_of(all[cube], pair.b);
-        }));
+    const auto between = static_cast<std::size_t>(std::count_if(
+        blocking.begin(), blocking.begin() + static_cast<std::ptrdiff_t>(found),
+        [&](std::uint32_t cube) { return !holds_all_of(all[cube], pair.a) && !holds_all_of(all[cube], pair.b); }));
     sum.cubes.all += all.size();
     sum.cubes.by_any += found;
     sum.cubes.by_one_between += between;

@@ -208,9 +208,8 @@ std::vector<DrawnBound> bounds_of(const DrawOptions& options, const CompiledShaf
 std::vector<DrawnTriangle> triangles_of(const DrawOptions& options, const Box& from, const Box& to) {
   const std::vector<std::string>& corners = options.corners;
   if (corners.size() % 3 != 0) {
-    throw InvalidArgument(
-        fmt::format("--triangle {}: {} corners; a triangle takes three: X,Y,Z X,Y,Z X,Y,Z",
-                    fmt::join(corners, " "), corners.size()));
+    throw InvalidArgument(fmt::format("--triangle {}: {} corners; a triangle takes three: X,Y,Z X,Y,Z X,Y,Z",
+                                      fmt::join(corners, " "), corners.size()));
   }
   std::vector<DrawnTriangle> triangles;
   for (std::size_t i = 0; i < corners.size(); i += 3) {

@@ -1,7 +1,7 @@
 /// The random shafts of `shaftcull stats`, and what they meet.
 ///
-/// Both are those of the test harness that the paper describes: a shaft joins two boxes whose corners are uniform in the
-/// unit cube, and meets cubes centred on a grid of 21³ points that spans the unit cube.
+/// Both are those of the test harness that the paper describes: a shaft joins two boxes whose corners are uniform in
+/// the unit cube, and meets cubes centred on a grid of 21³ points that spans the unit cube.
 #pragma once
 
 #include <cstdint>

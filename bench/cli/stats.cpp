@@ -123,8 +123,7 @@ void print_answers(const StatsOptions& options) {
   const std::string kind(name(options.choice.kind()));
   Table table({"shafts", "outside", "of these touching", "overlap", "inside"});
   if (options.triangles) {
-    add_row(table, kind + ", by vertices",
-            count_triangles(options.shafts, options.choice, TriangleTest::vertices));
+    add_row(table, kind + ", by vertices", count_triangles(options.shafts, options.choice, TriangleTest::vertices));
     add_row(table, kind + ", exact", count_triangles(options.shafts, options.choice, TriangleTest::exact));
   } else {
     add_row(table, kind, count_cubes(options.shafts, options.choice));

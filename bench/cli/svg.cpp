@@ -85,12 +85,14 @@ class SvgPicture {
         "  <rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
         pixels(width), pixels(height), font_size, title());
     add_region();
-    add_ends();
+    add_ends(false);
     for (const DrawnBound& bound : drawing_.bounds) {
       add_box(bound.box, colours_of(bound), "");
       add_label(bound.box, label_of(bound), colours_of(bound));
     }
     for (const DrawnTriangle& drawn : drawing_.triangles) add_triangle(drawn);
+    // Patches lie on walls, which would hide them.
+    add_ends(true);
     return svg_ + "</svg>\n";
   }
 
@@ -108,6 +110,10 @@ class SvgPicture {
     const Point2 hi = on_page(seen(in_doubles(box.hi)));
     return {lo[0], hi[1], hi[0], lo[1]};
   }
+
+  /// Whether it has no extent once it is rounded to what pixels() writes.
+  static bool is_thin(double extent) { return pixels(extent) == "0"; }
+  static bool is_flat(const SeenBox& box) { return is_thin(box.right - box.left) || is_thin(box.bottom - box.top); }
 
   std::string title() const {
     std::string_view what;
@@ -128,7 +134,9 @@ class SvgPicture {
         what = drawing_.region.directions.empty() ? "A convex hull" : "A convex hull without end";
         break;
     }
-    return fmt::format("{}, {} to the right, {} up", what, "xyz"[across_], "xyz"[up_]);
+    return fmt::format("{}{}, {} to the right, {} up", what,
+                       drawing_.choice.contact() == Contact::open ? " with open contact" : "", "xyz"[across_],
+                       "xyz"[up_]);
   }
 
   Point2 seen(const Point3& point) const { return {point[across_], point[up_]}; }
@@ -166,75 +174,93 @@ class SvgPicture {
         "  <path d=\"{}\" fill=\"none\" stroke=\"#3b5bdb\" stroke-width=\"2.5\" stroke-linecap=\"round\"/>\n", path);
   }
 
-  void add_ends() {
+  /// Those ends that are flat as they are seen, or those that are not, with all that belongs to ends.
+  void add_ends(bool flat) {
+    const auto add_end = [&](const Box& box, const Colours& colours, std::string_view label) {
+      if (is_flat(seen_box(box)) != flat) return;
+      add_box(box, colours, "");
+      add_label(box, label, colours);
+    };
+    const auto add_way = [&](bool to_the_end) {
+      if (!flat) add_arrow(*drawing_.a, drawing_.choice.motion(), to_the_end);
+    };
     switch (drawing_.choice.kind()) {
       case ShaftKind::between:
         add_end(*drawing_.a, red, "A");
         add_end(*drawing_.b, blue, "B");
         break;
       case ShaftKind::swept:
-        add_box(*drawing_.b, red, " stroke-dasharray=\"5 4\" fill-opacity=\"0.4\"");
+        if (!flat) add_box(*drawing_.b, red, " stroke-dasharray=\"5 4\" fill-opacity=\"0.4\"");
         add_end(*drawing_.a, red, "body");
-        add_arrow(*drawing_.a, drawing_.choice.motion(), true);
+        add_way(true);
         break;
       case ShaftKind::swept_without_end:
         add_end(*drawing_.a, red, "body");
-        add_arrow(*drawing_.a, drawing_.choice.motion(), false);
+        add_way(false);
         break;
       case ShaftKind::shadow:
-        add_rays();
+        if (!flat) add_rays();
         add_end(*drawing_.a, amber, "light");
         add_end(*drawing_.b, blue, "occluder");
         break;
       case ShaftKind::hull:
-        add_corners();
+        if (!flat) add_corners();
         break;
     }
   }
 
-  void add_end(const Box& box, const Colours& colours, std::string_view label) {
-    add_box(box, colours, "");
-    add_label(box, label, colours);
-  }
-
   /// A box that is flat as it is seen is a line, or a dot: SVG does not draw rectangles without width or height.
   void add_box(const Box& box, const Colours& colours, std::string_view style) {
-    const auto [left, top, right, bottom] = seen_box(box);
-    const std::string width = pixels(right - left);
-    const std::string height = pixels(bottom - top);
-    if (width == "0" && height == "0") {
+    const SeenBox seen = seen_box(box);
+    const auto [left, top, right, bottom] = seen;
+    if (is_thin(right - left) && is_thin(bottom - top)) {
       svg_ += fmt::format("  <circle cx=\"{}\" cy=\"{}\" r=\"4.5\" fill=\"{}\"{}/>\n", pixels(left), pixels(top),
                           colours.line, style);
-    } else if (width == "0" || height == "0") {
+    } else if (is_flat(seen)) {
       svg_ += fmt::format("  <path d=\"M{},{} L{},{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"5\"{}/>\n",
                           pixels(left), pixels(top), pixels(right), pixels(bottom), colours.line, style);
     } else {
       svg_ += fmt::format(
           "  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\"{}/>\n",
-          pixels(left), pixels(top), width, height, colours.fill, colours.line, style);
+          pixels(left), pixels(top), pixels(right - left), pixels(bottom - top), colours.fill, colours.line, style);
     }
   }
 
+  /// Within the box if it is large enough; beside it if it is an upright line; else below it, or above it where the
+  /// picture ends below.
   void add_label(const Box& box, std::string_view label, const Colours& colours) {
-    add_label(seen_box(box), label, colours, true);
+    const SeenBox seen = seen_box(box);
+    const double room = letter_width * static_cast<double>(label.size());
+    const double middle = (seen.top + seen.bottom) / 2 + 0.35 * font_size;
+    const bool is_high = seen.bottom - seen.top >= 1.2 * font_size;
+    if (is_high && seen.right - seen.left >= room && !is_behind_triangle(seen)) {
+      add_text({(seen.left + seen.right) / 2, middle}, "middle", label,
+               fmt::format("fill=\"{}\"", colours.fill == dark.fill ? "#ffffff" : colours.text));
+    } else if (is_high && is_thin(seen.right - seen.left)) {
+      const bool is_left = seen.left < frame_.extent(across_) * scale_ / 2;
+      add_text({seen.left + (is_left ? 0.6 : -0.6) * font_size, middle}, is_left ? "start" : "end", label,
+               with_rim(colours));
+    } else {
+      add_label_below(seen, label, colours);
+    }
   }
 
-  /// Within the rectangle if that may be and it is large enough, else below it, or above it where the picture ends
-  /// below.
-  void add_label(const SeenBox& box, std::string_view label, const Colours& colours, bool may_be_within) {
-    const double room = letter_width * static_cast<double>(label.size());
-    const bool within = may_be_within && box.right - box.left >= room && box.bottom - box.top >= 1.2 * font_size;
-    const double below = box.bottom + 1.1 * font_size;
-    const bool fits_below = below + 0.3 * font_size < frame_.extent(up_) * scale_;
-    const double y = within       ? (box.top + box.bottom) / 2 + 0.35 * font_size
-                     : fits_below ? below
-                                  : box.top - 0.4 * font_size;
-    // Outside of the box, a white rim keeps the label apart from lines.
-    const std::string style =
-        within ? fmt::format("fill=\"{}\"", colours.fill == dark.fill ? "#ffffff" : colours.text)
-               : fmt::format("fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", colours.text);
-    svg_ += fmt::format("  <text x=\"{}\" y=\"{}\" text-anchor=\"middle\" {}>{}</text>\n",
-                        pixels((box.left + box.right) / 2), pixels(y), style, label);
+  void add_label_below(const SeenBox& seen, std::string_view label, const Colours& colours) {
+    const double below = seen.bottom + 1.1 * font_size;
+    const bool fits = below + 0.3 * font_size < frame_.extent(up_) * scale_;
+    add_text({(seen.left + seen.right) / 2, fits ? below : seen.top - 0.4 * font_size}, "middle", label,
+             with_rim(colours));
+  }
+
+  /// A white rim keeps text apart from lines.
+  static std::string with_rim(const Colours& colours) {
+    return fmt::format("fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"", colours.text);
+  }
+
+  /// In pixels.
+  void add_text(const Point2& at, std::string_view anchor, std::string_view text, std::string_view style) {
+    svg_ += fmt::format("  <text x=\"{}\" y=\"{}\" text-anchor=\"{}\" {}>{}</text>\n", pixels(at[0]), pixels(at[1]),
+                        anchor, style, text);
   }
 
   void add_triangle(const DrawnTriangle& drawn) {
@@ -244,13 +270,39 @@ class SvgPicture {
     svg_ += fmt::format(
         "  <polygon points=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n",
         list_of(corners), colours.fill, colours.line);
-    SeenBox around{1e300, 1e300, -1e300, -1e300};
-    for (const Point2& corner : corners) {
-      const Point2 page = on_page(corner);
-      around = {std::min(around.left, page[0]), std::min(around.top, page[1]), std::max(around.right, page[0]),
-                std::max(around.bottom, page[1])};
+    for (Point2& corner : corners) corner = on_page(corner);
+    add_label(corners, label_of(drawn), colours);
+  }
+
+  /// Around the middle of a triangle, in pixels, if it is large enough, else below it.
+  void add_label(const std::vector<Point2>& corners, std::string_view label, const Colours& colours) {
+    const auto [left, right] = std::minmax({corners[0][0], corners[1][0], corners[2][0]});
+    const auto [top, bottom] = std::minmax({corners[0][1], corners[1][1], corners[2][1]});
+    const Point2 middle{(corners[0][0] + corners[1][0] + corners[2][0]) / 3,
+                        (corners[0][1] + corners[1][1] + corners[2][1]) / 3};
+    const Point2 half_size{letter_width * static_cast<double>(label.size()) / 2, 0.6 * font_size};
+    bool is_within = true;
+    for (const double x : {middle[0] - half_size[0], middle[0] + half_size[0]}) {
+      for (const double y : {middle[1] - half_size[1], middle[1] + half_size[1]}) {
+        is_within = is_within && meets_rectangle(corners, {x, y}, {x, y});
+      }
     }
-    add_label(around, label_of(drawn), colours, false);
+    if (is_within) {
+      add_text({middle[0], middle[1] + 0.35 * font_size}, "middle", label, fmt::format("fill=\"{}\"", colours.text));
+    } else {
+      add_label_below({left, top, right, bottom}, label, colours);
+    }
+  }
+
+  /// Whether a triangle, which is drawn over boxes, would hide a label in the middle of this one.
+  bool is_behind_triangle(const SeenBox& box) const {
+    return std::any_of(drawing_.triangles.begin(), drawing_.triangles.end(), [&](const DrawnTriangle& drawn) {
+      std::vector<Point2> corners;
+      for (const Vec3& vertex : drawn.triangle.vertex) corners.push_back(on_page(seen(in_doubles(vertex))));
+      const Point2 middle{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+      return meets_rectangle(corners, {middle[0] - font_size, middle[1] - font_size},
+                             {middle[0] + font_size, middle[1] + font_size});
+    });
   }
 
   /// From the edge of the box towards where it goes: as far as it does, or a short way.

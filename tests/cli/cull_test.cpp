@@ -252,10 +252,6 @@ TEST_F(CliCull, RefusesOptionsOfShaftsThatDoNotGoTogether) {
   const std::vector<std::string> ends{"--from", "left", "--to", "right"};
   const std::vector<std::string> body{"--from", "left", "--swept", "1,0,0"};
   const std::vector<std::string> hull{"--hull", "0,0,0,1,1,1"};
-  const auto with = [](std::vector<std::string> arguments, const std::vector<std::string>& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  };
   for (const auto& arguments : {with(ends, {"--swept", "1,0,0"}),
                                 with(ends, {"--without-end"}),
                                 with(ends, {"--reach", "2"}),

@@ -46,7 +46,7 @@ void expect_refused(const NumberOption& number, const std::string& value, const 
   std::vector<std::string> arguments = number.subcommand;
   arguments.insert(arguments.end(), {number.option, value});
   EXPECT_THAT(refusal_of(arguments), AllOf(HasSubstr(number.option + ' ' + value + ": " + reason),
-                                        HasSubstr("from " + number.least + " to " + number.most)));
+                                           HasSubstr("from " + number.least + " to " + number.most)));
 }
 
 TEST(CliNumbers, WholeNumbersAreWholeAndInTheirRange) {
@@ -85,7 +85,7 @@ TEST(CliNumbers, EndsOfARangeBelongToIt) {
 
 TEST(CliSubcommands, AnUnknownOneIsNamed) {
   EXPECT_THAT(refusal_of({"fly"}), AllOf(HasSubstr("no subcommand 'fly'"), HasSubstr("'demo'"), HasSubstr("'cull'"),
-                                      HasSubstr("'bench-report'")));
+                                         HasSubstr("'bench-report'")));
 }
 
 TEST(CliSubcommands, AreListedWhereNoneIsGiven) {

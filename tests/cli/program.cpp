@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -77,6 +78,11 @@ std::string refusal_of(const std::vector<std::string>& arguments) {
   return outcome.error;
 }
 
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 std::vector<std::string> lines(std::string_view text) {
   std::vector<std::string> result;
   while (!text.empty()) {
@@ -86,6 +92,33 @@ std::vector<std::string> lines(std::string_view text) {
     text.remove_prefix(end + 1);
   }
   return result;
+}
+
+std::vector<std::string> words_after(const std::string& text, const std::string& begin) {
+  for (const std::string& line : lines(text)) {
+    if (!line.starts_with(begin)) continue;
+    std::istringstream stream(line.substr(begin.size()));
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+  }
+  ADD_FAILURE() << "no line starts with '" << begin << "' in\n" << text;
+  return {"0", "0", "0", "0", "0", "0"};
+}
+
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  const std::regex number("-?[0-9.]+(e[-+]?[0-9]+)?");
+  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at) {
+    numbers.push_back(std::stod(at->str()));
+  }
+  return numbers;
+}
+
+std::string attribute(const std::string& svg, const std::string& element, const std::string& name) {
+  const std::size_t begin = svg.find(element);
+  const std::size_t value = svg.find(' ' + name + "=\"", begin) + name.size() + 3;
+  return svg.substr(value, svg.find('"', value) - value);
 }
 
 ScratchFolder::ScratchFolder() {

@@ -31,7 +31,14 @@ void expect_refusal(const Outcome& outcome);
 /// Runs the program, expects it to refuse, and returns what it said.
 [[nodiscard]] std::string refusal_of(const std::vector<std::string>& arguments);
 
+[[nodiscard]] std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more);
+
 [[nodiscard]] std::vector<std::string> lines(std::string_view text);
+/// The words of the first line that starts with `begin`, after it.
+[[nodiscard]] std::vector<std::string> words_after(const std::string& text, const std::string& begin);
+[[nodiscard]] std::vector<double> numbers_in(const std::string& text);
+/// The value of an attribute of the first element that begins so.
+[[nodiscard]] std::string attribute(const std::string& svg, const std::string& element, const std::string& name);
 
 /// A folder of its own for one test, removed with everything in it at the end.
 class ScratchFolder {

@@ -1,9 +1,8 @@
-/// The program's options, `demo`, `draw` and `stats`, from outside.
+/// The program's options, `demo`, `draw` and `verify`, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,19 +16,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
-
-/// The words of the first line that starts with `begin`, after it.
-std::vector<std::string> words_after(const std::string& text, const std::string& begin) {
-  for (const std::string& line : lines(text)) {
-    if (!line.starts_with(begin)) continue;
-    std::istringstream stream(line.substr(begin.size()));
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
-    return words;
-  }
-  ADD_FAILURE() << "no line starts with '" << begin << "' in\n" << text;
-  return {"0", "0", "0", "0", "0", "0"};
-}
 
 TEST(Cli, TellsItsVersionAndSubcommands) {
   const Outcome version = run_program({"--version"});
@@ -83,29 +69,6 @@ TEST(Cli, SaysWithItsVersionWhichInstructionSetWasAskedForAndWhichIsInUse) {
   const Outcome unknown = run_program({"--version"}, "SHAFTCULL_ISA=mmx");
   EXPECT_EQ(unknown.exit_code, 0);
   EXPECT_THAT(unknown.out, AllOf(HasSubstr("in use: "), HasSubstr("SHAFTCULL_ISA=mmx is not an instruction set")));
-}
-
-TEST(CliStats, ReproducesThePapersHistogram) {
-  const Outcome outcome = run_program({"stats", "--shafts", "3000", "--box-radius", "0.125"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_NEAR(std::stod(words_after(outcome.out, "Joining planes per shaft:")[0]), 5.99, 0.08);
-  // Three standard deviations of 3000 shafts, and the rounding of the reference.
-  const auto share = [&](const char* planes) { return std::stod(words_after(outcome.out, planes)[1]); };
-  EXPECT_NEAR(share("0     "), 1, 1.1);
-  EXPECT_NEAR(share("4     "), 11, 2.2);
-  EXPECT_NEAR(share("6     "), 74, 2.9);
-  EXPECT_NEAR(share("8     "), 14, 2.4);
-}
-
-TEST(CliStats, CountsThePapersPlaneTests) {
-  const Outcome outcome = run_program({"stats", "--shafts", "3000", "--box-radius", "0.125"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
-  const auto unsorted = words_after(outcome.out, "unsorted");
-  const auto sorted = words_after(outcome.out, "by volume");
-  EXPECT_NEAR(std::stod(unsorted[0]), 5.53, 0.1);
-  EXPECT_NEAR(std::stod(sorted[0]), 5.25, 0.1);
-  EXPECT_NEAR(std::stod(unsorted[1]), 4.13, 0.2);
-  EXPECT_NEAR(std::stod(sorted[1]), 3.37, 0.2);
 }
 
 TEST(CliDraw, ShowsBothBoxesAndAllThreeAnswers) {

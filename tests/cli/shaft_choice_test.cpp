@@ -1,14 +1,10 @@
-/// Which shaft the command line asks for, in `draw` and `stats`, from outside; and the pictures of docs/kinds.md.
+/// Which shaft the command line asks for, as `draw` shows it, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
-#include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,27 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
-
-std::string file_content(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::vector<double> numbers_in(const std::string& text) {
-  std::vector<double> numbers;
-  const std::regex number("-?[0-9.]+(e[-+]?[0-9]+)?");
-  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at) {
-    numbers.push_back(std::stod(at->str()));
-  }
-  return numbers;
-}
-
-/// The value of an attribute of the first element that begins so.
-std::string attribute(const std::string& svg, const std::string& element, const std::string& name) {
-  const std::size_t begin = svg.find(element);
-  const std::size_t value = svg.find(' ' + name + "=\"", begin) + name.size() + 3;
-  return svg.substr(value, svg.find('"', value) - value);
-}
 
 struct SeenRegion {
   double width;
@@ -66,11 +41,6 @@ SeenRegion region_in(const std::string& svg) {
 }
 
 const std::vector<std::string> shadow{"draw", "--from", "0,2,0,1,4,1", "--to", "4,2,0,5,4,1", "--shadow"};
-
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 TEST(CliDraw, TellsOfEachKindWhatItIs) {
   EXPECT_THAT(output_of({"draw", "--swept", "3,1,0"}),
@@ -191,85 +161,6 @@ TEST(CliDraw, RefusesWhatNoShaftCanBeMadeOf) {
   for (int i = 0; i < 5; ++i) many.emplace_back("0,0,0,1,1,1");
   EXPECT_THAT(refusal_of(many), HasSubstr("--hull: 40 corners and directions; a hull has at most 32"));
   EXPECT_THAT(refusal_of({"draw", "--bound", "1,2,3"}), HasSubstr("--bound 1,2,3: 3 numbers; a box takes six"));
-}
-
-/// The percentages in the row of a table that begins so.
-std::vector<double> shares_in(const std::string& text, const std::string& row) {
-  for (const std::string& line : lines(text)) {
-    if (line.starts_with(row)) return numbers_in(line.substr(row.size()));
-  }
-  ADD_FAILURE() << "no row of " << row << " in\n" << text;
-  return {0, 0, 0, 0};
-}
-
-TEST(CliStats, CountAnswersOfEveryKind) {
-  struct KindOptions {
-    std::string row;
-    std::vector<std::string> options;
-  };
-  for (const KindOptions& kind : {KindOptions{"swept  ", {"--swept", "0.5,0.25,0"}},
-                                  KindOptions{"swept without end", {"--swept", "0.5,0.25,0", "--without-end"}},
-                                  KindOptions{"shadow", {"--shadow"}}, KindOptions{"between", {"--lattice", "40"}}}) {
-    SCOPED_TRACE(kind.row);
-    const std::string text = output_of(with({"stats", "--shafts", "200"}, kind.options));
-    const std::vector<double> shares = shares_in(text, kind.row);
-    ASSERT_THAT(shares, SizeIs(4));
-    EXPECT_NEAR(shares[0] + shares[2] + shares[3], 100, 0.2);
-    EXPECT_GT(shares[0], 1);
-    EXPECT_GT(shares[2], 1);
-    EXPECT_EQ(shares[1], 0);
-  }
-}
-
-TEST(CliStats, ShadowsThatEndKeepLess) {
-  const std::vector<std::string> arguments{"stats", "--shafts", "200", "--shadow"};
-  EXPECT_GT(shares_in(output_of(with(arguments, {"--reach", "1.25"})), "shadow")[0],
-            shares_in(output_of(arguments), "shadow")[0]);
-}
-
-TEST(CliStats, CountWhatOnlyTouchesIfContactIsOpen) {
-  const std::vector<std::string> arguments{"stats", "--shafts", "200", "--lattice", "40", "--contact"};
-  const std::vector<double> closed = shares_in(output_of(with(arguments, {"closed"})), "between");
-  const std::vector<double> open = shares_in(output_of(with(arguments, {"open"})), "between");
-  EXPECT_EQ(closed[1], 0);
-  EXPECT_GT(open[1], 1);
-  EXPECT_NEAR(open[0] * (1 - open[1] / 100), closed[0], 0.2) << "what touches is all that contact changes";
-}
-
-/// The commands of a page that make pictures, with what they are written to.
-struct PictureCommand {
-  std::vector<std::string> arguments;
-  std::string file;
-};
-
-std::vector<PictureCommand> picture_commands(const std::string& page) {
-  const std::string joined = std::regex_replace(page, std::regex(R"(\\\n)"), " ");
-  std::vector<PictureCommand> commands;
-  for (const std::string& line : lines(joined)) {
-    if (!line.starts_with("    shaftcull draw --svg")) continue;
-    std::istringstream words(line);
-    PictureCommand command;
-    std::string word;
-    words >> word;
-    while (words >> word && word != ">") command.arguments.push_back(word);
-    words >> command.file;
-    commands.push_back(command);
-  }
-  return commands;
-}
-
-TEST(KindsPage, HasThePicturesThatItsCommandsMake) {
-  const std::string docs = SHAFTCULL_DOCS;
-  const std::string page = file_content(docs + "/kinds.md");
-  const std::vector<PictureCommand> commands = picture_commands(page);
-  EXPECT_THAT(commands, SizeIs(7));
-  for (const PictureCommand& command : commands) {
-    SCOPED_TRACE(command.file);
-    ASSERT_THAT(command.file, testing::StartsWith("docs/kinds/"));
-    const std::string name = command.file.substr(std::string("docs/").size());
-    EXPECT_THAT(page, HasSubstr("](" + name + ")"));
-    EXPECT_EQ(output_of(command.arguments), file_content(docs + "/" + name));
-  }
 }
 
 }  // namespace
