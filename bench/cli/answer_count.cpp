@@ -2,24 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <numeric>
 #include <random>
 #include <span>
 #include <vector>
 
+#include "bits.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull::cli {
 namespace {
-
-std::uint64_t bits_in(std::span<const std::uint64_t> words) {
-  return std::accumulate(words.begin(), words.end(), std::uint64_t{0}, [](std::uint64_t sum, std::uint64_t word) {
-    return sum + static_cast<std::uint64_t>(std::popcount(word));
-  });
-}
 
 bool holds_all_of(const Box& box, const Box& end) {
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -20,7 +20,7 @@
 #include "shaftcull/isa.hpp"
 #include "subcommand.hpp"
 #include "table.hpp"
-#include "trial.hpp"
+#include "trial/trial.hpp"
 #include "workers.hpp"
 
 namespace shaftcull::cli {

@@ -1,4 +1,7 @@
 /// Trials: what `shaftcull verify` compares, a shaft with a few dozen bounds and their right answers.
+///
+/// What trials are about is in between_boxes.cpp, moving_boxes.cpp and convex_hull.cpp, and what they ask in
+/// classify.cpp, blocked.cpp, first_contact.cpp and triangles.cpp: right answers, and the library's.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +20,7 @@
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
+#include "shaftcull/function_ref.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/triangles.hpp"
@@ -70,25 +74,41 @@ class Trial {
   void note(std::size_t i, Answer right) noexcept;
   [[nodiscard]] BoxView boxes() const noexcept;
   [[nodiscard]] SphereView sphere_view() const noexcept;
+  /// Calls f with the view of its bounds.
+  template <class Function>
+  void with_view(const Function& f) const {
+    if (spheres_) {
+      f(sphere_view());
+    } else {
+      f(boxes());
+    }
+  }
   void ask_all(const CompiledShaft& shaft, const char* how);
+  /// Notes a bound as wrong for every bit that differs; `what` tells the question.
+  void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right,
+               FunctionRef<std::string()> what);
+
+  // Questions. Of each, first what works out the right answers, then what asks the library, wherever it has any.
+  void count_undecided();
+  void ask_classes(const CompiledShaft& shaft, const char* how);
   template <class View>
-  void ask(const CompiledShaft& shaft, const View& view, const char* how);
-  template <class Bound, class View>
+  void ask_view(const CompiledShaft& shaft, const View& view, const char* how);
+  template <class View>
   void ask_tree(const CompiledShaft& shaft, const View& view, const char* how);
+
+  void note_blocking(std::size_t i, const ShaftInput& input);
   void ask_blocking(const CompiledShaft& shaft, const char* how);
-  template <class View>
-  void count_undecided(const View& view);
-  template <class What>
-  void compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right, const What& what);
-  template <class Input>
-  void find_triangles(Random& random, const Input& input, const ShaftInput& near);
-  void ask_triangles(const CompiledShaft& shaft, const char* how);
-  template <class TimeOf>
-  void find_first_contact(const TimeOf& time_of);
+
+  void sometimes_find_first_contact(Random& random);
   template <class View, class TimeOf>
   void find_first_contact(const View& bounds, const TimeOf& time_of);
-  template <class View>
-  void ask_first_contact(const CompiledShaft& shaft, const View& bounds, const char* how);
+  void ask_first_contact(const CompiledShaft& shaft, const char* how);
+
+  void sometimes_find_triangles(Random& random);
+  template <class Input>
+  void find_triangles(Random& random, const Input& input);
+  void ask_triangles(const CompiledShaft& shaft, const char* how);
+
   void fail(std::size_t bound, const std::string& what);
   [[nodiscard]] std::string bound_text(std::size_t i) const;
 

@@ -1,0 +1,44 @@
+/// What trials ask about solid boxes that hide one end of a shaft from the other.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bits.hpp"
+#include "oracle/blocking.hpp"
+#include "shaftcull/blocked.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/tree.hpp"
+#include "trial/trial.hpp"
+
+namespace shaftcull::cli {
+void Trial::note_blocking(std::size_t i, const ShaftInput& input) {
+  // What blocks meets the shaft between the boxes; whether a plane that was added is in the way does not matter.
+  const bool is_outside = input.added.empty() && (kept_[i / 64] & bit_of(i)) == 0;
+  if (!is_outside && oracle::blocks(input.a, input.b, boxes()[i])) blocking_[i / 64] |= bit_of(i);
+}
+
+void Trial::ask_blocking(const CompiledShaft& shaft, const char* how) {
+  if (spheres_ || !std::holds_alternative<ShaftInput>(input_)) return;
+  const auto question = [&](const char* call) {
+    return [=] { return fmt::format("{}, {}, {}", call, how, name(active_isa())); };
+  };
+  std::vector<std::uint64_t> listed(count_);
+  listed.resize(list_blocking(shaft, boxes(), listed));
+  std::vector<std::uint64_t> blocking(blocking_.size());
+  for (const std::uint64_t i : listed) blocking[i / 64] |= bit_of(i);
+  compare(blocking, blocking_, question("list_blocking"));
+  std::vector<std::uint64_t> alone(blocking_.size());
+  for (std::size_t i = 0; i != count_; ++i) {
+    if (blocked(shaft, boxes()[i])) alone[i / 64] |= bit_of(i);
+  }
+  compare(alone, blocking_, question("blocked, one box"));
+  const bool is_blocked = std::any_of(blocking_.begin(), blocking_.end(), [](std::uint64_t word) { return word != 0; });
+  if (blocked(shaft, boxes()) != is_blocked) fail(0, question("blocked, a view")());
+  if (blocked(shaft, BoxTree(boxes())) != is_blocked) fail(0, question("blocked, a tree")());
+}
+
+}  // namespace shaftcull::cli

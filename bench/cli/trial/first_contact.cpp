@@ -1,0 +1,70 @@
+/// What trials ask about first contact.
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "bits.hpp"
+#include "oracle/entry_time.hpp"
+#include "oracle/random.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/tree.hpp"
+#include "trial/trial.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+/// Of the trials that are not of convex hulls, one in this many is asked for first contact: rationals work it out.
+constexpr unsigned contact_trials = 8;
+
+}  // namespace
+
+void Trial::sometimes_find_first_contact(Random& random) {
+  if (!random.one_in(contact_trials)) return;
+  with_view([&](const auto& bounds) {
+    if (const auto* const between = std::get_if<ShaftInput>(&input_)) {
+      find_first_contact(bounds, [&](const auto& bound) { return oracle::entry_time(between->a, between->b, bound); });
+    } else if (const auto* const moving = std::get_if<MovingInput>(&input_)) {
+      find_first_contact(bounds, [&](const auto& bound) { return oracle::entry_time(*moving, bound); });
+    }
+  });
+}
+
+template <class View, class TimeOf>
+void Trial::find_first_contact(const View& bounds, const TimeOf& time_of) {
+  FirstContactOf<std::uint64_t> first;
+  decltype(time_of(bounds[0])) least;
+  for (std::size_t i = 0; i != count_; ++i) {
+    if ((kept_[i / 64] & bit_of(i)) == 0) continue;
+    const auto time = time_of(bounds[i]);
+    if (!time) {
+      fail(i, "oracles disagree: a bound that is kept is never reached");
+      continue;
+    }
+    if (least && *least <= *time) continue;
+    least = time;
+    first = {i, oracle::rounded_down(*time)};
+  }
+  first_ = first;
+}
+
+void Trial::ask_first_contact(const CompiledShaft& shaft, const char* how) {
+  if (!first_ || count_ == 0) return;
+  const auto compare_contact = [&](const FirstContactOf<std::uint64_t>& got, const char* of) {
+    if (got == *first_) return;
+    fail(got ? got.index : first_->index,
+         fmt::format("first_contact of a {}, {}, {}: bound {} at {} instead of {} at {}", of, how, name(active_isa()),
+                     got.index, got.time, first_->index, first_->time));
+  };
+  with_view([&]<class View>(const View& bounds) {
+    using Bound = std::conditional_t<std::is_same_v<View, BoxView>, Box, Sphere>;
+    compare_contact(first_contact(shaft, bounds, Form::slab), "view, slab");
+    compare_contact(first_contact(shaft, bounds, Form::planes), "view, planes");
+    compare_contact(first_contact(shaft, BoundsTree<Bound, std::uint64_t>(bounds)), "tree");
+  });
+}
+
+}  // namespace shaftcull::cli
