@@ -1,0 +1,117 @@
+/// Public calls that form shafts, of all kinds.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include "calls/call_table.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+
+inline void add_forming_calls(CallTable& table) {
+  table.add("Shaft", false, [&table](AnswerWords& words) {
+    for (const PlaneOrder order : {PlaneOrder::unsorted, PlaneOrder::by_volume, PlaneOrder::by_added_volume}) {
+      for (const Formation formation : {Formation::search, Formation::table64, Formation::table729}) {
+        ShaftOptions options;
+        options.order = order;
+        options.formation = formation;
+        Shaft shaft(table.boxes[1], table.boxes[2], options);
+        shaft.add_plane({{1, 2, 3}, 4});
+        for (const JoiningPlane& plane : shaft.joining_planes()) {
+          note(words, plane.plane.normal);
+          note(words, plane.plane.offset);
+          note(words, culled_volume(shaft.box(), plane));
+        }
+      }
+    }
+  });
+  table.add("compile", false, [&table](AnswerWords& words) {
+    note_shaft(words, compile(Shaft(table.boxes[1], table.boxes[2])), table.box_stream.view().slice(0, 64));
+  });
+  table.add("compile of boxes", false, [&table](AnswerWords& words) {
+    note_shaft(words, compile(table.boxes[1], table.boxes[2]), table.box_stream.view().slice(0, 64));
+  });
+  table.add("ConvexHull, frustum, casters, casters_towards", false, [&table](AnswerWords& words) {
+    constexpr float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+    const ConvexHull view = frustum(matrix, ClipDepth::minus_one_to_one);
+    const std::vector<Vec3> points = {{0, 0, 0}, {3, 1e-3F, 1}, {1, 2, 4}, {0.1F, 5, 1e-39F}};
+    for (const ConvexHull& hull : {view, casters(view, {0.3F, 9, 5}), casters_towards(view, {0, 1, 0.1F}),
+                                   ConvexHull(points), ConvexHull(points, std::span(points).last(1))}) {
+      note_shaft(words, hull, table.box_stream.view().slice(0, 64));
+    }
+  });
+  table.add("swept, swept_without_end, shadow", false, [&table](AnswerWords& words) {
+    const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
+    const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
+    for (const CompiledShaft& shaft :
+         {swept(table.boxes[1], {0.1F, 2, 1e-30F}), swept(table.boxes[1], {0.1F, 2, 1e-30F}, planes),
+          swept_without_end(table.boxes[1], {0.3F, -1, 1e-40F}), swept_without_end(table.boxes[1], {0, -1, 0}, planes),
+          shadow(light, table.boxes[1]), shadow(light, table.boxes[1], 3.3F),
+          shadow(light, table.boxes[1], 1.1F, planes)}) {
+      note_shaft(words, shaft, table.box_stream.view().slice(0, 64));
+    }
+  });
+  table.add("swept_batch, swept_without_end_batch, shadow_batch", false, [&table](AnswerWords& words) {
+    const Box body{{0, 0, 0}, {1, 1.5F, 2}};
+    const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
+    const BoxStream bodies(std::span(&body, 1));
+    const BoxStream lights(std::span(&light, 1));
+    const Vec3 way{0.1F, 2, 1e-30F};
+    const Plane plane{{1, 2, 3}, 4};
+    const IndexPair pair{0, 0};
+    CompiledShaft shaft;
+    const std::span<CompiledShaft> out(&shaft, 1);
+    const BoxView some = table.box_stream.view().slice(0, 64);
+    swept_batch(bodies.view(), std::span(&way, 1), out, std::span(&plane, 1));
+    note_shaft(words, shaft, some);
+    swept_without_end_batch(bodies.view(), std::span(&way, 1), out);
+    note_shaft(words, shaft, some);
+    shadow_batch(lights.view(), bodies.view(), out, {.a = std::span(&plane, 1)});
+    note_shaft(words, shaft, some);
+    shadow_batch(lights.view(), bodies.view(), 3.3F, out);
+    note_shaft(words, shaft, some);
+    shadow_batch(lights.view(), bodies.view(), std::span(&pair, 1), out);
+    note_shaft(words, shaft, some);
+    shadow_batch(lights.view(), bodies.view(), std::span(&pair, 1), 3.3F, out, {.b = std::span(&plane, 1)});
+    note_shaft(words, shaft, some);
+  });
+  table.add("compile and compile_batch with open contact, set_contact", false, [&table](AnswerWords& words) {
+    std::vector<CompiledShaft> out(3);
+    const IndexPair pairs[] = {{0, 1}, {1, 2}, {3, 3}};
+    const BoxView few = table.box_stream.view().slice(0, 3);
+    const auto note_all = [&] {
+      for (const CompiledShaft& shaft : out) note_shaft(words, shaft, table.box_stream.view().slice(0, 64));
+    };
+    compile_batch(few, table.box_stream.view().slice(3, 3), out, {}, Contact::open);
+    note_all();
+    set_contact(out, Contact::closed);
+    note_all();
+    compile_batch(table.box_stream, table.box_stream, pairs, out, {}, Contact::open);
+    note_all();
+    out[0] = compile(table.boxes[1], table.boxes[2], Contact::open);
+    set_contact(out[1], Contact::closed);
+    note_all();
+  });
+  table.add("compile_batch, complete", false, [&table](AnswerWords& words) {
+    constexpr std::size_t pairs = 21;
+    std::vector<CompiledShaft> out(pairs);
+    compile_batch(table.box_stream.view().slice(0, pairs), table.box_stream.view().slice(pairs, pairs), out);
+    for (CompiledShaft& shaft : out) {
+      complete(shaft);
+      note_shaft(words, shaft, table.box_stream.view().slice(0, 64));
+    }
+  });
+  table.add("compile_batch of pairs, with planes", false, [&table](AnswerWords& words) {
+    const IndexPair pairs[] = {{0, 1}, {1, 2}, {2, 2}, {5, 0}, {6, 3}};
+    const std::vector<Plane> planes(8, Plane{{1, 2, 3}, 4});
+    std::vector<CompiledShaft> out(std::size(pairs));
+    const BoxView few = table.box_stream.view().slice(0, 8);
+    compile_batch(few, few, pairs, out, {.a = planes});
+    for (const CompiledShaft& shaft : out) note_shaft(words, shaft, table.box_stream.view().slice(0, 64));
+  });
+}
+
+}  // namespace shaftcull
