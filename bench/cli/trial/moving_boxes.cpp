@@ -2,15 +2,12 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "oracle/cases/moving.hpp"
 #include "oracle/moving_hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "oracle/random.hpp"
-#include "shaftcull/kinds.hpp"
-#include "shaftcull/streams.hpp"
+#include "shaftcull/compiled.hpp"
 #include "trial/trial.hpp"
 
 namespace shaftcull::cli {
