@@ -25,12 +25,9 @@ struct MovingBox {
   Vector centre_slope[3];
   Vector half_slope[3];
   Vector outward_slope[6];
-  Vector minus_inverse[6];  ///< of the outward slope, or 0
   Vector extent;
   Vector most;
   Vector latest;
-  bool moves_outwards[6];
-  bool moves_inwards[6];
   bool is_endless;
 
   explicit MovingBox(const TriangleShaft& shaft) noexcept
@@ -44,13 +41,7 @@ struct MovingBox {
       centre_slope[k] = L::all(shaft.centre_slope[k]);
       half_slope[k] = L::all(shaft.half_slope[k]);
     }
-    for (unsigned f = 0; f < 6; ++f) {
-      const float slope = shaft.outward_slope[f];
-      outward_slope[f] = L::all(slope);
-      minus_inverse[f] = L::all(slope == 0 ? 0 : -1 / slope);
-      moves_outwards[f] = slope > 0;
-      moves_inwards[f] = slope < 0;
-    }
+    for (unsigned f = 0; f < 6; ++f) outward_slope[f] = L::all(shaft.outward_slope[f]);
   }
 };
 
@@ -161,53 +152,6 @@ struct TriangleAxes {
     return L::both(may_turn(k, product), L::both(is_small, L::less(L::all(0.0F), L::minimum(factors, size[k][2]))));
   }
 };
-
-/// Bits of triangles that certainly meet the box at one time: in the middle of when the boxes around them do. Most that
-/// meet the shaft at all are among them.
-template <class L>
-[[nodiscard]] std::uint64_t meet_in_the_middle(const MovingBox<L>& box, const TriangleAxes<L>& axes) noexcept {
-  using Vector = typename L::Vector;
-  const Vector zero = L::all(0.0F);
-  Vector most[3];
-  Vector least[3];
-  Vector from = zero;
-  Vector to = L::all(box.is_endless ? 0x1p60F : 1.0F);
-  for (unsigned k = 0; k < 3; ++k) {
-    most[k] = axes.most(k);
-    least[k] = axes.least(k);
-    const auto narrow = [&](unsigned face, Vector gap) {
-      if (box.moves_outwards[face]) from = L::maximum(L::multiply(gap, box.minus_inverse[face]), from);
-      if (box.moves_inwards[face]) to = L::minimum(L::multiply(gap, box.minus_inverse[face]), to);
-    };
-    narrow(k + 3, L::add(box.half[k], most[k]));
-    narrow(k, L::subtract(box.half[k], least[k]));
-  }
-  Vector time = L::multiply(L::add(from, to), L::all(0.5F));
-  if (box.is_endless) time = L::divide(time, L::add(time, L::all(1.0F)));
-  time = L::maximum(L::minimum(time, box.latest), zero);
-
-  const auto moved = [&](Vector at_zero, Vector slope) {
-    return L::multiply_add(time, box.is_endless ? L::subtract(slope, at_zero) : slope, at_zero);
-  };
-  Vector half[3];
-  Vector centre[3][3];
-  for (unsigned k = 0; k < 3; ++k) {
-    half[k] = moved(box.half[k], box.half_slope[k]);
-    for (unsigned v = 0; v < 3; ++v) centre[v][k] = moved(axes.centre[v][k], box.centre_slope[k]);
-  }
-  auto met = L::less(axes.normal_margin,
-                     L::subtract(axes.reach_along_normal(half), L::magnitude(axes.along_normal(centre[0]))));
-  for (unsigned k = 0; k < 3; ++k) {
-    met = L::both(met, L::less(axes.margin, L::add(half[k], moved(most[k], box.centre_slope[k]))));
-    met = L::both(met, L::less(axes.margin, L::subtract(half[k], moved(least[k], box.centre_slope[k]))));
-    for (unsigned e = 0; e < 3; ++e) {
-      const Vector gap = L::add(axes.inwards(k, e, centre[e]), axes.reach(k, e, half));
-      // An edge along the axis asks for nothing.
-      met = L::both(met, L::either(L::less(axes.edge_margin(k, e), gap), L::less_equal(axes.size[k][e], zero)));
-    }
-  }
-  return L::bits(met) & axes.certain;
-}
 
 /// What a vector of triangles asks of the time t, from 0 to 1: gap i, at_zero + t · slope, is 0 or more. Gaps and
 /// slopes are both off by less than the margin.
