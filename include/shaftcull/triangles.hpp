@@ -94,8 +94,9 @@ struct MeshView {
   return {vertices.data(), sizeof(Vec3), vertices.size(), indices};
 }
 
-/// Triangles in memory of its own: nine streams, each aligned to a cache line; 36 bytes a triangle, and at most 63
-/// triangles of padding. Copies are deep, O(size()); moves are O(1) and leave an empty stream.
+/// Triangles in memory of its own: nine streams, each aligned to a cache line, and no two of them at the same place of
+/// a page; 36 bytes a triangle, and at most 127 triangles of padding. Copies are deep, O(size()); moves are O(1) and
+/// leave an empty stream.
 ///
 /// Constructors take O(count) and allocate once, nothing for a count of 0. They throw InvalidArgument for null memory
 /// of more than 0 triangles or vertices, for a number of indices that is not a multiple of three, and for an index that
@@ -125,7 +126,9 @@ class TriangleStream {
 
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// Bytes of triangles that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Triangle); }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept {
+    return size() == 0 ? 0 : (words_for(size()) | 1U) * 64 * sizeof(Triangle);
+  }
   /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
   [[nodiscard]] TriangleView view() const noexcept { return view_; }
   /// So that a stream goes where a view goes.

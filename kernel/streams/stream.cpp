@@ -14,11 +14,17 @@ namespace {
 
 constexpr std::align_val_t cache_line{64};
 
+/// Floats in each of `rows` rows of `count` floats and their padding. Rows that are a page apart would have to share a
+/// set of the level 1 cache, which has eight places: nine are an odd number of words long.
+constexpr std::size_t row_floats(std::size_t rows, std::size_t count) noexcept {
+  return (rows > 8 && count != 0 ? words_for(count) | 1U : words_for(count)) * 64;
+}
+
 /// Memory for `rows` rows of `count` floats and their padding, not initialised; null for a count of 0.
 float* allocate_rows(std::size_t rows, std::size_t count) {
   if (count == 0) return nullptr;
-  if (count > kernel::most_floats / rows - 63) throw std::bad_array_new_length();
-  return static_cast<float*>(::operator new[](rows* words_for(count) * 64 * sizeof(float), cache_line));
+  if (count > kernel::most_floats / rows - 127) throw std::bad_array_new_length();
+  return static_cast<float*>(::operator new[](rows* row_floats(rows, count) * sizeof(float), cache_line));
 }
 
 void free_rows(float* rows) noexcept { ::operator delete[](rows, cache_line); }
@@ -28,7 +34,8 @@ template <class View>
 View view_in(const float* memory, std::size_t count) noexcept {
   View view;
   if (count == 0) return view;
-  for (std::size_t s = 0; s != view.stream.size(); ++s) view.stream[s] = memory + s * words_for(count) * 64;
+  const std::size_t rows = view.stream.size();
+  for (std::size_t s = 0; s != rows; ++s) view.stream[s] = memory + s * row_floats(rows, count);
   view.count = count;
   return view;
 }
@@ -36,7 +43,7 @@ View view_in(const float* memory, std::size_t count) noexcept {
 /// Writes `bound` to all places from `first` on, to the end of the padding.
 template <class Stream, std::size_t rows>
 void fill_from(Stream& stream, std::size_t first, const float (&bound)[rows]) noexcept {
-  const std::size_t places = words_for(stream.size()) * 64 - first;
+  const std::size_t places = row_floats(rows, stream.size()) - first;
   const auto row = StreamAccess::rows(stream, first);
   for (std::size_t s = 0; s != rows; ++s) std::fill_n(row[s], places, bound[s]);
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,7 @@ TEST(TriangleStreams, HoldWhatWasPacked) {
     EXPECT_EQ(stream.size(), count);
     EXPECT_EQ(contents(stream), triangles);
     EXPECT_EQ(contents(TriangleStream(stream.view())), triangles);
-    EXPECT_EQ(stream.memory_bytes(), words_for(count) * 64 * 36);
+    EXPECT_EQ(stream.memory_bytes(), count == 0 ? 0 : (words_for(count) | 1U) * 64 * 36);
     if (count != 0) {
       EXPECT_EQ(stream[count - 1], triangles[count - 1]);
       EXPECT_EQ(contents(stream.view().slice(count / 2, count - count / 2)),
@@ -50,6 +51,16 @@ TEST(TriangleStreams, HoldWhatWasPacked) {
     for (const float* row : stream.view().stream) {
       EXPECT_EQ(reinterpret_cast<std::uintptr_t>(row) % 64, 0U);
     }
+  }
+}
+
+TEST(TriangleStreams, HaveNoTwoRowsAtTheSamePlaceOfAPage) {
+  for (const std::size_t count : {1U, 64U, 512U, 1024U, 2048U, 4096U}) {
+    const TriangleStream stream(count);
+    std::set<std::uintptr_t> places;
+    for (const float* row : stream.view().stream) places.insert(reinterpret_cast<std::uintptr_t>(row) % 4096);
+    EXPECT_EQ(places.size(), stream.view().stream.size()) << count;
+    EXPECT_LE(stream.memory_bytes(), (count + 127) * sizeof(Triangle)) << count;
   }
 }
 

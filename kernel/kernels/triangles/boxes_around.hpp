@@ -5,21 +5,24 @@
 
 namespace shaftcull::kernel {
 
-/// Writes the boxes around `count` triangles, in nine streams, to six; whole vectors of the last ones. Coordinates that
-/// are NaN are left out. Where an axis has no other, the box is an empty one there, lo = +∞ and hi = −∞.
-template <class L>
-void boxes_around_triangles(const float* const* triangle, std::size_t count, float* const* box) noexcept {
+/// Writes the boxes around `count` triangles, at most `most`, in nine streams, to six; whole vectors of the last ones.
+/// Coordinates that are NaN are left out. Where an axis has no other, the box is an empty one there, lo = +∞ and hi =
+/// −∞.
+template <class L, std::size_t most>
+void boxes_around_triangles(const float* const* triangle, std::size_t count, float (&box)[6][most]) noexcept {
+  const float* x[9];  // in registers, which the caller's are not while boxes are written
+  for (unsigned s = 0; s < 9; ++s) x[s] = triangle[s];
   // Minimum and maximum pass over a NaN in their first operand.
   const auto infinity = L::all(__builtin_inff());
   const auto minus_infinity = L::all(-__builtin_inff());
   const auto box_word = [&](const auto& word, std::size_t at) {
     for (std::size_t lane = 0; lane < word.bounds; lane += L::width) {
       for (unsigned k = 0; k < 3; ++k) {
-        const auto x0 = word.load(triangle[k], at, lane);
-        const auto x1 = word.load(triangle[k + 3], at, lane);
-        const auto x2 = word.load(triangle[k + 6], at, lane);
-        L::store(box[k] + at + lane, L::minimum(x0, L::minimum(x1, L::minimum(x2, infinity))));
-        L::store(box[k + 3] + at + lane, L::maximum(x0, L::maximum(x1, L::maximum(x2, minus_infinity))));
+        const auto x0 = word.load(x[k], at, lane);
+        const auto x1 = word.load(x[k + 3], at, lane);
+        const auto x2 = word.load(x[k + 6], at, lane);
+        L::store(&box[k][at + lane], L::minimum(x0, L::minimum(x1, L::minimum(x2, infinity))));
+        L::store(&box[k + 3][at + lane], L::maximum(x0, L::maximum(x1, L::maximum(x2, minus_infinity))));
       }
     }
   };

@@ -14,53 +14,82 @@ namespace shaftcull::kernel {
 
 inline constexpr unsigned triangle_streams = 9;
 
-/// Triangles in a block: few enough for the boxes around them to be on the stack, and many, so that what is left of
-/// them fills vectors.
-inline constexpr unsigned triangle_block = 768;
+/// Triangles in a block: few, so that they and the boxes around them, 30 KB, are in the level 1 cache for all stages,
+/// and many, so that what is left of them fills vectors.
+inline constexpr unsigned triangle_block = 512;
 
-/// An added plane's value at a vertex: four roundings, relative to what it is a sum of, and as much again to spare.
+/// Times the magnitudes of a vertex' coordinates and of an offset: a plane's value at a vertex is off by less
+/// (docs/exactness.md).
 inline constexpr float vertex_value_margin = 8 * 0x1p-24F;
+
+/// The added planes of a shaft as vertices are compared with them: with normals of length 1, so that one margin holds
+/// for all of them.
+template <class L>
+struct PlanesAtVertices {
+  using Vector = typename L::Vector;
+  float normal[max_added_planes][3];
+  float minus_offset[max_added_planes];
+  float largest_offset = 0;
+  unsigned count;
+
+  explicit PlanesAtVertices(const ShaftData& shaft) noexcept : count(shaft.added_count) {
+    for (unsigned i = 0; i < count; ++i) {
+      const ShaftData::AddedPlane& plane = shaft.added[i];
+      // A plane that no margin holds for is 0 everywhere: undecided.
+      const float scale = plane.margin <= __FLT_MAX__ ? 1 / plane.length : 0;
+      for (unsigned k = 0; k < 3; ++k) normal[i][k] = plane.normal[k] * scale;
+      minus_offset[i] = plane.minus_offset * scale;
+      const float offset = __builtin_fabsf(minus_offset[i]);
+      largest_offset = largest_offset < offset ? offset : largest_offset;
+    }
+  }
+
+  /// Of a triangle, by the magnitudes of all coordinates: infinite or NaN if one of them is not finite, or if a value
+  /// may overflow on the way.
+  [[nodiscard]] Vector margin(const Vector (&x)[9]) const noexcept {
+    Vector size = L::all(largest_offset);
+    for (unsigned k = 0; k < 3; ++k) {
+      size = L::add(size, L::add(L::magnitude(x[k]), L::add(L::magnitude(x[k + 3]), L::magnitude(x[k + 6]))));
+    }
+    return L::multiply_add(size, L::all(vertex_value_margin), L::all(triangle_denormals));
+  }
+  /// How far the vertex nearest to the inner side of a plane is beyond it: the largest of all planes.
+  [[nodiscard]] Vector distance_beyond(const Vector (&x)[9]) const noexcept {
+    Vector distance = L::all(-__builtin_inff());
+#pragma GCC unroll 1
+    for (unsigned i = 0; i < count; ++i) {
+      const Vector at_origin = L::all(minus_offset[i]);
+      Vector value[3] = {at_origin, at_origin, at_origin};
+      for (unsigned k = 0; k < 3; ++k) {
+        const Vector component = L::all(normal[i][k]);
+        for (unsigned v = 0; v < 3; ++v) value[v] = L::multiply_add(x[3 * v + k], component, value[v]);
+      }
+      distance = L::maximum(L::minimum(value[0], L::minimum(value[1], value[2])), distance);
+    }
+    return distance;
+  }
+};
 
 /// Clears the bits of triangles all of whose vertices are beyond one added plane.
 template <class L>
 void triangle_added_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
                           std::uint64_t* kept) noexcept {
   using Vector = typename L::Vector;
-  const Vector zero = L::all(0.0F);
+  const PlanesAtVertices<L> planes(shaft);
   for (std::size_t w = 0; w < words; ++w) {
-    std::uint64_t undecided = 0;
+    std::uint64_t beyond = 0;
+    std::uint64_t decided = 0;
     for (unsigned lane = 0; lane < word_bits; lane += L::width) {
       if ((kept[w] & lanes_of<L>(lane)) == 0) continue;
-      const std::size_t at = w * word_bits + lane;
       Vector x[9];
-      for (unsigned s = 0; s < triangle_streams; ++s) x[s] = L::load(stream[s] + at);
-      Vector size[3];  // as large as each vertex' coordinate, and NaN or infinite if one of them is
-      for (unsigned k = 0; k < 3; ++k) {
-        size[k] = L::add(L::magnitude(x[k]), L::add(L::magnitude(x[k + 3]), L::magnitude(x[k + 6])));
-      }
-      auto beyond = L::less(zero, zero);
-      auto decided = L::less_equal(zero, zero);
-      for (unsigned i = 0; i < shaft.added_count; ++i) {
-        const ShaftData::AddedPlane& plane = shaft.added[i];
-        const Vector minus_offset = L::all(plane.minus_offset);
-        Vector value[3] = {minus_offset, minus_offset, minus_offset};
-        Vector terms = L::magnitude(minus_offset);
-        for (unsigned k = 0; k < 3; ++k) {
-          const Vector normal = L::all(plane.normal[k]);
-          for (unsigned v = 0; v < 3; ++v) value[v] = L::multiply_add(x[3 * v + k], normal, value[v]);
-          terms = L::multiply_add(size[k], L::magnitude(normal), terms);
-        }
-        // Where something is not finite, the margin is not: nothing is certain there.
-        const Vector margin = L::multiply_add(terms, L::all(vertex_value_margin), L::all(triangle_denormals));
-        const Vector lowest = L::minimum(value[0], L::minimum(value[1], value[2]));
-        const auto is_beyond = L::less(margin, lowest);
-        beyond = L::either(beyond, is_beyond);
-        decided = L::both(decided, L::either(is_beyond, L::less(L::add(lowest, margin), zero)));
-      }
-      kept[w] &= ~(L::bits(beyond) << lane);
-      undecided |= (L::bits(decided) ^ lanes_of<L>(0)) << lane;
+      for (unsigned s = 0; s < triangle_streams; ++s) x[s] = L::load(stream[s] + w * word_bits + lane);
+      const Vector distance = planes.distance_beyond(x);
+      const Vector margin = planes.margin(x);
+      beyond |= L::bits(L::less(margin, distance)) << lane;
+      decided |= L::bits(L::less(margin, L::magnitude(distance))) << lane;
     }
-    undecided &= kept[w];
+    const std::uint64_t undecided = kept[w] & ~decided;
+    kept[w] &= ~beyond;
     if (undecided != 0) [[unlikely]] {
       kept[w] &= ~decide_lanes<L>(undecided, [&](unsigned lane) {
         return triangle_beyond_plane(shaft, BoundAt<L, triangle_streams>(stream, w * word_bits + lane).value);
@@ -139,10 +168,9 @@ template <class L>
 [[gnu::noinline]] void cull_boxes_around(const ShaftData& shaft, const float* const* stream, std::size_t count,
                                          std::uint64_t* kept) noexcept {
   alignas(64) float box[6][triangle_block];
-  float* row[6];
+  boxes_around_triangles<L>(stream, count, box);
   const float* boxes[6];
-  for (unsigned s = 0; s < 6; ++s) boxes[s] = row[s] = box[s];
-  boxes_around_triangles<L>(stream, count, row);
+  for (unsigned s = 0; s < 6; ++s) boxes[s] = box[s];
   if (shaft.is_hull()) [[unlikely]]
     return HullStages<L>::cull_boxes(*shaft.hull, boxes, count, kept);
   const ConsecutiveWords<L> position{.rest = static_cast<unsigned>(count % word_bits)};
@@ -175,12 +203,17 @@ template <class L>
   using Stage = void(const ShaftData&, const float* const*, std::size_t, std::uint64_t*) noexcept;
   const auto stage_of = [](ShaftData::SlabForm form) -> Stage* {
     switch (form) {
-      case fused: return triangle_vertices_stage<L, fused>;
-      case difference: return triangle_vertices_stage<L, difference>;
-      case relative: return triangle_vertices_stage<L, relative>;
-      case endless: return triangle_vertices_stage<L, endless>;
+      case fused:
+        return triangle_vertices_stage<L, fused>;
+      case difference:
+        return triangle_vertices_stage<L, difference>;
+      case relative:
+        return triangle_vertices_stage<L, relative>;
+      case endless:
+        return triangle_vertices_stage<L, endless>;
       case exact:
-      case hull: return nullptr;
+      case hull:
+        return nullptr;
     }
     return nullptr;
   };
