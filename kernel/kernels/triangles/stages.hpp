@@ -102,8 +102,8 @@ void triangle_added_stage(const ShaftData& shaft, const float* const* stream, st
 /// tested without an exact step. With open contact not for shafts with faces that do not move, as what touches these is
 /// not in the shaft.
 template <class L, ShaftData::SlabForm form>
-void triangle_vertices_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
-                             std::uint64_t* left) noexcept {
+void vertex_in_shaft_stage(const ShaftData& shaft, const float* const* stream, std::size_t words,
+                           std::uint64_t* left) noexcept {
   const Slab<L, any_uppers, form> slab(shaft, shaft.slab_margin, true);
   const float* x[3][6];  // what the constraints read of each vertex
   for (unsigned v = 0; v < 3; ++v) {
@@ -121,19 +121,6 @@ void triangle_vertices_stage(const ShaftData& shaft, const float* const* stream,
       met |= L::bits(L::less(slab.two_margins, longest)) << lane;
     }
     left[w] &= ~met;
-  }
-}
-
-/// Clears the bits of triangles that certainly meet the shaft.
-template <class L>
-void triangle_glance_stage(const MovingBox<L>& box, const float* const* stream, std::size_t words,
-                           std::uint64_t* left) noexcept {
-  for (std::size_t w = 0; w < words; ++w) {
-    for (unsigned lane = 0; lane < word_bits; lane += L::width) {
-      if ((left[w] & lanes_of<L>(lane)) == 0) continue;
-      const TriangleAxes<L> axes(box, stream, w * word_bits + lane);
-      left[w] &= ~(meet_in_the_middle<L>(box, axes) << lane);
-    }
   }
 }
 
@@ -204,13 +191,13 @@ template <class L>
   const auto stage_of = [](ShaftData::SlabForm form) -> Stage* {
     switch (form) {
       case fused:
-        return triangle_vertices_stage<L, fused>;
+        return vertex_in_shaft_stage<L, fused>;
       case difference:
-        return triangle_vertices_stage<L, difference>;
+        return vertex_in_shaft_stage<L, difference>;
       case relative:
-        return triangle_vertices_stage<L, relative>;
+        return vertex_in_shaft_stage<L, relative>;
       case endless:
-        return triangle_vertices_stage<L, endless>;
+        return vertex_in_shaft_stage<L, endless>;
       case exact:
       case hull:
         return nullptr;
