@@ -38,7 +38,7 @@ std::array<float, 16> camera(Random& random) {
                         right[0] * forward[1] - right[1] * forward[0]};
   const double eye[3] = {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)};
   constexpr double near = 0.1;
-  constexpr double far = 6.8;
+  constexpr double far = 6.0;
   constexpr double zoom[2] = {1.1, 1.7};
   const auto offset = [&](const double(&axis)[3]) { return -(axis[0] * eye[0] + axis[1] * eye[1] + axis[2] * eye[2]); };
   std::array<float, 16> matrix{};

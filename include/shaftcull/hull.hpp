@@ -79,11 +79,11 @@ class ConvexHull {
 [[nodiscard]] ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth);
 
 /// What can cast a shadow into `view` by a light at a point: the hull of both. Throws InvalidArgument if the light is
-/// not finite, or if the view has max_vertices already.
+/// not finite, or if the view has max_vertices already or was never formed.
 [[nodiscard]] ConvexHull casters(const ConvexHull& view, const Vec3& light);
 
 /// What can cast a shadow into `view` by a sun: the view and all that lies from it towards the sun. Throws
-/// InvalidArgument if the direction is not finite or zero, or if the view has max_vertices already.
+/// InvalidArgument if the direction is not finite or zero, or if the view has max_vertices already or was never formed.
 [[nodiscard]] ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
 
 }  // namespace shaftcull

@@ -5,6 +5,8 @@
 /// floats given: no end box is rounded. Joining planes are left pending, and contact is closed until set_contact()
 /// opens it.
 ///
+/// A box with an infinite corner is never inside: of a shaft without end that holds all of it, it is overlap.
+///
 /// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for planes that are not finite or have
 /// no normal, and if there are more than max_added_planes. Planes are added as Shaft::add_plane() does. A call takes
 /// some 0.5 µs, allocates nothing and is safe from many threads.

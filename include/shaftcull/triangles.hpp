@@ -107,7 +107,8 @@ struct MeshView {
 class TriangleStream {
  public:
   TriangleStream() noexcept = default;
-  /// `count` empty triangles: all of NaN, which no shaft keeps.
+  /// `count` empty triangles: all of NaN, which no shaft keeps. Until update() has replaced them, packing them into a
+  /// tree throws BadBound.
   explicit TriangleStream(std::size_t count);
   explicit TriangleStream(std::span<const Triangle> triangles);
   explicit TriangleStream(const TriangleView& triangles);

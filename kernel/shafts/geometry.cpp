@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "shafts/view.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/padding.hpp"
@@ -52,8 +53,8 @@ Plane plane_of(std::span<const float, 16> matrix, const ClipRule& rule) {
   });
 }
 
-[[noreturn]] void refuse_plane(const ClipRule& rule, const char* why) {
-  throw InvalidArgument(std::string("view_planes: the ") + rule.name + " plane " + why);
+[[noreturn]] void refuse_plane(const char* call, const ClipRule& rule, const char* why) {
+  throw InvalidArgument(std::string(call) + ": the " + rule.name + " plane " + why);
 }
 
 bool is_finite(const Plane& plane) noexcept {
@@ -115,13 +116,14 @@ Box inflated(const Box& box, float by) {
   });
 }
 
-ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth) {
+ViewPlanes kernel::planes_of_view(const char* call, std::span<const float, 16> matrix, ClipDepth depth) {
   if (depth > ClipDepth::minus_one_to_one) {
-    throw InvalidArgument("view_planes: depth = " + std::to_string(static_cast<unsigned>(depth)) +
+    throw InvalidArgument(std::string(call) + ": depth = " + std::to_string(static_cast<unsigned>(depth)) +
                           " is neither ClipDepth::zero_to_one nor ClipDepth::minus_one_to_one");
   }
   for (std::size_t i = 0; i != matrix.size(); ++i) {
-    if (!std::isfinite(matrix[i])) refuse_infinite("view_planes: matrix[" + std::to_string(i) + "]", matrix[i]);
+    if (!std::isfinite(matrix[i]))
+      refuse_infinite(std::string(call) + ": matrix[" + std::to_string(i) + "]", matrix[i]);
   }
   const float near_share = depth == ClipDepth::zero_to_one ? 0.0F : 1.0F;
   const ClipRule rules[6] = {{"left", 1, 0, 1}, {"right", 1, 0, -1},        {"bottom", 1, 1, 1},
@@ -129,14 +131,18 @@ ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth) {
   ViewPlanes planes{};
   for (const ClipRule& rule : rules) {
     const Plane plane = plane_of(matrix, rule);
-    if (!is_finite(plane)) refuse_plane(rule, "is beyond the largest float; scale the matrix down");
+    if (!is_finite(plane)) refuse_plane(call, rule, "is beyond the largest float; scale the matrix down");
     if (plane.normal != Vec3{0, 0, 0}) {
       planes.plane[planes.count++] = plane;
     } else if (plane.offset < 0) {
-      refuse_plane(rule, "leaves nothing in view; is this a view-projection matrix, row after row?");
+      refuse_plane(call, rule, "leaves nothing in view; is this a view-projection matrix, row after row?");
     }
   }
   return planes;
+}
+
+ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth) {
+  return kernel::planes_of_view("view_planes", matrix, depth);
 }
 
 }  // namespace shaftcull

@@ -11,6 +11,7 @@
 #include "compiled/shaft_data.hpp"
 #include "exact/hull_planes.hpp"
 #include "shaftcull/error.hpp"
+#include "shafts/view.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 #include "support/mutant.hpp"
@@ -445,6 +446,21 @@ ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth) {
   return ConvexHull(std::span(vertex).first(points), std::span(vertex).subspan(points));
 }
 
+/// Throws unless a call can add a vertex, the light or the direction called `what`, to a view.
+void require_extensible(const char* call, const ConvexHull& view, const char* what, const Vec3& added) {
+  const auto refuse = [&](const std::string& why) { throw InvalidArgument(std::string(call) + ": " + why); };
+  if (view.points().empty()) refuse("the view was never formed, or was moved from");
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (!std::isfinite(added[k]))
+      refuse(std::string(what) + "." + "xyz"[k] + " = " + kernel::text(added[k]) + " is not finite");
+  }
+  const std::size_t vertices = view.points().size() + view.directions().size();
+  if (vertices == ConvexHull::max_vertices) {
+    refuse("the view has " + std::to_string(vertices) + " points and directions, and with " + what +
+           " one more than a hull can have");
+  }
+}
+
 /// A hull of a view and one more vertex.
 ConvexHull extended(const ConvexHull& view, const Vec3* point, const Vec3* direction) {
   std::array<Vec3, ConvexHull::max_vertices + 1> vertex{};
@@ -460,13 +476,19 @@ ConvexHull extended(const ConvexHull& view, const Vec3* point, const Vec3* direc
 }  // namespace
 
 ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth) {
-  static_cast<void>(view_planes(matrix, depth));  // throws unless the matrix shows anything
+  static_cast<void>(kernel::planes_of_view("frustum", matrix, depth));  // throws unless the matrix shows anything
   return kernel::in_float_environment([&] { return frustum_of(matrix, depth); });
 }
 
-ConvexHull casters(const ConvexHull& view, const Vec3& light) { return extended(view, &light, nullptr); }
+ConvexHull casters(const ConvexHull& view, const Vec3& light) {
+  require_extensible("casters", view, "light", light);
+  return extended(view, &light, nullptr);
+}
 
 ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun) {
+  require_extensible("casters_towards", view, "towards_sun", towards_sun);
+  if (towards_sun == Vec3{0, 0, 0})
+    throw InvalidArgument("casters_towards: towards_sun is zero; it must be a direction");
   return extended(view, nullptr, &towards_sun);
 }
 

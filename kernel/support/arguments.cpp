@@ -51,8 +51,8 @@ void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::si
 }
 
 void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
-  throw InvalidArgument(std::string(what) + " has room for " + counted(size, "count") + "; " +
-                        counted(shafts, "shaft") + " need one each");
+  throw InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + "; " + counted(shafts, "shaft") +
+                        " need one each");
 }
 
 void refuse_room(const char* what, std::size_t size, std::size_t shafts, std::size_t most) {

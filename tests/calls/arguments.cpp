@@ -347,7 +347,7 @@ TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
 TEST_F(Arguments, NumbersForEachShaftNeedASpanOfTheirOwnSize) {
   std::vector<KeptCounts> three(3, KeptCounts{7, 7});
   EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, three); }),
-              HasSubstr("counts has room for 3 counts; 4 shafts need one each"));
+              HasSubstr("counts has room for 3; 4 shafts need one each"));
   EXPECT_EQ(three, std::vector<KeptCounts>(3, KeptCounts{7, 7}));
   EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, kept_); }),
               HasSubstr("any has 8 words; one bit for each of 4 shafts takes 1"));

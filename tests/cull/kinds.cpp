@@ -508,6 +508,19 @@ TEST(Kinds, BoundsThatAreMetAfterEveryFloatAreMet) {
   }
 }
 
+TEST(Kinds, InfiniteBoxesAreNeverInside) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const CompiledShaft sweep = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {1, 0, 0});
+  const CompiledShaft shade = shadow({{-3, -1, -1}, {-2, 1, 1}}, {{0, -9, -9}, {1, 9, 9}});
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    for (const CompiledShaft& shaft : {sweep, shade}) {
+      EXPECT_EQ(classify(shaft, Box{{2, 0.25F, 0.25F}, {1e30F, 0.5F, 0.5F}}), Answer::inside) << name(isa);
+      EXPECT_EQ(classify(shaft, Box{{2, 0.25F, 0.25F}, {infinity, 0.5F, 0.5F}}), Answer::overlap) << name(isa);
+    }
+  }
+}
+
 TEST(Kinds, AddedPlanesAreAnsweredExactly) { check(8, 15, movement_with_planes); }
 
 }  // namespace

@@ -63,18 +63,34 @@ TEST(HullInterface, ViewsThatMatricesDoNotShowAreRefused) {
   matrix[10] = 0;  // all is at one depth
   EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("frustum"));
   matrix[10] = nan;
-  EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("not finite"));
+  EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("frustum: matrix[10] = nan is not finite"));
   matrix[10] = 1e-39F;  // corners at 10³⁹
   EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("beyond all floats"));
   matrix[10] = 1;
-  EXPECT_THAT(refusal(static_cast<ClipDepth>(7)), HasSubstr("7"));
+  EXPECT_THAT(refusal(static_cast<ClipDepth>(7)), HasSubstr("frustum: depth = 7"));
+  matrix[0] = 0;
+  matrix[15] = -1;  // w is negative everywhere
+  EXPECT_THAT(refusal(ClipDepth::zero_to_one), HasSubstr("frustum: the left plane leaves nothing in view"));
 }
 
-TEST(HullInterface, CastersOfAFullViewAreRefused) {
+TEST(HullInterface, CastersThatCannotBeFormedAreRefused) {
   const ConvexHull full(std::vector<Vec3>(32, Vec3{1, 2, 3}));
-  EXPECT_THAT(message_of([&] { static_cast<void>(casters(full, {0, 0, 0})); }), HasSubstr("33 points"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(casters_towards(full, {0, 0, 1})); }), HasSubstr("1 directions"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(casters(ConvexHull(tetrahedron), {0, nan, 0})); }), HasSubstr("nan"));
+  const ConvexHull some(tetrahedron);
+  ConvexHull moved_from(tetrahedron);
+  const ConvexHull moved_to = std::move(moved_from);
+  const auto refusal = [](const ConvexHull& view, const Vec3& light) {
+    return message_of([&] { static_cast<void>(casters(view, light)); });
+  };
+  const auto refusal_of_sun = [](const ConvexHull& view, const Vec3& towards) {
+    return message_of([&] { static_cast<void>(casters_towards(view, towards)); });
+  };
+  EXPECT_THAT(refusal(full, {0, 0, 0}), HasSubstr("casters: the view has 32 points and directions"));
+  EXPECT_THAT(refusal_of_sun(full, {0, 0, 1}), HasSubstr("casters_towards: the view has 32 points and directions"));
+  EXPECT_THAT(refusal(some, {0, nan, 0}), HasSubstr("casters: light.y = nan is not finite"));
+  EXPECT_THAT(refusal_of_sun(some, {0, 0, infinity}), HasSubstr("casters_towards: towards_sun.z = inf is not finite"));
+  EXPECT_THAT(refusal_of_sun(some, {0, -0.0F, 0}), HasSubstr("casters_towards: towards_sun is zero"));
+  EXPECT_THAT(refusal(moved_from, {0, 0, 0}), HasSubstr("casters: the view was never formed"));  // NOLINT: that is it
+  EXPECT_THAT(refusal_of_sun(moved_from, {0, 0, 1}), HasSubstr("casters_towards: the view was never formed"));
 }
 
 TEST(HullInterface, TellsWhatItWasGiven) {

@@ -153,7 +153,7 @@ TYPED_TEST(TreeFirstContact, WantsOneContactForEachShaft) {
   const std::vector<CompiledShaft> shafts = shafts_for(random, 3);
   std::vector<FirstContactOf<Index>> two(2, {9, 0.25F});
   EXPECT_THAT(message_of([&] { first_contact_many(shafts, tree, two); }),
-              testing::HasSubstr("contacts has room for 2 counts; 3 shafts need one each"));
+              testing::HasSubstr("contacts has room for 2; 3 shafts need one each"));
   EXPECT_EQ(two, (std::vector<FirstContactOf<Index>>(2, {9, 0.25F})));
 }
 
