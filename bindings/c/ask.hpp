@@ -1,0 +1,152 @@
+/// From bounds of any kind and holder, and a shaftcull_query, to the call of the C++ interface that answers.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "arguments.hpp"
+#include "sources.hpp"
+
+namespace shaftcull::binding {
+
+/// What a question is asked of: a view of boxes or spheres (of a stream, too), a tree of them, or triangles.
+template <class Set>
+concept FlatSet = std::same_as<Set, BoxView> || std::same_as<Set, SphereView>;
+template <class Set>
+concept TreeSet = std::same_as<Set, BoxTree> || std::same_as<Set, SphereTree> || std::same_as<Set, BoxTree64> ||
+    std::same_as<Set, SphereTree64>;
+template <class Set>
+concept TriangleSet = std::same_as<Set, TriangleView> || std::same_as<Set, TriangleTree>;
+
+template <class Set>
+concept BoundSet = FlatSet<Set> || TreeSet<Set>;
+template <class Set>
+concept AnySet = BoundSet<Set> || TriangleSet<Set>;
+template <class Set>
+concept BoxSet = std::same_as<Set, BoxView> || std::same_as<Set, BoxTree> || std::same_as<Set, BoxTree64>;
+
+/// Indices of a tree; void of what takes both widths.
+template <class Set>
+struct IndexOfSet {
+  using Type = void;
+};
+template <class Bound, class Index>
+struct IndexOfSet<BoundsTree<Bound, Index>> {
+  using Type = Index;
+};
+template <>
+struct IndexOfSet<TriangleTree> {
+  using Type = std::uint32_t;
+};
+/// What can be listed with this width of index.
+template <class Set, class Index>
+concept ListedBy = AnySet<Set> &&
+    (std::same_as<typename IndexOfSet<Set>::Type, void> || std::same_as<typename IndexOfSet<Set>::Type, Index>);
+
+/// What calls take for messages that refuse bounds.
+inline constexpr const char* takes_any = "bounds of all kinds";
+inline constexpr const char* takes_bounds = "boxes and spheres";
+inline constexpr const char* takes_boxes = "boxes";
+inline constexpr const char* takes_views = "boxes and spheres in views and streams";
+inline constexpr const char* takes_trees = "trees of boxes and spheres";
+template <class Index>
+inline constexpr const char* takes_width = sizeof(Index) == 4
+                                               ? "bounds that have 32-bit indices, of the kinds that its description "
+                                                 "names (its twin ending in 64 takes others)"
+                                               : "bounds that have 64-bit indices, of the kinds that its description "
+                                                 "names (its twin without 64 takes others)";
+
+/// What a query says of bounds of this type: a form, what to leave out, or a test of triangles.
+template <FlatSet Set>
+[[nodiscard]] Form option_for(const Set& /*set*/, const shaftcull_query& query) {
+  return as_form(query.form);
+}
+template <TriangleSet Set>
+[[nodiscard]] TriangleTest option_for(const Set& /*set*/, const shaftcull_query& query) {
+  return as_triangle_test(query.triangle_test);
+}
+template <TreeSet Set>
+[[nodiscard]] auto option_for(const Set& /*set*/, const shaftcull_query& query) {
+  using Index = typename IndexOfSet<Set>::Type;
+  ExcludingOf<Index> excluding;
+  if constexpr (sizeof(Index) == 4) {
+    if (query.own64 != nullptr) refuse("query.own64 is not NULL, but the tree has 32-bit indices; set query.own");
+    excluding.own = as_span(query.own, query.own_count, "query.own");
+  } else {
+    if (query.own != nullptr) refuse("query.own is not NULL, but the tree has 64-bit indices; set query.own64");
+    excluding.own = as_span(query.own64, query.own_count, "query.own64");
+  }
+  excluding.mask = as_span(query.mask, query.mask_words, "query.mask");
+  excluding.only_layers = as_span(query.only_layers, query.only_layers_count, "query.only_layers");
+  return excluding;
+}
+
+/// Refuses what a query says that bounds of this type have no use for.
+template <AnySet Set>
+void check_query(const shaftcull_query& query) {
+  for (const std::uint64_t reserved : query.reserved) {
+    if (reserved != 0) refuse("query.reserved is not 0; set all of a query to 0 first");
+  }
+  if (!FlatSet<Set> && query.form != SHAFTCULL_FORM_FASTEST) {
+    refuse("query.form = " + std::to_string(query.form) + "; only boxes and spheres in views and streams have a form");
+  }
+  if (!TriangleSet<Set> && query.triangle_test != SHAFTCULL_TRIANGLES_EXACT) {
+    refuse("query.triangle_test = " + std::to_string(query.triangle_test) + "; only triangles have one");
+  }
+  const bool leaves_out = query.own != nullptr || query.own64 != nullptr || query.own_count != 0 ||
+                          query.mask != nullptr || query.mask_words != 0 || query.only_layers != nullptr ||
+                          query.only_layers_count != 0;
+  if (!TreeSet<Set> && leaves_out) refuse("query leaves bounds out; only a tree of boxes or spheres can do that");
+}
+
+/// Calls use(set) with the view or tree behind bounds.
+template <class Use>
+void visit_bounds(const shaftcull_bounds* bounds, Use&& use) {
+  std::visit(
+      [&use](const auto& holder) {
+        if constexpr (requires { holder.view(); }) {
+          use(holder.view());
+        } else {
+          use(holder);
+        }
+      },
+      given(bounds, "bounds").holder);
+}
+
+[[noreturn]] inline void refuse_bounds(const shaftcull_bounds& bounds, const char* takes) {
+  refuse("bounds are " + name_of(bounds) + "; this call takes " + takes);
+}
+
+/// Calls use(set) if it takes bounds of this type, and refuses them otherwise: calls without a query.
+template <class Use>
+void use_bounds(const shaftcull_bounds* bounds, const char* takes, Use&& use) {
+  visit_bounds(bounds, [&]<class Set>(const Set& set) {
+    if constexpr (std::is_invocable_v<Use&, const Set&>) {
+      use(set);
+    } else {
+      refuse_bounds(*bounds, takes);
+    }
+  });
+}
+
+/// Calls use(set, option) likewise, option being what the query says: option_for().
+template <class Use>
+void ask_bounds(const shaftcull_bounds* bounds, const shaftcull_query* query, const char* takes, Use&& use) {
+  static constexpr shaftcull_query everything{};
+  const shaftcull_query& asked = query == nullptr ? everything : *query;
+  visit_bounds(bounds, [&]<class Set>(const Set& set) {
+    using Option = decltype(option_for(set, asked));
+    if constexpr (std::is_invocable_v<Use&, const Set&, const Option&>) {
+      check_query<Set>(asked);
+      use(set, option_for(set, asked));
+    } else {
+      refuse_bounds(*bounds, takes);
+    }
+  });
+}
+
+}  // namespace shaftcull::binding

@@ -1,0 +1,70 @@
+/// Instruction sets and threads.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "arguments.hpp"
+#include "status.hpp"
+
+using namespace shaftcull::binding;
+using shaftcull::Isa;
+
+namespace {
+
+/// Names end with a 0, as those of the C++ interface are literals.
+const char* text(Isa isa) noexcept { return shaftcull::name(isa).data(); }
+
+}  // namespace
+
+extern "C" {
+
+uint32_t shaftcull_concurrency() { return static_cast<uint32_t>(shaftcull::concurrency()); }
+
+shaftcull_status shaftcull_isa_count(uint64_t* count) {
+  return guarded([&] {
+    uint64_t& out = given(count, "count");
+    out = shaftcull::available_isas().size();
+  });
+}
+
+shaftcull_status shaftcull_isa_name(uint64_t position, const char** name) {
+  return guarded([&] {
+    const char*& out = given(name, "name");
+    const std::vector<Isa> available = shaftcull::available_isas();
+    if (position >= available.size()) {
+      refuse("position = " + std::to_string(position) + " is not below the number of instruction sets, " +
+             std::to_string(available.size()));
+    }
+    out = text(available[static_cast<std::size_t>(position)]);
+  });
+}
+
+const char* shaftcull_active_isa() { return text(shaftcull::active_isa()); }
+
+shaftcull_status shaftcull_select_isa(const char* name) {
+  return guarded([&] {
+    const std::string_view asked = &given(name, "name");
+    const std::optional<Isa> isa = shaftcull::isa_from_name(asked);
+    if (!isa) {
+      std::string choice;
+      for (const Isa one : shaftcull::available_isas()) choice += (choice.empty() ? "" : ", ") + std::string(text(one));
+      refuse("name = \"" + std::string(asked) + "\" is no instruction set; this machine has " + choice);
+    }
+    shaftcull::select_isa(*isa);
+  });
+}
+
+shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal) {
+  return guarded([&] {
+    const char*& asked_out = given(asked, "asked");
+    const char*& refusal_out = given(refusal, "refusal");
+    thread_local shaftcull::IsaChoice choice;
+    choice = shaftcull::isa_choice();
+    asked_out = choice.asked.c_str();
+    refusal_out = choice.refusal.c_str();
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,52 @@
+/// What the handles of the C interface are.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "shaftcull.h"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull::binding {
+
+using BoxTree64 = BoundsTree<Box, std::uint64_t>;
+using SphereTree64 = BoundsTree<Sphere, std::uint64_t>;
+
+/// Ranges of leaves, of trees with indices of either width.
+struct RangeLists {
+  std::vector<std::uint64_t> offsets;
+  std::vector<shaftcull_leaf_range> ranges;
+};
+
+}  // namespace shaftcull::binding
+
+struct shaftcull_shaft {
+  shaftcull::Shaft formed;
+};
+
+/// Hulls are shared: arrays of shafts that one was put into own it, too.
+struct shaftcull_hull {
+  std::shared_ptr<const shaftcull::ConvexHull> hull;
+};
+
+struct shaftcull_shafts {
+  std::vector<shaftcull::CompiledShaft> compiled;
+  /// The hull that each of them refers to; none of them are there until the first hull is.
+  std::vector<std::shared_ptr<const shaftcull::ConvexHull>> hulls;
+};
+
+struct shaftcull_bounds {
+  std::variant<shaftcull::BoxView, shaftcull::SphereView, shaftcull::TriangleView, shaftcull::BoxStream,
+               shaftcull::SphereStream, shaftcull::TriangleStream, shaftcull::BoxTree, shaftcull::SphereTree,
+               shaftcull::binding::BoxTree64, shaftcull::binding::SphereTree64, shaftcull::TriangleTree>
+      holder;
+};
+
+struct shaftcull_lists {
+  /// In the order of shaftcull_lists_kind, from 1 on.
+  std::variant<shaftcull::IndexListsOf<std::uint32_t>, shaftcull::IndexListsOf<std::uint64_t>,
+               shaftcull::binding::RangeLists>
+      lists;
+};

@@ -1,0 +1,1023 @@
+/// shaftcull in C: shafts between boxes and of moving boxes, convex hulls, and what bounds they keep.
+///
+/// docs/c.md has an example. What each answer means is said once, in the C++ headers beside this one: `cull.hpp`,
+/// `many.hpp`, `query.hpp` and so on. Here it is said what a call reads, writes, allocates and refuses.
+///
+/// Objects. A *shaft* is an entry of an array, shaftcull_shafts, which aligns its memory itself. *Bounds*,
+/// shaftcull_bounds, are boxes, spheres or triangles, in one of three holders: a view of the caller's own memory, a
+/// stream that owns a checked and aligned copy, or a tree. Every question takes bounds of any holder and gives the same
+/// answer. Each object is made by a function that says so, and freed by the one that has its type's name and `_free`.
+///
+/// Errors. A function that can fail returns a shaftcull_status: SHAFTCULL_OK, or why not. Then
+/// shaftcull_error_message() says what is wrong, where, and what would be right. Nothing was written unless the
+/// function says otherwise, and objects are as they were. Pointers must not be NULL unless the function says so; an
+/// array of 0 elements may be. Every function with a status refuses a NULL with SHAFTCULL_INVALID_ARGUMENT. It checks
+/// all numbers and enumerators. It cannot check that memory is as large as said, nor that a handle was not freed.
+/// Every such function can return SHAFTCULL_OUT_OF_MEMORY if it allocates, its message included.
+///
+/// Threads. Whatever takes an object as `const` may be called from many threads at once. Whatever takes it without may
+/// not, while another thread uses that object. Different objects are independent. The functions named `…_many` and
+/// `…_for_each…`, and those that build and update trees, run in parallel on oneTBB if the library was built with it.
+/// They may be called from tasks of the caller's own. No call takes more than 64 KiB of the stack.
+///
+/// Allocation. Questions of one shaft allocate nothing, unless they say so. Those of many shafts that write bits or
+/// numbers allocate what oneTBB needs for tasks.
+///
+/// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_words_for(count) words hold them; the call wants
+/// exactly so many. Bits past the last bound are zero. Rows of many shafts are one behind the other. Lists: a call
+/// that lists into the caller's memory writes as many results as there is room for, and tells how many there are,
+/// whether they fit or not. Room for 0 is legal, and then the array may be NULL. Room behind the last result may be
+/// overwritten with anything.
+///
+/// Indices are 32 bits wide, or 64 for more bounds than 32 can number. Functions that end in `64` are the same with
+/// 64-bit indices. A view or stream takes either; a tree has one width, which it was built with.
+///
+/// Enumerators are fixed-width integers with the constants below. Structs are plain, with no hidden padding. Fields
+/// named `reserved` must be 0.
+///
+/// Compatibility. Within a major version, functions, constants and uses of reserved fields are added, and nothing is
+/// changed or taken away. While the major version is 0, a new minor version may change what there is.
+#ifndef SHAFTCULL_H
+#define SHAFTCULL_H
+
+#include <stdint.h>
+
+/* SHAFTCULL_SHARED comes with the CMake target, and with pkg-config's flags, where the library is a shared one. */
+#if defined(SHAFTCULL_SHARED) && defined(__GNUC__) && !defined(_WIN32)
+#define SHAFTCULL_API __attribute__((visibility("default")))
+#else
+#define SHAFTCULL_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Version and errors ---- */
+
+/// Why a call failed, or SHAFTCULL_OK.
+typedef int32_t shaftcull_status;
+enum {
+  SHAFTCULL_OK = 0,
+  SHAFTCULL_INVALID_ARGUMENT = 1, /* An argument breaks a rule of the function. */
+  SHAFTCULL_BAD_BOUND = 2,        /* A bound or point in the caller's memory cannot be used: NaN, lo > hi, and so on;
+                                     or a shaft of a batch cannot be formed. shaftcull_error_position() says which. */
+  SHAFTCULL_NEEDS_REFIT = 3,      /* A tree was asked between an update by index and shaftcull_tree_refit(). */
+  SHAFTCULL_OUT_OF_MEMORY = 4,
+  SHAFTCULL_STOPPED = 5,       /* A callback returned something else than 0. */
+  SHAFTCULL_INTERNAL_ERROR = 6 /* A fault of the library or of the system; the message says what is known. */
+};
+
+/// What shaftcull_error_position() and shaftcull_blocked_by() give where there is none.
+#define SHAFTCULL_NONE UINT64_MAX
+
+/// The version that this header belongs to, to compare with shaftcull_version(): major · 1,000,000 + minor · 1,000 +
+/// patch.
+#define SHAFTCULL_HEADER_VERSION 1000
+
+/// The version of the library that runs, as SHAFTCULL_HEADER_VERSION. Never fails. O(1).
+SHAFTCULL_API uint32_t shaftcull_version(void);
+
+/// The same as text, "0.1.0". Valid for ever. Never fails. O(1).
+SHAFTCULL_API const char* shaftcull_version_string(void);
+
+/// What the last call of this thread that failed says: what is wrong, where, and what would be right. Empty if none
+/// failed. UTF-8; valid until the next call of this thread that fails. Never NULL, never fails. O(1).
+SHAFTCULL_API const char* shaftcull_error_message(void);
+
+/// The position of the bad bound, if the last call of this thread that failed returned SHAFTCULL_BAD_BOUND: counted
+/// from 0 in the array that it came from. Otherwise SHAFTCULL_NONE. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_error_position(void);
+
+/// The name of a status, "bad bound" say; "unknown status" for a number that is none. Valid for ever. Never fails.
+/// O(1).
+SHAFTCULL_API const char* shaftcull_status_name(shaftcull_status status);
+
+/* ---- Values ---- */
+
+/// An axis-aligned box: x, y, z of its low and of its high corner, lo ≤ hi. The empty box has lo = +∞ and hi = −∞.
+typedef struct shaftcull_box {
+  float lo[3];
+  float hi[3];
+} shaftcull_box;
+
+/// A ball: all points that are at most the radius away from the centre. A radius of 0 is a point.
+typedef struct shaftcull_sphere {
+  float centre[3];
+  float radius;
+} shaftcull_sphere;
+
+/// Three vertices. Which way round they are says nothing.
+typedef struct shaftcull_triangle {
+  float vertex[3][3];
+} shaftcull_triangle;
+
+/// A half-space: normal·p ≤ offset is its inside. The normal need not have unit length.
+typedef struct shaftcull_plane {
+  float normal[3];
+  float offset;
+} shaftcull_plane;
+
+/// Two boxes, by their positions in arrays.
+typedef struct shaftcull_index_pair {
+  uint32_t a;
+  uint32_t b;
+} shaftcull_index_pair;
+
+/// How many bounds overlap a shaft and how many are inside. Kept are both together.
+typedef struct shaftcull_kept_counts {
+  uint64_t overlap;
+  uint64_t inside;
+} shaftcull_kept_counts;
+
+/// Leaves [first, first + size) of a tree: the bounds whose indices stand there in its order (shaftcull_tree_order()).
+typedef struct shaftcull_leaf_range {
+  uint64_t first;
+  uint64_t size;
+} shaftcull_leaf_range;
+
+/// What a moving box reaches first, and when; the time is rounded down. Nothing: SHAFTCULL_NONE, +∞ and 0.
+typedef struct shaftcull_contact_found {
+  uint64_t index;
+  float time;
+  uint32_t found; /* 1, or 0 for nothing */
+} shaftcull_contact_found;
+
+/// What becomes of a bound that touches a shaft without reaching into it.
+typedef uint32_t shaftcull_contact;
+enum {
+  SHAFTCULL_CONTACT_CLOSED = 0, /* It is kept. */
+  SHAFTCULL_CONTACT_OPEN = 1    /* It is outside, unless relative interiors meet. */
+};
+
+/// What a shaft says of one bound.
+typedef uint32_t shaftcull_answer;
+enum { SHAFTCULL_OUTSIDE = 0, SHAFTCULL_OVERLAP = 1, SHAFTCULL_INSIDE = 2 };
+
+/// Which form of the shaft decides outside, for boxes and spheres in views and streams. Answers are the same.
+typedef uint32_t shaftcull_form;
+enum { SHAFTCULL_FORM_FASTEST = 0, SHAFTCULL_FORM_SLAB = 1, SHAFTCULL_FORM_PLANES = 2 };
+
+/// How triangles are tested (triangles.hpp). Convex hulls take the test by vertices only.
+typedef uint32_t shaftcull_triangle_test;
+enum { SHAFTCULL_TRIANGLES_EXACT = 0, SHAFTCULL_TRIANGLES_BY_VERTICES = 1 };
+
+/// Which depths in clip space are in view.
+typedef uint32_t shaftcull_clip_depth;
+enum {
+  SHAFTCULL_DEPTH_ZERO_TO_ONE = 0,     /* 0 ≤ z ≤ w: Direct3D, Vulkan, Metal, and reversed depth */
+  SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE = 1 /* −w ≤ z ≤ w: OpenGL */
+};
+
+/// How the edges that need a joining plane are found. All give the same shaft.
+typedef uint32_t shaftcull_formation;
+enum { SHAFTCULL_FORMATION_SEARCH = 0, SHAFTCULL_FORMATION_TABLE64 = 1, SHAFTCULL_FORMATION_TABLE729 = 2 };
+
+/// The order in which joining planes are tested. It changes speed, never answers.
+typedef uint32_t shaftcull_plane_order;
+enum { SHAFTCULL_ORDER_UNSORTED = 0, SHAFTCULL_ORDER_BY_VOLUME = 1, SHAFTCULL_ORDER_BY_ADDED_VOLUME = 2 };
+
+/// The number of 64-bit words that hold one bit for each of `bounds` bounds. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_words_for(uint64_t bounds);
+
+/* ---- Helpers for boxes and planes. None allocates more than it says. ---- */
+
+/// The smallest box around `count` points, 3 floats each; the empty box if there are none. SHAFTCULL_BAD_BOUND for the
+/// first point with a NaN. O(count); allocates a copy of the points.
+SHAFTCULL_API shaftcull_status shaftcull_box_around(const float* points, uint64_t count, shaftcull_box* box);
+
+/// The smallest box around both. The empty box adds nothing. No coordinate may be NaN. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_joined(const shaftcull_box* a, const shaftcull_box* b, shaftcull_box* box);
+
+/// The box moved by a vector of 3 floats, rounded outwards. Refuses a vector that is not finite. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], shaftcull_box* moved);
+
+/// The box with every face moved out by a distance, rounded outwards. Refuses a negative or infinite one. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_inflated(const shaftcull_box* box, float by, shaftcull_box* inflated);
+
+/// The planes of a view-projection matrix, normals outwards: up to six of them into `planes`, and how many into
+/// `count`. The matrix has 4 rows of 4 floats, row after row, and maps column vectors; matrices of other conventions
+/// have to be transposed. Refuses a matrix that is not finite or leaves nothing in view. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_view_planes(const float matrix[16], shaftcull_clip_depth depth,
+                                                     shaftcull_plane planes[6], uint64_t* count);
+
+/// Clears the bits of bounds that are in none of some layers: bit i stays set only if layers[i] & only_layers is not 0.
+/// `bits` has `words` words, which must be shaftcull_words_for(count); `layers` has `count` entries and shares no
+/// memory with them. For answers of a view or stream; a tree is asked by shaftcull_query.only_layers. O(count).
+SHAFTCULL_API shaftcull_status shaftcull_keep_layers(uint64_t* bits, uint64_t words, const uint32_t* layers,
+                                                     uint64_t count, uint32_t only_layers);
+
+/* ---- One formed shaft, with its planes ---- */
+
+/// What a shaft is formed for; leaving an answer out makes forming cheaper, and asking for it is then refused.
+typedef struct shaftcull_shaft_options {
+  shaftcull_formation formation;
+  shaftcull_plane_order order;
+  uint32_t outside; /* 1: what is kept may be asked */
+  uint32_t inside;  /* 1: what is inside may be asked */
+  uint32_t spheres; /* 1: spheres may be asked about */
+  shaftcull_contact contact;
+  uint32_t reserved[2];
+} shaftcull_shaft_options;
+
+/// A joining plane: it cuts the edge between two neighbouring faces off the shaft's box. Faces 0, 1, 2 are lo x, y, z;
+/// 3, 4, 5 are hi x, y, z.
+typedef struct shaftcull_joining_plane {
+  shaftcull_plane plane;
+  uint32_t red;  /* the face that only the first box touches */
+  uint32_t blue; /* the face that only the second box touches */
+} shaftcull_joining_plane;
+
+/// What a formed shaft is made of.
+typedef struct shaftcull_shaft_info {
+  shaftcull_box a;
+  shaftcull_box b;
+  shaftcull_box box; /* the smallest box around both */
+  shaftcull_shaft_options options;
+  uint64_t joining_planes; /* how many; at most 8 */
+  uint64_t added_planes;   /* how many; at most 16 */
+} shaftcull_shaft_info;
+
+/// A shaft between two boxes, formed with its planes. It answers nothing itself: put it into an array by
+/// shaftcull_shafts_set_formed().
+typedef struct shaftcull_shaft shaftcull_shaft;
+
+/// All answers, the quickest formation, closed contact. Never fails.
+SHAFTCULL_API shaftcull_shaft_options shaftcull_default_shaft_options(void);
+
+/// Forms the shaft between boxes `a` and `b`. `options` may be NULL: the default ones. Refuses boxes that are not
+/// finite or have lo > hi, and options that ask for no answer. Freed by shaftcull_shaft_free(). O(1).
+SHAFTCULL_API shaftcull_status shaftcull_shaft_create(const shaftcull_box* a, const shaftcull_box* b,
+                                                      const shaftcull_shaft_options* options, shaftcull_shaft** shaft);
+
+/// Frees a shaft; does nothing for NULL. Arrays that it was put into keep their copy.
+SHAFTCULL_API void shaftcull_shaft_free(shaftcull_shaft* shaft);
+
+/// Adds a half-space that bounds must also meet: a bound fully outside of it is outside. At most 16. Refuses a plane
+/// that is not finite or has no normal. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shaft_add_plane(shaftcull_shaft* shaft, const shaftcull_plane* plane);
+
+/// Boxes, options and numbers of planes. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shaft_describe(const shaftcull_shaft* shaft, shaftcull_shaft_info* info);
+
+/// The joining planes, in the order in which they are tested: up to 8 into `planes`, and how many into `count`. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_shaft_joining_planes(const shaftcull_shaft* shaft,
+                                                              shaftcull_joining_plane planes[8], uint64_t* count);
+
+/// The added planes, in the order in which they were added: up to 16 into `planes`, and how many into `count`. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_shaft_added_planes(const shaftcull_shaft* shaft, shaftcull_plane planes[16],
+                                                            uint64_t* count);
+
+/// The volume that a joining plane cuts off a box, in the coordinates' unit cubed. Refuses faces that are no
+/// neighbours. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_culled_volume(const shaftcull_box* box, const shaftcull_joining_plane* plane,
+                                                       double* volume);
+
+/* ---- Convex hulls ---- */
+
+/// The convex hull of up to 32 points and directions: view frusta, what casts shadows into view, volumes between
+/// polygons or turned boxes. It answers nothing itself: put it into an array by shaftcull_shafts_set_hull().
+typedef struct shaftcull_hull shaftcull_hull;
+
+/// The hull of `point_count` points, 3 floats each, and of what lies from them along `direction_count` directions. With
+/// no direction `directions` may be NULL. For a frustum, pass its eight corners; for two polygons or turned boxes, the
+/// corners of both. Refuses no points, more than 32 in all, what is not finite, and a direction of 0. O(n³): some 3 µs
+/// for 8 points, 150 µs for 32. Allocates some 8 KB. Freed by shaftcull_hull_free().
+SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
+                                                     uint64_t direction_count, shaftcull_hull** hull);
+
+/// What a view-projection matrix shows; the matrix is as for shaftcull_view_planes(). Without a far plane the hull has
+/// no end. Refuses a matrix that is not finite or not invertible, or of a corner that is not in front of the eye. Some
+/// 3 µs; allocates some 8 KB. Freed by shaftcull_hull_free().
+SHAFTCULL_API shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth,
+                                                         shaftcull_hull** hull);
+
+/// What can cast a shadow into `view` by a light at a point of 3 floats. Refuses a light that is not finite, and a view
+/// of 32 points and directions. Time and allocation of shaftcull_hull_create(). Freed by shaftcull_hull_free().
+SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[3],
+                                                         shaftcull_hull** hull);
+
+/// What can cast a shadow into `view` by a sun in a direction of 3 floats, which is not 0. As
+/// shaftcull_hull_of_casters().
+SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters_towards(const shaftcull_hull* view, const float towards_sun[3],
+                                                                 shaftcull_hull** hull);
+
+/// Frees a hull; does nothing for NULL. Arrays that it was put into keep what they need of it.
+SHAFTCULL_API void shaftcull_hull_free(shaftcull_hull* hull);
+
+/// The box around the hull, infinite where directions lead. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_hull_box(const shaftcull_hull* hull, shaftcull_box* box);
+
+/// Points, then directions, as they were given: 3 floats each into `floats`, which has room for 96, and how many of
+/// each into the two counts. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_hull_points(const shaftcull_hull* hull, float floats[96],
+                                                     uint64_t* point_count, uint64_t* direction_count);
+
+/* ---- Bounds: views, streams and trees of boxes, spheres or triangles ---- */
+
+/// What bounds are.
+typedef uint32_t shaftcull_bound_kind;
+enum { SHAFTCULL_BOXES = 1, SHAFTCULL_SPHERES = 2, SHAFTCULL_TRIANGLES = 3 };
+
+/// What holds bounds.
+typedef uint32_t shaftcull_holder;
+enum {
+  SHAFTCULL_VIEW = 1,   /* the caller's own memory */
+  SHAFTCULL_STREAM = 2, /* a checked, aligned copy */
+  SHAFTCULL_TREE = 3    /* a sorted copy, under a tree */
+};
+
+/// Bounds of one kind in one holder.
+typedef struct shaftcull_bounds shaftcull_bounds;
+
+/// How the bounds lie in memory that a source names.
+typedef uint32_t shaftcull_source_kind;
+enum {
+  SHAFTCULL_SOURCE_BOXES = 1,     /* lo at `first`, hi at `second`, 3 floats each */
+  SHAFTCULL_SOURCE_CENTRES = 2,   /* boxes: centre at `first`, half extent at `second`, 3 floats each */
+  SHAFTCULL_SOURCE_SPHERES = 3,   /* centre at `first`, 3 floats, and radius at `second` */
+  SHAFTCULL_SOURCE_TRIANGLES = 4, /* 9 floats at `first` */
+  SHAFTCULL_SOURCE_MESH = 5,      /* vertices of 3 floats at `first`; triangle i has those that indices 3 i to 3 i + 2
+                                     name */
+  SHAFTCULL_SOURCE_BOUNDS = 6     /* `bounds`: all of a view or stream, or the leaves of a tree, in its order */
+};
+
+/// Bounds in the caller's memory, for a call to read. Record i is at byte `first + i * stride`, and likewise for
+/// `second`: any stride, any alignment. So members of the caller's own structs can be named. Nothing is kept: memory
+/// need not outlive the call. Fields that the kind does not name must be 0.
+typedef struct shaftcull_source {
+  shaftcull_source_kind kind;
+  uint32_t reserved;
+  uint64_t count; /* of bounds; of SHAFTCULL_SOURCE_BOUNDS it must be 0, since these know it */
+  const void* first;
+  const void* second;
+  uint64_t stride;
+  const uint32_t* indices;
+  uint64_t vertex_count;
+  const shaftcull_bounds* bounds;
+} shaftcull_source;
+
+/// The source of an array of boxes. Never fails; reads nothing yet.
+SHAFTCULL_API shaftcull_source shaftcull_boxes(const shaftcull_box* boxes, uint64_t count);
+
+/// The source of an array of spheres. Never fails; reads nothing yet.
+SHAFTCULL_API shaftcull_source shaftcull_spheres(const shaftcull_sphere* spheres, uint64_t count);
+
+/// The source of an array of triangles. Never fails; reads nothing yet.
+SHAFTCULL_API shaftcull_source shaftcull_triangles(const shaftcull_triangle* triangles, uint64_t count);
+
+/// The source of an indexed mesh of `count` triangles: 3 floats a vertex, 3 indices a triangle. Never fails; reads
+/// nothing yet.
+SHAFTCULL_API shaftcull_source shaftcull_mesh(const float* vertices, uint64_t vertex_count, const uint32_t* indices,
+                                              uint64_t count);
+
+/// The source of bounds that there are. Never fails; reads nothing yet.
+SHAFTCULL_API shaftcull_source shaftcull_source_of(const shaftcull_bounds* bounds);
+
+/// A view of `count` bounds in the caller's memory, as separate streams of `count` floats each. Boxes have 6: lo x, y,
+/// z, hi x, y, z. Spheres have 4: centre x, y, z, radius. Triangles have 9: x, y, z of vertex 0, then 1, then 2. The
+/// memory must outlive the view's use; values are read anew by each question and never checked. With a count of 0
+/// streams may be NULL. Freed by shaftcull_bounds_free(). O(1).
+SHAFTCULL_API shaftcull_status shaftcull_view_create(shaftcull_bound_kind kind, const float* const* streams,
+                                                     uint64_t count, shaftcull_bounds** bounds);
+
+/// Points a view at other memory, of the same kind of bounds. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_view_set(shaftcull_bounds* view, const float* const* streams, uint64_t count);
+
+/// A stream of the bounds of a source. SHAFTCULL_BAD_BOUND for the first that has a NaN, lo > hi, a negative radius or
+/// half extent, or is not finite where it must be. O(count); allocates 24 bytes a box, 16 a sphere, 36 a triangle, and
+/// 36 more on the way for SHAFTCULL_SOURCE_TRIANGLES. Freed by shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_stream_create(const shaftcull_source* source, shaftcull_bounds** bounds);
+
+/// A stream of `count` empty bounds, which no shaft keeps, to be filled by shaftcull_stream_update(). O(count);
+/// allocates as shaftcull_stream_create(). Freed by shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_stream_create_empty(shaftcull_bound_kind kind, uint64_t count,
+                                                             shaftcull_bounds** bounds);
+
+/// Replaces the bounds of a stream from `first` on by those of a source, which must be of its kind and not lie in its
+/// own memory. The range must lie within the stream. Errors as shaftcull_stream_create(). O(count of the source); no
+/// allocation but for SHAFTCULL_SOURCE_TRIANGLES. Disjoint ranges may be updated by several threads at once.
+SHAFTCULL_API shaftcull_status shaftcull_stream_update(shaftcull_bounds* stream, uint64_t first,
+                                                       const shaftcull_source* source);
+
+/// A copy: of a view another view of the same memory, of all else a deep one, O(count). Freed by
+/// shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull_bounds** copy);
+
+/// Frees bounds; does nothing for NULL. The memory that a view looks at stays the caller's.
+SHAFTCULL_API void shaftcull_bounds_free(shaftcull_bounds* bounds);
+
+/// What bounds are and how much memory they hold.
+typedef struct shaftcull_bounds_info {
+  uint64_t count;
+  uint64_t memory_bytes; /* that the library holds, padding included: 0 of a view */
+  shaftcull_bound_kind kind;
+  shaftcull_holder holder;
+  uint32_t index_bits;  /* of a tree 32 or 64; otherwise 0, since any index will do */
+  uint32_t needs_refit; /* 1 if a tree was updated by index since the last refit */
+  uint32_t has_layers;  /* 1 if a tree has layers */
+  uint32_t reserved;
+} shaftcull_bounds_info;
+
+/// Kind, holder, count and state of bounds. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaftcull_bounds_info* info);
+
+/// Where the floats of bounds are: as many streams as shaftcull_view_create() says for the kind, and NULL in the rest
+/// of `streams`; those of a tree in its order. Valid until the bounds are freed, or a tree is rebuilt; updates show.
+/// O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_streams(const shaftcull_bounds* bounds, const float* streams[9]);
+
+/* ---- Trees ---- */
+
+/// A tree of the bounds of a source, with indices of 32 or 64 bits; of triangles with 32 only. The order depends on the
+/// bounds and their positions alone. SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). O(n log n), in parallel;
+/// holds the bounds, an index a bound, and about 2 % more. Freed by shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_tree_create(const shaftcull_source* source, uint32_t index_bits,
+                                                     shaftcull_bounds** tree);
+
+/// The box around all bounds of a tree, the empty box if there are none. SHAFTCULL_NEEDS_REFIT if it does. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_tree_box(const shaftcull_bounds* tree, shaftcull_box* box);
+
+/// The order of a tree with 32-bit indices: (*order)[p] is the caller's index of leaf p, for each bound. Valid until
+/// the tree is freed, rebuilt or renumbered. NULL if it is empty. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_tree_order(const shaftcull_bounds* tree, const uint32_t** order);
+
+/// The same of a tree with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_tree_order64(const shaftcull_bounds* tree, const uint64_t** order);
+
+/// Gives every bound of a tree of boxes or spheres a new value, bound i that of the source at i, and refits: O(n), in
+/// parallel. Refuses another number of bounds, and those of the tree itself. If oneTBB cannot start its tasks, the tree
+/// needs a refit, and each bound has its old value or its new one.
+SHAFTCULL_API shaftcull_status shaftcull_tree_update(shaftcull_bounds* tree, const shaftcull_source* source);
+
+/// Gives bound indices[i] the value of the source at i, for `count` indices of 32 bits. If an index comes twice, the
+/// last counts. Questions then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). The first call allocates an
+/// index a bound. O(count) but for the first, which is O(n). Refuses triangles, and an index not below the number of
+/// bounds.
+SHAFTCULL_API shaftcull_status shaftcull_tree_update_some(shaftcull_bounds* tree, const uint32_t* indices,
+                                                          uint64_t count, const shaftcull_source* source);
+
+/// The same of a tree with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_tree_update_some64(shaftcull_bounds* tree, const uint64_t* indices,
+                                                            uint64_t count, const shaftcull_source* source);
+
+/// Fits the nodes of a tree of boxes or spheres to bounds that were updated by index. O(updated), at most O(n).
+SHAFTCULL_API shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree);
+
+/// Sorts the bounds of a tree of boxes or spheres anew as they are now. Indices stay, the order changes. As building.
+SHAFTCULL_API shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree);
+
+/// Numbers the bounds of a tree of boxes or spheres anew, in its order: the index of leaf p becomes p. O(n).
+SHAFTCULL_API shaftcull_status shaftcull_tree_renumber(shaftcull_bounds* tree);
+
+/// How much larger the nodes of a tree of boxes or spheres have become since it was built, 1 at first; at 2 or 3 a
+/// rebuild pays. SHAFTCULL_NEEDS_REFIT if it does. O(n / 64); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_tree_growth(const shaftcull_bounds* tree, double* growth);
+
+/// Puts the bounds of a tree of boxes or spheres into layers: bit l of layers[i] says that bound i is in layer l. There
+/// must be one set for each bound. Replaces the layers that there were. O(n); allocates 4 bytes a bound.
+SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers(shaftcull_bounds* tree, const uint32_t* layers,
+                                                         uint64_t count);
+
+/// Puts bound indices[i] into layers[i], for `count` of them; the tree must have layers. The last one counts of an
+/// index that comes twice. O(count), but for the first such call, which is O(n) and may allocate an index a bound.
+SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers_of(shaftcull_bounds* tree, const uint32_t* indices,
+                                                            const uint32_t* layers, uint64_t count);
+
+/// The same of a tree with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers_of64(shaftcull_bounds* tree, const uint64_t* indices,
+                                                              const uint32_t* layers, uint64_t count);
+
+/// Forgets the layers of a tree of boxes or spheres, and frees their memory. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_tree_clear_layers(shaftcull_bounds* tree);
+
+/// The layers of a tree of boxes or spheres: (*layers)[p] are those of leaf p. NULL if it has none. Valid as the order,
+/// until layers are set or cleared. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_tree_layers(const shaftcull_bounds* tree, const uint32_t** layers);
+
+/* ---- Arrays of shafts ---- */
+
+/// An array of test-ready shafts of all kinds, hulls included. 832 bytes a shaft, aligned by the library.
+typedef struct shaftcull_shafts shaftcull_shafts;
+
+/// What is known of one shaft of an array.
+typedef struct shaftcull_shafts_info {
+  shaftcull_box a; /* as given; of a moving box where it starts, of a hull the box around it */
+  shaftcull_box b; /* as given; of a moving box where it ends, rounded to nearest */
+  uint32_t formed; /* 1 if it was set */
+  uint32_t has_planes;
+  shaftcull_contact contact;
+  uint32_t is_hull;
+} shaftcull_shafts_info;
+
+/// Planes for the shafts of a batch: those of a shaft's box a, then those of its box b. Each box has as many as all
+/// others of its array, k = count / boxes, and box i has planes k · i to k · i + k − 1. All zero: none.
+typedef struct shaftcull_batch_planes {
+  const shaftcull_plane* a;
+  uint64_t a_count;
+  const shaftcull_plane* b;
+  uint64_t b_count;
+} shaftcull_batch_planes;
+
+/// An array of `count` shafts that were never formed. Questions refuse such a shaft, by its position. Freed by
+/// shaftcull_shafts_free(). O(count).
+SHAFTCULL_API shaftcull_status shaftcull_shafts_create(uint64_t count, shaftcull_shafts** shafts);
+
+/// Frees an array; does nothing for NULL.
+SHAFTCULL_API void shaftcull_shafts_free(shaftcull_shafts* shafts);
+
+/// How many shafts an array has; 0 for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts);
+
+/// Copies shafts from [source_first, source_first + count) of `source` to [first, first + count) of `shafts`. Both may
+/// be the same array, and ranges may overlap. O(count).
+SHAFTCULL_API shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first,
+                                                     const shaftcull_shafts* source, uint64_t source_first,
+                                                     uint64_t count);
+
+/// What is known of a shaft. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_describe(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                         shaftcull_shafts_info* info);
+
+/// The shaft between boxes `a` and `b`, which are finite with lo ≤ hi. Some 12 ns; no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* shafts, uint64_t shaft,
+                                                            const shaftcull_box* a, const shaftcull_box* b,
+                                                            shaftcull_contact contact);
+
+/// A formed shaft, with its options, joining planes and added planes. No allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_formed(shaftcull_shafts* shafts, uint64_t shaft,
+                                                           const shaftcull_shaft* formed);
+
+/// What a body sweeps over that moves by a displacement of 3 floats, cut by `plane_count` planes, 16 at most. With none
+/// `planes` may be NULL. Some 0.5 µs; allocates a copy of the planes.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t shaft,
+                                                          const shaftcull_box* body, const float displacement[3],
+                                                          const shaftcull_plane* planes, uint64_t plane_count);
+
+/// What a body sweeps over that moves without end in a direction of 3 floats, which is not 0. As
+/// shaftcull_shafts_set_swept().
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_without_end(shaftcull_shafts* shafts, uint64_t shaft,
+                                                                      const shaftcull_box* body,
+                                                                      const float direction[3],
+                                                                      const shaftcull_plane* planes,
+                                                                      uint64_t plane_count);
+
+/// All that an occluder can shadow from a light, which is apart from it; up to `*reach` times the distance of the
+/// occluder, 1 or more, or without end if `reach` is NULL. As shaftcull_shafts_set_swept().
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_shadow(shaftcull_shafts* shafts, uint64_t shaft,
+                                                           const shaftcull_box* light, const shaftcull_box* occluder,
+                                                           const float* reach, const shaftcull_plane* planes,
+                                                           uint64_t plane_count);
+
+/// A convex hull. The array keeps what it needs of it, so the hull may be freed. The first hull of an array allocates
+/// 16 bytes for each of its shafts.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shafts, uint64_t shaft,
+                                                         const shaftcull_hull* hull);
+
+/// The shafts between pairs of boxes, into as many entries from `first` on. Pair i is box pairs[i].a of `a` and box
+/// pairs[i].b of `b`, for `pair_count` pairs; or, if `pairs` is NULL, box i of both, which have `pair_count` boxes.
+/// Sources are of boxes; both may be the same. `planes` may be NULL: none. SHAFTCULL_BAD_BOUND for the first pair with
+/// a box that is not finite, or first box that cannot be packed. Of SHAFTCULL_SOURCE_BOUNDS boxes are read where they
+/// are, and those that no pair names may be anything. Other sources are packed first, which allocates 24 bytes a box.
+/// 5 to 11 ns a shaft. Allocates copies of pairs and planes.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_between_batch(shaftcull_shafts* shafts, uint64_t first,
+                                                                  const shaftcull_source* a, const shaftcull_source* b,
+                                                                  const shaftcull_index_pair* pairs,
+                                                                  uint64_t pair_count,
+                                                                  const shaftcull_batch_planes* planes,
+                                                                  shaftcull_contact contact);
+
+/// What bodies sweep over, into as many entries from `first` on as there are bodies, each with its displacement of 3
+/// floats. Each body has as many planes as the others, `plane_count` in all. SHAFTCULL_BAD_BOUND for the first shaft
+/// that cannot be formed. Some 0.5 µs a shaft; allocates copies of displacements and planes, and packs bodies as
+/// shaftcull_shafts_set_between_batch().
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_batch(shaftcull_shafts* shafts, uint64_t first,
+                                                                const shaftcull_source* bodies,
+                                                                const float* displacements,
+                                                                const shaftcull_plane* planes, uint64_t plane_count);
+
+/// The same without end, in directions of 3 floats each.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_without_end_batch(shaftcull_shafts* shafts, uint64_t first,
+                                                                            const shaftcull_source* bodies,
+                                                                            const float* directions,
+                                                                            const shaftcull_plane* planes,
+                                                                            uint64_t plane_count);
+
+/// What occluders shadow from lights, for pairs of a light and an occluder; `reach` is one for all, or NULL for no end.
+/// Pairs, planes, errors and allocation as shaftcull_shafts_set_between_batch(); some 0.5 µs a shaft.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_shadow_batch(
+    shaftcull_shafts* shafts, uint64_t first, const shaftcull_source* lights, const shaftcull_source* occluders,
+    const shaftcull_index_pair* pairs, uint64_t pair_count, const float* reach, const shaftcull_batch_planes* planes);
+
+/// Computes pending joining planes of `count` shafts from `first` on, some 65 ns each: worth it for shafts that are
+/// asked more than once about inside, in the form of planes, or about some spheres. No allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shafts, uint64_t first, uint64_t count);
+
+/// Chooses what becomes of bounds that only touch, for `count` shafts from `first` on. Refuses hulls and shafts that
+/// were never formed, by their position. Some 10 ns each; no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                            shaftcull_contact contact);
+
+/* ---- How to ask ---- */
+
+/// How bounds are asked. All zero, or NULL in the place of a pointer to one: everything, the usual way. What does not
+/// fit the bounds is refused: a form is for boxes and spheres in views and streams, a triangle test for triangles, and
+/// all else for trees of boxes and spheres. Questions about inside alone and about what blocks do not depend on form.
+typedef struct shaftcull_query {
+  shaftcull_form form;
+  shaftcull_triangle_test triangle_test;
+  /* Bounds to leave out, by the caller's index: a row for each shaft, all equally long, own_count indices in all. A
+     shaft's own two objects, say. `own` for trees with 32-bit indices, `own64` for those with 64. */
+  const uint32_t* own;
+  const uint64_t* own64;
+  uint64_t own_count;
+  /* Bounds to leave out for all shafts: bit i of `mask_words` words, 0 or shaftcull_words_for(count of the tree). */
+  const uint64_t* mask;
+  uint64_t mask_words;
+  /* Layers, one set of them for each shaft or one for all: bounds that are in none of them are left out. None: bounds
+     of all layers, and of none, are asked about. */
+  const uint32_t* only_layers;
+  uint64_t only_layers_count;
+  uint64_t reserved[4];
+} shaftcull_query;
+
+/* Of all questions: `shafts` and `shaft` name one shaft, or `shafts`, `first` and `count` name some. `bounds` are of
+   any kind and holder that the function does not exclude. `query` may be NULL. A shaft that was never formed, or was
+   formed without the answer asked for, is refused, and a tree that needs a refit with SHAFTCULL_NEEDS_REFIT. A view or
+   stream takes O(n) a shaft, a tree what it finds. */
+
+/* ---- One shaft, many bounds ---- */
+
+/// Bits of what the shaft keeps: all that is not outside.
+SHAFTCULL_API shaftcull_status shaftcull_cull(const shaftcull_shafts* shafts, uint64_t shaft,
+                                              const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                              uint64_t* kept, uint64_t words);
+
+/// Bits of what the shaft keeps, and of what is inside: `words` words each, in separate memory. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_classify(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                  const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                  uint64_t* kept, uint64_t* inside, uint64_t words);
+
+/// Bits of what is inside alone. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_contained(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                   uint64_t* inside, uint64_t words);
+
+/// How many bounds the shaft keeps.
+SHAFTCULL_API shaftcull_status shaftcull_count(const shaftcull_shafts* shafts, uint64_t shaft,
+                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                               uint64_t* kept_count);
+
+/// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_count_at_most(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                       uint64_t most, uint64_t* kept_count);
+
+/// How many bounds overlap the shaft, and how many are inside. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_count_classified(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                          const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                          shaftcull_kept_counts* counts);
+
+/// Whether the shaft keeps any bound, 1 or 0. Stops soon after the first that it finds.
+SHAFTCULL_API shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uint64_t shaft,
+                                             const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                             uint32_t* any);
+
+/// Indices of what the shaft keeps into `kept`, which has room for `room`, and how many there are into `kept_count`:
+/// ascending, or in the order of a tree.
+SHAFTCULL_API shaftcull_status shaftcull_list(const shaftcull_shafts* shafts, uint64_t shaft,
+                                              const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                              uint32_t* kept, uint64_t room, uint64_t* kept_count);
+
+/// The same with 64-bit indices. Not for trees of triangles.
+SHAFTCULL_API shaftcull_status shaftcull_list64(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                uint64_t* kept, uint64_t room, uint64_t* kept_count);
+
+/// Ranges of leaves that the shaft keeps, each as long as can be, into `kept`, which has room for `room`, and how many
+/// there are into `range_count`. For trees of boxes and spheres. Allocates as much as the room, on the way.
+SHAFTCULL_API shaftcull_status shaftcull_list_ranges(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                     const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                     shaftcull_leaf_range* kept, uint64_t room, uint64_t* range_count);
+
+/// The first indices that shaftcull_list() would write, until there is no more room, and how many it wrote: it stops
+/// there, and does not say whether there are more. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_list_at_most(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                      const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                      uint32_t* kept, uint64_t room, uint64_t* kept_count);
+
+/// The same with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_list_at_most64(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                        const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                        uint64_t* kept, uint64_t room, uint64_t* kept_count);
+
+/// As shaftcull_list(), but what overlaps and what is inside apart, in separate memory. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_list_classified(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                         const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                         uint32_t* overlap, uint64_t overlap_room, uint32_t* inside,
+                                                         uint64_t inside_room, shaftcull_kept_counts* counts);
+
+/// The same with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_list_classified64(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                           const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                           uint64_t* overlap, uint64_t overlap_room, uint64_t* inside,
+                                                           uint64_t inside_room, shaftcull_kept_counts* counts);
+
+/// As shaftcull_list_ranges(), but what overlaps and what is inside apart; `counts` are numbers of ranges.
+SHAFTCULL_API shaftcull_status shaftcull_list_classified_ranges(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                                const shaftcull_bounds* bounds,
+                                                                const shaftcull_query* query,
+                                                                shaftcull_leaf_range* overlap, uint64_t overlap_room,
+                                                                shaftcull_leaf_range* inside, uint64_t inside_room,
+                                                                shaftcull_kept_counts* counts);
+
+/// The bound that the moving box of the shaft reaches first, and when. Not for hulls, nor for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_first_contact(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                       shaftcull_contact_found* contact);
+
+/// When the moving box of the shaft reaches each of `count` bounds: times[i] is that of bound indices[i], rounded down,
+/// or +∞ if the shaft does not keep it. The two arrays share no memory. Not for hulls, nor for triangles. O(count), but
+/// for the first such call of a tree, which is O(n) and allocates an index a bound.
+SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                     const shaftcull_bounds* bounds, const uint32_t* indices,
+                                                     float* times, uint64_t count);
+
+/// The same with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_entry_times64(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                       const shaftcull_bounds* bounds, const uint64_t* indices,
+                                                       float* times, uint64_t count);
+
+/// Those of `count` candidates that the shaft keeps, in their order, into `kept`, and how many there are into
+/// `kept_count`. `kept` may be `candidates` itself, which are then overwritten; else they share no memory. Not for
+/// triangles. O(count), but for a tree as shaftcull_entry_times().
+SHAFTCULL_API shaftcull_status shaftcull_refine(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                const shaftcull_bounds* bounds, const uint32_t* candidates,
+                                                uint64_t count, uint32_t* kept, uint64_t room, uint64_t* kept_count);
+
+/// The same with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_refine64(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                  const shaftcull_bounds* bounds, const uint64_t* candidates,
+                                                  uint64_t count, uint64_t* kept, uint64_t room, uint64_t* kept_count);
+
+/// Whether one of these solid boxes alone hides the one end of the shaft from the other, 1 or 0. For boxes, and shafts
+/// between two boxes.
+SHAFTCULL_API shaftcull_status shaftcull_blocked(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                 const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                 uint32_t* blocked);
+
+/// The index of a box that does, or SHAFTCULL_NONE: in a view or stream the lowest one, in a tree the first in its
+/// order. As shaftcull_blocked().
+SHAFTCULL_API shaftcull_status shaftcull_blocked_by(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                    const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                    uint64_t* index);
+
+/// Indices of all boxes that do, into `blocking`, which has room for `room`, and how many there are into
+/// `blocking_count`. As shaftcull_blocked().
+SHAFTCULL_API shaftcull_status shaftcull_list_blocking(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                       const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                       uint32_t* blocking, uint64_t room, uint64_t* blocking_count);
+
+/// The same with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_list_blocking64(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                         const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                         uint64_t* blocking, uint64_t room, uint64_t* blocking_count);
+
+/* ---- One shaft, one bound ---- */
+
+/// What the shaft says of one box. `inside` 0 asks only whether it is kept, and the answer is then outside or overlap:
+/// some 20 ns. 1 asks for all three answers.
+SHAFTCULL_API shaftcull_status shaftcull_ask_box(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                 const shaftcull_box* box, uint32_t inside, shaftcull_answer* answer);
+
+/// What the shaft says of one sphere. As shaftcull_ask_box().
+SHAFTCULL_API shaftcull_status shaftcull_ask_sphere(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                    const shaftcull_sphere* sphere, uint32_t inside,
+                                                    shaftcull_answer* answer);
+
+/// Whether the shaft keeps one triangle, 1 or 0. Some 100 ns.
+SHAFTCULL_API shaftcull_status shaftcull_ask_triangle(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                      const shaftcull_triangle* triangle, shaftcull_triangle_test test,
+                                                      uint32_t* kept);
+
+/// Whether this one solid box hides the one end of the shaft from the other, 1 or 0. For shafts between two boxes.
+SHAFTCULL_API shaftcull_status shaftcull_blocked_by_box(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                        const shaftcull_box* solid, uint32_t* blocked);
+
+/// Whether a convex polygon does, a wall at any angle, say: `count` corners of 3 floats, three or more, in order,
+/// either way round. O(count), some microseconds; allocates a copy of the corners.
+SHAFTCULL_API shaftcull_status shaftcull_blocked_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                            const float* corners, uint64_t count, uint32_t* blocked);
+
+/* ---- Many shafts, many bounds, in parallel. Results do not depend on the number of threads. ---- */
+
+/// What lists hold.
+typedef uint32_t shaftcull_lists_kind;
+enum {
+  SHAFTCULL_LISTS_OF_INDICES = 1,
+  SHAFTCULL_LISTS_OF_INDICES64 = 2,
+  SHAFTCULL_LISTS_OF_RANGES = 3 /* of leaves of a tree, of either width of index */
+};
+
+/// Lists that the library allocates, one for each shaft, one behind the other. Calls use their memory again.
+typedef struct shaftcull_lists shaftcull_lists;
+
+/// Empty lists of a kind. Freed by shaftcull_lists_free(). O(1).
+SHAFTCULL_API shaftcull_status shaftcull_lists_create(shaftcull_lists_kind kind, shaftcull_lists** lists);
+
+/// Frees lists; does nothing for NULL.
+SHAFTCULL_API void shaftcull_lists_free(shaftcull_lists* lists);
+
+/// How many lists there are, which is how many shafts were asked; 0 at first and for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_lists_count(const shaftcull_lists* lists);
+
+/// Where each list begins: what shaft s of those asked keeps are elements offsets[s] to offsets[s + 1] − 1. One more
+/// than there are lists, or NULL if none were made yet. Valid until the lists are filled again or freed. Never fails.
+/// O(1).
+SHAFTCULL_API const uint64_t* shaftcull_lists_offsets(const shaftcull_lists* lists);
+
+/// The elements of all lists of 32-bit indices, or NULL if these are of another kind or there are none. Valid as
+/// offsets. Never fails. O(1).
+SHAFTCULL_API const uint32_t* shaftcull_lists_indices(const shaftcull_lists* lists);
+
+/// The same of 64-bit indices.
+SHAFTCULL_API const uint64_t* shaftcull_lists_indices64(const shaftcull_lists* lists);
+
+/// The same of ranges of leaves.
+SHAFTCULL_API const shaftcull_leaf_range* shaftcull_lists_ranges(const shaftcull_lists* lists);
+
+/// Row s of `kept_rows`, shaftcull_words_for(count of bounds) words, gets what shaftcull_cull() gives of shaft
+/// first + s. `words` are those of all rows.
+SHAFTCULL_API shaftcull_status shaftcull_cull_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                   uint64_t* kept_rows, uint64_t words);
+
+/// Rows of shaftcull_classify(): `words` words of each kind, in separate memory. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_classify_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                       uint64_t* kept_rows, uint64_t* inside_rows, uint64_t words);
+
+/// Rows of shaftcull_contained(). Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_contained_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                        const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                        uint64_t* inside_rows, uint64_t words);
+
+/// kept_counts[s] becomes shaftcull_count() of shaft first + s, for `count` of them.
+SHAFTCULL_API shaftcull_status shaftcull_count_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                    const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                    uint64_t* kept_counts);
+
+/// kept_counts[s] becomes shaftcull_count_at_most() of shaft first + s, for `count` of them. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_count_at_most_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                            uint64_t count, const shaftcull_bounds* bounds,
+                                                            const shaftcull_query* query, uint64_t most,
+                                                            uint64_t* kept_counts);
+
+/// counts[s] becomes shaftcull_count_classified() of shaft first + s, for `count` of them. Allocates 16 bytes a shaft.
+/// Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_count_classified_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                               uint64_t count, const shaftcull_bounds* bounds,
+                                                               const shaftcull_query* query,
+                                                               shaftcull_kept_counts* counts);
+
+/// Bit s of `any` is set if shaft first + s keeps any bound. `words` is shaftcull_words_for(count).
+SHAFTCULL_API shaftcull_status shaftcull_any_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                  const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                  uint64_t* any, uint64_t words);
+
+/// Lists what each shaft keeps, as indices or as ranges of leaves, whichever `lists` are of. Ranges are of trees of
+/// boxes and spheres only. If it fails, lists are as they were or empty. Allocates what it lists.
+SHAFTCULL_API shaftcull_status shaftcull_list_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                   shaftcull_lists* lists);
+
+/// Likewise, but what overlaps and what is inside apart: two lists of the same kind, not the same ones. Not for
+/// triangles.
+SHAFTCULL_API shaftcull_status shaftcull_list_classified_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                              uint64_t count, const shaftcull_bounds* bounds,
+                                                              const shaftcull_query* query, shaftcull_lists* overlap,
+                                                              shaftcull_lists* inside);
+
+/// Writes for shaft first + s the first indices of what it keeps, `most` or fewer, from kept[s * most] on, and how many
+/// they are to kept_counts[s]. `kept` has room for count · most indices. The two share no memory. Not for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_list_at_most_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                           uint64_t count, const shaftcull_bounds* bounds,
+                                                           const shaftcull_query* query, uint64_t most, uint32_t* kept,
+                                                           uint64_t* kept_counts);
+
+/// The same with 64-bit indices.
+SHAFTCULL_API shaftcull_status shaftcull_list_at_most_many64(const shaftcull_shafts* shafts, uint64_t first,
+                                                             uint64_t count, const shaftcull_bounds* bounds,
+                                                             const shaftcull_query* query, uint64_t most,
+                                                             uint64_t* kept, uint64_t* kept_counts);
+
+/// contacts[s] becomes shaftcull_first_contact() of shaft first + s, for `count` of them. Allocates 16 bytes a shaft.
+/// Not for hulls, nor for triangles.
+SHAFTCULL_API shaftcull_status shaftcull_first_contact_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                            uint64_t count, const shaftcull_bounds* bounds,
+                                                            const shaftcull_query* query,
+                                                            shaftcull_contact_found* contacts);
+
+/// Lists, for each shaft, those of the same `candidate_count` candidates that it keeps, in their order: into lists of
+/// 32-bit indices. If it fails, lists are as they were or empty. Candidates are no part of the lists. Not for
+/// triangles.
+SHAFTCULL_API shaftcull_status shaftcull_refine_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                     const shaftcull_bounds* bounds, const uint32_t* candidates,
+                                                     uint64_t candidate_count, shaftcull_lists* lists);
+
+/// The same with 64-bit indices, into lists of such.
+SHAFTCULL_API shaftcull_status shaftcull_refine_many64(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                       const shaftcull_bounds* bounds, const uint64_t* candidates,
+                                                       uint64_t candidate_count, shaftcull_lists* lists);
+
+/// Bit s of `blocked` is set if a solid box blocks shaft first + s. `words` is shaftcull_words_for(count). As
+/// shaftcull_blocked().
+SHAFTCULL_API shaftcull_status shaftcull_blocked_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                      const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                      uint64_t* blocked, uint64_t words);
+
+/// Lists what blocks each shaft, into lists of indices. If it fails, lists are as they were or empty.
+SHAFTCULL_API shaftcull_status shaftcull_list_blocking_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                            uint64_t count, const shaftcull_bounds* solids,
+                                                            const shaftcull_query* query, shaftcull_lists* lists);
+
+/* ---- Callbacks ---- */
+
+/// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64. Bit i of both is
+/// bound first + i; `inside` is NULL unless it was asked for. Valid during the callback only.
+typedef struct shaftcull_tile {
+  uint64_t shaft; /* position in the array of shafts */
+  uint64_t first;
+  uint64_t size;
+  const uint64_t* kept;
+  const uint64_t* inside;
+} shaftcull_tile;
+
+/// What one shaft keeps, as ranges of leaves of a tree. Valid during the callback only.
+typedef struct shaftcull_ranges {
+  uint64_t shaft;                   /* position in the array of shafts */
+  const shaftcull_leaf_range* kept; /* or, of shaftcull_for_each_classified(), those that overlap */
+  uint64_t kept_count;
+  const shaftcull_leaf_range* inside; /* NULL unless asked for */
+  uint64_t inside_count;
+} shaftcull_ranges;
+
+/// Gets `user` as it was passed. Returns 0 to go on; anything else ends the call with SHAFTCULL_STOPPED. It may run on
+/// any thread, one call at a time. It must return: no exception and no longjmp may leave it.
+typedef int32_t (*shaftcull_tile_callback)(const shaftcull_tile* tile, void* user);
+
+/// Likewise for ranges.
+typedef int32_t (*shaftcull_ranges_callback)(const shaftcull_ranges* ranges, void* user);
+
+/// Calls back once for every tile and shaft, by tile and then by shaft, with bits of what is kept. For boxes and
+/// spheres in views and streams. Allocates some tiles' bits for each thread.
+SHAFTCULL_API shaftcull_status shaftcull_for_each_tile(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                       shaftcull_tile_callback callback, void* user);
+
+/// Likewise with bits of both, kept and inside.
+SHAFTCULL_API shaftcull_status shaftcull_for_each_classified_tile(const shaftcull_shafts* shafts, uint64_t first,
+                                                                  uint64_t count, const shaftcull_bounds* bounds,
+                                                                  const shaftcull_query* query,
+                                                                  shaftcull_tile_callback callback, void* user);
+
+/// Calls back once for every shaft, in their order, with the ranges that it keeps. For trees of boxes and spheres.
+/// Allocates ranges of some shafts for each thread, and those of the one handed over.
+SHAFTCULL_API shaftcull_status shaftcull_for_each_kept(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                       shaftcull_ranges_callback callback, void* user);
+
+/// Likewise with ranges that overlap and that are inside apart.
+SHAFTCULL_API shaftcull_status shaftcull_for_each_classified(const shaftcull_shafts* shafts, uint64_t first,
+                                                             uint64_t count, const shaftcull_bounds* bounds,
+                                                             const shaftcull_query* query,
+                                                             shaftcull_ranges_callback callback, void* user);
+
+/* ---- Threads and instruction sets ---- */
+
+/// How many threads a call for many shafts would use from here; 1 in a build without oneTBB. Never fails.
+SHAFTCULL_API uint32_t shaftcull_concurrency(void);
+
+/// How many instruction sets this build has kernels for and this machine can run: 1 or more. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_isa_count(uint64_t* count);
+
+/// The name of one of these, slowest first, "avx2" say. Valid for ever. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_isa_name(uint64_t position, const char** name);
+
+/// The name of the instruction set that calls use from now on, in every thread. Valid for ever. Never fails.
+SHAFTCULL_API const char* shaftcull_active_isa(void);
+
+/// Uses an instruction set from now on, in every thread, by its name in upper or lower case. Safe at any time. Wins
+/// over the environment variable SHAFTCULL_ISA. Answers do not depend on it. Refuses what is not available, and says
+/// what is.
+SHAFTCULL_API shaftcull_status shaftcull_select_isa(const char* name);
+
+/// What the environment variable SHAFTCULL_ISA asks for, empty if it is not set; and why that cannot be followed, empty
+/// if it can. Both are valid until this thread calls this again. No other thread may change the environment meanwhile.
+SHAFTCULL_API shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
