@@ -1,5 +1,5 @@
-# Installs two components: `shaftcull`, which is the library, its headers, the CMake package that find_package(shaftcull)
-# finds and the file that pkg-config reads; and `shaftcull_program`, where it is built.
+# Installs two components: `shaftcull`, which is the library, its headers, the C interface where it is built, the CMake package
+# that find_package(shaftcull) finds and the files that pkg-config reads; and `shaftcull_program`, where it is built.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -23,6 +23,17 @@ install(TARGETS shaftcull EXPORT shaftcull
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+if(TARGET shaftcull_c)
+  install(TARGETS shaftcull_c EXPORT shaftcull
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(FILES ${PROJECT_SOURCE_DIR}/include/shaftcull.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT shaftcull)
+  if(shaftcull_type STREQUAL "SHARED_LIBRARY" AND NOT WIN32)
+    set_target_properties(shaftcull_c PROPERTIES INSTALL_RPATH "$ORIGIN")  # the C++ library lies beside it
+  endif()
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/shaftcull
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT shaftcull)
@@ -47,6 +58,21 @@ file(RELATIVE_PATH shaftcull_prefix_from_pc /${shaftcull_pc_dir} /)
 string(REGEX REPLACE "/$" "" shaftcull_prefix_from_pc "${shaftcull_prefix_from_pc}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/shaftcull.pc.in ${PROJECT_BINARY_DIR}/shaftcull.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/shaftcull.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull)
+
+# A shared C interface finds the C++ library itself. A static one needs all that is linked into neither.
+if(TARGET shaftcull_c)
+  set(shaftcull_c_pc_libraries "")
+  if(NOT shaftcull_type STREQUAL "SHARED_LIBRARY")
+    set(shaftcull_c_cxx ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+    list(FILTER shaftcull_c_cxx INCLUDE REGEX "^(stdc\\+\\+|c\\+\\+|m)$")
+    list(REMOVE_DUPLICATES shaftcull_c_cxx)
+    list(TRANSFORM shaftcull_c_cxx PREPEND " -l")
+    list(JOIN shaftcull_c_cxx "" shaftcull_c_pc_libraries)
+    string(PREPEND shaftcull_c_pc_libraries " -lshaftcull")
+  endif()
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/shaftcull_c.pc.in ${PROJECT_BINARY_DIR}/shaftcull_c.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/shaftcull_c.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull)
+endif()
 
 if(TARGET shaftcull_cli)
   if(shaftcull_type STREQUAL "SHARED_LIBRARY")

@@ -8,6 +8,8 @@
 /// stream that owns a checked and aligned copy, or a tree. Every question takes bounds of any holder and gives the same
 /// answer. Each object is made by a function that says so, and freed by the one that has its type's name and `_free`.
 ///
+/// Positions in messages of calls for some shafts of an array count from the first of these.
+///
 /// Errors. A function that can fail returns a shaftcull_status: SHAFTCULL_OK, or why not. Then
 /// shaftcull_error_message() says what is wrong, where, and what would be right. Nothing was written unless the
 /// function says otherwise, and objects are as they were. Pointers must not be NULL unless the function says so; an

@@ -1,5 +1,6 @@
-# Checks which folder of kernel/ includes which, against the table in docs/architecture.md. Given: KERNEL, the library's sources;
-# PAGE, that document.
+# Checks which folder of kernel/ includes which, against the table in docs/architecture.md, and that bindings include the public
+# headers only. Given: KERNEL, the library's sources; BINDINGS, the folder of the interfaces for other languages; PAGE, that
+# document.
 cmake_minimum_required(VERSION 3.22)
 
 # Rows of the table: | `folder/` | what it holds | `folder`, `folder` |. A semicolon would end a list's item.
@@ -69,7 +70,38 @@ foreach(folder IN LISTS existing)
     endforeach()
   endforeach()
 endforeach()
+
+# Bindings: each has a row, and includes the public headers and its own files. Tests of theirs may look at more.
+file(GLOB bindings RELATIVE ${BINDINGS} ${BINDINGS}/*)
+set(binding_includes 0)
+foreach(binding IN LISTS bindings)
+  if(NOT page MATCHES "\n\\| `bindings/${binding}/` \\|")
+    message(SEND_ERROR "bindings/${binding} has no row in ${PAGE}")
+  endif()
+  file(GLOB_RECURSE sources RELATIVE ${BINDINGS} ${BINDINGS}/${binding}/*.h ${BINDINGS}/${binding}/*.[ch]pp)
+  list(FILTER sources EXCLUDE REGEX "/tests/")
+  foreach(source IN LISTS sources)
+    file(STRINGS ${BINDINGS}/${source} lines REGEX "^ *# *include|kernel::|tbb::|xsimd::")
+    foreach(line IN LISTS lines)
+      if(line MATCHES "^ *# *include \"([^\"]+)\"")
+        set(path ${CMAKE_MATCH_1})
+        math(EXPR binding_includes "${binding_includes} + 1")
+        if(NOT path MATCHES "^shaftcull\\.h$|^shaftcull/[a-z_]+\\.hpp$" AND NOT EXISTS ${BINDINGS}/${binding}/${path})
+          message(SEND_ERROR "bindings/${source} includes ${path}, which is neither public nor its own")
+        elseif(path MATCHES "\\.\\.")
+          message(SEND_ERROR "bindings/${source} includes ${path}, which leaves its folder")
+        endif()
+      elseif(NOT line MATCHES "^ *# *include <[a-z_.]+>")
+        message(SEND_ERROR "bindings/${source} knows what is not public: ${line}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+if(binding_includes LESS 20)
+  message(FATAL_ERROR "only ${binding_includes} includes were found in ${BINDINGS}")
+endif()
+
 if(includes LESS 100)
   message(FATAL_ERROR "only ${includes} includes were found in ${KERNEL}")
 endif()
-message(STATUS "${includes} includes follow the table")
+message(STATUS "${includes} includes follow the table; ${binding_includes} of bindings are public or their own")

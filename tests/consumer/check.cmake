@@ -22,6 +22,14 @@ if(NOT output STREQUAL "kept 1\n")
   message(FATAL_ERROR "the consumer printed \"${output}\" instead of \"kept 1\"")
 endif()
 
+# The same from C, where the C interface was built.
+if(EXISTS ${WORK}/prefix/include/shaftcull.h)
+  run(${WORK}/bin/consumer_c)
+  if(NOT output STREQUAL "kept 1\n")
+    message(FATAL_ERROR "the consumer in C printed \"${output}\" instead of \"kept 1\"")
+  endif()
+endif()
+
 # The package must not name anything that only building the library needs.
 file(GLOB package ${WORK}/prefix/lib*/cmake/shaftcull/*.cmake ${WORK}/prefix/lib/*/cmake/shaftcull/*.cmake)
 if(NOT package)

@@ -1,0 +1,83 @@
+/// Errors: what is recorded, for which thread, and that nothing is thrown into C.
+#include <gmock/gmock.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "handles.hpp"
+#include "shaftcull.h"
+#include "shaftcull/shaftcull.hpp"
+#include "status.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::HasSubstr;
+using testing::StrEq;
+
+TEST(CErrors, AreOfTheThreadThatMadeTheCall) {
+  EXPECT_EQ(shaftcull_select_isa("first"), SHAFTCULL_INVALID_ARGUMENT);
+  std::string at_first;
+  std::string afterwards;
+  std::thread other([&] {
+    at_first = shaftcull_error_message();
+    EXPECT_EQ(shaftcull_select_isa("second"), SHAFTCULL_INVALID_ARGUMENT);
+    afterwards = shaftcull_error_message();
+  });
+  other.join();
+  EXPECT_THAT(at_first, StrEq(""));
+  EXPECT_THAT(afterwards, HasSubstr("second"));
+  EXPECT_THAT(shaftcull_error_message(), HasSubstr("first"));
+}
+
+TEST(CErrors, StayUntilTheNextFailure) {
+  EXPECT_EQ(shaftcull_select_isa("wrong"), SHAFTCULL_INVALID_ARGUMENT);
+  std::uint64_t count = 0;
+  ok(shaftcull_isa_count(&count));
+  EXPECT_THAT(shaftcull_error_message(), HasSubstr("wrong"));
+}
+
+TEST(CErrors, SayAllThatTheCppInterfaceSays) {
+  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {1, 1, 1}}};
+  const std::vector<shaftcull_box> in_c = as_c(boxes);
+  const shaftcull_source source = source_of(in_c);
+  shaftcull_bounds* stream = nullptr;
+  try {
+    const BoxStream cpp{std::span<const Box>(boxes)};
+    FAIL() << "a box with lo > hi was packed";
+  } catch (const BadBound& bad) {
+    EXPECT_EQ(shaftcull_stream_create(&source, &stream), SHAFTCULL_BAD_BOUND);
+    EXPECT_THAT(shaftcull_error_message(), StrEq(bad.what()));
+    EXPECT_EQ(shaftcull_error_position(), bad.index());
+  }
+  EXPECT_EQ(stream, nullptr);
+}
+
+TEST(CErrors, PositionIsThatOfTheLastFailureOnly) {
+  const std::vector<shaftcull_sphere> bad{{{0, 0, 0}, -1}};
+  const shaftcull_source source = source_of(bad);
+  shaftcull_bounds* stream = nullptr;
+  EXPECT_EQ(shaftcull_stream_create(&source, &stream), SHAFTCULL_BAD_BOUND);
+  EXPECT_EQ(shaftcull_error_position(), 0U);
+  EXPECT_EQ(shaftcull_stream_create(nullptr, &stream), SHAFTCULL_INVALID_ARGUMENT);
+  EXPECT_EQ(shaftcull_error_position(), SHAFTCULL_NONE);
+}
+
+#ifndef SHAFTCULL_SHARED  // a shared library shows no more than the interface
+TEST(CErrors, WhatElseIsThrownIsAnInternalError) {
+  EXPECT_EQ(binding::guarded([] { throw std::runtime_error("the disk is full"); }), SHAFTCULL_INTERNAL_ERROR);
+  EXPECT_THAT(shaftcull_error_message(), StrEq("the disk is full"));
+  EXPECT_EQ(binding::guarded([] { throw 7; }), SHAFTCULL_INTERNAL_ERROR);
+  EXPECT_THAT(shaftcull_error_message(), HasSubstr("no std::exception"));
+  EXPECT_EQ(binding::guarded([] { throw std::bad_alloc(); }), SHAFTCULL_OUT_OF_MEMORY);
+  EXPECT_THAT(shaftcull_error_message(), HasSubstr("memory"));
+  EXPECT_EQ(binding::guarded([] { throw NeedsRefit("later"); }), SHAFTCULL_NEEDS_REFIT);
+  EXPECT_THAT(shaftcull_error_message(), StrEq("later"));
+}
+#endif
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,1012 @@
+/// Calls every function of the C interface from plain C11, and every kind of error. What bounds they are asked about is
+/// little: agreement.cpp asks about scenes. This program shows that C can compile, link and use all of it.
+#include <math.h>
+#include <shaftcull.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+static void check(int holds, const char* what, int line) {
+  if (holds) return;
+  ++failures;
+  fprintf(stderr, "line %d: %s does not hold; the last error is: %s\n", line, what, shaftcull_error_message());
+}
+#define CHECK(condition) check(condition, #condition, __LINE__)
+#define OK(call) check((call) == SHAFTCULL_OK, #call " == SHAFTCULL_OK", __LINE__)
+
+/* The call must fail with this status, and its message must have this part. */
+static void check_failure(shaftcull_status given, shaftcull_status expected, const char* part, const char* call,
+                          int line) {
+  if (given == expected && strstr(shaftcull_error_message(), part) != NULL) return;
+  ++failures;
+  fprintf(stderr, "line %d: %s gave \"%s\" and says \"%s\"; \"%s\" and \"%s\" were expected\n", line, call,
+          shaftcull_status_name(given), shaftcull_error_message(), shaftcull_status_name(expected), part);
+}
+#define REFUSED(call, part) check_failure((call), SHAFTCULL_INVALID_ARGUMENT, part, #call, __LINE__)
+#define FAILS(call, status, part) check_failure((call), status, part, #call, __LINE__)
+
+/* A light, a table, and two boxes: the first may stand between them, the second cannot. */
+static const shaftcull_box lamp = {{0, 9, 0}, {1, 10, 1}};
+static const shaftcull_box table = {{4, 0, 4}, {6, 1, 6}};
+static const shaftcull_box scene[2] = {{{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}};
+static const shaftcull_sphere balls[2] = {{{2.5F, 4.5F, 2.5F}, 0.25F}, {{8.5F, 2, 0.5F}, 0.25F}};
+static const shaftcull_triangle faces[2] = {{{{2, 4, 2}, {3, 5, 3}, {3, 4, 2}}}, {{{8, 0, 0}, {9, 3, 1}, {9, 0, 0}}}};
+static const shaftcull_plane floor_plane = {{0, -1, 0}, 0}; /* y >= 0 */
+static const float down[3] = {0, -1, 0};
+static const float nan_vector[3] = {NAN, 0, 0};
+static const float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.02F, 3, 0, 0, -1, 4};
+static const float corners[24] = {0, 0, 0, 9, 0, 0, 0, 9, 0, 9, 9, 0, 0, 0, 9, 9, 0, 9, 0, 9, 9, 9, 9, 9};
+
+static void versions_and_names(void) {
+  CHECK(shaftcull_version() == SHAFTCULL_HEADER_VERSION);
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned patch = 0;
+  CHECK(sscanf(shaftcull_version_string(), "%u.%u.%u", &major, &minor, &patch) == 3);
+  CHECK(major * 1000000 + minor * 1000 + patch == shaftcull_version());
+  CHECK(strcmp(shaftcull_error_message(), "") == 0); /* no call has failed yet */
+  CHECK(shaftcull_error_position() == SHAFTCULL_NONE);
+  static const char* const names[] = {"ok",      "invalid argument", "bad bound", "needs refit", "out of memory",
+                                      "stopped", "internal error"};
+  for (int status = 0; status != 7; ++status) CHECK(strcmp(shaftcull_status_name(status), names[status]) == 0);
+  CHECK(strcmp(shaftcull_status_name(7), "unknown status") == 0);
+  CHECK(strcmp(shaftcull_status_name(-1), "unknown status") == 0);
+}
+
+static void values(void) {
+  CHECK(shaftcull_words_for(0) == 0 && shaftcull_words_for(64) == 1 && shaftcull_words_for(65) == 2);
+  CHECK(shaftcull_words_for(UINT64_MAX) == UINT64_MAX / 64 + 1);
+  shaftcull_box box;
+  OK(shaftcull_box_around(corners, 8, &box));
+  CHECK(box.lo[0] == 0 && box.hi[2] == 9);
+  OK(shaftcull_box_around(NULL, 0, &box));
+  CHECK(box.lo[0] == INFINITY && box.hi[0] == -INFINITY);
+  const float bad_points[6] = {1, 2, 3, 4, NAN, 6};
+  FAILS(shaftcull_box_around(bad_points, 2, &box), SHAFTCULL_BAD_BOUND, "1");
+  CHECK(shaftcull_error_position() == 1);
+  REFUSED(shaftcull_box_around(NULL, 2, &box), "points is NULL");
+  CHECK(shaftcull_error_position() == SHAFTCULL_NONE);
+  REFUSED(shaftcull_box_around(corners, UINT64_MAX, &box), "points");
+  REFUSED(shaftcull_box_around(corners, 8, NULL), "box is NULL");
+
+  OK(shaftcull_joined(&lamp, &table, &box));
+  CHECK(box.lo[1] == 0 && box.hi[1] == 10);
+  REFUSED(shaftcull_joined(NULL, &table, &box), "a is NULL");
+  REFUSED(shaftcull_joined(&lamp, NULL, &box), "b is NULL");
+  REFUSED(shaftcull_joined(&lamp, &table, NULL), "box is NULL");
+  OK(shaftcull_translated(&lamp, down, &box));
+  CHECK(box.lo[1] == 8 && box.hi[1] == 9);
+  REFUSED(shaftcull_translated(&lamp, nan_vector, &box), "finite");
+  REFUSED(shaftcull_translated(NULL, down, &box), "box is NULL");
+  REFUSED(shaftcull_translated(&lamp, NULL, &box), "by is NULL");
+  REFUSED(shaftcull_translated(&lamp, down, NULL), "moved is NULL");
+  OK(shaftcull_inflated(&lamp, 1, &box));
+  CHECK(box.lo[0] == -1 && box.hi[0] == 2);
+  REFUSED(shaftcull_inflated(&lamp, -1, &box), "by = -1");
+  REFUSED(shaftcull_inflated(NULL, 1, &box), "box is NULL");
+  REFUSED(shaftcull_inflated(&lamp, 1, NULL), "inflated is NULL");
+
+  shaftcull_plane planes[6];
+  uint64_t count = 0;
+  OK(shaftcull_view_planes(matrix, SHAFTCULL_DEPTH_ZERO_TO_ONE, planes, &count));
+  CHECK(count == 6);
+  REFUSED(shaftcull_view_planes(matrix, 2, planes, &count), "depth = 2");
+  REFUSED(shaftcull_view_planes(matrix, 256, planes, &count), "depth = 256"); /* not cut to a byte */
+  REFUSED(shaftcull_view_planes(NULL, 0, planes, &count), "matrix is NULL");
+  REFUSED(shaftcull_view_planes(matrix, 0, NULL, &count), "planes is NULL");
+  REFUSED(shaftcull_view_planes(matrix, 0, planes, NULL), "count is NULL");
+
+  uint64_t bits = 3;
+  const uint32_t layers[2] = {1, 2};
+  OK(shaftcull_keep_layers(&bits, 1, layers, 2, 2));
+  CHECK(bits == 2);
+  REFUSED(shaftcull_keep_layers(&bits, 2, layers, 2, 2), "bits has 2 words");
+  REFUSED(shaftcull_keep_layers(NULL, 1, layers, 2, 2), "bits is NULL");
+  REFUSED(shaftcull_keep_layers(&bits, 1, NULL, 2, 2), "layers is NULL");
+}
+
+static void formed_shafts(void) {
+  shaftcull_shaft* shaft = NULL;
+  shaftcull_shaft_options options = shaftcull_default_shaft_options();
+  CHECK(options.formation == SHAFTCULL_FORMATION_TABLE729 && options.order == SHAFTCULL_ORDER_UNSORTED);
+  CHECK(options.outside == 1 && options.inside == 1 && options.spheres == 1 && options.contact == 0);
+  OK(shaftcull_shaft_create(&lamp, &table, NULL, &shaft));
+  shaftcull_shaft_free(shaft);
+  options.order = SHAFTCULL_ORDER_BY_VOLUME;
+  options.spheres = 0;
+  OK(shaftcull_shaft_create(&lamp, &table, &options, &shaft));
+  OK(shaftcull_shaft_add_plane(shaft, &floor_plane));
+  const shaftcull_plane no_normal = {{0, 0, 0}, 1};
+  REFUSED(shaftcull_shaft_add_plane(shaft, &no_normal), "normal");
+  REFUSED(shaftcull_shaft_add_plane(shaft, NULL), "plane is NULL");
+  REFUSED(shaftcull_shaft_add_plane(NULL, &floor_plane), "shaft is NULL");
+  shaftcull_shaft_info info;
+  OK(shaftcull_shaft_describe(shaft, &info));
+  CHECK(memcmp(&info.a, &lamp, sizeof lamp) == 0 && memcmp(&info.b, &table, sizeof table) == 0);
+  CHECK(info.box.hi[1] == 10 && info.options.spheres == 0 && info.options.order == SHAFTCULL_ORDER_BY_VOLUME);
+  CHECK(info.joining_planes == 6 && info.added_planes == 1);
+  REFUSED(shaftcull_shaft_describe(NULL, &info), "shaft is NULL");
+  REFUSED(shaftcull_shaft_describe(shaft, NULL), "info is NULL");
+  shaftcull_joining_plane joining[8];
+  uint64_t count = 0;
+  OK(shaftcull_shaft_joining_planes(shaft, joining, &count));
+  CHECK(count == 6 && joining[0].red < 6 && joining[0].blue < 6);
+  REFUSED(shaftcull_shaft_joining_planes(NULL, joining, &count), "shaft is NULL");
+  REFUSED(shaftcull_shaft_joining_planes(shaft, NULL, &count), "planes is NULL");
+  REFUSED(shaftcull_shaft_joining_planes(shaft, joining, NULL), "count is NULL");
+  double first = 0;
+  double second = 0;
+  OK(shaftcull_culled_volume(&info.box, &joining[0], &first));
+  OK(shaftcull_culled_volume(&info.box, &joining[1], &second));
+  CHECK(first >= second && second > 0); /* ordered by volume */
+  REFUSED(shaftcull_culled_volume(NULL, &joining[0], &first), "box is NULL");
+  REFUSED(shaftcull_culled_volume(&info.box, NULL, &first), "plane is NULL");
+  REFUSED(shaftcull_culled_volume(&info.box, &joining[0], NULL), "volume is NULL");
+  joining[0].red = 256; /* 0, if it were cut to a byte */
+  REFUSED(shaftcull_culled_volume(&info.box, &joining[0], &first), "plane.red = 256");
+  shaftcull_plane added[16];
+  OK(shaftcull_shaft_added_planes(shaft, added, &count));
+  CHECK(count == 1 && memcmp(&added[0], &floor_plane, sizeof floor_plane) == 0);
+  REFUSED(shaftcull_shaft_added_planes(NULL, added, &count), "shaft is NULL");
+  REFUSED(shaftcull_shaft_added_planes(shaft, NULL, &count), "planes is NULL");
+  REFUSED(shaftcull_shaft_added_planes(shaft, added, NULL), "count is NULL");
+  shaftcull_shaft_free(shaft);
+  shaftcull_shaft_free(NULL);
+
+  const shaftcull_box reversed = {{1, 1, 1}, {0, 0, 0}};
+  shaft = NULL;
+  REFUSED(shaftcull_shaft_create(&reversed, &table, NULL, &shaft), "lo");
+  REFUSED(shaftcull_shaft_create(NULL, &table, NULL, &shaft), "a is NULL");
+  REFUSED(shaftcull_shaft_create(&lamp, NULL, NULL, &shaft), "b is NULL");
+  REFUSED(shaftcull_shaft_create(&lamp, &table, NULL, NULL), "shaft is NULL");
+  options = shaftcull_default_shaft_options();
+  options.formation = 3;
+  REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "options.formation = 3");
+  options = shaftcull_default_shaft_options();
+  options.order = 3;
+  REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "options.order = 3");
+  options = shaftcull_default_shaft_options();
+  options.contact = 2;
+  REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "contact = 2");
+  options = shaftcull_default_shaft_options();
+  options.inside = 2;
+  REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "options.inside = 2");
+  options = shaftcull_default_shaft_options();
+  options.reserved[1] = 1;
+  REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "options.reserved");
+  CHECK(shaft == NULL);
+}
+
+static void hulls(void) {
+  shaftcull_hull* hull = NULL;
+  OK(shaftcull_hull_create(corners, 8, down, 1, &hull));
+  shaftcull_box box;
+  OK(shaftcull_hull_box(hull, &box));
+  CHECK(box.lo[1] == -INFINITY && box.hi[1] == 9);
+  float floats[96];
+  uint64_t points = 0;
+  uint64_t directions = 0;
+  OK(shaftcull_hull_points(hull, floats, &points, &directions));
+  CHECK(points == 8 && directions == 1 && memcmp(floats, corners, sizeof corners) == 0 && floats[25] == -1);
+  REFUSED(shaftcull_hull_box(NULL, &box), "hull is NULL");
+  REFUSED(shaftcull_hull_box(hull, NULL), "box is NULL");
+  REFUSED(shaftcull_hull_points(NULL, floats, &points, &directions), "hull is NULL");
+  REFUSED(shaftcull_hull_points(hull, NULL, &points, &directions), "floats is NULL");
+  REFUSED(shaftcull_hull_points(hull, floats, NULL, &directions), "point_count is NULL");
+  REFUSED(shaftcull_hull_points(hull, floats, &points, NULL), "direction_count is NULL");
+  shaftcull_hull_free(hull);
+  shaftcull_hull_free(NULL);
+  shaftcull_hull* view = NULL;
+  OK(shaftcull_hull_of_frustum(matrix, SHAFTCULL_DEPTH_ZERO_TO_ONE, &view));
+  shaftcull_hull_free(view);
+  OK(shaftcull_hull_of_frustum(matrix, SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, &view));
+  OK(shaftcull_hull_of_casters(view, lamp.hi, &hull));
+  OK(shaftcull_hull_points(hull, floats, &points, &directions));
+  CHECK(points == 9 && directions == 0);
+  shaftcull_hull_free(hull);
+  OK(shaftcull_hull_of_casters_towards(view, down, &hull));
+  shaftcull_hull_free(hull);
+  hull = NULL;
+  REFUSED(shaftcull_hull_create(NULL, 0, NULL, 0, &hull), "point");
+  REFUSED(shaftcull_hull_create(NULL, 8, NULL, 0, &hull), "points is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, NULL, 1, &hull), "directions is NULL");
+  REFUSED(shaftcull_hull_create(corners, 8, nan_vector, 1, &hull), "direction");
+  REFUSED(shaftcull_hull_create(corners, 8, NULL, 0, NULL), "hull is NULL");
+  REFUSED(shaftcull_hull_of_frustum(matrix, 2, &hull), "depth = 2");
+  REFUSED(shaftcull_hull_of_frustum(NULL, 0, &hull), "matrix is NULL");
+  REFUSED(shaftcull_hull_of_frustum(matrix, 0, NULL), "hull is NULL");
+  REFUSED(shaftcull_hull_of_casters(NULL, down, &hull), "view is NULL");
+  REFUSED(shaftcull_hull_of_casters(view, NULL, &hull), "light is NULL");
+  REFUSED(shaftcull_hull_of_casters(view, nan_vector, &hull), "finite");
+  REFUSED(shaftcull_hull_of_casters(view, down, NULL), "hull is NULL");
+  REFUSED(shaftcull_hull_of_casters_towards(NULL, down, &hull), "view is NULL");
+  REFUSED(shaftcull_hull_of_casters_towards(view, NULL, &hull), "towards_sun is NULL");
+  REFUSED(shaftcull_hull_of_casters_towards(view, down, NULL), "hull is NULL");
+  CHECK(hull == NULL);
+  shaftcull_hull_free(view);
+}
+
+/* An array of three shafts: from lamp to table, what falls from the lamp, and a hull. */
+static shaftcull_shafts* three_shafts(void) {
+  shaftcull_shafts* shafts = NULL;
+  OK(shaftcull_shafts_create(3, &shafts));
+  OK(shaftcull_shafts_set_between(shafts, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
+  OK(shaftcull_shafts_set_swept_without_end(shafts, 1, &lamp, down, &floor_plane, 1));
+  shaftcull_hull* hull = NULL;
+  OK(shaftcull_hull_create(corners, 8, NULL, 0, &hull));
+  OK(shaftcull_shafts_set_hull(shafts, 2, hull));
+  shaftcull_hull_free(hull); /* the array keeps what it needs */
+  return shafts;
+}
+
+static void arrays_of_shafts(void) {
+  shaftcull_shafts* shafts = three_shafts();
+  CHECK(shaftcull_shafts_count(shafts) == 3 && shaftcull_shafts_count(NULL) == 0);
+  shaftcull_shafts_info info;
+  OK(shaftcull_shafts_describe(shafts, 0, &info));
+  CHECK(memcmp(&info.a, &lamp, sizeof lamp) == 0 && memcmp(&info.b, &table, sizeof table) == 0);
+  CHECK(info.formed == 1 && info.has_planes == 0 && info.contact == SHAFTCULL_CONTACT_CLOSED && info.is_hull == 0);
+  OK(shaftcull_shafts_complete(shafts, 0, 1));
+  OK(shaftcull_shafts_set_contact(shafts, 0, 2, SHAFTCULL_CONTACT_OPEN));
+  OK(shaftcull_shafts_describe(shafts, 0, &info));
+  CHECK(info.has_planes == 1 && info.contact == SHAFTCULL_CONTACT_OPEN);
+  OK(shaftcull_shafts_describe(shafts, 2, &info));
+  CHECK(info.is_hull == 1 && info.a.lo[0] == 0 && info.a.hi[0] == 9);
+  REFUSED(shaftcull_shafts_describe(shafts, 3, &info), "shaft = 3 is not below the number of shafts, 3");
+  REFUSED(shaftcull_shafts_describe(NULL, 0, &info), "shafts is NULL");
+  REFUSED(shaftcull_shafts_describe(shafts, 0, NULL), "info is NULL");
+  REFUSED(shaftcull_shafts_complete(shafts, 2, 2), "3 shafts of the array");
+  REFUSED(shaftcull_shafts_complete(shafts, 1, UINT64_MAX), "3 shafts of the array");
+  REFUSED(shaftcull_shafts_complete(NULL, 0, 0), "shafts is NULL");
+  REFUSED(shaftcull_shafts_set_contact(shafts, 0, 3, SHAFTCULL_CONTACT_CLOSED), "hull");
+  REFUSED(shaftcull_shafts_set_contact(shafts, 0, 1, 2), "contact = 2");
+  REFUSED(shaftcull_shafts_set_contact(NULL, 0, 1, 0), "shafts is NULL");
+
+  /* Copies, of a hull too, which stays when both the hull and the first array are gone. */
+  shaftcull_shafts* copies = NULL;
+  OK(shaftcull_shafts_create(4, &copies));
+  OK(shaftcull_shafts_describe(copies, 0, &info));
+  CHECK(info.formed == 0 && info.a.lo[0] == INFINITY);
+  OK(shaftcull_shafts_copy(copies, 1, shafts, 0, 3));
+  REFUSED(shaftcull_shafts_copy(copies, 2, shafts, 0, 3), "4 shafts of the array");
+  REFUSED(shaftcull_shafts_copy(copies, 0, shafts, 1, 3), "3 shafts of the array");
+  REFUSED(shaftcull_shafts_copy(NULL, 0, shafts, 0, 1), "shafts is NULL");
+  REFUSED(shaftcull_shafts_copy(copies, 0, NULL, 0, 1), "source is NULL");
+  shaftcull_shafts_free(shafts);
+  OK(shaftcull_shafts_copy(copies, 0, copies, 1, 3)); /* forwards, overlapping */
+  OK(shaftcull_shafts_copy(copies, 1, copies, 0, 3)); /* and backwards */
+  shaftcull_answer answer = 99;
+  OK(shaftcull_ask_box(copies, 3, &scene[0], 1, &answer));
+  CHECK(answer == SHAFTCULL_INSIDE);
+  OK(shaftcull_shafts_set_between(copies, 3, &lamp, &table, SHAFTCULL_CONTACT_CLOSED)); /* no hull any more */
+  OK(shaftcull_shafts_describe(copies, 3, &info));
+  CHECK(info.is_hull == 0);
+  shaftcull_shafts_free(copies);
+  shaftcull_shafts_free(NULL);
+
+  OK(shaftcull_shafts_create(4, &shafts));
+  const shaftcull_box bad = {{NAN, 0, 0}, {1, 1, 1}};
+  const float reach = 2;
+  const float half = 0.5F;
+  OK(shaftcull_shafts_set_swept(shafts, 0, &lamp, down, NULL, 0));
+  OK(shaftcull_shafts_set_shadow(shafts, 1, &lamp, &table, &reach, &floor_plane, 1));
+  OK(shaftcull_shafts_set_shadow(shafts, 1, &lamp, &table, NULL, NULL, 0));
+  shaftcull_shaft* formed = NULL;
+  OK(shaftcull_shaft_create(&lamp, &table, NULL, &formed));
+  OK(shaftcull_shafts_set_formed(shafts, 2, formed));
+  shaftcull_shaft_free(formed);
+  OK(shaftcull_shafts_describe(shafts, 2, &info));
+  CHECK(info.has_planes == 1);
+  REFUSED(shaftcull_shafts_set_formed(shafts, 2, NULL), "formed is NULL");
+  REFUSED(shaftcull_shafts_set_between(shafts, 0, &bad, &table, 0), "box a: lo.x = nan");
+  REFUSED(shaftcull_shafts_set_between(shafts, 0, &lamp, NULL, 0), "b is NULL");
+  REFUSED(shaftcull_shafts_set_between(shafts, 0, &lamp, &table, 2), "contact = 2");
+  REFUSED(shaftcull_shafts_set_between(shafts, 4, &lamp, &table, 0), "shaft = 4");
+  REFUSED(shaftcull_shafts_set_swept(shafts, 0, &lamp, nan_vector, NULL, 0), "displacement");
+  REFUSED(shaftcull_shafts_set_swept(shafts, 0, &lamp, down, NULL, 1), "planes is NULL");
+  REFUSED(shaftcull_shafts_set_swept_without_end(shafts, 0, &lamp, NULL, NULL, 0), "direction is NULL");
+  REFUSED(shaftcull_shafts_set_shadow(shafts, 0, &lamp, &lamp, NULL, NULL, 0), "occluder");
+  REFUSED(shaftcull_shafts_set_shadow(shafts, 0, &lamp, &table, &half, NULL, 0), "reach");
+  REFUSED(shaftcull_shafts_set_hull(shafts, 0, NULL), "hull is NULL");
+
+  /* Batches. */
+  const shaftcull_box lamps[2] = {lamp, lamp};
+  const shaftcull_box tables[2] = {table, table};
+  const shaftcull_source from = shaftcull_boxes(lamps, 2);
+  const shaftcull_source to = shaftcull_boxes(tables, 2);
+  const shaftcull_plane planes[2] = {floor_plane, floor_plane};
+  const shaftcull_batch_planes batch_planes = {planes, 2, NULL, 0};
+  const shaftcull_index_pair pairs[3] = {{0, 1}, {1, 0}, {1, 1}};
+  const float vectors[6] = {0, -1, 0, 0, -2, 0};
+  OK(shaftcull_shafts_set_between_batch(shafts, 2, &from, &to, NULL, 2, &batch_planes, SHAFTCULL_CONTACT_CLOSED));
+  OK(shaftcull_shafts_set_between_batch(shafts, 0, &from, &to, pairs, 3, NULL, SHAFTCULL_CONTACT_OPEN));
+  OK(shaftcull_shafts_set_swept_batch(shafts, 0, &from, vectors, planes, 2));
+  OK(shaftcull_shafts_set_swept_without_end_batch(shafts, 0, &from, vectors, NULL, 0));
+  OK(shaftcull_shafts_set_shadow_batch(shafts, 0, &from, &to, NULL, 2, NULL, NULL));
+  OK(shaftcull_shafts_set_shadow_batch(shafts, 0, &from, &to, pairs, 3, &reach, &batch_planes));
+  const shaftcull_index_pair far_pair = {0, 2};
+  const shaftcull_source of_spheres = shaftcull_spheres(balls, 2);
+  const shaftcull_box one_bad[2] = {lamp, bad};
+  const shaftcull_source bad_source = shaftcull_boxes(one_bad, 2);
+  const float bad_vectors[6] = {0, -1, 0, 0, NAN, 0};
+  REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, &from, &to, &far_pair, 1, NULL, 0), "2");
+  REFUSED(shaftcull_shafts_set_between_batch(shafts, 3, &from, &to, NULL, 2, NULL, 0), "4 shafts of the array");
+  REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, &from, &of_spheres, NULL, 2, NULL, 0), "b is not of boxes");
+  REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, NULL, &to, NULL, 2, NULL, 0), "a is NULL");
+  FAILS(shaftcull_shafts_set_between_batch(shafts, 0, &bad_source, &to, NULL, 2, NULL, 0), SHAFTCULL_BAD_BOUND,
+        "box 1: lo.x");
+  CHECK(shaftcull_error_position() == 1);
+  FAILS(shaftcull_shafts_set_swept_batch(shafts, 0, &from, bad_vectors, NULL, 0), SHAFTCULL_BAD_BOUND, "1");
+  CHECK(shaftcull_error_position() == 1);
+  REFUSED(shaftcull_shafts_set_swept_batch(shafts, 0, &from, NULL, NULL, 0), "displacements is NULL");
+  REFUSED(shaftcull_shafts_set_swept_without_end_batch(shafts, 0, &from, NULL, NULL, 0), "directions is NULL");
+  REFUSED(shaftcull_shafts_set_shadow_batch(shafts, 0, &from, &to, NULL, 2, &half, NULL), "reach");
+  shaftcull_shafts_free(shafts);
+  REFUSED(shaftcull_shafts_create(UINT64_MAX, &shafts), "memory");
+#ifndef SHAFTCULL_SANITIZED /* AddressSanitizer ends the program */
+  FAILS(shaftcull_shafts_create(UINT64_MAX / 832 / 4, &shafts), SHAFTCULL_OUT_OF_MEMORY, "memory");
+#endif
+  REFUSED(shaftcull_shafts_create(1, NULL), "shafts is NULL");
+}
+
+static void views_and_streams(void) {
+  const float x0[2] = {2, 8};
+  const float y0[2] = {4, 0};
+  const float z0[2] = {2, 0};
+  const float x1[2] = {3, 9};
+  const float y1[2] = {5, 3};
+  const float z1[2] = {3, 1};
+  const float* const streams[6] = {x0, y0, z0, x1, y1, z1};
+  const float* const some_null[6] = {x0, y0, z0, x1, NULL, z1};
+  shaftcull_bounds* view = NULL;
+  OK(shaftcull_view_create(SHAFTCULL_SPHERES, NULL, 0, &view));
+  shaftcull_bounds_free(view);
+  OK(shaftcull_view_create(SHAFTCULL_TRIANGLES, NULL, 0, &view));
+  shaftcull_bounds_free(view);
+  OK(shaftcull_view_create(SHAFTCULL_BOXES, streams, 2, &view));
+  shaftcull_bounds_info info;
+  OK(shaftcull_bounds_describe(view, &info));
+  CHECK(info.kind == SHAFTCULL_BOXES && info.holder == SHAFTCULL_VIEW && info.count == 2 && info.memory_bytes == 0);
+  const float* found[9];
+  OK(shaftcull_bounds_streams(view, found));
+  CHECK(found[0] == x0 && found[5] == z1 && found[6] == NULL && found[8] == NULL);
+  OK(shaftcull_view_set(view, streams, 1));
+  OK(shaftcull_bounds_describe(view, &info));
+  CHECK(info.count == 1);
+  REFUSED(shaftcull_view_set(view, some_null, 2), "streams[4] is NULL");
+  REFUSED(shaftcull_view_set(view, NULL, 2), "streams is NULL");
+  REFUSED(shaftcull_view_set(NULL, streams, 2), "view is NULL");
+  REFUSED(shaftcull_view_create(4, streams, 2, &view), "kind = 4");
+  REFUSED(shaftcull_view_create(0, streams, 2, &view), "kind = 0");
+  REFUSED(shaftcull_view_create(SHAFTCULL_BOXES, streams, 2, NULL), "bounds is NULL");
+  REFUSED(shaftcull_bounds_describe(NULL, &info), "bounds is NULL");
+  REFUSED(shaftcull_bounds_describe(view, NULL), "info is NULL");
+  REFUSED(shaftcull_bounds_streams(NULL, found), "bounds is NULL");
+  REFUSED(shaftcull_bounds_streams(view, NULL), "streams is NULL");
+
+  shaftcull_bounds* stream = NULL;
+  shaftcull_source source = shaftcull_source_of(view);
+  OK(shaftcull_stream_create(&source, &stream));
+  OK(shaftcull_bounds_describe(stream, &info));
+  CHECK(info.holder == SHAFTCULL_STREAM && info.count == 1 && info.memory_bytes == 64 * 24 && info.index_bits == 0);
+  REFUSED(shaftcull_view_set(stream, streams, 2), "a stream of boxes");
+  shaftcull_bounds_free(stream);
+  OK(shaftcull_stream_create_empty(SHAFTCULL_SPHERES, 2, &stream));
+  shaftcull_bounds_free(stream);
+  OK(shaftcull_stream_create_empty(SHAFTCULL_TRIANGLES, 2, &stream));
+  const uint32_t indices[6] = {0, 1, 2, 3, 5, 4};
+  source = shaftcull_mesh(&faces[0].vertex[0][0], 6, indices, 2);
+  OK(shaftcull_stream_update(stream, 0, &source));
+  OK(shaftcull_bounds_streams(stream, found));
+  CHECK(found[3][1] == 9 && found[6][1] == 9 && found[7][1] == 3 && found[8] != NULL);
+  const uint32_t far_indices[3] = {0, 1, 6};
+  source = shaftcull_mesh(&faces[0].vertex[0][0], 6, far_indices, 1);
+  REFUSED(shaftcull_stream_update(stream, 0, &source), "6");
+  shaftcull_bounds_free(stream);
+  OK(shaftcull_stream_create_empty(SHAFTCULL_BOXES, 2, &stream));
+  source = shaftcull_boxes(scene, 2);
+  OK(shaftcull_stream_update(stream, 0, &source));
+  REFUSED(shaftcull_stream_update(stream, 1, &source), "2");
+  REFUSED(shaftcull_stream_update(NULL, 0, &source), "stream is NULL");
+  REFUSED(shaftcull_stream_update(stream, 0, NULL), "source is NULL");
+  REFUSED(shaftcull_stream_update(view, 0, &source), "a view of boxes");
+  source = shaftcull_spheres(balls, 2);
+  REFUSED(shaftcull_stream_update(stream, 0, &source), "of its own kind");
+  /* Centres and half extents, and members of a larger record. */
+  const float centres[12] = {2.5F, 4.5F, 2.5F, 0.5F, 0.5F, 0.5F, 8.5F, 1.5F, 0.5F, 0.5F, 1.5F, 0.5F};
+  memset(&source, 0, sizeof source);
+  source.kind = SHAFTCULL_SOURCE_CENTRES;
+  source.count = 2;
+  source.first = centres;
+  source.second = centres + 3;
+  source.stride = 6 * sizeof(float);
+  OK(shaftcull_stream_update(stream, 0, &source));
+  shaftcull_bounds* copy = NULL;
+  OK(shaftcull_bounds_copy(stream, &copy));
+  shaftcull_bounds_free(stream);
+  OK(shaftcull_bounds_streams(copy, found));
+  CHECK(found[0][0] == 2 && found[4][1] == 3);
+  shaftcull_bounds_free(copy);
+  shaftcull_bounds_free(NULL);
+  REFUSED(shaftcull_bounds_copy(NULL, &copy), "bounds is NULL");
+  REFUSED(shaftcull_bounds_copy(view, NULL), "copy is NULL");
+
+  source.count = 1;
+  source.vertex_count = 1;
+  REFUSED(shaftcull_stream_create(&source, &stream), "source.vertex_count");
+  source.vertex_count = 0;
+  source.kind = 7;
+  REFUSED(shaftcull_stream_create(&source, &stream), "source.kind = 7");
+  source.kind = 0;
+  REFUSED(shaftcull_stream_create(&source, &stream), "source.kind = 0");
+  source = shaftcull_boxes(NULL, 2);
+  REFUSED(shaftcull_stream_create(&source, &stream), "null");
+  source = shaftcull_spheres(NULL, 2);
+  REFUSED(shaftcull_stream_create(&source, &stream), "null");
+  source = shaftcull_triangles(NULL, 2);
+  REFUSED(shaftcull_stream_create(&source, &stream), "source.first is NULL");
+  source = shaftcull_triangles(faces, 2);
+  source.reserved = 1;
+  REFUSED(shaftcull_stream_create(&source, &stream), "source.reserved");
+  source = shaftcull_source_of(NULL);
+  REFUSED(shaftcull_stream_create(&source, &stream), "bounds is NULL");
+  source = shaftcull_source_of(view);
+  source.count = 1;
+  REFUSED(shaftcull_stream_create(&source, &stream), "source.count");
+  const shaftcull_sphere negative[3] = {balls[0], balls[1], {{0, 0, 0}, -1}};
+  source = shaftcull_spheres(negative, 3);
+  FAILS(shaftcull_stream_create(&source, &stream), SHAFTCULL_BAD_BOUND, "2");
+  CHECK(shaftcull_error_position() == 2);
+  REFUSED(shaftcull_stream_create(&source, NULL), "bounds is NULL");
+  REFUSED(shaftcull_stream_create(NULL, &stream), "source is NULL");
+  REFUSED(shaftcull_stream_create_empty(9, 2, &stream), "kind = 9");
+  REFUSED(shaftcull_stream_create_empty(SHAFTCULL_BOXES, 2, NULL), "bounds is NULL");
+  REFUSED(shaftcull_stream_create_empty(SHAFTCULL_BOXES, UINT64_MAX, &stream), "memory");
+#ifndef SHAFTCULL_SANITIZED /* AddressSanitizer ends the program */
+  FAILS(shaftcull_stream_create_empty(SHAFTCULL_BOXES, (uint64_t)1 << 56, &stream), SHAFTCULL_OUT_OF_MEMORY, "memory");
+#endif
+  shaftcull_bounds_free(view);
+}
+
+static void trees(void) {
+  shaftcull_source source = shaftcull_boxes(scene, 2);
+  shaftcull_bounds* narrow = NULL;
+  shaftcull_bounds* wide = NULL;
+  shaftcull_bounds* mesh = NULL;
+  OK(shaftcull_tree_create(&source, 32, &narrow));
+  OK(shaftcull_tree_create(&source, 64, &wide));
+  shaftcull_source of_triangles = shaftcull_triangles(faces, 2);
+  OK(shaftcull_tree_create(&of_triangles, 32, &mesh));
+  REFUSED(shaftcull_tree_create(&of_triangles, 64, &mesh), "index_bits = 64");
+  REFUSED(shaftcull_tree_create(&source, 16, &narrow), "index_bits = 16");
+  REFUSED(shaftcull_tree_create(NULL, 32, &narrow), "source is NULL");
+  REFUSED(shaftcull_tree_create(&source, 32, NULL), "tree is NULL");
+  shaftcull_bounds_info info;
+  OK(shaftcull_bounds_describe(wide, &info));
+  CHECK(info.holder == SHAFTCULL_TREE && info.index_bits == 64 && info.count == 2 && info.memory_bytes > 0);
+  OK(shaftcull_bounds_describe(mesh, &info));
+  CHECK(info.kind == SHAFTCULL_TRIANGLES && info.index_bits == 32 && info.needs_refit == 0);
+  shaftcull_box box;
+  OK(shaftcull_tree_box(mesh, &box));
+  OK(shaftcull_tree_box(narrow, &box));
+  CHECK(box.lo[0] == 2 && box.hi[0] == 9);
+  const uint32_t* order = NULL;
+  const uint64_t* wide_order = NULL;
+  OK(shaftcull_tree_order(mesh, &order));
+  OK(shaftcull_tree_order(narrow, &order));
+  CHECK(order[0] + order[1] == 1);
+  OK(shaftcull_tree_order64(wide, &wide_order));
+  CHECK(wide_order[0] + wide_order[1] == 1);
+  REFUSED(shaftcull_tree_order(wide, &order), "64-bit indices");
+  REFUSED(shaftcull_tree_order64(narrow, &wide_order), "32-bit indices");
+  REFUSED(shaftcull_tree_order(narrow, NULL), "order is NULL");
+  REFUSED(shaftcull_tree_order64(wide, NULL), "order is NULL");
+  REFUSED(shaftcull_tree_box(narrow, NULL), "box is NULL");
+  REFUSED(shaftcull_tree_box(NULL, &box), "tree is NULL");
+
+  OK(shaftcull_tree_update(narrow, &source));
+  const uint32_t index = 1;
+  const uint64_t wide_index = 1;
+  const uint32_t far_index = 2;
+  const shaftcull_source one = shaftcull_boxes(scene, 1);
+  OK(shaftcull_tree_update_some(narrow, &index, 1, &one));
+  OK(shaftcull_tree_update_some64(wide, &wide_index, 1, &one));
+  double growth = 0;
+  FAILS(shaftcull_tree_growth(narrow, &growth), SHAFTCULL_NEEDS_REFIT, "refit");
+  FAILS(shaftcull_tree_box(wide, &box), SHAFTCULL_NEEDS_REFIT, "refit");
+  OK(shaftcull_bounds_describe(wide, &info));
+  CHECK(info.needs_refit == 1);
+  OK(shaftcull_tree_refit(narrow));
+  OK(shaftcull_tree_refit(wide));
+  OK(shaftcull_tree_growth(narrow, &growth));
+  OK(shaftcull_tree_box(narrow, &box));
+  CHECK(growth > 0 && box.hi[0] == 3);
+  OK(shaftcull_tree_rebuild(narrow));
+  OK(shaftcull_tree_renumber(narrow));
+  OK(shaftcull_tree_order(narrow, &order));
+  CHECK(order[0] == 0 && order[1] == 1);
+  REFUSED(shaftcull_tree_update(narrow, &one), "2");
+  REFUSED(shaftcull_tree_update(narrow, &of_triangles), "kind");
+  REFUSED(shaftcull_tree_update(mesh, &of_triangles), "a tree of triangles");
+  REFUSED(shaftcull_tree_update(narrow, NULL), "source is NULL");
+  const shaftcull_source itself = shaftcull_source_of(narrow);
+  REFUSED(shaftcull_tree_update(narrow, &itself), "own");
+  REFUSED(shaftcull_tree_update_some(narrow, &far_index, 1, &one), "2");
+  REFUSED(shaftcull_tree_update_some(narrow, NULL, 1, &one), "indices is NULL");
+  REFUSED(shaftcull_tree_update_some(wide, &index, 1, &one), "64-bit indices");
+  REFUSED(shaftcull_tree_update_some64(narrow, &wide_index, 1, &one), "32-bit indices");
+  REFUSED(shaftcull_tree_refit(NULL), "tree is NULL");
+  REFUSED(shaftcull_tree_refit(mesh), "a tree of triangles");
+  REFUSED(shaftcull_tree_rebuild(mesh), "a tree of triangles");
+  REFUSED(shaftcull_tree_renumber(mesh), "a tree of triangles");
+  REFUSED(shaftcull_tree_growth(mesh, &growth), "a tree of triangles");
+  REFUSED(shaftcull_tree_growth(narrow, NULL), "growth is NULL");
+
+  const uint32_t layers[2] = {1, 2};
+  const uint32_t* found = layers;
+  OK(shaftcull_tree_layers(narrow, &found));
+  CHECK(found == NULL);
+  REFUSED(shaftcull_tree_set_layers_of(narrow, &index, layers, 1), "layers");
+  OK(shaftcull_tree_set_layers(narrow, layers, 2));
+  OK(shaftcull_tree_set_layers(wide, layers, 2));
+  OK(shaftcull_tree_set_layers_of(narrow, &index, layers, 1));
+  OK(shaftcull_tree_set_layers_of64(wide, &wide_index, layers, 1));
+  OK(shaftcull_tree_layers(narrow, &found));
+  CHECK(found[0] == 1 && found[1] == 1);
+  OK(shaftcull_bounds_describe(narrow, &info));
+  CHECK(info.has_layers == 1);
+  OK(shaftcull_tree_clear_layers(narrow));
+  REFUSED(shaftcull_tree_set_layers(narrow, layers, 1), "2");
+  REFUSED(shaftcull_tree_set_layers(mesh, layers, 2), "a tree of triangles");
+  REFUSED(shaftcull_tree_set_layers_of(wide, &index, layers, 1), "64-bit indices");
+  REFUSED(shaftcull_tree_set_layers_of64(narrow, &wide_index, layers, 1), "32-bit indices");
+  REFUSED(shaftcull_tree_clear_layers(mesh), "a tree of triangles");
+  REFUSED(shaftcull_tree_layers(mesh, &found), "a tree of triangles");
+  REFUSED(shaftcull_tree_layers(narrow, NULL), "layers is NULL");
+  shaftcull_bounds_free(narrow);
+  shaftcull_bounds_free(wide);
+  shaftcull_bounds_free(mesh);
+}
+
+/* What all questions are asked about. */
+typedef struct asked {
+  shaftcull_shafts* shafts;
+  shaftcull_bounds* stream;
+  shaftcull_bounds* tree;
+  shaftcull_bounds* wide;
+  shaftcull_bounds* triangles;
+} asked;
+
+static asked make_asked(void) {
+  asked all;
+  memset(&all, 0, sizeof all);
+  all.shafts = three_shafts();
+  const shaftcull_source boxes = shaftcull_boxes(scene, 2);
+  const shaftcull_source triangles = shaftcull_triangles(faces, 2);
+  OK(shaftcull_stream_create(&boxes, &all.stream));
+  OK(shaftcull_tree_create(&boxes, 32, &all.tree));
+  OK(shaftcull_tree_create(&boxes, 64, &all.wide));
+  OK(shaftcull_stream_create(&triangles, &all.triangles));
+  return all;
+}
+
+static void free_asked(asked* all) {
+  shaftcull_shafts_free(all->shafts);
+  shaftcull_bounds_free(all->stream);
+  shaftcull_bounds_free(all->tree);
+  shaftcull_bounds_free(all->wide);
+  shaftcull_bounds_free(all->triangles);
+}
+
+static void one_shaft(void) {
+  asked all = make_asked();
+  const shaftcull_shafts* const shafts = all.shafts;
+  const shaftcull_bounds* const holders[3] = {all.stream, all.tree, all.wide};
+  uint64_t kept = 0;
+  uint64_t inside = 0;
+  uint64_t number = 99;
+  uint32_t yes = 99;
+  uint32_t narrow[2] = {99, 99};
+  uint64_t wide[2] = {99, 99};
+  uint32_t more[2] = {99, 99};
+  uint64_t more_wide[2] = {99, 99};
+  shaftcull_leaf_range ranges[2];
+  shaftcull_leaf_range more_ranges[2];
+  shaftcull_kept_counts counts;
+  shaftcull_contact_found contact;
+  float time = 0;
+  for (int h = 0; h != 3; ++h) {
+    const shaftcull_bounds* const bounds = holders[h];
+    OK(shaftcull_cull(shafts, 0, bounds, NULL, &kept, 1));
+    CHECK(kept == 1);
+    OK(shaftcull_classify(shafts, 2, bounds, NULL, &kept, &inside, 1));
+    CHECK(kept == 3 && inside == 3);
+    OK(shaftcull_contained(shafts, 0, bounds, NULL, &inside, 1));
+    CHECK(inside == 0);
+    OK(shaftcull_count(shafts, 0, bounds, NULL, &number));
+    CHECK(number == 1);
+    OK(shaftcull_count_at_most(shafts, 2, bounds, NULL, 1, &number));
+    CHECK(number == 1);
+    OK(shaftcull_count_classified(shafts, 0, bounds, NULL, &counts));
+    CHECK(counts.overlap == 1 && counts.inside == 0);
+    OK(shaftcull_any(shafts, 1, bounds, NULL, &yes));
+    CHECK(yes == 0);
+    OK(shaftcull_first_contact(shafts, 0, bounds, NULL, &contact));
+    CHECK(contact.found == 1 && contact.index == 0 && contact.time > 0 && contact.time < 1);
+    OK(shaftcull_first_contact(shafts, 1, bounds, NULL, &contact));
+    CHECK(contact.found == 0 && contact.index == SHAFTCULL_NONE && contact.time == INFINITY);
+    OK(shaftcull_blocked(shafts, 0, bounds, NULL, &yes));
+    CHECK(yes == 0);
+    OK(shaftcull_blocked_by(shafts, 0, bounds, NULL, &number));
+    CHECK(number == SHAFTCULL_NONE);
+  }
+  const uint32_t candidates[2] = {1, 0};
+  const uint64_t wide_candidates[2] = {1, 0};
+  for (int h = 0; h != 2; ++h) {
+    const shaftcull_bounds* const bounds = holders[h];
+    OK(shaftcull_list(shafts, 0, bounds, NULL, narrow, 2, &number));
+    CHECK(number == 1 && narrow[0] == 0);
+    OK(shaftcull_list(shafts, 2, bounds, NULL, NULL, 0, &number)); /* only counts */
+    CHECK(number == 2);
+    OK(shaftcull_list_at_most(shafts, 2, bounds, NULL, narrow, 1, &number));
+    CHECK(number == 1);
+    OK(shaftcull_list_classified(shafts, 0, bounds, NULL, narrow, 2, more, 2, &counts));
+    CHECK(counts.overlap == 1 && counts.inside == 0 && narrow[0] == 0);
+    OK(shaftcull_entry_times(shafts, 0, bounds, candidates, &time, 1));
+    CHECK(time == INFINITY);
+    OK(shaftcull_refine(shafts, 0, bounds, candidates, 2, narrow, 2, &number));
+    CHECK(number == 1 && narrow[0] == 0);
+    OK(shaftcull_list_blocking(shafts, 0, bounds, NULL, narrow, 2, &number));
+    CHECK(number == 0);
+  }
+  for (int h = 0; h < 3; h += 2) {
+    const shaftcull_bounds* const bounds = holders[h];
+    OK(shaftcull_list64(shafts, 0, bounds, NULL, wide, 2, &number));
+    CHECK(number == 1 && wide[0] == 0);
+    OK(shaftcull_list_at_most64(shafts, 2, bounds, NULL, wide, 1, &number));
+    CHECK(number == 1);
+    OK(shaftcull_list_classified64(shafts, 0, bounds, NULL, wide, 2, more_wide, 2, &counts));
+    CHECK(counts.overlap == 1 && counts.inside == 0 && wide[0] == 0);
+    OK(shaftcull_entry_times64(shafts, 0, bounds, wide_candidates, &time, 1));
+    CHECK(time == INFINITY);
+    OK(shaftcull_refine64(shafts, 0, bounds, wide_candidates, 2, wide, 2, &number));
+    CHECK(number == 1 && wide[0] == 0);
+    OK(shaftcull_list_blocking64(shafts, 0, bounds, NULL, wide, 2, &number));
+    CHECK(number == 0);
+  }
+  OK(shaftcull_list_ranges(shafts, 2, all.tree, NULL, ranges, 2, &number));
+  CHECK(number == 1 && ranges[0].first == 0 && ranges[0].size == 2);
+  OK(shaftcull_list_classified_ranges(shafts, 2, all.wide, NULL, ranges, 2, more_ranges, 2, &counts));
+  CHECK(counts.overlap == 0 && counts.inside == 1 && more_ranges[0].size == 2);
+
+  /* Triangles are asked less. */
+  OK(shaftcull_cull(shafts, 0, all.triangles, NULL, &kept, 1));
+  CHECK(kept == 1);
+  OK(shaftcull_list64(shafts, 0, all.triangles, NULL, wide, 2, &number));
+  CHECK(number == 1);
+  REFUSED(shaftcull_classify(shafts, 0, all.triangles, NULL, &kept, &inside, 1), "a stream of triangles");
+  REFUSED(shaftcull_contained(shafts, 0, all.triangles, NULL, &inside, 1), "takes boxes and spheres");
+  REFUSED(shaftcull_count_at_most(shafts, 0, all.triangles, NULL, 1, &number), "triangles");
+  REFUSED(shaftcull_count_classified(shafts, 0, all.triangles, NULL, &counts), "triangles");
+  REFUSED(shaftcull_list_at_most(shafts, 0, all.triangles, NULL, narrow, 2, &number), "triangles");
+  REFUSED(shaftcull_first_contact(shafts, 0, all.triangles, NULL, &contact), "triangles");
+  REFUSED(shaftcull_blocked(shafts, 0, all.triangles, NULL, &yes), "triangles");
+  REFUSED(shaftcull_refine(shafts, 0, all.triangles, candidates, 2, narrow, 2, &number), "triangles");
+  REFUSED(shaftcull_cull(shafts, 2, all.triangles, NULL, &kept, 1), "hull");
+
+  /* One bound. */
+  shaftcull_answer answer = 99;
+  OK(shaftcull_ask_box(shafts, 0, &scene[1], 1, &answer));
+  CHECK(answer == SHAFTCULL_OUTSIDE);
+  OK(shaftcull_ask_sphere(shafts, 0, &balls[0], 0, &answer));
+  CHECK(answer == SHAFTCULL_OVERLAP); /* kept */
+  OK(shaftcull_ask_sphere(shafts, 0, &balls[0], 1, &answer));
+  CHECK(answer == SHAFTCULL_INSIDE);
+  OK(shaftcull_ask_triangle(shafts, 0, &faces[0], SHAFTCULL_TRIANGLES_EXACT, &yes));
+  CHECK(yes == 1);
+  const shaftcull_box wall = {{-9, 4, -9}, {19, 5, 19}};
+  const float sheet[12] = {-9, 4, -9, 19, 4, -9, 19, 4, 19, -9, 4, 19};
+  OK(shaftcull_blocked_by_box(shafts, 0, &wall, &yes));
+  CHECK(yes == 1);
+  OK(shaftcull_blocked_by_polygon(shafts, 0, sheet, 4, &yes));
+  CHECK(yes == 1);
+  REFUSED(shaftcull_ask_box(shafts, 0, NULL, 1, &answer), "box is NULL");
+  REFUSED(shaftcull_ask_box(shafts, 0, &wall, 2, &answer), "inside = 2");
+  REFUSED(shaftcull_ask_box(shafts, 0, &wall, 1, NULL), "answer is NULL");
+  REFUSED(shaftcull_ask_sphere(shafts, 0, NULL, 1, &answer), "sphere is NULL");
+  REFUSED(shaftcull_ask_triangle(shafts, 0, NULL, 0, &yes), "triangle is NULL");
+  REFUSED(shaftcull_ask_triangle(shafts, 0, &faces[0], 2, &yes), "test = 2");
+  REFUSED(shaftcull_blocked_by_box(shafts, 1, &wall, &yes), "between two boxes");
+  REFUSED(shaftcull_blocked_by_box(shafts, 0, NULL, &yes), "solid is NULL");
+  REFUSED(shaftcull_blocked_by_polygon(shafts, 0, sheet, 2, &yes), "2");
+  REFUSED(shaftcull_blocked_by_polygon(shafts, 0, NULL, 4, &yes), "corners is NULL");
+
+  /* Wrong sizes, indices, widths and holders; NULL. */
+  REFUSED(shaftcull_cull(shafts, 0, all.stream, NULL, &kept, 2), "kept has 2 words");
+  REFUSED(shaftcull_cull(shafts, 0, all.stream, NULL, NULL, 1), "kept is NULL");
+  REFUSED(shaftcull_cull(shafts, 3, all.stream, NULL, &kept, 1), "shaft = 3");
+  REFUSED(shaftcull_cull(NULL, 0, all.stream, NULL, &kept, 1), "shafts is NULL");
+  REFUSED(shaftcull_cull(shafts, 0, NULL, NULL, &kept, 1), "bounds is NULL");
+  REFUSED(shaftcull_classify(shafts, 0, all.tree, NULL, &kept, &kept, 1), "share");
+  REFUSED(shaftcull_count(shafts, 0, all.tree, NULL, NULL), "kept_count is NULL");
+  REFUSED(shaftcull_any(shafts, 0, all.tree, NULL, NULL), "any is NULL");
+  REFUSED(shaftcull_list(shafts, 0, all.wide, NULL, narrow, 2, &number), "64-bit indices");
+  REFUSED(shaftcull_list64(shafts, 0, all.tree, NULL, wide, 2, &number), "32-bit indices");
+  REFUSED(shaftcull_list(shafts, 0, all.tree, NULL, narrow, 2, NULL), "kept_count is NULL");
+  REFUSED(shaftcull_list_ranges(shafts, 0, all.stream, NULL, ranges, 2, &number), "trees of boxes and spheres");
+  REFUSED(shaftcull_list_classified_ranges(shafts, 0, all.stream, NULL, ranges, 2, more_ranges, 2, &counts), "trees");
+  REFUSED(shaftcull_first_contact(shafts, 2, all.stream, NULL, &contact), "hull");
+  REFUSED(shaftcull_first_contact(shafts, 0, all.stream, NULL, NULL), "contact is NULL");
+  REFUSED(shaftcull_entry_times(shafts, 0, all.stream, candidates, NULL, 1), "times is NULL");
+  REFUSED(shaftcull_refine(shafts, 0, all.stream, NULL, 2, narrow, 2, &number), "candidates is NULL");
+  REFUSED(shaftcull_blocked_by(shafts, 1, all.stream, NULL, &number), "between two boxes");
+
+  /* Queries. */
+  const uint64_t mask = 1;
+  const uint32_t layers[2] = {1, 2};
+  const uint32_t only = 2;
+  shaftcull_query query;
+  memset(&query, 0, sizeof query);
+  query.form = SHAFTCULL_FORM_PLANES;
+  OK(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1));
+  CHECK(kept == 1);
+  REFUSED(shaftcull_cull(shafts, 0, all.tree, &query, &kept, 1), "query.form = 2");
+  query.form = 3;
+  REFUSED(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1), "form = 3");
+  memset(&query, 0, sizeof query);
+  query.triangle_test = SHAFTCULL_TRIANGLES_BY_VERTICES;
+  OK(shaftcull_cull(shafts, 2, all.triangles, &query, &kept, 1));
+  REFUSED(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1), "query.triangle_test = 1");
+  query.triangle_test = 2;
+  REFUSED(shaftcull_cull(shafts, 0, all.triangles, &query, &kept, 1), "test = 2");
+  memset(&query, 0, sizeof query);
+  query.mask = &mask;
+  query.mask_words = 1;
+  OK(shaftcull_count(shafts, 0, all.tree, &query, &number));
+  CHECK(number == 0);
+  REFUSED(shaftcull_count(shafts, 0, all.stream, &query, &number), "leaves bounds out");
+  query.mask_words = 2;
+  REFUSED(shaftcull_count(shafts, 0, all.tree, &query, &number), "mask");
+  memset(&query, 0, sizeof query);
+  query.own = candidates;
+  query.own_count = 2;
+  OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
+  CHECK(number == 0);
+  REFUSED(shaftcull_count(shafts, 2, all.wide, &query, &number), "query.own64");
+  memset(&query, 0, sizeof query);
+  query.own64 = wide_candidates;
+  query.own_count = 1;
+  OK(shaftcull_count(shafts, 2, all.wide, &query, &number));
+  CHECK(number == 1);
+  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.own");
+  memset(&query, 0, sizeof query);
+  query.only_layers = &only;
+  query.only_layers_count = 1;
+  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "layers");
+  OK(shaftcull_tree_set_layers(all.tree, layers, 2));
+  OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
+  CHECK(number == 1);
+  query.reserved[3] = 1;
+  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.reserved");
+
+  /* A tree between update and refit, and a shaft that was never formed, or not for what it is asked. */
+  const shaftcull_source one = shaftcull_boxes(scene, 1);
+  OK(shaftcull_tree_update_some(all.tree, candidates, 1, &one));
+  FAILS(shaftcull_cull(shafts, 0, all.tree, NULL, &kept, 1), SHAFTCULL_NEEDS_REFIT, "refit");
+  shaftcull_shafts* others = NULL;
+  OK(shaftcull_shafts_create(2, &others));
+  REFUSED(shaftcull_cull(others, 0, all.stream, NULL, &kept, 1), "formed");
+  shaftcull_shaft_options options = shaftcull_default_shaft_options();
+  options.inside = 0;
+  shaftcull_shaft* shaft = NULL;
+  OK(shaftcull_shaft_create(&lamp, &table, &options, &shaft));
+  OK(shaftcull_shafts_set_formed(others, 1, shaft));
+  REFUSED(shaftcull_classify(others, 1, all.stream, NULL, &kept, &inside, 1), "inside");
+  shaftcull_shaft_free(shaft);
+  shaftcull_shafts_free(others);
+  free_asked(&all);
+}
+
+static void many_shafts(void) {
+  asked all = make_asked();
+  const shaftcull_shafts* const shafts = all.shafts;
+  const shaftcull_bounds* const holders[3] = {all.stream, all.tree, all.wide};
+  uint64_t kept[3];
+  uint64_t inside[3];
+  uint64_t numbers[3];
+  uint32_t narrow[3];
+  uint64_t wide[3];
+  uint64_t bits = 99;
+  shaftcull_kept_counts counts[3];
+  shaftcull_contact_found contacts[2];
+  for (int h = 0; h != 3; ++h) {
+    const shaftcull_bounds* const bounds = holders[h];
+    OK(shaftcull_cull_many(shafts, 0, 3, bounds, NULL, kept, 3));
+    CHECK(kept[0] == 1 && kept[1] == 0 && kept[2] == 3);
+    OK(shaftcull_cull_many(shafts, 2, 1, bounds, NULL, kept, 1)); /* a part of the array */
+    CHECK(kept[0] == 3);
+    OK(shaftcull_classify_many(shafts, 0, 3, bounds, NULL, kept, inside, 3));
+    CHECK(kept[0] == 1 && inside[0] == 0 && inside[2] == 3);
+    OK(shaftcull_contained_many(shafts, 0, 3, bounds, NULL, inside, 3));
+    CHECK(inside[1] == 0 && inside[2] == 3);
+    OK(shaftcull_count_many(shafts, 0, 3, bounds, NULL, numbers));
+    CHECK(numbers[0] == 1 && numbers[2] == 2);
+    OK(shaftcull_count_at_most_many(shafts, 0, 3, bounds, NULL, 1, numbers));
+    CHECK(numbers[1] == 0 && numbers[2] == 1);
+    OK(shaftcull_count_classified_many(shafts, 0, 3, bounds, NULL, counts));
+    CHECK(counts[2].overlap == 0 && counts[2].inside == 2);
+    OK(shaftcull_any_many(shafts, 0, 3, bounds, NULL, &bits, 1));
+    CHECK(bits == 5);
+    OK(shaftcull_first_contact_many(shafts, 0, 2, bounds, NULL, contacts));
+    CHECK(contacts[0].found == 1 && contacts[0].index == 0 && contacts[1].found == 0);
+    OK(shaftcull_blocked_many(shafts, 0, 1, bounds, NULL, &bits, 1));
+    CHECK(bits == 0);
+  }
+  OK(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, 1, narrow, numbers));
+  CHECK(numbers[0] == 1 && narrow[0] == 0 && numbers[1] == 0);
+  OK(shaftcull_list_at_most_many64(shafts, 0, 3, all.wide, NULL, 1, wide, numbers));
+  CHECK(numbers[0] == 1 && wide[0] == 0);
+  REFUSED(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, UINT64_MAX, narrow, numbers), "most");
+
+  shaftcull_lists* lists = NULL;
+  shaftcull_lists* others = NULL;
+  shaftcull_lists* wide_lists = NULL;
+  shaftcull_lists* ranges = NULL;
+  shaftcull_lists* more_ranges = NULL;
+  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
+  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &others));
+  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES64, &wide_lists));
+  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_RANGES, &ranges));
+  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_RANGES, &more_ranges));
+  CHECK(shaftcull_lists_count(lists) == 0 && shaftcull_lists_offsets(lists) == NULL);
+  CHECK(shaftcull_lists_indices(lists) == NULL && shaftcull_lists_count(NULL) == 0);
+  CHECK(shaftcull_lists_offsets(NULL) == NULL && shaftcull_lists_indices(NULL) == NULL);
+  CHECK(shaftcull_lists_indices64(NULL) == NULL && shaftcull_lists_ranges(NULL) == NULL);
+  OK(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, lists));
+  CHECK(shaftcull_lists_count(lists) == 3);
+  const uint64_t* const offsets = shaftcull_lists_offsets(lists);
+  CHECK(offsets[0] == 0 && offsets[1] == 1 && offsets[2] == 1 && offsets[3] == 3);
+  CHECK(shaftcull_lists_indices(lists)[0] == 0);
+  CHECK(shaftcull_lists_indices64(lists) == NULL && shaftcull_lists_ranges(lists) == NULL);
+  OK(shaftcull_list_many(shafts, 0, 3, all.wide, NULL, wide_lists));
+  CHECK(shaftcull_lists_indices64(wide_lists)[0] == 0 && shaftcull_lists_indices(wide_lists) == NULL);
+  REFUSED(shaftcull_list_many(shafts, 0, 3, all.triangles, NULL, lists), "hull");
+  OK(shaftcull_list_many(shafts, 0, 2, all.triangles, NULL, lists));
+  OK(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, ranges));
+  CHECK(shaftcull_lists_count(ranges) == 3 && shaftcull_lists_ranges(ranges)[0].size == 1);
+  OK(shaftcull_list_classified_many(shafts, 0, 3, all.stream, NULL, lists, others));
+  CHECK(shaftcull_lists_offsets(lists)[3] == 1 && shaftcull_lists_offsets(others)[3] == 2);
+  OK(shaftcull_list_classified_many(shafts, 0, 3, all.wide, NULL, ranges, more_ranges));
+  CHECK(shaftcull_lists_ranges(ranges)[0].size == 1 && shaftcull_lists_ranges(more_ranges)[0].size == 2);
+  const uint32_t candidates[2] = {1, 0};
+  const uint64_t wide_candidates[2] = {1, 0};
+  OK(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, lists));
+  CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
+  OK(shaftcull_refine_many64(shafts, 0, 3, all.wide, wide_candidates, 2, wide_lists));
+  CHECK(shaftcull_lists_indices64(wide_lists)[1] == 1);
+  OK(shaftcull_list_blocking_many(shafts, 0, 1, all.stream, NULL, lists));
+  CHECK(shaftcull_lists_count(lists) == 1 && shaftcull_lists_offsets(lists)[1] == 0);
+  REFUSED(shaftcull_list_many(shafts, 0, 3, all.wide, NULL, lists), "64-bit indices");
+  REFUSED(shaftcull_list_many(shafts, 0, 3, all.stream, NULL, ranges), "trees");
+  REFUSED(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, NULL), "lists is NULL");
+  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, wide_lists), "different kinds");
+  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, lists), "share memory");
+  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, ranges, ranges), "same");
+  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, NULL), "inside is NULL");
+  REFUSED(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, wide_lists), "SHAFTCULL_LISTS_OF_INDICES");
+  REFUSED(shaftcull_list_blocking_many(shafts, 0, 1, all.tree, NULL, ranges), "leaf ranges");
+  REFUSED(shaftcull_lists_create(4, &lists), "kind = 4");
+  REFUSED(shaftcull_lists_create(1, NULL), "lists is NULL");
+  shaftcull_lists_free(lists);
+  shaftcull_lists_free(others);
+  shaftcull_lists_free(wide_lists);
+  shaftcull_lists_free(ranges);
+  shaftcull_lists_free(more_ranges);
+  shaftcull_lists_free(NULL);
+
+  REFUSED(shaftcull_cull_many(shafts, 1, 3, all.stream, NULL, kept, 3), "3 shafts of the array");
+  REFUSED(shaftcull_cull_many(shafts, 0, 3, all.stream, NULL, kept, 2), "kept_rows");
+  REFUSED(shaftcull_cull_many(shafts, 0, 3, all.stream, NULL, NULL, 3), "kept_rows is NULL");
+  REFUSED(shaftcull_count_many(shafts, 0, 3, all.stream, NULL, NULL), "kept_counts is NULL");
+  REFUSED(shaftcull_count_classified_many(shafts, 0, 3, all.stream, NULL, NULL), "counts is NULL");
+  REFUSED(shaftcull_first_contact_many(shafts, 0, 3, all.stream, NULL, contacts), "hull");
+  REFUSED(shaftcull_blocked_many(shafts, 0, 3, all.stream, NULL, &bits, 1), "shaft 1");
+  REFUSED(shaftcull_any_many(NULL, 0, 3, all.stream, NULL, &bits, 1), "shafts is NULL");
+  free_asked(&all);
+}
+
+/* Counts its calls, and stops at the second if it should. */
+typedef struct calls {
+  int count;
+  int stops;
+} calls;
+
+static int32_t on_tile(const shaftcull_tile* tile, void* user) {
+  calls* const made = user;
+  CHECK(tile->first == 0 && tile->size == 2 && tile->shaft == (uint64_t)(made->count % 3));
+  CHECK(tile->kept[0] == (tile->shaft == 0 ? 1 : tile->shaft == 1 ? 0 : 3));
+  CHECK(made->count < 3 ? tile->inside == NULL : tile->inside != NULL);
+  ++made->count;
+  return made->stops && made->count == 2 ? -7 : 0;
+}
+
+static int32_t on_ranges(const shaftcull_ranges* ranges, void* user) {
+  calls* const made = user;
+  CHECK(ranges->shaft == (uint64_t)(made->count % 3));
+  CHECK(ranges->kept_count + ranges->inside_count == (ranges->shaft == 1 ? 0 : 1));
+  ++made->count;
+  return made->stops && made->count == 2 ? 8 : 0;
+}
+
+static void callbacks(void) {
+  asked all = make_asked();
+  calls made = {0, 0};
+  OK(shaftcull_for_each_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made));
+  CHECK(made.count == 3);
+  OK(shaftcull_for_each_classified_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made));
+  CHECK(made.count == 6);
+  made.count = 0;
+  OK(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made));
+  CHECK(made.count == 3);
+  OK(shaftcull_for_each_classified(all.shafts, 0, 3, all.wide, NULL, on_ranges, &made));
+  CHECK(made.count == 6);
+  made.count = 0;
+  made.stops = 1;
+  FAILS(shaftcull_for_each_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made), SHAFTCULL_STOPPED, "returned -7");
+  CHECK(made.count == 2);
+  made.count = 0;
+  FAILS(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made), SHAFTCULL_STOPPED, "returned 8");
+  CHECK(made.count == 2);
+  REFUSED(shaftcull_for_each_tile(all.shafts, 0, 3, all.stream, NULL, NULL, &made), "callback is NULL");
+  REFUSED(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, NULL, &made), "callback is NULL");
+  REFUSED(shaftcull_for_each_tile(all.shafts, 0, 3, all.tree, NULL, on_tile, &made), "views and streams");
+  REFUSED(shaftcull_for_each_kept(all.shafts, 0, 3, all.stream, NULL, on_ranges, &made), "trees");
+  free_asked(&all);
+}
+
+static void instruction_sets(void) {
+  CHECK(shaftcull_concurrency() >= 1);
+  uint64_t count = 0;
+  OK(shaftcull_isa_count(&count));
+  CHECK(count >= 1);
+  const char* name = NULL;
+  for (uint64_t i = 0; i != count; ++i) {
+    OK(shaftcull_isa_name(i, &name));
+    OK(shaftcull_select_isa(name));
+    CHECK(strcmp(shaftcull_active_isa(), name) == 0);
+  }
+  REFUSED(shaftcull_isa_name(count, &name), "position = ");
+  REFUSED(shaftcull_isa_name(0, NULL), "name is NULL");
+  REFUSED(shaftcull_isa_count(NULL), "count is NULL");
+  REFUSED(shaftcull_select_isa("mmx"), "\"mmx\" is no instruction set; this machine has scalar");
+  REFUSED(shaftcull_select_isa(NULL), "name is NULL");
+  const char* wanted = NULL;
+  const char* refusal = NULL;
+  OK(shaftcull_isa_asked(&wanted, &refusal));
+  const char* const environment = getenv("SHAFTCULL_ISA");
+  CHECK(strcmp(wanted, environment == NULL ? "" : environment) == 0 && refusal != NULL);
+  REFUSED(shaftcull_isa_asked(NULL, &refusal), "asked is NULL");
+  REFUSED(shaftcull_isa_asked(&wanted, NULL), "refusal is NULL");
+}
+
+int main(void) {
+  versions_and_names();
+  values();
+  formed_shafts();
+  hulls();
+  arrays_of_shafts();
+  views_and_streams();
+  trees();
+  one_shaft();
+  many_shafts();
+  callbacks();
+  instruction_sets();
+  if (failures != 0) {
+    fprintf(stderr, "%d checks failed\n", failures);
+    return 1;
+  }
+  printf("all checks passed\n");
+  return 0;
+}

@@ -1,0 +1,70 @@
+/// The layout of structs and the values of constants: what other languages read from the header, and programs that were
+/// built before rely on.
+#include <gmock/gmock.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "shaftcull.h"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+namespace {
+
+// C and C++ have the same values in the same places.
+static_assert(sizeof(shaftcull_box) == sizeof(Box) && offsetof(shaftcull_box, hi) == offsetof(Box, hi));
+static_assert(sizeof(shaftcull_sphere) == sizeof(Sphere) &&
+              offsetof(shaftcull_sphere, radius) == offsetof(Sphere, radius));
+static_assert(sizeof(shaftcull_plane) == sizeof(Plane) && offsetof(shaftcull_plane, offset) == offsetof(Plane, offset));
+static_assert(sizeof(shaftcull_triangle) == sizeof(Triangle));
+static_assert(sizeof(shaftcull_index_pair) == sizeof(IndexPair));
+
+// No struct has bytes that belong to no field, so that no language sees other fields.
+template <class Struct>
+constexpr bool has_no_padding = std::has_unique_object_representations_v<Struct>;
+static_assert(has_no_padding<shaftcull_index_pair> && has_no_padding<shaftcull_kept_counts> &&
+              has_no_padding<shaftcull_leaf_range> && has_no_padding<shaftcull_shaft_options> &&
+              has_no_padding<shaftcull_bounds_info>);
+static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4);  // floats have no unique representation
+static_assert(sizeof(shaftcull_joining_plane) == 16 + 4 + 4);
+static_assert(sizeof(shaftcull_shaft_options) == 8 * 4);
+static_assert(sizeof(shaftcull_shaft_info) == 3 * 24 + 32 + 2 * 8);
+static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 4 * 4);
+static_assert(sizeof(shaftcull_bounds_info) == 2 * 8 + 6 * 4);
+static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_source> && sizeof(shaftcull_source) == 64));
+static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 96));
+static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_tile> && has_no_padding<shaftcull_ranges> &&
+                                     has_no_padding<shaftcull_batch_planes>));
+
+// Enumerators are the same numbers in both languages, where calls rely on it.
+template <class Enum>
+constexpr bool same(std::uint32_t c, Enum cpp) {
+  return c == static_cast<std::uint32_t>(cpp);
+}
+static_assert(same(SHAFTCULL_CONTACT_CLOSED, Contact::closed) && same(SHAFTCULL_CONTACT_OPEN, Contact::open));
+static_assert(same(SHAFTCULL_OUTSIDE, Answer::outside) && same(SHAFTCULL_OVERLAP, Answer::overlap) &&
+              same(SHAFTCULL_INSIDE, Answer::inside));
+static_assert(same(SHAFTCULL_FORM_FASTEST, Form::fastest) && same(SHAFTCULL_FORM_SLAB, Form::slab) &&
+              same(SHAFTCULL_FORM_PLANES, Form::planes));
+static_assert(same(SHAFTCULL_DEPTH_ZERO_TO_ONE, ClipDepth::zero_to_one) &&
+              same(SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, ClipDepth::minus_one_to_one));
+static_assert(same(SHAFTCULL_FORMATION_SEARCH, Formation::search) &&
+              same(SHAFTCULL_FORMATION_TABLE64, Formation::table64) &&
+              same(SHAFTCULL_FORMATION_TABLE729, Formation::table729));
+static_assert(same(SHAFTCULL_ORDER_UNSORTED, PlaneOrder::unsorted) &&
+              same(SHAFTCULL_ORDER_BY_VOLUME, PlaneOrder::by_volume) &&
+              same(SHAFTCULL_ORDER_BY_ADDED_VOLUME, PlaneOrder::by_added_volume));
+
+TEST(CStructs, HeaderAndLibraryAreOfOneVersion) {
+  EXPECT_EQ(SHAFTCULL_HEADER_VERSION, SHAFTCULL_VERSION);
+  EXPECT_EQ(shaftcull_version(), std::uint32_t{SHAFTCULL_VERSION});
+  EXPECT_STREQ(shaftcull_version_string(), SHAFTCULL_VERSION_STRING);
+}
+
+TEST(CStructs, WordsAreAsInCpp) {
+  for (const std::size_t bounds : {0, 1, 63, 64, 65, 1000}) EXPECT_EQ(shaftcull_words_for(bounds), words_for(bounds));
+}
+
+}  // namespace
+}  // namespace shaftcull
