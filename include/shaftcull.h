@@ -34,8 +34,8 @@
 /// Indices are 32 bits wide, or 64 for more bounds than 32 can number. Functions that end in `64` are the same with
 /// 64-bit indices. A view or stream takes either; a tree has one width, which it was built with.
 ///
-/// Enumerators are fixed-width integers with the constants below. Structs are plain, with no hidden padding. Fields
-/// named `reserved` must be 0.
+/// Enumerators are fixed-width integers with the constants below. Structs are plain, and on machines of 64 bits every
+/// byte of them belongs to a field. Fields named `reserved` must be 0.
 ///
 /// Compatibility. Within a major version, functions, constants and uses of reserved fields are added, and nothing is
 /// changed or taken away. While the major version is 0, a new minor version may change what there is.

@@ -1,5 +1,6 @@
 # Checks the C header: every function in it is documented, is on record (the test c.symbols checks that what is on record is
-# defined and exported), and is called by the C program. Given: HEADER, RECORD, PROGRAM.
+# defined and exported), and is called by the C program; and that every verb of the table in README.md is there. Given: HEADER,
+# RECORD, PROGRAM, README.
 cmake_minimum_required(VERSION 3.22)
 
 file(READ ${HEADER} text)
@@ -36,6 +37,25 @@ foreach(name IN LISTS recorded)
   endif()
 endforeach()
 
+# Verbs are the names in all cells of the table but the first: | question | `cull` | `cull_many` | `cull` | `cull_many` |.
+file(READ ${README} page)
+string(REGEX REPLACE "[][;]" "," page "${page}")
+string(REGEX MATCHALL "\n\\| [^|\n]+( \\| (–|`[a-z_]+`))( \\| (–|`[a-z_]+`))( \\| (–|`[a-z_]+`))( \\| (–|`[a-z_]+`)) \\|" rows "${page}")
+set(verbs 0)
+foreach(row IN LISTS rows)
+  string(REGEX MATCHALL "`[a-z_]+`" names "${row}")
+  foreach(name IN LISTS names)
+    string(REPLACE "`" "" name "${name}")
+    math(EXPR verbs "${verbs} + 1")
+    if(NOT shaftcull_${name} IN_LIST declared)
+      message(SEND_ERROR "${HEADER} has no shaftcull_${name}, but ${README} has the verb ${name}")
+    endif()
+  endforeach()
+endforeach()
+if(verbs LESS 50)
+  message(FATAL_ERROR "only ${verbs} verbs were found in ${README}")
+endif()
+
 # Generators of bindings read it: no bit-fields, no macros with code, no other headers than stdint.h.
 string(REGEX MATCHALL "\n#[^\n]*" directives "${text}")
 foreach(directive IN LISTS directives)
@@ -46,4 +66,4 @@ endforeach()
 if(text MATCHES "\n *[a-z0-9_]+ [a-z_]+ *: *[0-9]+,")
   message(SEND_ERROR "${HEADER} has a bit-field:${CMAKE_MATCH_0}")
 endif()
-message(STATUS "${count} functions, all documented, on record and called")
+message(STATUS "${count} functions, all documented, on record and called; ${verbs} verbs are there")

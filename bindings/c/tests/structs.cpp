@@ -63,7 +63,8 @@ TEST(CStructs, HeaderAndLibraryAreOfOneVersion) {
 }
 
 TEST(CStructs, WordsAreAsInCpp) {
-  for (const std::size_t bounds : {0, 1, 63, 64, 65, 1000}) EXPECT_EQ(shaftcull_words_for(bounds), words_for(bounds));
+  for (const std::size_t bounds : {0U, 1U, 63U, 64U, 65U, 1000U})
+    EXPECT_EQ(shaftcull_words_for(bounds), words_for(bounds));
 }
 
 }  // namespace
