@@ -10,6 +10,13 @@ shaftcull_test(c
 target_link_libraries(test_c PRIVATE shaftcull_c)
 target_include_directories(test_c PRIVATE ${c_tests} ${PROJECT_SOURCE_DIR}/bindings/c)
 
+# It replaces operator new, so it is a program of its own.
+shaftcull_test(c_memory
+  ${c_tests}/memory.cpp
+  failing_memory.cpp)
+target_link_libraries(test_c_memory PRIVATE shaftcull_c)
+target_include_directories(test_c_memory PRIVATE ${c_tests})
+
 # shaftcull_c_program(NAME COMPILER SOURCE): the program test_c_NAME, compiled as C11 with warnings as errors, and the CTest entry
 # c.NAME. Compilers are called as they are: the project itself is one of C++, and both compilers shall see the header.
 function(shaftcull_c_program name compiler source)

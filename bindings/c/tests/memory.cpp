@@ -1,0 +1,169 @@
+/// What the C interface allocates, and that memory that runs out becomes a status. A program of its own, for it
+/// replaces operator new.
+#include <gmock/gmock.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "failing_memory.hpp"
+#include "handles.hpp"
+#include "shaftcull.h"
+
+namespace shaftcull {
+namespace {
+
+constexpr shaftcull_box lamp{{0, 9, 0}, {1, 10, 1}};
+constexpr shaftcull_box table{{4, 0, 4}, {6, 1, 6}};
+constexpr float down[3] = {0, -1, 0};
+constexpr float points[12] = {0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9};
+
+/// Boxes one behind the other.
+std::vector<shaftcull_box> row(std::size_t count) {
+  std::vector<shaftcull_box> boxes;
+  for (std::size_t i = 0; i != count; ++i) {
+    const float x = static_cast<float>(i);
+    boxes.push_back({{x, 4, 2}, {x + 0.5F, 5, 3}});
+  }
+  return boxes;
+}
+
+TEST(CMemory, QuestionsOfOneShaftAllocateNothing) {
+  const std::vector<shaftcull_box> boxes = row(100);
+  const shaftcull_source source = source_of(boxes);
+  const ShaftsHandle array = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{2});
+  shaftcull_shafts* const shafts = array.get();
+  const BoundsHandle stream = made<BoundsHandle>(shaftcull_stream_create, &source);
+  const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source, std::uint32_t{32});
+  ok(shaftcull_shafts_set_between(shafts, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
+  std::vector<std::uint32_t> indices(100);
+  std::vector<std::uint32_t> others(100);
+  std::vector<float> times(3);
+  const std::uint32_t candidates[3] = {3, 2, 1};
+  std::uint64_t number = 0;
+  ok(shaftcull_refine(shafts, 0, tree.get(), candidates, 3, indices.data(), 3, &number));  // the first one may
+
+  const std::size_t before = allocations();
+  const shaftcull_sphere ball{{2, 4, 2}, 1};
+  const shaftcull_triangle face{{{2, 4, 2}, {3, 5, 3}, {3, 4, 2}}};
+  std::uint64_t kept[2];
+  std::uint64_t inside[2];
+  std::uint32_t yes = 0;
+  shaftcull_kept_counts counts;
+  shaftcull_contact_found contact;
+  shaftcull_bounds_info info;
+  shaftcull_shafts_info about;
+  ok(shaftcull_shafts_set_between(shafts, 1, &lamp, &table, SHAFTCULL_CONTACT_OPEN));
+  ok(shaftcull_shafts_set_swept(shafts, 1, &lamp, down, nullptr, 0));
+  ok(shaftcull_shafts_set_contact(shafts, 1, 1, SHAFTCULL_CONTACT_OPEN));
+  ok(shaftcull_shafts_complete(shafts, 0, 2));
+  ok(shaftcull_shafts_describe(shafts, 0, &about));
+  ok(shaftcull_stream_update(stream.get(), 0, &source));
+  for (const shaftcull_bounds* const bounds : {stream.get(), tree.get()}) {
+    ok(shaftcull_bounds_describe(bounds, &info));
+    ok(shaftcull_cull(shafts, 0, bounds, nullptr, kept, 2));
+    ok(shaftcull_classify(shafts, 0, bounds, nullptr, kept, inside, 2));
+    ok(shaftcull_contained(shafts, 0, bounds, nullptr, inside, 2));
+    ok(shaftcull_count(shafts, 0, bounds, nullptr, &number));
+    ok(shaftcull_count_at_most(shafts, 0, bounds, nullptr, 3, &number));
+    ok(shaftcull_count_classified(shafts, 0, bounds, nullptr, &counts));
+    ok(shaftcull_any(shafts, 0, bounds, nullptr, &yes));
+    ok(shaftcull_list(shafts, 0, bounds, nullptr, indices.data(), 100, &number));
+    ok(shaftcull_list_at_most(shafts, 0, bounds, nullptr, indices.data(), 3, &number));
+    ok(shaftcull_list_classified(shafts, 0, bounds, nullptr, indices.data(), 100, others.data(), 100, &counts));
+    ok(shaftcull_first_contact(shafts, 0, bounds, nullptr, &contact));
+    ok(shaftcull_entry_times(shafts, 0, bounds, candidates, times.data(), 3));
+    ok(shaftcull_refine(shafts, 0, bounds, candidates, 3, indices.data(), 3, &number));
+    ok(shaftcull_blocked(shafts, 0, bounds, nullptr, &yes));
+    ok(shaftcull_blocked_by(shafts, 0, bounds, nullptr, &number));
+    ok(shaftcull_list_blocking(shafts, 0, bounds, nullptr, indices.data(), 100, &number));
+  }
+  ok(shaftcull_ask_box(shafts, 0, &lamp, 1, &yes));
+  ok(shaftcull_ask_sphere(shafts, 0, &ball, 1, &yes));
+  ok(shaftcull_ask_triangle(shafts, 0, &face, SHAFTCULL_TRIANGLES_EXACT, &yes));
+  ok(shaftcull_blocked_by_box(shafts, 0, &lamp, &yes));
+  EXPECT_EQ(allocations(), before);
+}
+
+TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
+  const std::vector<shaftcull_box> boxes = row(300);
+  const shaftcull_source source = source_of(boxes);
+  const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source, std::uint32_t{32});
+  const ShaftsHandle shafts = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{300});
+  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_RANGES});
+  const HullHandle hull = made<HullHandle>(shaftcull_hull_create, &points[0], std::uint64_t{4},
+                                           static_cast<const float*>(nullptr), std::uint64_t{0});
+  for (std::uint64_t s = 0; s != 300; ++s) {
+    ok(shaftcull_shafts_set_between(shafts.get(), s, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
+  }
+  std::vector<shaftcull_kept_counts> counts(300);
+  using Call = std::pair<std::function<shaftcull_status()>, std::function<void()>>;  // and what cleans up behind it
+  bool created = false;  // whether a call that failed set its handle
+  const auto creates = [&created]<class Handle>(void (*free)(Handle*), auto* make, auto... arguments) -> Call {
+    auto handle = std::make_shared<Handle*>(nullptr);
+    return {[=, &created] {
+              const shaftcull_status status = make(arguments..., handle.get());
+              created = *handle != nullptr;
+              return status;
+            },
+            [=] { free(*handle); }};
+  };
+  const auto nothing = [] {};
+  const Call calls[] = {
+      creates(shaftcull_bounds_free, shaftcull_stream_create, &source),
+      creates(shaftcull_bounds_free, shaftcull_tree_create, &source, 32U),
+      creates(shaftcull_bounds_free, shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(tree.get())),
+      creates(shaftcull_shafts_free, shaftcull_shafts_create, std::uint64_t{10}),
+      creates(shaftcull_lists_free, shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES}),
+      creates(shaftcull_shaft_free, shaftcull_shaft_create, &lamp, &table,
+              static_cast<const shaftcull_shaft_options*>(nullptr)),
+      creates(shaftcull_hull_free, shaftcull_hull_create, &points[0], std::uint64_t{4}, &down[0], std::uint64_t{1}),
+      {[&] { return shaftcull_list_many(shafts.get(), 0, 300, tree.get(), nullptr, lists.get()); }, nothing},
+      {[&] { return shaftcull_count_classified_many(shafts.get(), 0, 300, tree.get(), nullptr, counts.data()); },
+       nothing},
+      {[&] { return shaftcull_shafts_set_hull(shafts.get(), 7, hull.get()); }, nothing},
+      {[&] { return shaftcull_shafts_set_between_batch(shafts.get(), 0, &source, &source, nullptr, 300, nullptr, 0); },
+       nothing}};
+  for (std::size_t i = 0; i != std::size(calls); ++i) {
+    SCOPED_TRACE("call " + std::to_string(i));
+    created = false;
+    const auto& [call, clean] = calls[i];
+    std::size_t failures = 0;
+    for (std::size_t n = 1;; ++n) {
+      shaftcull_status status = SHAFTCULL_OK;
+      bool failed = false;
+      {
+        const FailingMemory failing(n, Failing::only_one);
+        status = call();
+        failed = failing.has_failed();
+      }
+      if (!failed) {
+        EXPECT_EQ(status, SHAFTCULL_OK) << shaftcull_error_message();
+        clean();
+        break;
+      }
+      ++failures;
+      ASSERT_EQ(status, SHAFTCULL_OUT_OF_MEMORY) << shaftcull_error_message();
+      EXPECT_STREQ(shaftcull_error_message(), "memory ran out");
+      EXPECT_FALSE(created);
+    }
+    EXPECT_GT(failures, 0U);
+  }
+}
+
+TEST(CMemory, MessagesThatFindNoMemoryAreReplaced) {
+  const FailingMemory failing(1, Failing::from_then_on);
+  const shaftcull_status status = shaftcull_select_isa("mmx");  // its message takes memory
+  const std::string_view message = shaftcull_error_message();
+  EXPECT_EQ(status, SHAFTCULL_OUT_OF_MEMORY);
+  EXPECT_TRUE(message.find("memory") != message.npos);
+}
+
+}  // namespace
+}  // namespace shaftcull
