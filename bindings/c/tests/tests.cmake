@@ -33,7 +33,7 @@ function(shaftcull_c_program name compiler source)
   set_target_properties(test_c_${name} PROPERTIES
     LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(test_c_${name} PRIVATE shaftcull_c)
-  add_dependencies(shaftcull_tests test_c_${name})
+  add_dependencies(test_c test_c_${name})  # so that whoever builds the area has all of it
   add_test(NAME c.${name} COMMAND test_c_${name})
   set_tests_properties(c.${name} PROPERTIES TIMEOUT 60)
 endfunction()
