@@ -157,8 +157,7 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }),
               HasSubstr("excluding.mask has 1 word; the bits of 100 bounds take 2"));
   counts.resize(3);
-  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }),
-              HasSubstr("kept_counts has room for 3; 2 shafts"));
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("kept_counts has room for 3; 2 shafts"));
   std::vector<KeptCounts> classified(1);
   EXPECT_THAT(message_of([&] { count_classified_many(shafts, tree, classified); }),
               HasSubstr("counts has room for 1; 2 shafts"));

@@ -233,8 +233,8 @@ template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class
     near &= ~outside;
     if (near != 0) {
       if (!exact) exact.emplace(shaft);
-      outside |= decide_lanes<L>(
-          near, [&](unsigned lane) { return exact->outside(BoundAt<L, 6>(stream, at + lane).value); });
+      outside |=
+          decide_lanes<L>(near, [&](unsigned lane) { return exact->outside(BoundAt<L, 6>(stream, at + lane).value); });
     }
     kept[w] = ~outside & word.lanes();
   }
@@ -352,8 +352,8 @@ void slab_words(const ShaftData& shaft, float margin, const float* const* stream
 template <class L>
 std::uint64_t exactly_kept(const SlabPredicate& exact, const float* const* stream, std::size_t at,
                            std::uint64_t lanes) noexcept {
-  return lanes & ~decide_lanes<L>(
-                     lanes, [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, at + lane).value); });
+  return lanes &
+         ~decide_lanes<L>(lanes, [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, at + lane).value); });
 }
 
 /// For shafts that no margin holds for.
@@ -374,10 +374,10 @@ void with_slab_of(const ShaftData& shaft, Arguments... arguments) noexcept {
   using enum ShaftData::SlabForm;
   using Run = void(const ShaftData&, Arguments...) noexcept;
   if constexpr (Test::exactly) {
-    static constexpr Run* relative_by_uppers[7] = {
-        Test::template run<0, relative>, Test::template run<1, relative>, Test::template run<2, relative>,
-        Test::template run<3, relative>, Test::template run<4, relative>, Test::template run<5, relative>,
-        Test::template run<6, relative>};
+    static constexpr Run* relative_by_uppers[7] = {Test::template run<0, relative>, Test::template run<1, relative>,
+                                                   Test::template run<2, relative>, Test::template run<3, relative>,
+                                                   Test::template run<4, relative>, Test::template run<5, relative>,
+                                                   Test::template run<6, relative>};
     if (shaft.slab_form == relative) return relative_by_uppers[shaft.slab_uppers](shaft, arguments...);
   }
   // A box that moves without end has a face that bounds t from above, and one that bounds it from below.
