@@ -403,11 +403,9 @@ template <class L, template <class> class Corners, class Words>
 struct TestSlabWords {
   static constexpr bool exactly = Corners<L>::exactly;
 
+  /// Itself, not a function that calls it: that takes a sixth of a call for one word.
   template <unsigned uppers, ShaftData::SlabForm form>
-  static void run(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
-                  std::size_t words, std::uint64_t* kept) noexcept {
-    slab_words<L, Corners, Words, uppers, form>(shaft, margin, stream, position, words, kept);
-  }
+  static constexpr auto* run = slab_words<L, Corners, Words, uppers, form>;
 };
 
 /// One word of boxes, of which some are probably undecided.
