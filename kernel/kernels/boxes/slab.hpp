@@ -1,7 +1,6 @@
 /// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
 #pragma once
 
-#include <optional>
 
 #include "exact/predicates.hpp"
 #include "kernels/forming/slab.hpp"
@@ -217,7 +216,6 @@ template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class
                                                      const Word& word, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin, true);
   const BoxCorners<L> corners(shaft, stream);
-  std::optional<SlabPredicate> exact;
   for (; undecided != 0; undecided &= undecided - 1) {
     const std::size_t w = first + static_cast<unsigned>(__builtin_ctzll(undecided));
     const std::size_t at = position(w);
@@ -232,9 +230,9 @@ template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class
     }
     near &= ~outside;
     if (near != 0) {
-      if (!exact) exact.emplace(shaft);
+      const SlabPredicate exact(shaft);
       outside |=
-          decide_lanes<L>(near, [&](unsigned lane) { return exact->outside(BoundAt<L, 6>(stream, at + lane).value); });
+          decide_lanes<L>(near, [&](unsigned lane) { return exact.outside(BoundAt<L, 6>(stream, at + lane).value); });
     }
     kept[w] = ~outside & word.lanes();
   }
