@@ -42,15 +42,13 @@ struct ClipRule {
   float sign;
 };
 
-Plane plane_of(std::span<const float, 16> matrix, const ClipRule& rule) {
-  return kernel::in_float_environment([&] {
-    const auto coefficient = [&](std::size_t column) {
-      const double w = matrix[12 + column];
-      const double row = matrix[4 * rule.row + column];
-      return static_cast<float>(rule.w_share * w + rule.sign * row);
-    };
-    return Plane{{-coefficient(0), -coefficient(1), -coefficient(2)}, coefficient(3)};
-  });
+Plane plane_of(std::span<const float, 16> matrix, const ClipRule& rule) noexcept {
+  const auto coefficient = [&](std::size_t column) {
+    const double w = matrix[12 + column];
+    const double row = matrix[4 * rule.row + column];
+    return static_cast<float>(rule.w_share * w + rule.sign * row);
+  };
+  return {{-coefficient(0), -coefficient(1), -coefficient(2)}, coefficient(3)};
 }
 
 [[noreturn]] void refuse_plane(const char* call, const ClipRule& rule, const char* why) {
@@ -128,17 +126,19 @@ ViewPlanes kernel::planes_of_view(const char* call, std::span<const float, 16> m
   const float near_share = depth == ClipDepth::zero_to_one ? 0.0F : 1.0F;
   const ClipRule rules[6] = {{"left", 1, 0, 1}, {"right", 1, 0, -1},        {"bottom", 1, 1, 1},
                              {"top", 1, 1, -1}, {"near", near_share, 2, 1}, {"far", 1, 2, -1}};
-  ViewPlanes planes{};
-  for (const ClipRule& rule : rules) {
-    const Plane plane = plane_of(matrix, rule);
-    if (!is_finite(plane)) refuse_plane(call, rule, "is beyond the largest float; scale the matrix down");
-    if (plane.normal != Vec3{0, 0, 0}) {
-      planes.plane[planes.count++] = plane;
-    } else if (plane.offset < 0) {
-      refuse_plane(call, rule, "leaves nothing in view; is this a view-projection matrix, row after row?");
+  return kernel::in_float_environment([&] {
+    ViewPlanes planes{};
+    for (const ClipRule& rule : rules) {
+      const Plane plane = plane_of(matrix, rule);
+      if (!is_finite(plane)) refuse_plane(call, rule, "is beyond the largest float; scale the matrix down");
+      if (plane.normal != Vec3{0, 0, 0}) {
+        planes.plane[planes.count++] = plane;
+      } else if (plane.offset < 0) {
+        refuse_plane(call, rule, "leaves nothing in view; is this a view-projection matrix, row after row?");
+      }
     }
-  }
-  return planes;
+    return planes;
+  });
 }
 
 ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth) {

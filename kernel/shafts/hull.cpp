@@ -487,8 +487,11 @@ ConvexHull casters(const ConvexHull& view, const Vec3& light) {
 
 ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun) {
   require_extensible("casters_towards", view, "towards_sun", towards_sun);
-  if (towards_sun == Vec3{0, 0, 0})
-    throw InvalidArgument("casters_towards: towards_sun is zero; it must be a direction");
+  kernel::in_float_environment([&] {  // where denormals are not 0
+    if (towards_sun == Vec3{0, 0, 0}) {
+      throw InvalidArgument("casters_towards: towards_sun is zero; it must be a direction");
+    }
+  });
   return extended(view, nullptr, &towards_sun);
 }
 

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "float_modes.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/hull.hpp"
 
 namespace shaftcull {
@@ -92,6 +95,23 @@ TEST(HullInterface, CastersThatCannotBeFormedAreRefused) {
   EXPECT_THAT(refusal(moved_from, {0, 0, 0}), HasSubstr("casters: the view was never formed"));  // NOLINT: that is it
   EXPECT_THAT(refusal_of_sun(moved_from, {0, 0, 1}), HasSubstr("casters_towards: the view was never formed"));
 }
+
+#ifdef __SSE__
+TEST(HullInterface, ViewsAndSunsAreThoseOfTheNumbersGivenInEveryMode) {
+  const ConvexHull some(tetrahedron);
+  const Vec3 sun = {1e-40F, 0, 0};
+  std::vector<float> matrix(16, 0.0F);
+  for (const std::size_t i : {0U, 5U, 10U, 15U}) matrix[i] = 1e-40F;
+  const std::span<const float, 16> view(matrix.data(), 16);
+  const Box box = frustum(view, ClipDepth::zero_to_one).box();
+  for (const Mode& mode : modes) {
+    const InMode in(mode);
+    EXPECT_EQ(casters_towards(some, sun).directions().front(), sun) << mode.name;
+    EXPECT_EQ(view_planes(view, ClipDepth::zero_to_one).count, 6U) << mode.name;
+    EXPECT_EQ(frustum(view, ClipDepth::zero_to_one).box(), box) << mode.name;
+  }
+}
+#endif
 
 TEST(HullInterface, TellsWhatItWasGiven) {
   const std::vector<Vec3> directions = {{0, 0, -1}};
