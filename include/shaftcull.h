@@ -14,7 +14,8 @@
 /// shaftcull_error_message() says what is wrong, where, and what would be right. Nothing was written unless the
 /// function says otherwise, and objects are as they were. Pointers must not be NULL unless the function says so; an
 /// array of 0 elements may be. Every function with a status refuses a NULL with SHAFTCULL_INVALID_ARGUMENT. It checks
-/// all numbers and enumerators. It cannot check that memory is as large as said, nor that a handle was not freed.
+/// all sizes, indices and enumerators, and of floats what the function says. It cannot check that memory is as large as
+/// said, nor that a handle was not freed.
 /// Every such function can return SHAFTCULL_OUT_OF_MEMORY if it allocates, its message included.
 ///
 /// Threads. Whatever takes an object as `const` may be called from many threads at once. Whatever takes it without may
@@ -23,7 +24,7 @@
 /// They may be called from tasks of the caller's own. No call takes more than 64 KiB of the stack.
 ///
 /// Allocation. Questions of one shaft allocate nothing, unless they say so. Those of many shafts that write bits or
-/// numbers allocate what oneTBB needs for tasks.
+/// numbers allocate what oneTBB needs for tasks; if there is no memory for that, what they were to write holds anything.
 ///
 /// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_words_for(count) words hold them; the call wants
 /// exactly so many. Bits past the last bound are zero. Rows of many shafts are one behind the other. Lists: a call
@@ -532,7 +533,8 @@ SHAFTCULL_API void shaftcull_shafts_free(shaftcull_shafts* shafts);
 SHAFTCULL_API uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts);
 
 /// Copies shafts from [source_first, source_first + count) of `source` to [first, first + count) of `shafts`. Both may
-/// be the same array, and ranges may overlap. O(count).
+/// be the same array, and ranges may overlap. O(count); if `source` ever held a hull, O(all of `shafts`) the first time,
+/// and allocates as shaftcull_shafts_set_hull().
 SHAFTCULL_API shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first,
                                                      const shaftcull_shafts* source, uint64_t source_first,
                                                      uint64_t count);
@@ -577,7 +579,8 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shaft
                                                          const shaftcull_hull* hull);
 
 /// The shafts between pairs of boxes, into as many entries from `first` on. Pair i is box pairs[i].a of `a` and box
-/// pairs[i].b of `b`, for `pair_count` pairs; or, if `pairs` is NULL, box i of both, which have `pair_count` boxes.
+/// pairs[i].b of `b`, for `pair_count` pairs; or, if `pairs` is NULL, box i of both, which have `pair_count` boxes, or
+/// any number if that is 0: then there are no shafts.
 /// Sources are of boxes; both may be the same. `planes` may be NULL: none. SHAFTCULL_BAD_BOUND for the first pair with
 /// a box that is not finite, or first box that cannot be packed. Of SHAFTCULL_SOURCE_BOUNDS boxes are read where they
 /// are, and those that no pair names may be anything. Other sources are packed first, which allocates 24 bytes a box.
@@ -821,7 +824,8 @@ enum {
   SHAFTCULL_LISTS_OF_RANGES = 3 /* of leaves of a tree, of either width of index */
 };
 
-/// Lists that the library allocates, one for each shaft, one behind the other. Calls use their memory again.
+/// Lists that the library allocates, one for each shaft, one behind the other. Calls use their memory
+/// again, but for lists of ranges.
 typedef struct shaftcull_lists shaftcull_lists;
 
 /// Empty lists of a kind. Freed by shaftcull_lists_free(). O(1).
@@ -960,7 +964,7 @@ typedef struct shaftcull_ranges {
   uint64_t shaft;                   /* position in the array of shafts */
   const shaftcull_leaf_range* kept; /* or, of shaftcull_for_each_classified(), those that overlap */
   uint64_t kept_count;
-  const shaftcull_leaf_range* inside; /* NULL unless asked for */
+  const shaftcull_leaf_range* inside; /* NULL unless asked for; this and kept also if there are none */
   uint64_t inside_count;
 } shaftcull_ranges;
 

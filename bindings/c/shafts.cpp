@@ -180,7 +180,7 @@ shaftcull_status shaftcull_shafts_set_between_batch(shaftcull_shafts* shafts, ui
     const BatchBoxes boxes_b(b, "b");
     const CopiedBatchPlanes copies(planes);
     set_some(shafts, first, pair_count, [&](std::span<CompiledShaft> out) {
-      if (pairs == nullptr) {
+      if (pairs == nullptr && pair_count != 0) {
         shaftcull::compile_batch(boxes_a.view(), boxes_b.view(), out, copies.get(), as_contact(contact));
       } else {
         shaftcull::compile_batch(boxes_a.view(), boxes_b.view(), copied<IndexPair>(pairs, pair_count, "pairs"), out,
@@ -217,7 +217,7 @@ shaftcull_status shaftcull_shafts_set_shadow_batch(shaftcull_shafts* shafts, uin
     const BatchBoxes over(occluders, "occluders");
     const CopiedBatchPlanes copies(planes);
     set_some(shafts, first, pair_count, [&](std::span<CompiledShaft> out) {
-      if (pairs == nullptr) {
+      if (pairs == nullptr && pair_count != 0) {
         if (reach == nullptr) {
           shaftcull::shadow_batch(from.view(), over.view(), out, copies.get());
         } else {

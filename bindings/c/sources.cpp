@@ -81,7 +81,7 @@ Source as_source(const shaftcull_source* source, const char* name) {
                   as_span(s.indices, std::uint64_t{triangles} * 3, "source.indices")};
 }
 
-BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) {
+BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) try {
   const bool are_boxes = use_source(
       as_source(source, name), [this]<class Records>(const Records& records) requires(
                                    std::is_constructible_v<BoxStream, const Records&>) {
@@ -93,6 +93,8 @@ BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) {
         }
       });
   if (!are_boxes) refuse(std::string(name) + " is not of boxes, which shafts are made of");
+} catch (const BadBound& bad) {  // of which array, for a call takes two
+  throw BadBound(bad.index(), std::string(name) + ": " + bad.what());
 }
 
 std::string name_of_kind(shaftcull_bound_kind kind) {

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <string>
 
 #include "shaftcull/error.hpp"
 #include "shaftcull/version.hpp"
@@ -13,28 +12,19 @@ namespace shaftcull::binding {
 
 namespace {
 
-/// What went wrong last in one thread.
+/// What went wrong last in one thread. Plain memory, so that a thread's first error allocates nothing, and its last may
+/// come while the thread ends.
 struct LastError {
-  std::string message;
-  const char* fixed = nullptr;  ///< instead of `message`, where there was no memory for it
-  std::uint64_t position = SHAFTCULL_NONE;
+  char message[1024];  ///< cut off if it is longer, as with a very long name in it
+  std::uint64_t position;
 };
 
-LastError& last_error() noexcept {
-  thread_local LastError error;
-  return error;
-}
+constinit thread_local LastError last_error = {"", SHAFTCULL_NONE};
 
 shaftcull_status record(shaftcull_status status, const char* message,
                         std::uint64_t position = SHAFTCULL_NONE) noexcept {
-  LastError& error = last_error();
-  error.position = position;
-  try {
-    error.message = message;
-    error.fixed = nullptr;
-  } catch (...) {
-    error.fixed = "the call failed, and there is no memory left for the message";
-  }
+  std::snprintf(last_error.message, sizeof last_error.message, "%s", message);
+  last_error.position = position;
   return status;
 }
 
@@ -50,8 +40,7 @@ shaftcull_status record_exception() noexcept {
   } catch (const NeedsRefit& bad) {
     return record(SHAFTCULL_NEEDS_REFIT, bad.what());
   } catch (const std::bad_alloc&) {
-    last_error() = {{}, "memory ran out", SHAFTCULL_NONE};  // no memory for the message either, maybe
-    return SHAFTCULL_OUT_OF_MEMORY;
+    return record(SHAFTCULL_OUT_OF_MEMORY, "memory ran out");
   } catch (const Stopped& stopped) {
     char text[64];
     std::snprintf(text, sizeof text, "the callback returned %ld, so the call ended",
@@ -68,12 +57,9 @@ shaftcull_status record_exception() noexcept {
 
 extern "C" {
 
-const char* shaftcull_error_message() {
-  const shaftcull::binding::LastError& error = shaftcull::binding::last_error();
-  return error.fixed != nullptr ? error.fixed : error.message.c_str();
-}
+const char* shaftcull_error_message() { return shaftcull::binding::last_error.message; }
 
-uint64_t shaftcull_error_position() { return shaftcull::binding::last_error().position; }
+uint64_t shaftcull_error_position() { return shaftcull::binding::last_error.position; }
 
 const char* shaftcull_status_name(shaftcull_status status) {
   switch (status) {

@@ -66,6 +66,34 @@ TEST(CErrors, PositionIsThatOfTheLastFailureOnly) {
   EXPECT_EQ(shaftcull_error_position(), SHAFTCULL_NONE);
 }
 
+TEST(CErrors, AreCutOffIfTheyAreLong) {
+  const std::string name(5000, 'x');
+  EXPECT_EQ(shaftcull_select_isa(name.c_str()), SHAFTCULL_INVALID_ARGUMENT);
+  const std::string message = shaftcull_error_message();
+  EXPECT_GT(message.size(), 900U);
+  EXPECT_LT(message.size(), name.size());
+}
+
+TEST(CErrors, OfBatchesSayWhichBoxes) {
+  const std::vector<Box> good{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
+  const std::vector<Box> bad{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {1, 1, 1}}};
+  const std::vector<shaftcull_box> good_in_c = as_c(good);
+  const std::vector<shaftcull_box> bad_in_c = as_c(bad);
+  const shaftcull_source a = source_of(good_in_c);
+  const shaftcull_source b = source_of(bad_in_c);
+  shaftcull_shafts* shafts = nullptr;
+  ok(shaftcull_shafts_create(2, &shafts));
+  EXPECT_EQ(shaftcull_shafts_set_between_batch(shafts, 0, &a, &b, nullptr, 2, nullptr, SHAFTCULL_CONTACT_CLOSED),
+            SHAFTCULL_BAD_BOUND);
+  EXPECT_THAT(shaftcull_error_message(), testing::StartsWith("b: box 1"));
+  EXPECT_EQ(shaftcull_error_position(), 1U);
+  // Without pairs, there is nothing to form.
+  EXPECT_EQ(shaftcull_shafts_set_between_batch(shafts, 0, &a, &a, nullptr, 0, nullptr, SHAFTCULL_CONTACT_CLOSED),
+            SHAFTCULL_OK);
+  EXPECT_EQ(shaftcull_shafts_set_shadow_batch(shafts, 0, &a, &a, nullptr, 0, nullptr, nullptr), SHAFTCULL_OK);
+  shaftcull_shafts_free(shafts);
+}
+
 #ifndef SHAFTCULL_SHARED  // a shared library shows no more than the interface
 TEST(CErrors, WhatElseIsThrownIsAnInternalError) {
   EXPECT_EQ(binding::guarded([] { throw std::runtime_error("the disk is full"); }), SHAFTCULL_INTERNAL_ERROR);
