@@ -24,7 +24,8 @@
 /// They may be called from tasks of the caller's own. No call takes more than 64 KiB of the stack.
 ///
 /// Allocation. Questions of one shaft allocate nothing, unless they say so. Those of many shafts that write bits or
-/// numbers allocate what oneTBB needs for tasks; if there is no memory for that, what they were to write holds anything.
+/// numbers allocate what oneTBB needs for tasks; if there is no memory for that, what they were to write holds
+/// anything.
 ///
 /// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_words_for(count) words hold them; the call wants
 /// exactly so many. Bits past the last bound are zero. Rows of many shafts are one behind the other. Lists: a call
@@ -533,8 +534,8 @@ SHAFTCULL_API void shaftcull_shafts_free(shaftcull_shafts* shafts);
 SHAFTCULL_API uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts);
 
 /// Copies shafts from [source_first, source_first + count) of `source` to [first, first + count) of `shafts`. Both may
-/// be the same array, and ranges may overlap. O(count); if `source` ever held a hull, O(all of `shafts`) the first time,
-/// and allocates as shaftcull_shafts_set_hull().
+/// be the same array, and ranges may overlap. O(count); if `source` ever held a hull, O(all of `shafts`) the first
+/// time, and allocates as shaftcull_shafts_set_hull().
 SHAFTCULL_API shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first,
                                                      const shaftcull_shafts* source, uint64_t source_first,
                                                      uint64_t count);

@@ -1,7 +1,6 @@
 /// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
 #pragma once
 
-
 #include "exact/predicates.hpp"
 #include "kernels/forming/slab.hpp"
 #include "kernels/shared/word.hpp"
