@@ -43,4 +43,12 @@ endif()
 if(interface EQUAL 0)
   message(FATAL_ERROR "${LIBRARY} exports nothing of the interface")
 endif()
+
+# Of what is thrown there is one type, the library's: a weak one would be each module's own.
+execute_process(COMMAND ${NM} --dynamic --defined-only --extern-only ${LIBRARY} OUTPUT_VARIABLE mangled)
+foreach(error 15InvalidArgument 8BadBound 10NeedsRefit)
+  if(NOT mangled MATCHES " D _ZTIN9shaftcull${error}E\n")
+    message(FATAL_ERROR "${LIBRARY} has no typeinfo of its own for shaftcull::${error}, or only a weak one")
+  endif()
+endforeach()
 message(STATUS "${interface} symbols, all of the interface")

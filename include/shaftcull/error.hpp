@@ -1,4 +1,7 @@
 /// What the library throws. Every message says what is wrong, where, and what would be right.
+///
+/// Destructors are defined in the library, and with them what a `catch` compares: there is one of it, however many
+/// shared libraries a program loads. Standard libraries that compare addresses need that.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +16,9 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 class InvalidArgument : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
+  InvalidArgument(const InvalidArgument&) = default;
+  InvalidArgument& operator=(const InvalidArgument&) = default;
+  ~InvalidArgument() override;
 };
 
 /// A bound or point in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent, or a value
@@ -21,6 +27,9 @@ class InvalidArgument : public std::invalid_argument {
 class BadBound : public InvalidArgument {
  public:
   BadBound(std::size_t index, const std::string& what) : InvalidArgument(what), index_(index) {}
+  BadBound(const BadBound&) = default;
+  BadBound& operator=(const BadBound&) = default;
+  ~BadBound() override;
   /// Position of the first bad bound in the input it came from, counted from 0.
   [[nodiscard]] std::size_t index() const noexcept { return index_; }
 
@@ -33,6 +42,9 @@ class BadBound : public InvalidArgument {
 class NeedsRefit : public std::logic_error {
  public:
   using std::logic_error::logic_error;
+  NeedsRefit(const NeedsRefit&) = default;
+  NeedsRefit& operator=(const NeedsRefit&) = default;
+  ~NeedsRefit() override;
 };
 
 }  // namespace shaftcull
