@@ -100,7 +100,8 @@ inline constexpr float endless_margin = 16 * float_unit;        // 1 − this is
 inline constexpr float endless_kept_per_margin = 2.5F;          // 1 + 40 units is a float
 inline constexpr float endless_corner_margin = 4 * float_unit;  // of the start of the box, for corners of spheres
 inline constexpr float endless_limit = 0x1p100F;                // coordinates above it, and slopes, have no such form
-inline constexpr float endless_start_limit = 0x1p120F;          // nor have starts above it, as the first face moves
+inline constexpr float endless_start_limit = 0x1p120F;          // nor have starts above it, as the first face moves,
+inline constexpr float least_endless_scale = 0x1p-120F;         // or faces so much faster than that one
 
 /// The rounding of where a moving box ends adds less than a quarter to the margins of the fused form, and to what
 /// depends on the largest coordinate.

@@ -60,6 +60,8 @@ bool write_endless_slab(ShaftData& shaft, const float (&slope)[6]) noexcept {
     // A face that does not move bounds t from above, by +∞ (met) or −∞ (not met).
     scale[f] = slope[f] == 0 ? (f < 3 ? no_bound : -no_bound) : speed / slope[f];
     if (slope[f] != 0 && !(std::fabs(scale[f]) <= largest_float)) return false;
+    // A denormal has fewer bits than the margin supposes: a face that is as much faster than all that follow the box.
+    if (slope[f] != 0 && !(std::fabs(scale[f]) >= kernel::least_endless_scale)) return false;
     // What the corner of a sphere is rounded by counts for so much of t, and must not overflow.
     if (slope[f] != 0 && !(std::fabs(shaft.a[f] * scale[f]) <= kernel::endless_start_limit)) return false;
   }

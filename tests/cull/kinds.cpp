@@ -184,6 +184,42 @@ TEST(Kinds, SpheresOnTheWayOfAFaceThatStartsFarOutAndHardlyMovesAreAnsweredExact
   }
 }
 
+TEST(Kinds, ShadowsOfWhichOnlyASlowFaceFollowsAreAnsweredExactly) {
+  constexpr std::uint64_t seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const auto power = [&](int low, int high) {
+    return std::ldexp(random.uniform(0.5F, 1.0F), low + static_cast<int>(random.below(static_cast<unsigned>(high - low))));
+  };
+  const Box light{{0, 0, 0}, {0, 0, 0}};
+  for (std::size_t i = 0; i != random_cases(100); ++i) {
+    // All faces move away from the light but for one, as far a second as they are from it.
+    Box occluder;
+    for (unsigned k = 0; k != 3; ++k) {
+      occluder.lo[k] = -power(-90, 98);
+      occluder.hi[k] = power(-90, 98);
+    }
+    occluder.hi[0] = -power(-98, -20);
+    if (occluder.lo[0] > occluder.hi[0]) std::swap(occluder.lo[0], occluder.hi[0]);
+    const MovingInput input{MovingKind::shadow_without_end, occluder, {}, light, 1, {}, Contact::closed};
+    const oracle::MovingHull hull(input);
+    std::vector<Box> boxes;
+    std::vector<Sphere> spheres;
+    for (int n = 0; n != 48; ++n) {
+      const float later = power(1, 24);
+      Vec3 p;
+      for (unsigned k = 0; k != 3; ++k) p[k] = later * (random.one_in(2) ? occluder.lo[k] : occluder.hi[k]);
+      boxes.push_back({p, p});
+      const float radius = std::fabs(p[random.below(3)]) * power(-40, 2);
+      p[random.below(3)] += random.one_in(2) ? radius : -radius;
+      spheres.push_back({p, radius});
+    }
+    expect_exact(input, hull, boxes);
+    expect_exact(input, hull, spheres);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
 TEST(Kinds, ShaftsWithOpenContactOnALatticeAnswerExactly) {
   constexpr std::uint64_t seed = 8;
   SCOPED_TRACE("seed " + std::to_string(seed));
