@@ -1,5 +1,8 @@
-# Installs two components: `shaftcull`, which is the library, its headers, the C interface where it is built, the CMake package
-# that find_package(shaftcull) finds and the files that pkg-config reads; and `shaftcull_program`, where it is built.
+# Installs these components, whose names do not meet those of a parent project; docs/packages.md says what each holds.
+#   shaftcull_runtime      what programs need that are linked already: shared libraries
+#   shaftcull_development  headers, static libraries or links to the shared ones, the CMake package that find_package(shaftcull)
+#                          finds, and the files that pkg-config reads
+#   shaftcull_program      the program and its manual page, where it is built
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -18,46 +21,48 @@ elseif(SHAFTCULL_WITH_TBB)
   set(shaftcull_pc_requires tbb)
 endif()
 
-install(TARGETS shaftcull EXPORT shaftcull
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull
+set(shaftcull_libraries shaftcull)
+set(shaftcull_components cpp)  # of find_package(shaftcull COMPONENTS …)
+if(TARGET shaftcull_c)
+  list(APPEND shaftcull_libraries shaftcull_c)
+  list(APPEND shaftcull_components c)
+endif()
+install(TARGETS ${shaftcull_libraries} EXPORT shaftcull
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull_development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull_runtime NAMELINK_COMPONENT shaftcull_development
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull_runtime
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 if(TARGET shaftcull_c)
-  install(TARGETS shaftcull_c EXPORT shaftcull
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT shaftcull
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull
-    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(FILES ${PROJECT_SOURCE_DIR}/include/shaftcull.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT shaftcull)
+  install(FILES ${PROJECT_SOURCE_DIR}/include/shaftcull.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    COMPONENT shaftcull_development)
   if(shaftcull_type STREQUAL "SHARED_LIBRARY" AND NOT WIN32)
     set_target_properties(shaftcull_c PROPERTIES INSTALL_RPATH "$ORIGIN")  # the C++ library lies beside it
   endif()
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/shaftcull
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  COMPONENT shaftcull)
+  COMPONENT shaftcull_development)
 
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/shaftcull-config.cmake.in ${PROJECT_BINARY_DIR}/shaftcull-config.cmake
   INSTALL_DESTINATION ${shaftcull_package_dir}
-  NO_SET_AND_CHECK_MACRO)
+  NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/shaftcull-config-version.cmake
   COMPATIBILITY SameMinorVersion)  # while the major version is 0; see include/shaftcull/version.hpp
 install(EXPORT shaftcull
   FILE shaftcull-targets.cmake
   NAMESPACE shaftcull::
   DESTINATION ${shaftcull_package_dir}
-  COMPONENT shaftcull)
+  COMPONENT shaftcull_development)
 install(FILES ${PROJECT_BINARY_DIR}/shaftcull-config.cmake ${PROJECT_BINARY_DIR}/shaftcull-config-version.cmake
   DESTINATION ${shaftcull_package_dir}
-  COMPONENT shaftcull)
+  COMPONENT shaftcull_development)
 
 # pkg-config says where it found its file, from which the prefix follows: what is installed can be moved.
 file(RELATIVE_PATH shaftcull_prefix_from_pc /${shaftcull_pc_dir} /)
 string(REGEX REPLACE "/$" "" shaftcull_prefix_from_pc "${shaftcull_prefix_from_pc}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/shaftcull.pc.in ${PROJECT_BINARY_DIR}/shaftcull.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/shaftcull.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull)
+install(FILES ${PROJECT_BINARY_DIR}/shaftcull.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull_development)
 
 # A shared C interface finds the C++ library itself. A static one needs all that is linked into neither.
 if(TARGET shaftcull_c)
@@ -71,7 +76,7 @@ if(TARGET shaftcull_c)
     string(PREPEND shaftcull_c_pc_libraries " -lshaftcull")
   endif()
   configure_file(${CMAKE_CURRENT_LIST_DIR}/shaftcull_c.pc.in ${PROJECT_BINARY_DIR}/shaftcull_c.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/shaftcull_c.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull)
+  install(FILES ${PROJECT_BINARY_DIR}/shaftcull_c.pc DESTINATION ${shaftcull_pc_dir} COMPONENT shaftcull_development)
 endif()
 
 if(TARGET shaftcull_cli)
@@ -80,4 +85,8 @@ if(TARGET shaftcull_cli)
     set_target_properties(shaftcull_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${shaftcull_lib_from_bin}")
   endif()
   install(TARGETS shaftcull_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull_program)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/shaftcull.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT shaftcull_program)
 endif()
+
+# Where the library is shared, Debian's packages can be made of these components.
+include(${CMAKE_CURRENT_LIST_DIR}/packaging/debian.cmake)

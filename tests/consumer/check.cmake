@@ -11,7 +11,9 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --component shaftcull --prefix ${WORK}/prefix)
+foreach(component IN ITEMS shaftcull_runtime shaftcull_development)
+  run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --component ${component} --prefix ${WORK}/prefix)
+endforeach()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=${CONFIG}
   -D CMAKE_RUNTIME_OUTPUT_DIRECTORY=${WORK}/bin -D CMAKE_RUNTIME_OUTPUT_DIRECTORY_${CONFIG}=${WORK}/bin

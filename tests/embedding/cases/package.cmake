@@ -1,7 +1,7 @@
-# What is installed: the CMake package with and without a version, pkg-config's file, and the program.
+# What is installed: the CMake package, its version and its components; pkg-config's files; the program and its manual page.
 needs(g++)
 set(prefix "${WORK}/a prefix")
-foreach(component IN ITEMS shaftcull shaftcull_program)
+foreach(component IN ITEMS shaftcull_runtime shaftcull_development shaftcull_program)
   run(${CMAKE_COMMAND} --install ${BUILD} --component ${component} --prefix "${prefix}")
 endforeach()
 
@@ -19,11 +19,26 @@ run(${user} -D VERSION=${major}.${minor})
 run(${CMAKE_COMMAND} --build ${WORK}/user)
 run(${WORK}/user/client)
 
+# Components of find_package(): one that there is not is an error that names those that there are, or no error if it is optional.
+set(built "cpp")
+if(EXISTS "${prefix}/include/shaftcull.h")
+  set(built "cpp and c")
+endif()
+run(${user} "-DCOMPONENTS=cpp")
+run(${user} "-DCOMPONENTS=cpp OPTIONAL_COMPONENTS rust")
+if(NOT output MATCHES "found: cpp TRUE, rust FALSE\n")
+  message(FATAL_ERROR "an optional component is looked for, and configuring says:\n${output}")
+endif()
+fails("It was built with the components ${built}, not with rust and ada." ${user} "-DCOMPONENTS=rust cpp ada")
+
 if(EXISTS "${prefix}/bin/shaftcull")  # not where it is not built
   run("${prefix}/bin/shaftcull" --version)
   string(FIND "${output}" "shaftcull ${version} " place)
   if(place EQUAL -1)
     message(FATAL_ERROR "the program's version is ${output}, not ${version}")
+  endif()
+  if(NOT EXISTS "${prefix}/share/man/man1/shaftcull.1")
+    message(FATAL_ERROR "the program is installed without its manual page")
   endif()
 endif()
 
