@@ -96,9 +96,10 @@ if(TARGET shaftcull_python)
     "${shaftcull_same}, python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${shaftcull_next_python}), python3-numpy"
     "exact culling of boxes by shafts - Python module"
     "This package has the module for Python 3, which takes and gives NumPy arrays.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${shaftcull_debian}/python/postinst ${shaftcull_debian}/python/prerm)
 endif()
 
-# Which package whoever links a library needs.
+# Which package whoever links a library needs. It concerns libraries with a soname, and so not the Python module.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
 set(CPACK_SHAFTCULL_SOURCE ${PROJECT_SOURCE_DIR})

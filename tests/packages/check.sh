@@ -6,7 +6,8 @@
 #
 # Nobody need be root, and nothing of this machine changes: dpkg gets a database of its own in that folder (--root), and fakeroot
 # lets it give files to root. What packages depend on is not there, so dpkg is told to go on without (--force-depends) and
-# libraries of this machine stand in.
+# libraries of this machine stand in. Scripts of packages run here (--force-script-chrootless), and know by DPKG_ROOT that what
+# they care for is in that folder.
 set -euo pipefail
 
 packages=$(realpath "$1")
@@ -52,7 +53,7 @@ needs shaftcull libassimp5
 mkdir -p "$root/var/lib/dpkg/"{info,updates} "$work/log"
 touch "$root/var/lib/dpkg/"{status,available}
 in_root() {
-  fakeroot dpkg --root="$root" --force-not-root --force-depends --log="$work/log/dpkg" "$@" >"$work/log/output" 2>&1 ||
+  fakeroot dpkg --root="$root" --force-not-root --force-depends --force-script-chrootless --log="$work/log/dpkg" "$@" >"$work/log/output" 2>&1 ||
     fail "dpkg $* ended with $?" "$(cat "$work/log/output")"
 }
 in_root --install "${debs[@]}"
@@ -117,8 +118,10 @@ quietly "$program" verify --cases 20000
 
 # The Python module, where it was built.
 if [[ " ${names[*]} " == *" python3-shaftcull "* ]]; then
-  PYTHONPATH=$root/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -c 'import shaftcull' ||
-    fail "Python does not import shaftcull"
+  # Python leaves what it compiled beside the module, as on a user's machine.
+  PYTHONPATH=$root/usr/lib/python3/dist-packages /usr/bin/python3 -c 'import shaftcull' || fail "Python does not import shaftcull"
+  compiled=("$root"/usr/lib/python3/dist-packages/shaftcull/__pycache__/*)
+  [[ ${#compiled[@]} -gt 0 ]] || fail "Python has compiled nothing, so that nothing shows whether it would be removed"
 fi
 
 # What Debian's own check finds. Overrides say why they are there.
