@@ -119,7 +119,8 @@ quietly "$program" verify --cases 20000
 # The Python module, where it was built.
 if [[ " ${names[*]} " == *" python3-shaftcull "* ]]; then
   # Python leaves what it compiled beside the module, as on a user's machine.
-  PYTHONPATH=$root/usr/lib/python3/dist-packages /usr/bin/python3 -c 'import shaftcull' || fail "Python does not import shaftcull"
+  env -u PYTHONDONTWRITEBYTECODE -u PYTHONPYCACHEPREFIX PYTHONPATH="$root/usr/lib/python3/dist-packages" \
+    /usr/bin/python3 -c 'import shaftcull' || fail "Python does not import shaftcull"
   compiled=("$root"/usr/lib/python3/dist-packages/shaftcull/__pycache__/*)
   [[ ${#compiled[@]} -gt 0 ]] || fail "Python has compiled nothing, so that nothing shows whether it would be removed"
 fi
