@@ -27,7 +27,7 @@ fi
 # Debian's packages come from where this machine gets them; from debootstrap's own choice if this is not a Debian.
 mirror=$(apt-get indextargets --format '$(SITE)' 'Origin: Debian' 'Codename: bookworm' 2>/dev/null | head -n 1 || true)
 work=$(mktemp -d)
-trap 'umount "$work"/system/{proc,dev} 2>/dev/null; rm -rf --one-file-system "$work"' EXIT
+trap 'umount "$work"/system/{proc,dev} 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
 echo "Making a bare Debian 12"
 if ! debootstrap --variant=minbase --include=ca-certificates,git bookworm "$work/system" ${mirror:+"$mirror"} \
   >"$work/log" 2>&1; then
