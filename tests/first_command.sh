@@ -140,5 +140,19 @@ says "goes on without g++-multilib clang-19"
 not_called apt-get
 called "ctest --preset release"
 
+action=package
+scenario="package, another distribution"
+system c++ cmake ninja
+run 1
+says "only Debian and its like make Debian packages"
+not_called cmake
+
+scenario="package, sudo, but no network"
+system apt-get dpkg-query sudo c++ cmake ninja
+stand_in dpkg-deb 'exit 0'
+run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev"
+says "apt-get install --no-install-recommends dpkg-dev file"
+not_called cmake
+
 [[ $failures -eq 0 ]] || exit 1
 echo "All scenarios as expected."
