@@ -50,6 +50,7 @@
 #if defined(SHAFTCULL_SHARED) && defined(__GNUC__) && !defined(_WIN32)
 #define SHAFTCULL_API __attribute__((visibility("default")))
 #else
+/// Stands before each function: makes it visible in a shared library.
 #define SHAFTCULL_API
 #endif
 
@@ -101,49 +102,49 @@ SHAFTCULL_API const char* shaftcull_status_name(shaftcull_status status);
 
 /// An axis-aligned box: x, y, z of its low and of its high corner, lo ≤ hi. The empty box has lo = +∞ and hi = −∞.
 typedef struct shaftcull_box {
-  float lo[3];
-  float hi[3];
+  float lo[3]; /* the least coordinates */
+  float hi[3]; /* the greatest coordinates */
 } shaftcull_box;
 
 /// A ball: all points that are at most the radius away from the centre. A radius of 0 is a point.
 typedef struct shaftcull_sphere {
-  float centre[3];
-  float radius;
+  float centre[3]; /* its middle */
+  float radius;    /* 0 or more */
 } shaftcull_sphere;
 
 /// Three vertices. Which way round they are says nothing.
 typedef struct shaftcull_triangle {
-  float vertex[3][3];
+  float vertex[3][3]; /* in any order */
 } shaftcull_triangle;
 
 /// A half-space: normal·p ≤ offset is its inside. The normal need not have unit length.
 typedef struct shaftcull_plane {
-  float normal[3];
-  float offset;
+  float normal[3]; /* points out of the half-space */
+  float offset;    /* what normal·p is on the plane */
 } shaftcull_plane;
 
 /// Two boxes, by their positions in arrays.
 typedef struct shaftcull_index_pair {
-  uint32_t a;
-  uint32_t b;
+  uint32_t a; /* in the array of boxes a */
+  uint32_t b; /* in the array of boxes b */
 } shaftcull_index_pair;
 
 /// How many bounds overlap a shaft and how many are inside. Kept are both together.
 typedef struct shaftcull_kept_counts {
-  uint64_t overlap;
-  uint64_t inside;
+  uint64_t overlap; /* not outside, and not inside either */
+  uint64_t inside;  /* inside entirely */
 } shaftcull_kept_counts;
 
 /// Leaves [first, first + size) of a tree: the bounds whose indices stand there in its order (shaftcull_tree_order()).
 typedef struct shaftcull_leaf_range {
-  uint64_t first;
-  uint64_t size;
+  uint64_t first; /* the first leaf */
+  uint64_t size;  /* how many leaves */
 } shaftcull_leaf_range;
 
 /// What a moving box reaches first, and when; the time is rounded down. Nothing: SHAFTCULL_NONE, +∞ and 0.
 typedef struct shaftcull_contact_found {
-  uint64_t index;
-  float time;
+  uint64_t index; /* of the bound */
+  float time;     /* of first contact */
   uint32_t found; /* 1, or 0 for nothing */
 } shaftcull_contact_found;
 
@@ -215,31 +216,31 @@ SHAFTCULL_API shaftcull_status shaftcull_keep_layers(uint64_t* bits, uint64_t wo
 
 /// What a shaft is formed for; leaving an answer out makes forming cheaper, and asking for it is then refused.
 typedef struct shaftcull_shaft_options {
-  shaftcull_formation formation;
-  shaftcull_plane_order order;
-  uint32_t outside; /* 1: what is kept may be asked */
-  uint32_t inside;  /* 1: what is inside may be asked */
-  uint32_t spheres; /* 1: spheres may be asked about */
-  shaftcull_contact contact;
-  uint32_t reserved[2];
+  shaftcull_formation formation; /* how it is formed */
+  shaftcull_plane_order order;   /* how its planes are sorted */
+  uint32_t outside;              /* 1: what is kept may be asked */
+  uint32_t inside;               /* 1: what is inside may be asked */
+  uint32_t spheres;              /* 1: spheres may be asked about */
+  shaftcull_contact contact;     /* what becomes of what only touches */
+  uint32_t reserved[2];          /* 0 */
 } shaftcull_shaft_options;
 
 /// A joining plane: it cuts the edge between two neighbouring faces off the shaft's box. Faces 0, 1, 2 are lo x, y, z;
 /// 3, 4, 5 are hi x, y, z.
 typedef struct shaftcull_joining_plane {
-  shaftcull_plane plane;
-  uint32_t red;  /* the face that only the first box touches */
-  uint32_t blue; /* the face that only the second box touches */
+  shaftcull_plane plane; /* the normal points out of the shaft */
+  uint32_t red;          /* the face that only the first box touches */
+  uint32_t blue;         /* the face that only the second box touches */
 } shaftcull_joining_plane;
 
 /// What a formed shaft is made of.
 typedef struct shaftcull_shaft_info {
-  shaftcull_box a;
-  shaftcull_box b;
-  shaftcull_box box; /* the smallest box around both */
-  shaftcull_shaft_options options;
-  uint64_t joining_planes; /* how many; at most 8 */
-  uint64_t added_planes;   /* how many; at most 16 */
+  shaftcull_box a;                 /* as given */
+  shaftcull_box b;                 /* as given */
+  shaftcull_box box;               /* the smallest box around both */
+  shaftcull_shaft_options options; /* what it was formed for */
+  uint64_t joining_planes;         /* how many; at most 8 */
+  uint64_t added_planes;           /* how many; at most 16 */
 } shaftcull_shaft_info;
 
 /// A shaft between two boxes, formed with its planes. It answers nothing itself: put it into an array by
@@ -350,15 +351,15 @@ enum {
 /// `second`: any stride, any alignment. So members of the caller's own structs can be named. Nothing is kept: memory
 /// need not outlive the call. Fields that the kind does not name must be 0.
 typedef struct shaftcull_source {
-  shaftcull_source_kind kind;
-  uint32_t reserved;
-  uint64_t count; /* of bounds; of SHAFTCULL_SOURCE_BOUNDS it must be 0, since these know it */
-  const void* first;
-  const void* second;
-  uint64_t stride;
-  const uint32_t* indices;
-  uint64_t vertex_count;
-  const shaftcull_bounds* bounds;
+  shaftcull_source_kind kind;     /* which of the following fields are read */
+  uint32_t reserved;              /* 0 */
+  uint64_t count;                 /* of bounds; of SHAFTCULL_SOURCE_BOUNDS it must be 0, since these know it */
+  const void* first;              /* of record 0, as the kind says */
+  const void* second;             /* of record 0, as the kind says */
+  uint64_t stride;                /* bytes from one record to the next */
+  const uint32_t* indices;        /* of a mesh: three a triangle */
+  uint64_t vertex_count;          /* of a mesh */
+  const shaftcull_bounds* bounds; /* of SHAFTCULL_SOURCE_BOUNDS */
 } shaftcull_source;
 
 /// The source of an array of boxes. Never fails; reads nothing yet.
@@ -413,14 +414,14 @@ SHAFTCULL_API void shaftcull_bounds_free(shaftcull_bounds* bounds);
 
 /// What bounds are and how much memory they hold.
 typedef struct shaftcull_bounds_info {
-  uint64_t count;
-  uint64_t memory_bytes; /* that the library holds, padding included: 0 of a view */
-  shaftcull_bound_kind kind;
-  shaftcull_holder holder;
-  uint32_t index_bits;  /* of a tree 32 or 64; otherwise 0, since any index will do */
-  uint32_t needs_refit; /* 1 if a tree was updated by index since the last refit */
-  uint32_t has_layers;  /* 1 if a tree has layers */
-  uint32_t reserved;
+  uint64_t count;            /* of bounds */
+  uint64_t memory_bytes;     /* that the library holds, padding included: 0 of a view */
+  shaftcull_bound_kind kind; /* what they are */
+  shaftcull_holder holder;   /* what holds them */
+  uint32_t index_bits;       /* of a tree 32 or 64; otherwise 0, since any index will do */
+  uint32_t needs_refit;      /* 1 if a tree was updated by index since the last refit */
+  uint32_t has_layers;       /* 1 if a tree has layers */
+  uint32_t reserved;         /* 0 */
 } shaftcull_bounds_info;
 
 /// Kind, holder, count and state of bounds. O(1); no allocation.
@@ -506,21 +507,21 @@ typedef struct shaftcull_shafts shaftcull_shafts;
 
 /// What is known of one shaft of an array.
 typedef struct shaftcull_shafts_info {
-  shaftcull_box a; /* as given; of a moving box where it starts, of a hull the box around it */
-  shaftcull_box b; /* as given; of a moving box where it ends, rounded to nearest */
-  uint32_t formed; /* 1 if it was set */
-  uint32_t has_planes;
-  shaftcull_contact contact;
-  uint32_t is_hull;
+  shaftcull_box a;           /* as given; of a moving box where it starts, of a hull the box around it */
+  shaftcull_box b;           /* as given; of a moving box where it ends, rounded to nearest */
+  uint32_t formed;           /* 1 if it was set */
+  uint32_t has_planes;       /* 1 if its joining planes are there */
+  shaftcull_contact contact; /* what becomes of what only touches */
+  uint32_t is_hull;          /* 1 if it is a convex hull */
 } shaftcull_shafts_info;
 
 /// Planes for the shafts of a batch: those of a shaft's box a, then those of its box b. Each box has as many as all
 /// others of its array, k = count / boxes, and box i has planes k · i to k · i + k − 1. All zero: none.
 typedef struct shaftcull_batch_planes {
-  const shaftcull_plane* a;
-  uint64_t a_count;
-  const shaftcull_plane* b;
-  uint64_t b_count;
+  const shaftcull_plane* a; /* of the boxes a */
+  uint64_t a_count;         /* of all of them */
+  const shaftcull_plane* b; /* of the boxes b */
+  uint64_t b_count;         /* of all of them */
 } shaftcull_batch_planes;
 
 /// An array of `count` shafts that were never formed. Questions refuse such a shaft, by its position. Freed by
@@ -630,21 +631,21 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* sh
 /// fit the bounds is refused: a form is for boxes and spheres in views and streams, a triangle test for triangles, and
 /// all else for trees of boxes and spheres. Questions about inside alone and about what blocks do not depend on form.
 typedef struct shaftcull_query {
-  shaftcull_form form;
-  shaftcull_triangle_test triangle_test;
-  /* Bounds to leave out, by the caller's index: a row for each shaft, all equally long, own_count indices in all. A
-     shaft's own two objects, say. `own` for trees with 32-bit indices, `own64` for those with 64. */
+  shaftcull_form form;                   /* of boxes and spheres in views and streams */
+  shaftcull_triangle_test triangle_test; /* of triangles */
+  /// Bounds to leave out, by the caller's index: a row for each shaft, all equally long, own_count indices in all. A
+  /// shaft's own two objects, say. `own` for trees with 32-bit indices, `own64` for those with 64.
   const uint32_t* own;
   const uint64_t* own64;
   uint64_t own_count;
-  /* Bounds to leave out for all shafts: bit i of `mask_words` words, 0 or shaftcull_words_for(count of the tree). */
+  /// Bounds to leave out for all shafts: bit i of `mask_words` words, 0 or shaftcull_words_for(count of the tree).
   const uint64_t* mask;
   uint64_t mask_words;
-  /* Layers, one set of them for each shaft or one for all: bounds that are in none of them are left out. None: bounds
-     of all layers, and of none, are asked about. */
+  /// Layers, one set of them for each shaft or one for all: bounds that are in none of them are left out. None: bounds
+  /// of all layers, and of none, are asked about.
   const uint32_t* only_layers;
   uint64_t only_layers_count;
-  uint64_t reserved[4];
+  uint64_t reserved[4]; /* 0 */
 } shaftcull_query;
 
 /* Of all questions: `shafts` and `shaft` name one shaft, or `shafts`, `first` and `count` name some. `bounds` are of
@@ -953,20 +954,20 @@ SHAFTCULL_API shaftcull_status shaftcull_list_blocking_many(const shaftcull_shaf
 /// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64. Bit i of both is
 /// bound first + i; `inside` is NULL unless it was asked for. Valid during the callback only.
 typedef struct shaftcull_tile {
-  uint64_t shaft; /* position in the array of shafts */
-  uint64_t first;
-  uint64_t size;
-  const uint64_t* kept;
-  const uint64_t* inside;
+  uint64_t shaft;         /* position in the array of shafts */
+  uint64_t first;         /* the first bound of the tile */
+  uint64_t size;          /* how many bounds it has */
+  const uint64_t* kept;   /* bits of what is kept */
+  const uint64_t* inside; /* bits of what is inside, or NULL */
 } shaftcull_tile;
 
 /// What one shaft keeps, as ranges of leaves of a tree. Valid during the callback only.
 typedef struct shaftcull_ranges {
-  uint64_t shaft;                   /* position in the array of shafts */
-  const shaftcull_leaf_range* kept; /* or, of shaftcull_for_each_classified(), those that overlap */
-  uint64_t kept_count;
+  uint64_t shaft;                     /* position in the array of shafts */
+  const shaftcull_leaf_range* kept;   /* or, of shaftcull_for_each_classified(), those that overlap */
+  uint64_t kept_count;                /* of ranges */
   const shaftcull_leaf_range* inside; /* NULL unless asked for; this and kept also if there are none */
-  uint64_t inside_count;
+  uint64_t inside_count;              /* of ranges */
 } shaftcull_ranges;
 
 /// Gets `user` as it was passed. Returns 0 to go on; anything else ends the call with SHAFTCULL_STOPPED. It may run on

@@ -13,22 +13,22 @@ using Vec3 = std::array<float, 3>;
 /// An axis-aligned box: all p with lo ≤ p ≤ hi on every axis (closed, so touching boxes meet).
 /// Infinite extents are legal. The *empty* box has lo = +∞ and hi = −∞ on all axes and meets nothing.
 struct Box {
-  Vec3 lo;
-  Vec3 hi;
+  Vec3 lo;  ///< the least coordinates
+  Vec3 hi;  ///< the greatest coordinates
   friend bool operator==(const Box&, const Box&) = default;
 };
 
 /// A ball: all p with |p − centre| ≤ radius. A radius of 0 is a point.
 struct Sphere {
-  Vec3 centre;
-  float radius;
+  Vec3 centre;   ///< its middle
+  float radius;  ///< 0 or more
   friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
 /// A half-space: normal·p ≤ offset is its inside. The normal need not have unit length.
 struct Plane {
-  Vec3 normal;
-  float offset;
+  Vec3 normal;   ///< points out of the half-space
+  float offset;  ///< what normal·p is on the plane
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 

@@ -76,8 +76,8 @@ class alignas(64) CompiledShaft {
 /// Each box has as many as all others of its view, k = a.size() / (number of boxes), and box i has planes k · i to
 /// k · i + k − 1. Empty: none.
 struct BatchPlanes {
-  std::span<const Plane> a{};
-  std::span<const Plane> b{};
+  std::span<const Plane> a{};  ///< of the boxes a
+  std::span<const Plane> b{};  ///< of the boxes b
 };
 
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
@@ -99,8 +99,8 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
 
 /// Two boxes, by their positions in views.
 struct IndexPair {
-  std::uint32_t a;
-  std::uint32_t b;
+  std::uint32_t a;  ///< of the view that holds the boxes a
+  std::uint32_t b;  ///< of the view that holds the boxes b
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };
 

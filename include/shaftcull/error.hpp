@@ -26,6 +26,7 @@ class InvalidArgument : public std::invalid_argument {
 /// formed.
 class BadBound : public InvalidArgument {
  public:
+  /// `index` is what index() tells, and `what` the message.
   BadBound(std::size_t index, const std::string& what) : InvalidArgument(what), index_(index) {}
   BadBound(const BadBound&) = default;
   BadBound& operator=(const BadBound&) = default;

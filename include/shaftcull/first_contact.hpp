@@ -45,11 +45,12 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// What a shaft reaches first. False if that is nothing: `if (const auto contact = first_contact(shaft, tree))`.
 template <BoundIndex Index>
 struct FirstContactOf {
-  static constexpr Index none = static_cast<Index>(~std::uint64_t{0});
+  static constexpr Index none = static_cast<Index>(~std::uint64_t{0});  ///< no bound
 
   Index index = none;  ///< of the bound: its position in a view, the user's index in a tree; `none` for nothing
   float time = std::numeric_limits<float>::infinity();  ///< rounded down; +∞ for nothing
 
+  /// Whether there is a contact.
   constexpr explicit operator bool() const noexcept { return index != none; }
   friend bool operator==(const FirstContactOf&, const FirstContactOf&) = default;
 };

@@ -36,6 +36,7 @@ concept CallableObject =
 template <class Result, class... Args>
 class FunctionRef<Result(Args...)> {
  public:
+  /// Refers to an object: a lambda, a std::function.
   template <CallableObject<FunctionRef, Result, Args...> Callable>
   // Not explicit, so that callbacks are passed as they are. NOLINTNEXTLINE(bugprone-forwarding-reference-overload)
   FunctionRef(Callable&& callable) noexcept
@@ -47,10 +48,12 @@ class FunctionRef<Result(Args...)> {
     }
   }
 
+  /// Refers to a function.
   template <CallableFunction<Result, Args...> Function>
   FunctionRef(Function& function) noexcept  // NOLINT(google-explicit-constructor)
       : function_(reinterpret_cast<void (*)()>(&function)), call_(call_function<Function>) {}
 
+  /// Whether there is something to call.
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
   /// Calls what it refers to. It must not be empty.
   Result operator()(Args... args) const { return call_(*this, std::forward<Args>(args)...); }

@@ -40,9 +40,10 @@ enum class ClipDepth : std::uint8_t {
 /// The planes of a view frustum, up to six: left, right, bottom, top, near and far, but for those that cut nothing off,
 /// as the far plane of an infinite projection does.
 struct ViewPlanes {
-  std::array<Plane, 6> plane;
-  std::size_t count;
+  std::array<Plane, 6> plane;  ///< the first `count` of them
+  std::size_t count;           ///< how many there are
 
+  /// For loops over the planes, and spans of them.
   [[nodiscard]] const Plane* begin() const noexcept { return plane.data(); }
   [[nodiscard]] const Plane* end() const noexcept { return plane.data() + count; }
 };

@@ -90,14 +90,16 @@ void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, 
 template <BoundIndex Index>
 struct IndexListsOf {
   std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<Index> indices;
+  std::vector<Index> indices;          ///< of all lists, one behind the other
 
+  /// How many lists there are: one for each shaft.
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
   /// `shaft` is below size(); not checked.
   [[nodiscard]] std::span<const Index> operator[](std::size_t shaft) const noexcept {
     return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
 };
+/// Lists of 32-bit indices.
 using IndexLists = IndexListsOf<std::uint32_t>;
 
 /// Lists what each shaft keeps. Reuses the memory of `lists`; if this throws, they are as they were or empty. Throws
@@ -134,13 +136,14 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const SphereVie
 /// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.
 struct TileAnswers {
-  std::size_t shaft;
-  std::size_t first;
-  std::size_t size;
+  std::size_t shaft;                      ///< its position among those asked
+  std::size_t first;                      ///< the first bound of the tile
+  std::size_t size;                       ///< how many bounds the tile has
   std::span<const std::uint64_t> kept;    ///< bit i is bound first + i
   std::span<const std::uint64_t> inside;  ///< likewise; empty for for_each_tile()
 };
 
+/// What for_each_tile() and for_each_classified_tile() call.
 using TileCallback = FunctionRef<void(const TileAnswers&)>;
 
 /// Calls back once for every tile and shaft, one call at a time, ordered by tile and then by shaft; with bits of both

@@ -43,8 +43,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// Leaves [first, first + size) of a tree: bounds order()[first] and so on.
 template <BoundIndex Index>
 struct LeafRangeOf {
-  Index first;
-  Index size;
+  Index first;  ///< the first leaf
+  Index size;   ///< how many leaves
   friend bool operator==(const LeafRangeOf&, const LeafRangeOf&) = default;
 };
 
@@ -56,8 +56,10 @@ struct SpanOrBraces : std::span<const Number> {
   constexpr SpanOrBraces() noexcept = default;
   using std::span<const Number>::span;  // NOLINT(modernize-use-equals-default): clang-tidy 14 takes it for a
                                         // constructor
+  /// A span as it is.
   constexpr SpanOrBraces(std::span<const Number> numbers) noexcept  // NOLINT(google-explicit-constructor)
       : std::span<const Number>(numbers) {}
+  /// What stands in braces, until the end of the statement.
   constexpr SpanOrBraces(std::initializer_list<Number> numbers) noexcept
       : std::span<const Number>(std::data(numbers), numbers.size()) {}
 };
@@ -198,15 +200,17 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTr
 /// Leaf ranges in compressed sparse rows: those of shaft s are ranges[offsets[s] … offsets[s + 1]), ascending.
 template <BoundIndex Index>
 struct LeafRangeListsOf {
-  std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<LeafRangeOf<Index>> ranges;
+  std::vector<std::uint64_t> offsets;      ///< shafts + 1 of them, the first 0
+  std::vector<LeafRangeOf<Index>> ranges;  ///< of all lists, one behind the other
 
+  /// How many lists there are: one for each shaft.
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
   /// `shaft` is below size(); not checked.
   [[nodiscard]] std::span<const LeafRangeOf<Index>> operator[](std::size_t shaft) const noexcept {
     return {ranges.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
 };
+/// Lists of leaf ranges of trees with 32-bit indices.
 using LeafRangeLists = LeafRangeListsOf<std::uint32_t>;
 
 /// Lists what each shaft keeps, as indices or as leaf ranges. Reuses the memory of `lists`; if this throws, they are as
@@ -240,18 +244,20 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTre
 /// only.
 template <BoundIndex Index>
 struct KeptRangesOf {
-  std::size_t shaft;
-  std::span<const LeafRangeOf<Index>> kept;
+  std::size_t shaft;                         ///< its position among those asked
+  std::span<const LeafRangeOf<Index>> kept;  ///< what it keeps
 };
+/// Those of trees with 32-bit indices.
 using KeptRanges = KeptRangesOf<std::uint32_t>;
 
 /// Likewise, but bounds that overlap and bounds inside apart.
 template <BoundIndex Index>
 struct ClassifiedRangesOf {
-  std::size_t shaft;
-  std::span<const LeafRangeOf<Index>> overlap;
-  std::span<const LeafRangeOf<Index>> inside;
+  std::size_t shaft;                            ///< its position among those asked
+  std::span<const LeafRangeOf<Index>> overlap;  ///< what it keeps that is not inside
+  std::span<const LeafRangeOf<Index>> inside;   ///< what is inside
 };
+/// Those of trees with 32-bit indices.
 using ClassifiedRanges = ClassifiedRangesOf<std::uint32_t>;
 
 /// Calls callback(KeptRangesOf) or callback(ClassifiedRangesOf) once for every shaft, one call at a time, in their

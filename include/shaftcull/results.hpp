@@ -18,7 +18,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// How many of each answer there are. Kept are overlap + inside.
 struct KeptCounts {
   std::size_t overlap;  ///< not outside, and not inside either
-  std::size_t inside;
+  std::size_t inside;   ///< inside the shaft entirely
   friend bool operator==(const KeptCounts&, const KeptCounts&) = default;
 };
 

@@ -44,11 +44,11 @@ enum class Contact : std::uint8_t {
 /// What a shaft will be asked. Leaving something out makes formation cheaper; asking for it then
 /// throws InvalidArgument.
 struct ShaftOptions {
-  Formation formation = Formation::table729;
-  PlaneOrder order = PlaneOrder::unsorted;
-  bool outside = true;  ///< cull() may be called
-  bool inside = true;   ///< contained() and, with outside, classify() may be called
-  bool spheres = true;  ///< spheres may be tested; joining planes then get unit normals
+  Formation formation = Formation::table729;  ///< how it is formed
+  PlaneOrder order = PlaneOrder::unsorted;    ///< how its planes are sorted
+  bool outside = true;                        ///< cull() may be called
+  bool inside = true;                         ///< contained() and, with outside, classify() may be called
+  bool spheres = true;                        ///< spheres may be tested; joining planes then get unit normals
   /// What becomes of bounds that only touch the shaft.
   Contact contact = Contact::closed;
 };
@@ -59,9 +59,9 @@ using Face = std::uint8_t;
 /// A plane that joins an edge of one object box with the corresponding edge of the other: it cuts the
 /// edge between two neighbouring faces off the shaft box. The normal has a zero component, on the axis along the edge.
 struct JoiningPlane {
-  Plane plane;
-  Face red;   ///< the face that only the first box touches
-  Face blue;  ///< the face that only the second box touches
+  Plane plane;  ///< the normal points out of the shaft
+  Face red;     ///< the face that only the first box touches
+  Face blue;    ///< the face that only the second box touches
 };
 
 /// Most joining planes a shaft can have.
@@ -85,6 +85,7 @@ class Shaft {
   /// normal is zero, or max_added_planes are there already.
   void add_plane(const Plane& plane);
 
+  /// The boxes that it is between, as they were given.
   [[nodiscard]] const Box& a() const noexcept { return a_; }
   [[nodiscard]] const Box& b() const noexcept { return b_; }
   /// The shaft box: the smallest box around a and b.
@@ -93,7 +94,9 @@ class Shaft {
   [[nodiscard]] std::span<const JoiningPlane> joining_planes() const noexcept {
     return {joining_.data(), joining_count_};
   }
+  /// In the order in which they were added.
   [[nodiscard]] std::span<const Plane> added_planes() const noexcept { return {added_.data(), added_count_}; }
+  /// What it was formed for.
   [[nodiscard]] const ShaftOptions& options() const noexcept { return options_; }
 
  private:

@@ -24,8 +24,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// with lo > hi that is not the empty box gets an unspecified answer, the same on every instruction set, but maybe not
 /// in both forms.
 struct BoxView {
-  std::array<const float*, 6> stream{};
-  std::size_t count = 0;
+  std::array<const float*, 6> stream{};  ///< in the order said above
+  std::size_t count = 0;                 ///< of boxes
 
   /// The boxes [first, first + size); the caller keeps that range within `count`.
   [[nodiscard]] BoxView slice(std::size_t first, std::size_t size) const noexcept {
@@ -43,8 +43,8 @@ struct BoxView {
 /// Values are not checked: a sphere with a NaN anywhere is never culled by that value and never inside. A
 /// sphere with a negative radius is *empty*: outside of every shaft, and never inside.
 struct SphereView {
-  std::array<const float*, 4> stream{};
-  std::size_t count = 0;
+  std::array<const float*, 4> stream{};  ///< in the order said above
+  std::size_t count = 0;                 ///< of spheres
 
   /// The spheres [first, first + size); the caller keeps that range within `count`.
   [[nodiscard]] SphereView slice(std::size_t first, std::size_t size) const noexcept {
@@ -61,27 +61,27 @@ struct SphereView {
 /// Boxes as min and max corners in an array of structs: record i has its three floats of lo at byte
 /// `lo + i * stride` and its three floats of hi at `hi + i * stride`. Any stride, any alignment.
 struct MinMaxRecords {
-  const void* lo = nullptr;
-  const void* hi = nullptr;
+  const void* lo = nullptr;          ///< of the first record
+  const void* hi = nullptr;          ///< of the first record
   std::size_t stride = sizeof(Box);  ///< bytes from one record to the next
-  std::size_t count = 0;
+  std::size_t count = 0;             ///< of records
 };
 
 /// Boxes as centre and half extent, laid out as MinMaxRecords. Corners that are not floats are rounded
 /// outwards, so that the packed box always contains the given one.
 struct CentreExtentRecords {
-  const void* centre = nullptr;
-  const void* half_extent = nullptr;
+  const void* centre = nullptr;            ///< of the first record
+  const void* half_extent = nullptr;       ///< of the first record
   std::size_t stride = 6 * sizeof(float);  ///< bytes from one record to the next
-  std::size_t count = 0;
+  std::size_t count = 0;                   ///< of records
 };
 
 /// Spheres as three floats of centre and one of radius, laid out as MinMaxRecords.
 struct SphereRecords {
-  const void* centre = nullptr;
-  const void* radius = nullptr;
+  const void* centre = nullptr;         ///< of the first record
+  const void* radius = nullptr;         ///< of the first record
   std::size_t stride = sizeof(Sphere);  ///< bytes from one record to the next
-  std::size_t count = 0;
+  std::size_t count = 0;                ///< of records
 };
 
 /// Records of an array of Box or Sphere.
@@ -122,6 +122,7 @@ class BoxStream {
   void update(std::size_t first, const CentreExtentRecords& boxes);
   void update(std::size_t first, const BoxView& boxes);
 
+  /// How many boxes it holds.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// Bytes of boxes that the stream holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Box); }
@@ -167,9 +168,13 @@ class SphereStream {
   void update(std::size_t first, const SphereRecords& spheres);
   void update(std::size_t first, const SphereView& spheres);
 
+  /// How many spheres it holds.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
+  /// Bytes of spheres that the stream holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Sphere); }
+  /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
   [[nodiscard]] SphereView view() const noexcept { return view_; }
+  /// So that a stream goes where a view goes.
   operator SphereView() const noexcept { return view_; }  // NOLINT(google-explicit-constructor)
   /// i is below size(); not checked.
   [[nodiscard]] Sphere operator[](std::size_t i) const noexcept { return view_[i]; }

@@ -46,6 +46,7 @@ class BoundsTree {
   static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>, "bounds are boxes or spheres");
 
  public:
+  /// What bounds are read from: streams, and the user's own records.
   using View = ViewOf<Bound>;
   using Records = RecordsOf<Bound>;
 
@@ -64,6 +65,7 @@ class BoundsTree {
   BoundsTree& operator=(BoundsTree&& other) noexcept;
   ~BoundsTree();
 
+  /// How many bounds it holds.
   [[nodiscard]] std::size_t size() const noexcept;
   /// Bytes that the tree holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
@@ -108,6 +110,7 @@ class BoundsTree {
   void set_layers(std::span<const Index> indices, std::span<const std::uint32_t> layers);
   /// Forgets all layers and frees their memory: has_layers() is false then.
   void clear_layers() noexcept;
+  /// Whether bounds were put into layers.
   [[nodiscard]] bool has_layers() const noexcept;
   /// layers()[p] are those of leaf p; empty unless has_layers(). Valid as leaves(), until layers are set or cleared.
   [[nodiscard]] std::span<const std::uint32_t> layers() const noexcept;
@@ -139,6 +142,7 @@ extern template class BoundsTree<Sphere>;
 extern template class BoundsTree<Box, std::uint64_t>;
 extern template class BoundsTree<Sphere, std::uint64_t>;
 
+/// Trees with 32-bit indices.
 using BoxTree = BoundsTree<Box>;
 using SphereTree = BoundsTree<Sphere>;
 

@@ -49,7 +49,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Three vertices. Which way round they are says nothing.
 struct Triangle {
-  std::array<Vec3, 3> vertex;
+  std::array<Vec3, 3> vertex;  ///< in any order
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
@@ -59,8 +59,8 @@ enum class TriangleTest : std::uint8_t { vertices, exact };
 /// `count` triangles in the user's memory as nine separate streams of floats: x, y, z of vertex 0, then of vertex 1,
 /// then of vertex 2. Any alignment of a float, any count from 0 up, nothing past `count` is read: as BoxView.
 struct TriangleView {
-  std::array<const float*, 9> stream{};
-  std::size_t count = 0;
+  std::array<const float*, 9> stream{};  ///< in the order said above
+  std::size_t count = 0;                 ///< of triangles
 
   /// The triangles [first, first + size); the caller keeps that range within `count`.
   [[nodiscard]] TriangleView slice(std::size_t first, std::size_t size) const noexcept {
@@ -80,11 +80,12 @@ struct TriangleView {
 /// alignment; triangle i has the vertices that indices 3 i, 3 i + 1 and 3 i + 2 name. A mesh is packed into a stream or
 /// a tree, which are what shafts are asked about.
 struct MeshView {
-  const void* vertices = nullptr;
-  std::size_t stride = sizeof(Vec3);  ///< bytes from one vertex to the next
-  std::size_t vertex_count = 0;
-  std::span<const std::uint32_t> indices{};
+  const void* vertices = nullptr;            ///< the first vertex
+  std::size_t stride = sizeof(Vec3);         ///< bytes from one vertex to the next
+  std::size_t vertex_count = 0;              ///< of vertices
+  std::span<const std::uint32_t> indices{};  ///< of vertices, three a triangle
 
+  /// How many triangles it has.
   [[nodiscard]] std::size_t size() const noexcept { return indices.size() / 3; }
 };
 
@@ -125,6 +126,7 @@ class TriangleStream {
   void update(std::size_t first, const TriangleView& triangles);
   void update(std::size_t first, const MeshView& mesh);
 
+  /// How many triangles it holds.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// Bytes of triangles that the stream holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept {
@@ -162,9 +164,10 @@ class TriangleStream {
 /// deep; moves are O(1) and leave an empty tree.
 class TriangleTree {
  public:
-  static constexpr std::size_t chunk_size = 32;
+  static constexpr std::size_t chunk_size = 32;  ///< triangles a chunk
 
   TriangleTree() noexcept;
+  /// Copies and sorts the triangles.
   explicit TriangleTree(std::span<const Triangle> triangles);
   explicit TriangleTree(const TriangleView& triangles);
   explicit TriangleTree(const MeshView& mesh);
@@ -174,6 +177,7 @@ class TriangleTree {
   TriangleTree& operator=(TriangleTree&& other) noexcept;
   ~TriangleTree();
 
+  /// How many triangles it holds.
   [[nodiscard]] std::size_t size() const noexcept;
   /// Bytes that the tree holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
@@ -233,12 +237,15 @@ void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triang
 // The same of a tree. Bits are by the user's index, in words_for(tree.size()) words a row. Lists hold the user's
 // indices, in tree order (order()). Errors and allocation as above; time grows with what is found.
 
+/// What the call of the same name says of a view, of a tree: bits by the user's index, lists of the user's indices in
+/// tree order.
 void cull(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint64_t> kept,
           TriangleTest test = TriangleTest::exact);
 [[nodiscard]] std::size_t count(const CompiledShaft& shaft, const TriangleTree& tree,
                                 TriangleTest test = TriangleTest::exact);
 /// Stops at the first chunk that holds a triangle which the shaft keeps.
 [[nodiscard]] bool any(const CompiledShaft& shaft, const TriangleTree& tree, TriangleTest test = TriangleTest::exact);
+/// What the calls of the same names say of a view, of a tree.
 [[nodiscard]] std::size_t list(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint32_t> kept,
                                TriangleTest test = TriangleTest::exact);
 void cull_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, std::span<std::uint64_t> kept_rows,

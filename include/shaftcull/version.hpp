@@ -3,6 +3,8 @@
 #pragma once
 
 // The build reads the version from these three lines: keep their form.
+
+/// A part of the version.
 #define SHAFTCULL_VERSION_MAJOR 0
 #define SHAFTCULL_VERSION_MINOR 1
 #define SHAFTCULL_VERSION_PATCH 0
@@ -11,6 +13,7 @@
 #define SHAFTCULL_VERSION_STRING            \
   SHAFTCULL_QUOTED(SHAFTCULL_VERSION_MAJOR) \
   "." SHAFTCULL_QUOTED(SHAFTCULL_VERSION_MINOR) "." SHAFTCULL_QUOTED(SHAFTCULL_VERSION_PATCH)
+/// For SHAFTCULL_VERSION_STRING.
 #define SHAFTCULL_QUOTED(number) SHAFTCULL_QUOTED_AS_IT_IS(number)
 #define SHAFTCULL_QUOTED_AS_IT_IS(number) #number
 
