@@ -1,0 +1,46 @@
+// What can cast a shadow on a receiver: of the sun, of a point light, of an area light. And does one wall take all the
+// light?
+#include <cstdio>
+#include <shaftcull/shaftcull.hpp>
+#include <vector>
+
+namespace sc = shaftcull;
+
+namespace {
+
+void print(const char* light, const sc::CompiledShaft& shaft, const sc::BoxTree& tree) {
+  std::vector<std::uint32_t> casters(tree.size());
+  casters.resize(list(shaft, tree, casters));
+  std::printf("%s:", light);
+  for (const std::uint32_t caster : casters) std::printf(" %u", caster);
+  std::printf("\n");
+}
+
+}  // namespace
+
+int main() {
+  const sc::Box receiver{{0, 0, 0}, {4, 4, 0}};  // a patch of floor
+  const std::vector<sc::Box> scene = {
+      {{1, 1, 2}, {2, 2, 3}},        // 0: above the floor
+      {{6, 1, 5}, {7, 3, 6}},        // 1: towards the sun
+      {{1, 1, 12}, {3, 3, 13}},      // 2: above the lamps
+      {{3.2F, 1, 5}, {3.4F, 2, 6}},  // 3: shadows the floor from a part of the lamp only
+      {{-9, -9, 7}, {9, 9, 7}}};     // 4: a ceiling below the lamps
+  const sc::BoxTree tree(scene);
+
+  const sc::Vec3 towards_sun{1, 0, 1};
+  print("sun", sc::swept_without_end(receiver, towards_sun), tree);
+
+  const sc::Vec3 bulb{2, 2, 10};
+  print("point light", sc::compile(sc::Box{bulb, bulb}, receiver), tree);
+
+  // The shaft between a light and a receiver that have a size holds every ray from the one to the other. Closed contact
+  // would keep what stands on the floor beside the receiver, or hangs beside the lamp; open contact leaves out what
+  // only touches.
+  const sc::Box lamp{{1, 1, 10}, {3, 3, 10}};
+  const sc::CompiledShaft lit = sc::compile(lamp, receiver, sc::Contact::open);
+  print("area light", lit, tree);
+
+  // Only solid boxes may be asked: the ceiling is one, the box around a tree is none.
+  std::printf("the ceiling alone takes all light: %s\n", sc::blocked(lit, scene[4]) ? "yes" : "no");
+}

@@ -1,0 +1,127 @@
+/* The snippets of docs/ten-minutes.md, in one program. */
+#include <shaftcull.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* [[status]] */
+static void must(shaftcull_status status) {
+  if (status != SHAFTCULL_OK) {
+    fprintf(stderr, "%s\n", shaftcull_error_message());
+    exit(1);
+  }
+}
+/* [[end]] */
+
+int main(void) {
+  /* [[first cull]] */
+  const shaftcull_box lamp = {{0, 9, 0}, {1, 10, 1}};
+  const shaftcull_box table = {{4, 0, 4}, {6, 1, 6}};
+  shaftcull_box scene[3] = {{{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}, {{4, -1, 4}, {6, 0, 6}}};
+
+  const shaftcull_source source = shaftcull_boxes(scene, 3);
+  shaftcull_bounds* boxes = NULL;
+  must(shaftcull_stream_create(&source, &boxes)); /* checked, aligned, one stream a coordinate */
+  shaftcull_shafts* shaft = NULL;                 /* an array of one shaft */
+  must(shaftcull_shafts_create(1, &shaft));
+  must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
+  uint64_t kept = 0;
+  must(shaftcull_cull(shaft, 0, boxes, NULL, &kept, 1)); /* bit i: box i may stand between */
+  for (int i = 0; i != 3; ++i) printf("box %d %s\n", i, kept >> i & 1 ? "may" : "cannot");
+  /* [[end]] */
+
+  /* [[many shafts]] */
+  const shaftcull_box ends[3] = {lamp, table, {{9, 9, 9}, {9, 9, 9}}};
+  const shaftcull_index_pair pairs[3] = {{0, 1}, {0, 2}, {1, 2}};
+  const shaftcull_source end_boxes = shaftcull_boxes(ends, 3);
+  shaftcull_shafts* shafts = NULL;
+  must(shaftcull_shafts_create(3, &shafts));
+  must(shaftcull_shafts_set_between_batch(shafts, 0, &end_boxes, &end_boxes, pairs, 3, NULL, SHAFTCULL_CONTACT_CLOSED));
+
+  shaftcull_lists* lists = NULL;
+  must(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
+  must(shaftcull_list_many(shafts, 0, 3, boxes, NULL, lists)); /* in parallel */
+  const uint64_t* offsets = shaftcull_lists_offsets(lists);
+  for (int s = 0; s != 3; ++s) printf("shaft %d keeps %u\n", s, (unsigned)(offsets[s + 1] - offsets[s]));
+  /* [[end]] */
+
+  /* [[tree]] */
+  shaftcull_bounds* tree = NULL;
+  must(shaftcull_tree_create(&source, 32, &tree)); /* sorted once; asked the same questions */
+  const uint32_t own[3] = {2, 2, 2};               /* each shaft leaves box 2 out */
+  const shaftcull_query without = {.own = own, .own_count = 3};
+  must(shaftcull_list_many(shafts, 0, 3, tree, &without, lists));
+  uint32_t any = 0;
+  must(shaftcull_any(shafts, 0, tree, NULL, &any));
+  printf("%u without box 2, %s\n", (unsigned)shaftcull_lists_offsets(lists)[1], any ? "some with it" : "none with it");
+  /* [[end]] */
+
+  /* [[frames]] */
+  const float step[3] = {0.5F, 0, 0};
+  uint64_t count = 0;
+  for (int frame = 0; frame != 3; ++frame) {
+    for (int i = 0; i != 3; ++i) must(shaftcull_translated(&scene[i], step, &scene[i]));
+    must(shaftcull_tree_update(tree, &source)); /* no memory is taken, nothing is sorted */
+    must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED)); /* anew: nanoseconds */
+    must(shaftcull_count(shaft, 0, tree, NULL, &count));
+    printf("frame %d: %u\n", frame, (unsigned)count);
+  }
+  double growth = 1;
+  must(shaftcull_tree_growth(tree, &growth));
+  if (growth > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
+  /* [[end]] */
+
+  /* [[kinds]] */
+  shaftcull_shafts* kinds = NULL;
+  must(shaftcull_shafts_create(4, &kinds));
+  const shaftcull_box crate = {{3, 8, 2}, {4, 9, 3}};
+  const float travel[3] = {0, -6, 0};
+  const float towards_sun[3] = {-1, 2, -1};
+  const float corners[12] = {0, 0, 0, 4, 0, 0, 0, 9, 0, 5, 5, 5};
+  must(shaftcull_shafts_set_swept(kinds, 0, &crate, travel, NULL, 0));
+  must(shaftcull_shafts_set_swept_without_end(kinds, 1, &table, towards_sun, NULL, 0));
+  must(shaftcull_shafts_set_shadow(kinds, 2, &lamp, &scene[0], NULL, NULL, 0));
+  shaftcull_hull* hull = NULL;
+  must(shaftcull_hull_create(corners, 4, NULL, 0, &hull));
+  must(shaftcull_shafts_set_hull(kinds, 3, hull));
+  shaftcull_hull_free(hull); /* the array keeps what it needs */
+  uint64_t counts[4] = {0};
+  must(shaftcull_count_many(kinds, 0, 4, tree, NULL, counts));
+  printf("%u %u %u %u\n", (unsigned)counts[0], (unsigned)counts[1], (unsigned)counts[2], (unsigned)counts[3]);
+
+  shaftcull_contact_found contact = {0};
+  must(shaftcull_first_contact(kinds, 0, tree, NULL, &contact));
+  if (contact.found) printf("first box %u, after %.2f of the way\n", (unsigned)contact.index, (double)contact.time);
+  /* [[end]] */
+
+  /* [[contact]] */
+  const shaftcull_box floor = {{-9, -1, -9}, {9, 0, 9}}; /* the table stands on it */
+  shaftcull_answer closed = SHAFTCULL_OUTSIDE;
+  shaftcull_answer open = SHAFTCULL_OUTSIDE;
+  must(shaftcull_ask_box(shaft, 0, &floor, 0, &closed));
+  must(shaftcull_shafts_set_contact(shaft, 0, 1, SHAFTCULL_CONTACT_OPEN));
+  must(shaftcull_ask_box(shaft, 0, &floor, 0, &open));
+  printf("closed: %d, open: %d\n", closed != SHAFTCULL_OUTSIDE, open != SHAFTCULL_OUTSIDE);
+  /* [[end]] */
+
+  /* [[blocked]] */
+  const shaftcull_box wall = {{-9, 5, -9}, {9, 6, 9}}; /* solid: it fills its box */
+  uint32_t blocked = 0;
+  must(shaftcull_blocked_by_box(shaft, 0, &wall, &blocked));
+  printf("%s\n", blocked ? "the lamp does not light the table" : "it may");
+  /* [[end]] */
+
+  /* [[errors]] */
+  scene[1].lo[0] = 99; /* beyond hi */
+  if (shaftcull_stream_update(boxes, 0, &source) == SHAFTCULL_BAD_BOUND) printf("%s\n", shaftcull_error_message());
+  /* [[end]] */
+
+  /* [[free]] */
+  shaftcull_lists_free(lists);
+  shaftcull_shafts_free(kinds);
+  shaftcull_shafts_free(shafts);
+  shaftcull_shafts_free(shaft);
+  shaftcull_bounds_free(tree);
+  shaftcull_bounds_free(boxes);
+  /* [[end]] */
+  return 0;
+}
