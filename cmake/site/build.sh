@@ -2,6 +2,9 @@
 # build.sh WORK SITE: makes the documentation site in the folder SITE, with WORK for what is made on the way. Ends with 77 if
 # doxygen, mkdocs or its theme is not installed, and fails on any warning.
 set -euo pipefail
+mkdir -p "$1" "$(dirname "$2")"
+work=$(cd "$1" && pwd)
+site=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 for command in doxygen mkdocs awk; do
@@ -12,12 +15,7 @@ python=$(sed -n '1s/^#! *//p' "$(command -v mkdocs)")
 $python -c 'import pymdownx, sys, mkdocs.utils; sys.exit("material" not in mkdocs.utils.get_theme_names())' 2>/dev/null ||
   { echo "There is no theme material (Debian: mkdocs-material)" && exit 77; }
 
-mkdir -p "$1"
-work=$(cd "$1" && pwd)
 rm -rf "$work/reference"
-mkdir -p "$(dirname "$2")"
-site=$(cd "$(dirname "$2")" && pwd)/$(basename "$2")
-
 # The reference gets a way back to the guide.
 doxygen -l "$work/layout.xml"
 sed -i 's|<navindex>|<navindex><tab type="user" url="../index.html" title="Guide"/>|' "$work/layout.xml"

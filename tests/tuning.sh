@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Compares docs/tuning.md with what there is: environment variables that sources read, options that CMake has.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# listed TITLE: the first column of the table below this heading.
+listed() { sed -n "/^## $1/,/^## /s/^| \`\([A-Z_]*\)\` .*/\1/p" docs/tuning.md | sort; }
+read_by_sources() { grep -rhoE 'getenv\("[A-Z_]+"' kernel bindings bench include | cut -d '"' -f 2 | sort -u; }
+options() { grep -hoE '^ *option\([A-Z_]+' CMakeLists.txt cmake/*.cmake kernel/CMakeLists.txt bindings/*/CMakeLists.txt bench/CMakeLists.txt |
+  sed 's/.*(//' | sort -u; }
+
+result=0
+compare() {
+  [[ $(wc -l <<<"$3") -ge $2 ]] || { echo "only \"$3\" was found: $1" && result=1; }
+  diff <(echo "$3") <(echo "$4") || { echo "docs/tuning.md differs ($1; < there is, > the page has)" && result=1; }
+}
+compare "environment variables" 1 "$(read_by_sources)" "$(listed 'Environment variables')"
+compare "CMake options" 10 "$(options)" "$(listed 'CMake options')"
+# README.md has the same options, and BUILD_SHARED_LIBS.
+compare "CMake options of README.md" 10 "$(options)" "$(sed -n 's/^| `\(SHAFTCULL_[A-Z_]*\)` .*/\1/p' README.md | sort)"
+exit $result
