@@ -7,21 +7,23 @@
 namespace sc = shaftcull;
 
 int main() {
-  const std::vector<sc::Box> scene = {{{-1, -1, 10}, {1, 1, 12}},   // 0: in front of the camera
-                                      {{-1, 30, 20}, {1, 32, 22}},  // 1: high above what it sees
-                                      {{30, -1, 5}, {32, 1, 7}},    // 2: to the right
-                                      {{-1, -1, -9}, {1, 1, -7}},   // 3: behind it
-                                      {{52, -5, 40}, {90, 5, 60}},  // 4: large, behind the far right corner
-                                      {{0, -5, 45}, {9, -4, 49}}};  // 5: far away, on the ground
+  const std::vector<sc::Box> scene = {
+      {{-1, -1, 10}, {1, 1, 12}},   // 0: in front of the camera
+      {{-1, 30, 20}, {1, 32, 22}},  // 1: high above what it sees
+      {{30, -1, 5}, {32, 1, 7}},    // 2: to the right
+      {{-1, -1, -9}, {1, 1, -7}},   // 3: behind it
+      {{52, -5, 40}, {90, 5, 60}},  // 4: large, behind the far right corner
+      {{0, -5, 45}, {9, -4, 49}}};  // 5: far away, on the ground
   const sc::BoxTree tree(scene);
 
-  // Looks along z from the origin, a right angle wide and high, from 1 to 51. Row after row, for column vectors; depth
-  // as in OpenGL. The floats of glm have to be transposed, those of DirectXMath, too.
+  // Looks along z from the origin, a right angle wide and high, from 1 to 51. Row after row,
+  // for column vectors; depth as in OpenGL. The floats of glm have to be transposed, those of
+  // DirectXMath, too.
   const float matrix[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
 
   // A hull owns its planes: keep it as long as it is asked. Once a frame, some 3 µs each.
   const sc::ConvexHull view = sc::frustum(matrix, sc::ClipDepth::minus_one_to_one);
-  const sc::ConvexHull casters = sc::casters_towards(view, {0, 1, 0});  // the sun is at the zenith
+  const sc::ConvexHull casters = sc::casters_towards(view, {0, 1, 0});  // sun at the zenith
 
   std::vector<std::uint32_t> seen(tree.size());
   seen.resize(list(view, tree, seen));
@@ -31,12 +33,17 @@ int main() {
   std::sort(seen.begin(), seen.end());  // trees list in their own order
   for (const std::uint32_t i : seen) std::printf("box %u is in view\n", i);
   for (const std::uint32_t i : casting) {
-    if (!std::binary_search(seen.begin(), seen.end(), i)) std::printf("box %u only casts a shadow into it\n", i);
+    if (!std::binary_search(seen.begin(), seen.end(), i)) {
+      std::printf("box %u only casts a shadow into it\n", i);
+    }
   }
 
   // The six planes of the same view keep box 4: it is beyond none of them.
   sc::Shaft six_planes(tree.box(), tree.box());
-  for (const sc::Plane& plane : sc::view_planes(matrix, sc::ClipDepth::minus_one_to_one)) six_planes.add_plane(plane);
-  std::printf("box 4: six planes %s it, the hull %s it\n", cull(sc::compile(six_planes), scene[4]) ? "keep" : "cull",
+  for (const sc::Plane& plane : sc::view_planes(matrix, sc::ClipDepth::minus_one_to_one)) {
+    six_planes.add_plane(plane);
+  }
+  std::printf("box 4: six planes %s it, the hull %s it\n",
+              cull(sc::compile(six_planes), scene[4]) ? "keep" : "cull",
               cull(view, scene[4]) ? "keeps" : "culls");
 }

@@ -1,5 +1,4 @@
-// What can cast a shadow on a receiver: of the sun, of a point light, of an area light. And does one wall take all the
-// light?
+// What can cast a shadow on a receiver: of the sun, of a bulb, of a lamp with a size.
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>
@@ -34,13 +33,14 @@ int main() {
   const sc::Vec3 bulb{2, 2, 10};
   print("point light", sc::compile(sc::Box{bulb, bulb}, receiver), tree);
 
-  // The shaft between a light and a receiver that have a size holds every ray from the one to the other. Closed contact
-  // would keep what stands on the floor beside the receiver, or hangs beside the lamp; open contact leaves out what
-  // only touches.
+  // The shaft between a light and a receiver that have a size holds every ray from the one to
+  // the other. Closed contact would keep what stands on the floor beside the receiver, or hangs
+  // beside the lamp; open contact leaves out what only touches.
   const sc::Box lamp{{1, 1, 10}, {3, 3, 10}};
   const sc::CompiledShaft lit = sc::compile(lamp, receiver, sc::Contact::open);
   print("area light", lit, tree);
 
   // Only solid boxes may be asked: the ceiling is one, the box around a tree is none.
-  std::printf("the ceiling alone takes all light: %s\n", sc::blocked(lit, scene[4]) ? "yes" : "no");
+  std::printf("the ceiling alone takes all light: %s\n",
+              sc::blocked(lit, scene[4]) ? "yes" : "no");
 }

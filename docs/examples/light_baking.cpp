@@ -1,4 +1,4 @@
-// Light baking and radiosity: which pairs of patches see each other, and which rays must be traced to find out?
+// Light baking: which pairs of patches see each other, and which rays must be traced?
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>
@@ -6,8 +6,8 @@
 namespace sc = shaftcull;
 
 int main() {
-  // Two rooms side by side, 4 by 4 patches on the floor and on the ceiling of each. A wall between them, a table in
-  // one.
+  // Two rooms side by side, 4 by 4 patches on the floor and on the ceiling of each. A wall
+  // between them, a table in one.
   std::vector<sc::Box> patches;
   for (const float room : {0.0F, 5.0F}) {
     for (const float z : {0.0F, 3.0F}) {
@@ -22,10 +22,10 @@ int main() {
   std::vector<sc::Box> objects = walls;
   objects.push_back({{1, 1, 0.5F}, {2, 2, 1}});  // the box around the table
   const sc::BoxTree occluders(objects);          // all that may be in the way
-  const sc::BoxTree solids(walls);               // what fills its box: a wall does, a table does not
+  const sc::BoxTree solids(walls);  // what fills its box: a wall does, a table does not
 
-  // One shaft for each pair of a floor patch and a ceiling patch. With open contact the floor beside a patch, and the
-  // wall that it lies on, are not in its way.
+  // One shaft for each pair of a floor patch and a ceiling patch. With open contact the floor
+  // beside a patch, and the wall that it lies on, are not in its way.
   std::vector<sc::IndexPair> pairs;
   for (std::uint32_t a = 0; a != patches.size(); ++a) {
     for (std::uint32_t b = a + 1; b != patches.size(); ++b) {
@@ -54,5 +54,6 @@ int main() {
       ++clear;  // the form factor needs no visibility
     }
   }
-  std::printf("%zu pairs: %d hidden, %d clear, %d to trace\n", pairs.size(), dark, clear, to_trace);
+  std::printf("%zu pairs: %d dark, %d clear, %d to trace\n", pairs.size(), dark, clear,
+              to_trace);
 }

@@ -1,4 +1,4 @@
-// Two bodies move at once. Seen from the one, the other moves by the difference: a swept body, and one at rest.
+// Two bodies move at once. Seen from the one, the other moves by the difference of both.
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -14,7 +14,7 @@ struct Body {
   sc::Vec3 travel;  // in this frame
 };
 
-// What a sweeps over as b sees it. The difference is rounded, by less than `error`; so a is made larger by that.
+// What a sweeps over as b sees it; a is made larger by what rounding the difference may cost.
 sc::CompiledShaft seen_from(const Body& b, const Body& a) {
   sc::Vec3 travel{};
   float error = 0;
@@ -28,12 +28,13 @@ sc::CompiledShaft seen_from(const Body& b, const Body& a) {
 }  // namespace
 
 int main() {
-  const std::vector<Body> bodies = {{{{0, 0, 0}, {1, 1, 1}}, {8, 0, 0}},     // 0: to the right
-                                    {{{9, 0, 0}, {10, 1, 1}}, {-8, 0, 0}},   // 1: towards it
-                                    {{{0, 4, 0}, {1, 5, 1}}, {8, 0, 0}},     // 2: beside, with the first
-                                    {{{5, -6, 0}, {6, -5, 1}}, {0, 9, 0}}};  // 3: across
+  const std::vector<Body> bodies = {
+      {{{0, 0, 0}, {1, 1, 1}}, {8, 0, 0}},     // 0: to the right
+      {{{9, 0, 0}, {10, 1, 1}}, {-8, 0, 0}},   // 1: towards it
+      {{{0, 4, 0}, {1, 5, 1}}, {8, 0, 0}},     // 2: beside, with the first
+      {{{5, -6, 0}, {6, -5, 1}}, {0, 9, 0}}};  // 3: across
 
-  // Pairs that may meet: boxes around the whole way of each, in a tree; each body's sweep asks it.
+  // Pairs that may meet: a tree of boxes around the whole way of each, asked by all sweeps.
   std::vector<sc::Box> starts;
   std::vector<sc::Box> ways;
   std::vector<sc::CompiledShaft> sweeps;
@@ -51,7 +52,7 @@ int main() {
       if (b <= a) continue;  // each pair once, and no body with itself
       float time = 0;
       sc::entry_times(seen_from(bodies[b], bodies[a]), at_start, std::span(&b, 1), {&time, 1});
-      std::printf("%u and %u: %.3f\n", a, b, time);  // of the frame; infinite if they pass each other
+      std::printf("%u and %u: %.3f\n", a, b, time);  // infinite if they pass each other
     }
   }
 }

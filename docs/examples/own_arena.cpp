@@ -1,4 +1,4 @@
-// Two of oneTBB's threads for the library, in an arena of your own; and a call from one of your own tasks.
+// Two of oneTBB's threads in an arena of your own, and a call from one of your own tasks.
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
@@ -28,8 +28,8 @@ int main() {
   arena.execute([&] { sc::count_many(shafts, tree, counts); });
   // [[end]]
 
-  // A task may make calls, too. While it waits in one, its thread takes none of your other tasks, so it may hold a
-  // lock.
+  // A task may make calls, too. While it waits in one, its thread takes none of your other
+  // tasks, so it may hold a lock.
   std::vector<std::uint64_t> again(shafts.size());
   arena.execute([&] {
     tbb::task_group group;

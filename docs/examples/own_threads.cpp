@@ -1,5 +1,4 @@
-// Your own threads in the place of oneTBB's: calls for one shaft are serial and allocate nothing, so give each thread a
-// chunk.
+// Your own threads in the place of oneTBB's: each thread asks about a chunk of the bounds.
 #include <algorithm>
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
@@ -19,10 +18,12 @@ int main() {
   std::vector<sc::CompiledShaft> shafts;
   for (int s = 0; s != 8; ++s) {
     const float x = 40 * static_cast<float>(s);
-    shafts.push_back(sc::compile(sc::Box{{x, 0, 0}, {x + 2, 2, 1}}, sc::Box{{300 - x, 300, 0}, {302 - x, 302, 1}}));
+    shafts.push_back(sc::compile(sc::Box{{x, 0, 0}, {x + 2, 2, 1}},
+                                 sc::Box{{300 - x, 300, 0}, {302 - x, 302, 1}}));
   }
 
-  // A row of words for each shaft. Chunks begin at multiples of 64 bounds, so that no two threads write the same word.
+  // A row of words for each shaft. Chunks begin at multiples of 64 bounds, so that no two
+  // threads write the same word.
   const std::size_t row = sc::words_for(boxes.size());
   std::vector<std::uint64_t> kept(shafts.size() * row);
   const std::size_t threads = 4;
@@ -32,7 +33,8 @@ int main() {
     crew.emplace_back([&, first] {
       const sc::BoxView part = boxes.view().slice(first, std::min(chunk, boxes.size() - first));
       for (std::size_t s = 0; s != shafts.size(); ++s) {
-        cull(shafts[s], part, std::span(kept).subspan(s * row + first / 64, sc::words_for(part.count)));
+        cull(shafts[s], part,
+             std::span(kept).subspan(s * row + first / 64, sc::words_for(part.count)));
       }
     });
   }
@@ -41,5 +43,6 @@ int main() {
   // The same bits as one call gives, however work is shared.
   std::vector<std::uint64_t> at_once(kept.size());
   sc::cull_many(shafts, boxes, at_once);
-  std::printf("%zu threads: %s\n", crew.size(), kept == at_once ? "the same bits" : "other bits");
+  std::printf("%zu threads: %s\n", crew.size(),
+              kept == at_once ? "the same bits" : "other bits");
 }

@@ -1,4 +1,5 @@
-// Bodies move through a scene for one frame. What does each hit first, and when? There it stops.
+// Bodies move through a scene for one frame. What does each hit first, and when? There it
+// stops.
 #include <array>
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
@@ -7,7 +8,7 @@
 namespace sc = shaftcull;
 
 int main() {
-  // Ten pillars, and behind them two bodies: they are in the tree, too, since they may hit each other.
+  // Ten pillars and two bodies. Bodies are in the tree, too, since they may hit each other.
   std::vector<sc::Box> boxes;
   for (int i = 0; i != 10; ++i) {
     const float x = 4 * static_cast<float>(i);
@@ -19,7 +20,7 @@ int main() {
   const std::array<sc::Vec3, 2> travel = {{{10, 0, 0}, {0, 2, 0}}};
   const sc::BoxTree tree(boxes);
 
-  // One shaft a body, formed anew every frame. A body leaves itself out: `own` has one index a shaft.
+  // One shaft a body, anew every frame. `own` has one index a shaft: the body itself.
   std::vector<sc::Box> bodies;
   for (const std::uint32_t index : moving) bodies.push_back(boxes[index]);
   std::vector<sc::CompiledShaft> shafts(bodies.size());
@@ -29,7 +30,8 @@ int main() {
 
   for (std::size_t i = 0; i != moving.size(); ++i) {
     if (contacts[i]) {
-      std::printf("body %u hits box %u after %.2f of its way\n", moving[i], contacts[i].index, contacts[i].time);
+      std::printf("body %u hits box %u after %.2f of its way\n", moving[i], contacts[i].index,
+                  contacts[i].time);
     } else {
       std::printf("body %u hits nothing\n", moving[i]);
     }
@@ -40,5 +42,7 @@ int main() {
   met.resize(list(shafts[0], tree, met, {.own = {moving[0]}}));
   std::vector<float> times(met.size());
   entry_times(shafts[0], tree, met, times);
-  for (std::size_t i = 0; i != met.size(); ++i) std::printf("  box %u at %.2f\n", met[i], times[i]);
+  for (std::size_t i = 0; i != met.size(); ++i) {
+    std::printf("  box %u at %.2f\n", met[i], times[i]);
+  }
 }

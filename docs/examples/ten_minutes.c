@@ -16,12 +16,14 @@ int main(void) {
   /* [[first cull]] */
   const shaftcull_box lamp = {{0, 9, 0}, {1, 10, 1}};
   const shaftcull_box table = {{4, 0, 4}, {6, 1, 6}};
-  shaftcull_box scene[3] = {{{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}, {{4, -1, 4}, {6, 0, 6}}};
+  shaftcull_box scene[3] = {
+      {{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}, {{4, -1, 4}, {6, 0, 6}}};
 
   const shaftcull_source source = shaftcull_boxes(scene, 3);
   shaftcull_bounds* boxes = NULL;
-  must(shaftcull_stream_create(&source, &boxes)); /* checked, aligned, one stream a coordinate */
-  shaftcull_shafts* shaft = NULL;                 /* an array of one shaft */
+  must(
+      shaftcull_stream_create(&source, &boxes)); /* checked, aligned, one stream a coordinate */
+  shaftcull_shafts* shaft = NULL;                /* an array of one shaft */
   must(shaftcull_shafts_create(1, &shaft));
   must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
   uint64_t kept = 0;
@@ -35,13 +37,16 @@ int main(void) {
   const shaftcull_source end_boxes = shaftcull_boxes(ends, 3);
   shaftcull_shafts* shafts = NULL;
   must(shaftcull_shafts_create(3, &shafts));
-  must(shaftcull_shafts_set_between_batch(shafts, 0, &end_boxes, &end_boxes, pairs, 3, NULL, SHAFTCULL_CONTACT_CLOSED));
+  must(shaftcull_shafts_set_between_batch(shafts, 0, &end_boxes, &end_boxes, pairs, 3, NULL,
+                                          SHAFTCULL_CONTACT_CLOSED));
 
   shaftcull_lists* lists = NULL;
   must(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
   must(shaftcull_list_many(shafts, 0, 3, boxes, NULL, lists)); /* in parallel */
   const uint64_t* offsets = shaftcull_lists_offsets(lists);
-  for (int s = 0; s != 3; ++s) printf("shaft %d keeps %u\n", s, (unsigned)(offsets[s + 1] - offsets[s]));
+  for (int s = 0; s != 3; ++s) {
+    printf("shaft %d keeps %u\n", s, (unsigned)(offsets[s + 1] - offsets[s]));
+  }
   /* [[end]] */
 
   /* [[tree]] */
@@ -52,7 +57,8 @@ int main(void) {
   must(shaftcull_list_many(shafts, 0, 3, tree, &without, lists));
   uint32_t any = 0;
   must(shaftcull_any(shafts, 0, tree, NULL, &any));
-  printf("%u without box 2, %s\n", (unsigned)shaftcull_lists_offsets(lists)[1], any ? "some with it" : "none with it");
+  printf("%u without box 2, %s\n", (unsigned)shaftcull_lists_offsets(lists)[1],
+         any ? "some with it" : "none with it");
   /* [[end]] */
 
   /* [[frames]] */
@@ -61,7 +67,8 @@ int main(void) {
   for (int frame = 0; frame != 3; ++frame) {
     for (int i = 0; i != 3; ++i) must(shaftcull_translated(&scene[i], step, &scene[i]));
     must(shaftcull_tree_update(tree, &source)); /* no memory is taken, nothing is sorted */
-    must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED)); /* anew: nanoseconds */
+    /* Form shafts anew: nanoseconds. */
+    must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
     must(shaftcull_count(shaft, 0, tree, NULL, &count));
     printf("frame %d: %u\n", frame, (unsigned)count);
   }
@@ -86,11 +93,14 @@ int main(void) {
   shaftcull_hull_free(hull); /* the array keeps what it needs */
   uint64_t counts[4] = {0};
   must(shaftcull_count_many(kinds, 0, 4, tree, NULL, counts));
-  printf("%u %u %u %u\n", (unsigned)counts[0], (unsigned)counts[1], (unsigned)counts[2], (unsigned)counts[3]);
+  printf("%u %u %u %u\n", (unsigned)counts[0], (unsigned)counts[1], (unsigned)counts[2],
+         (unsigned)counts[3]);
 
   shaftcull_contact_found contact = {0};
   must(shaftcull_first_contact(kinds, 0, tree, NULL, &contact));
-  if (contact.found) printf("first box %u, after %.2f of the way\n", (unsigned)contact.index, (double)contact.time);
+  const unsigned index = (unsigned)contact.index;
+  if (contact.found)
+    printf("first box %u, after %.2f of the way\n", index, (double)contact.time);
   /* [[end]] */
 
   /* [[contact]] */
@@ -112,7 +122,9 @@ int main(void) {
 
   /* [[errors]] */
   scene[1].lo[0] = 99; /* beyond hi */
-  if (shaftcull_stream_update(boxes, 0, &source) == SHAFTCULL_BAD_BOUND) printf("%s\n", shaftcull_error_message());
+  if (shaftcull_stream_update(boxes, 0, &source) == SHAFTCULL_BAD_BOUND) {
+    printf("%s\n", shaftcull_error_message());
+  }
   /* [[end]] */
 
   /* [[free]] */

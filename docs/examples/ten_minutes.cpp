@@ -11,7 +11,8 @@ int main() {
   // [[first cull]]
   const sc::Box lamp{{0, 9, 0}, {1, 10, 1}};
   const sc::Box table{{4, 0, 4}, {6, 1, 6}};
-  std::vector<sc::Box> scene = {{{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}, {{4, -1, 4}, {6, 0, 6}}};
+  std::vector<sc::Box> scene = {
+      {{2, 4, 2}, {3, 5, 3}}, {{8, 0, 0}, {9, 3, 1}}, {{4, -1, 4}, {6, 0, 6}}};
 
   sc::BoxStream boxes(scene);  // checked, aligned, one stream a coordinate
   const sc::CompiledShaft shaft = sc::compile(lamp, table);
@@ -31,20 +32,23 @@ int main() {
 
   sc::IndexLists lists;
   list_many(shafts, boxes, lists);  // in parallel
-  for (std::size_t s = 0; s != lists.size(); ++s) std::printf("shaft %zu keeps %zu\n", s, lists[s].size());
+  for (std::size_t s = 0; s != lists.size(); ++s) {
+    std::printf("shaft %zu keeps %zu\n", s, lists[s].size());
+  }
   // [[end]]
 
   // [[tree]]
   sc::BoxTree tree(scene);                             // sorted once; asked the same questions
   list_many(shafts, tree, lists, {.own = {2, 2, 2}});  // each shaft leaves box 2 out
-  std::printf("%zu without box 2, %s\n", lists[0].size(), any(shafts[0], tree) ? "some with it" : "none with it");
+  std::printf("%zu without box 2, %s\n", lists[0].size(),
+              any(shafts[0], tree) ? "some with it" : "none with it");
   // [[end]]
 
   // [[frames]]
   for (int frame = 0; frame != 3; ++frame) {
     for (sc::Box& box : scene) box = sc::translated(box, {0.5F, 0, 0});
-    tree.update(std::span<const sc::Box>(scene));            // no memory is taken, nothing is sorted
-    const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts anew: it takes nanoseconds
+    tree.update(std::span<const sc::Box>(scene));  // no memory is taken, nothing is sorted
+    const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts anew: nanoseconds
     std::printf("frame %d: %zu\n", frame, count(now, tree));
   }
   if (tree.growth() > 2) tree.rebuild();  // when much has moved far
@@ -57,7 +61,8 @@ int main() {
   const sc::CompiledShaft hidden = sc::shadow(lamp, scene[0]);
   const std::array<sc::Vec3, 4> corners = {{{0, 0, 0}, {4, 0, 0}, {0, 9, 0}, {5, 5, 5}}};
   const sc::ConvexHull hull(corners);  // keep it while it is asked
-  std::printf("%zu %zu %zu %zu\n", count(sweep, tree), count(sunlit, tree), count(hidden, tree), count(hull, tree));
+  std::printf("%zu %zu %zu %zu\n", count(sweep, tree), count(sunlit, tree), count(hidden, tree),
+              count(hull, tree));
 
   if (const auto contact = first_contact(sweep, tree)) {
     std::printf("first box %u, after %.2f of the way\n", contact.index, contact.time);
@@ -71,7 +76,8 @@ int main() {
   // [[end]]
 
   // [[blocked]]
-  const sc::BoxStream walls(std::vector<sc::Box>{{{-9, 5, -9}, {9, 6, 9}}});  // solid: it fills its box
+  const sc::BoxStream walls(
+      std::vector<sc::Box>{{{-9, 5, -9}, {9, 6, 9}}});  // solid: it fills its box
   std::printf("%s\n", blocked(shaft, walls) ? "the lamp does not light the table" : "it may");
   // [[end]]
 

@@ -1,0 +1,123 @@
+// The calls of docs/which-call.md and docs/coming-from.md, as they are written there:
+// check_calls.sh looks for each in this source, and this program says whether they answer.
+#include <array>
+#include <cstdio>
+#include <shaftcull/shaftcull.hpp>
+#include <vector>
+
+using namespace shaftcull;
+
+namespace {
+
+int failures = 0;
+void expect(bool right, const char* what) {
+  if (right) return;
+  std::printf("wrong: %s\n", what);
+  ++failures;
+}
+
+struct Object {
+  float lo[3];
+  float hi[3];
+};
+
+const Box box{{0, 0, 0}, {1, 1, 1}};
+const std::vector<Box> boxes = {box, {{4, 0, 0}, {5, 1, 1}}, {{0, 40, 0}, {1, 41, 1}}};
+const std::vector<std::uint32_t> indices = {0, 1, 2};
+const std::vector<Vec3> vertices = {{4, 0, 0}, {5, 0, 0}, {4, 1, 1}};
+
+void make_more(const ConvexHull& view) {
+  const Vec3 light{0, 99, 9};
+  expect(cull(casters(view, light), Box{light, light}), "casters of a light");
+  const BoxStream a(std::span<const Box>(boxes).first(2));
+  const BoxStream& b = a;
+  const std::vector<IndexPair> pairs = {{0, 1}};
+  std::vector<CompiledShaft> shafts(1);
+  compile_batch(a, b, pairs, shafts);
+  expect(shafts[0].formed(), "batch");
+}
+
+void make_volumes() {
+  const Box a = box;
+  const Box b{{9, 0, 0}, {10, 1, 1}};
+  const Box light{{0, 0, 9}, {1, 1, 9}};
+  const Box occluder = box;
+  const Box body = box;
+  const Vec3 travel{9, 0, 0};
+  const Vec3 direction{1, 0, 0};
+  const Vec3 sun{0, 1, 0};
+  const Plane plane{{1, 0, 0}, 3};
+  constexpr std::array<float, 16> matrix = {1, 0, 0,     0,      0, 1, 0, 0,
+                                            0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+  constexpr ClipDepth depth = ClipDepth::minus_one_to_one;
+  const std::vector<Vec3>& points = vertices;
+  Shaft shaft(a, b);
+  shaft.add_plane(plane);
+  const ConvexHull view = frustum(matrix, depth);
+  expect(cull(compile(a, b), boxes[1]), "between");
+  expect(!cull(compile(shaft), boxes[1]), "cut by a plane");
+  expect(compile(a, b, Contact::open).contact() == Contact::open, "open contact");
+  expect(cull(swept(body, travel), boxes[1]), "swept");
+  expect(cull(swept_without_end(body, direction), boxes[1]), "swept without end");
+  expect(!cull(shadow(light, occluder), light), "shadow");
+  expect(cull(casters_towards(view, sun), Box{{0, 99, 9}, {1, 99, 9}}), "casters of a sun");
+  expect(ConvexHull(points).points().size() == 3, "hull");
+  make_more(view);
+}
+
+void ask() {
+  const CompiledShaft shaft = compile(box, boxes[1]);
+  const std::vector<CompiledShaft> shafts = {shaft};
+  const std::vector<Object> objects = {{{4, 0, 0}, {5, 1, 1}}};
+  const BoxStream walls(std::vector<Box>{{{2, -9, -9}, {3, 9, 9}}});
+  const TriangleTree triangles = TriangleTree(mesh_view(vertices, indices));
+  expect(BoxStream(records(objects, &Object::lo, &Object::hi)).size() == 1, "records");
+  expect(cull(shaft, box), "one box");
+  expect(classify(shaft, box) == Answer::inside, "the answer of one box");
+  expect(any(shaft, triangles), "triangles");
+  expect(any(shaft, triangles, TriangleTest::vertices), "triangles by vertices");
+  expect(!any(compile(box, box), triangles), "triangles in a box");
+  expect(blocked(shaft, walls), "blocked");
+
+  BoxTree tree = BoxTree(boxes);
+  tree.set_layers(std::vector<std::uint32_t>{1, 2, 4});
+  tree.update(indices, boxes);
+  tree.refit();
+  tree.update(boxes);
+  if (tree.growth() > 2) tree.rebuild();
+  std::vector<std::uint32_t> kept(3);
+  const std::vector<Vec3>& corners = vertices;
+  constexpr std::array<float, 16> matrix = {1, 0, 0,     0,      0, 1, 0, 0,
+                                            0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+  constexpr ClipDepth depth = ClipDepth::minus_one_to_one;
+  const Vec3 from{-1, 0.5F, 0.5F};
+  const Vec3 to{9, 0.5F, 0.5F};
+  const Vec3 direction{10, 0, 0};
+  const Vec3 travel{10, 0, 0};
+  const Box& body = box;
+  const std::uint32_t me = 0;
+  const std::uint32_t mask = 0b110;
+  expect(list(shaft, tree, kept) == 2, "list");
+  expect(list(shaft, triangles, kept) == 1, "list of triangles");
+  expect(list(compile(box, box), tree, kept) == 1, "what meets a box");
+  expect(list(compile(Box{from, from}, Box{to, to}), tree, kept) == 2, "what meets a segment");
+  expect(list(swept(Box{from, from}, direction), tree, kept) == 2, "what meets a ray");
+  expect(list(swept(box, travel), tree, kept) == 2, "what meets a cast");
+  expect(list(ConvexHull(corners), tree, kept) == 1, "what meets a hull");
+  expect(list(frustum(matrix, depth), tree, kept) == 1, "what is in view");
+  expect(first_contact(swept(body, travel), tree).index == 0, "the body itself");
+  expect(first_contact(swept(body, travel), tree, {.own = {me}}).index == 1, "first contact");
+  expect(count(shaft, tree, {.only_layers = {mask}}) == 1, "layers");
+  IndexLists lists;
+  list_many(shafts, tree, lists);
+  expect(lists[0].size() == 2, "lists");
+}
+
+}  // namespace
+
+int main() {
+  make_volumes();
+  ask();
+  std::printf(failures == 0 ? "all calls answer\n" : "not all calls answer\n");
+  return failures == 0 ? 0 : 1;
+}
