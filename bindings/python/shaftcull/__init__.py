@@ -1,0 +1,68 @@
+"""Shaft culling: what can stand between two objects, what a moving body can hit, what lies in a shadow.
+
+Bounds are float32 arrays: boxes (n, 6) or (n, 2, 3), spheres (n, 4), triangles (n, 3, 3). Make a tree of them, make
+shafts, and ask:
+
+    tree = shaftcull.BoxTree(boxes)
+    offsets, indices = tree.list(a, b)             # what may stand between a[i] and b[i]
+    shafts = shaftcull.Shafts.swept(bodies, displacements)
+    indices, times = tree.first(shafts)            # what each body hits first, and when
+
+Answers are those of real arithmetic for the float32 given, and the same bits on every machine.
+"""
+
+from shaftcull._shaftcull import (
+    BadBound,
+    Boxes,
+    BoxStream,
+    BoxTree,
+    BoxView,
+    ConvexHull,
+    NeedsRefit,
+    Shafts,
+    Spheres,
+    SphereStream,
+    SphereTree,
+    SphereView,
+    Triangles,
+    TriangleStream,
+    TriangleTree,
+    TriangleView,
+    __version__,
+    active_isa,
+    available_isas,
+    concurrency,
+    points,
+    round_outwards,
+    round_spheres_outwards,
+    select_isa,
+    view_planes,
+)
+
+__all__ = [
+    "BadBound",
+    "Boxes",
+    "BoxStream",
+    "BoxTree",
+    "BoxView",
+    "ConvexHull",
+    "NeedsRefit",
+    "Shafts",
+    "Spheres",
+    "SphereStream",
+    "SphereTree",
+    "SphereView",
+    "Triangles",
+    "TriangleStream",
+    "TriangleTree",
+    "TriangleView",
+    "__version__",
+    "active_isa",
+    "available_isas",
+    "concurrency",
+    "points",
+    "round_outwards",
+    "round_spheres_outwards",
+    "select_isa",
+    "view_planes",
+]

@@ -1,0 +1,28 @@
+/// Long calls in chunks of shafts, between which signals are heard, so that Ctrl-C ends them; and what a child of
+/// fork() must not do.
+#pragma once
+
+#include <cstddef>
+
+#include "shaftcull/function_ref.hpp"
+
+namespace shaftcull::python {
+
+/// What becomes of chunks' results.
+enum class Chunks {
+  side_by_side,  ///< Each is written to its own place.
+  joined,        ///< They are put together afterwards, which costs a copy: one chunk of all is better.
+};
+
+/// Calls run(first, count) for ranges of shafts, in order, with the interpreter lock released; between them handlers of
+/// signals run, and their exceptions leave this call. The first range is a few shafts, which tell how many others take
+/// a quarter of a second. Where chunks are joined and all shafts take no longer than that, run(0, shafts) follows the
+/// first few: so first == 0 begins anew. Errors name positions among all shafts.
+///
+/// Call it with the lock held. RuntimeError in a child of fork() whose parent has run a parallel call.
+void in_chunks(std::size_t shafts, Chunks chunks, FunctionRef<void(std::size_t first, std::size_t count)> run);
+
+/// Notes that this process runs a parallel call, or throws in a child of fork() that cannot.
+void begin_parallel();
+
+}  // namespace shaftcull::python

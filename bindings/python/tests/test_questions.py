@@ -1,0 +1,263 @@
+"""Every question, of every holder of boxes, against the definition."""
+
+import numpy as np
+import oracle
+import pytest
+import shaftcull as sc
+from conftest import some_boxes
+
+HOLDERS = {
+    "tree": sc.BoxTree,
+    "stream": sc.BoxStream,
+    "view": lambda boxes: sc.BoxView(np.asfortranarray(boxes)),
+}
+
+
+@pytest.fixture(params=HOLDERS)
+def holder(request, boxes):
+    return HOLDERS[request.param](boxes)
+
+
+def lists_of_bits(bits):
+    return [np.flatnonzero(row) for row in bits]
+
+
+def rows(offsets, indices):
+    assert offsets[0] == 0 and offsets[-1] == len(indices)
+    return [indices[first:last] for first, last in zip(offsets, offsets[1:])]
+
+
+def same_lists(found, wanted):
+    assert [sorted(row) for row in found] == [sorted(row) for row in wanted]
+
+
+KINDS = {
+    "between": lambda a, b: (sc.Shafts.between(a, b), [oracle.between(x, y) for x, y in zip(a, b)]),
+    "swept": lambda a, b: (sc.Shafts.swept(a, b[:, :3]), [oracle.swept(x, y[:3]) for x, y in zip(a, b)]),
+    "without end": lambda a, b: (
+        sc.Shafts.swept_without_end(a, b[:, :3] + np.float32(0.25)),
+        [oracle.swept(x, y[:3] + np.float32(0.25), None) for x, y in zip(a, b)],
+    ),
+    "shadow": lambda a, b: (sc.Shafts.shadow(a - 20, b), [oracle.shadow(x - 20, y) for x, y in zip(a, b)]),
+    "reach": lambda a, b: (sc.Shafts.shadow(a - 20, b, 1.25), [oracle.shadow(x - 20, y, 1.25) for x, y in zip(a, b)]),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_bits_counts_lists_and_times_are_those_of_the_definition(kind, holder, boxes, a, b):
+    shafts, defined = KINDS[kind](a, b)
+    kept = oracle.bits(defined, boxes, oracle.kept)
+    assert kept.any() and not kept.all()
+    np.testing.assert_array_equal(holder.cull(shafts), kept)
+    np.testing.assert_array_equal(holder.count(shafts), kept.sum(1))
+    np.testing.assert_array_equal(holder.count(shafts, at_most=3), np.minimum(kept.sum(1), 3))
+    np.testing.assert_array_equal(holder.any(shafts), kept.any(1))
+    same_lists(rows(*holder.list(shafts)), lists_of_bits(kept))
+    offsets, indices, times = holder.list(shafts, times=True)
+    for shaft, row, entered in zip(defined, rows(offsets, indices), np.split(times, offsets[1:-1])):
+        np.testing.assert_array_equal(entered, [oracle.entry_time(shaft, boxes[i]) for i in row])
+    for some, every in zip(rows(*holder.list(shafts, at_most=2)), rows(*holder.list(shafts))):
+        np.testing.assert_array_equal(some, every[:2])
+    found, when = holder.first(shafts)
+    wanted = [oracle.first(shaft, boxes) for shaft in defined]
+    np.testing.assert_array_equal(found, [index for index, _ in wanted])
+    np.testing.assert_array_equal(when, [time for _, time in wanted])
+
+
+@pytest.mark.parametrize("kind", ["between", "swept"])
+def test_inside_is_that_of_the_definition(kind, holder, boxes, a, b):
+    shafts, defined = KINDS[kind](a * 4, b * 4)
+    kept = oracle.bits(defined, boxes, oracle.kept)
+    inside = oracle.bits(defined, boxes, oracle.inside)
+    assert inside.any() and (inside != kept).any()
+    np.testing.assert_array_equal(holder.classify(shafts), [kept, inside])
+    np.testing.assert_array_equal(holder.contained(shafts), inside)
+    overlapping, contained = holder.count_classified(shafts)
+    np.testing.assert_array_equal(overlapping, (kept & ~inside).sum(1))
+    np.testing.assert_array_equal(contained, inside.sum(1))
+    overlapping, contained = holder.list_classified(shafts)
+    same_lists(rows(*overlapping), lists_of_bits(kept & ~inside))
+    same_lists(rows(*contained), lists_of_bits(inside))
+    np.testing.assert_array_equal(holder.cull(shafts.completed()), kept)
+
+
+def test_one_shaft_has_the_answers_of_its_row(holder, boxes, a, b):
+    shafts = sc.Shafts.between(a * 2, b * 2)
+    offsets, indices = holder.list(shafts)
+    for i in range(len(shafts)):
+        one = shafts[i]
+        np.testing.assert_array_equal(holder.cull(one), holder.cull(shafts)[i])
+        np.testing.assert_array_equal(holder.classify(one), np.array(holder.classify(shafts))[:, i])
+        np.testing.assert_array_equal(holder.contained(one), holder.contained(shafts)[i])
+        assert holder.count(one) == holder.count(shafts)[i] and isinstance(holder.count(one), int)
+        assert holder.count(one, at_most=2) == holder.count(shafts, at_most=2)[i]
+        assert holder.any(one) is bool(holder.any(shafts)[i])
+        assert holder.count_classified(one) == tuple(x[i] for x in holder.count_classified(shafts))
+        row = indices[offsets[i] : offsets[i + 1]]
+        np.testing.assert_array_equal(holder.list(one), row)
+        np.testing.assert_array_equal(holder.list(one, at_most=3), row[:3])
+        np.testing.assert_array_equal(holder.list(one, times=True)[1], holder.entry_times(one, row))
+        for mine, (starts, all_of_them) in zip(holder.list_classified(one), holder.list_classified(shafts)):
+            np.testing.assert_array_equal(mine, all_of_them[starts[i] : starts[i + 1]])
+        assert holder.first(one) == tuple(x[i] for x in holder.first(shafts))
+        np.testing.assert_array_equal(holder.refine(one, row[::-1]), row[::-1])
+        assert holder.blocked(one) is bool(holder.blocked(shafts)[i])
+        assert holder.blocked_by(one) == holder.blocked_by(shafts)[i]
+        starts, blocking = holder.list_blocking(shafts)
+        np.testing.assert_array_equal(holder.list_blocking(one), blocking[starts[i] : starts[i + 1]])
+
+
+def test_boxes_ask_as_shafts_between_them_do(holder, a, b):
+    np.testing.assert_array_equal(holder.cull(a, b), holder.cull(sc.Shafts.between(a, b)))
+    np.testing.assert_array_equal(holder.list(a, b[0])[1], holder.list(sc.Shafts.between(a, b[0]))[1])
+    assert holder.count(a[0], b[0]) == holder.count(a, b)[0]
+
+
+def test_candidates_are_refined_in_their_order(holder, boxes, a, b):
+    shafts = sc.Shafts.between(a, b)
+    candidates = np.random.default_rng(5).permutation(len(boxes))[:70]
+    kept = holder.cull(shafts)
+    wanted = [[i for i in candidates if row[i]] for row in kept]
+    found = rows(*holder.refine(shafts, candidates))
+    assert [list(row) for row in found] == wanted
+
+
+def test_packed_bits_are_the_same_bits(holder, boxes, a, b):
+    shafts = sc.Shafts.between(a, b)
+    words = holder.cull(shafts, packed=True)
+    assert words.shape == (len(a), (len(boxes) + 63) // 64) and words.dtype == np.uint64
+    unpacked = np.unpackbits(words.view(np.uint8), axis=1, bitorder="little")[:, : len(boxes)].astype(bool)
+    np.testing.assert_array_equal(unpacked, holder.cull(shafts))
+    assert holder.cull(shafts[0], packed=True).shape == words.shape[1:]
+
+
+def test_a_wall_blocks_and_a_post_does_not():
+    wall, post = [0, -9, -9, 1, 9, 9], [0, -9, 0, 1, 9, 0.5]
+    for make in HOLDERS.values():
+        for solids, by in (([wall], 0), ([post], -1), ([post, wall], 1)):
+            holder = make(np.array(solids, dtype=np.float32))
+            shafts = sc.Shafts.between([[-5, 0, 0, -4, 1, 1]] * 2, [[5, 0, 0, 6, 1, 1], [-5, 5, 5, -4, 6, 6]])
+            np.testing.assert_array_equal(holder.blocked(shafts), [by >= 0, False])
+            np.testing.assert_array_equal(holder.blocked_by(shafts), [by, -1])
+            np.testing.assert_array_equal(holder.list_blocking(shafts)[1], [by] if by >= 0 else [])
+    square = [[0, -9, -9], [0, 9, -9], [1, 9, 9], [1, -9, 9]]
+    np.testing.assert_array_equal(shafts.blocked_by_polygon(square), [True, False])
+    assert shafts[0].blocked_by_polygon(square) is True
+
+
+def test_open_contact_leaves_out_what_touches():
+    patch, other = [0, 0, 0, 1, 1, 0], [0, 0, 4, 1, 1, 4]
+    tree = sc.BoxTree([[0, 0, -1, 1, 1, 0], [0, 0, 2, 1, 1, 3], [1, 0, 0, 2, 1, 4]])
+    shafts = sc.Shafts.between(patch, other)
+    np.testing.assert_array_equal(tree.cull(shafts), [True, True, True])
+    np.testing.assert_array_equal(tree.cull(shafts.with_contact("open")), [False, True, False])
+    np.testing.assert_array_equal(tree.cull(sc.Shafts.between(patch, other, contact="open")), [False, True, False])
+    assert shafts.with_contact("open").open_contact is True and shafts.open_contact is False
+    moving = sc.Shafts.swept([patch], [0, 0, 4], contact="open")
+    np.testing.assert_array_equal(tree.cull(moving), [[False, True, False]])
+
+
+def test_planes_leave_out_what_is_beyond_them():
+    a, b = some_boxes(7, 5), some_boxes(8, 5) + 1
+    boxes = some_boxes(9, 200)
+    for_all = np.array([[0, 0, 1, 0.25]], dtype=np.float32)
+    for_each = np.tile(np.array([1, 0, 0, 0], dtype=np.float32), (5, 1, 1))
+    for_each[:, 0, 3] = np.arange(5) - 2
+    behind = boxes[:, 2] <= 0.25
+    low = boxes[None, :, 0] <= for_each[:, 0, 3, None]
+    tree = sc.BoxTree(boxes)
+    every = tree.cull(a, b)
+    assert (every & behind).sum() < every.sum() and (every & low).sum() < every.sum()
+    np.testing.assert_array_equal(tree.cull(sc.Shafts.between(a, b, planes_a=for_all)), every & behind)
+    both = sc.Shafts.between(a, b, planes_a=for_each, planes_b=for_all)
+    np.testing.assert_array_equal(tree.cull(both), every & behind & low)
+    moving = sc.Shafts.swept(a, b[:, :3], planes=for_each)
+    np.testing.assert_array_equal(tree.cull(moving), tree.cull(sc.Shafts.swept(a, b[:, :3])) & low)
+    copied = sc.Shafts.swept(a[0], b[:, :3], planes=for_all)
+    np.testing.assert_array_equal(tree.cull(copied), tree.cull(sc.Shafts.swept(a[0], b[:, :3])) & behind)
+
+
+def test_trees_leave_out_own_bounds_masked_ones_and_layers(boxes, a, b):
+    tree = sc.BoxTree(boxes)
+    shafts = sc.Shafts.between(a, b)
+    every = tree.cull(shafts)
+    own = np.random.default_rng(6).integers(0, len(boxes), (len(a), 2))
+    own[:, 0] = [np.flatnonzero(row)[0] if row.any() else 0 for row in every]
+    without = every.copy()
+    without[np.arange(len(a))[:, None], own] = False
+    assert (without != every).any()
+    np.testing.assert_array_equal(tree.cull(shafts, own=own), without)
+    np.testing.assert_array_equal(tree.count(a, b, own=own), without.sum(1))
+    same_lists(rows(*tree.list(a, b, own=own)), lists_of_bits(without))
+    assert tree.count(shafts[3], own=own[3]) == without[3].sum()
+    found, _ = tree.first(shafts, own=own)
+    wanted = [oracle.first(oracle.between(x, y), boxes, set(row))[0] for x, y, row in zip(a, b, own)]
+    np.testing.assert_array_equal(found, wanted)
+
+    mask = np.arange(len(boxes)) % 3 == 0
+    np.testing.assert_array_equal(tree.cull(shafts, mask=mask), every & ~mask)
+    layers = 1 << (np.arange(len(boxes)) % 5)
+    tree.set_layers(layers)
+    assert tree.has_layers
+    np.testing.assert_array_equal(tree.cull(shafts, only_layers=0b101), every & ((layers & 0b101) != 0))
+    each = np.arange(len(a)) % 32
+    np.testing.assert_array_equal(tree.any(shafts, only_layers=each), (every & ((layers & each[:, None]) != 0)).any(1))
+    tree.set_layers([0, 0], indices=[1, 2])
+    tree.clear_layers()
+    assert not tree.has_layers
+
+
+def test_many_shafts_asked_in_chunks_have_the_answers_of_rows(million):
+    boxes = million[:2000]
+    tree, shafts = sc.BoxTree(boxes), sc.Shafts.between(million[:20000], million[20000:40000])
+    offsets, indices = tree.list(shafts)
+    counts = tree.count(shafts)
+    np.testing.assert_array_equal(np.diff(offsets), counts)
+    for i in (0, 15, 16, 17, 1039, 1040, 19999):
+        np.testing.assert_array_equal(indices[offsets[i] : offsets[i + 1]], tree.list(shafts[i]))
+
+
+def test_trees_follow_their_bounds(boxes, a, b):
+    shafts = sc.Shafts.between(a, b)
+    moved = boxes + np.float32(0.5)
+    tree = sc.BoxTree(boxes)
+    tree.update(moved)
+    np.testing.assert_array_equal(tree.cull(shafts), sc.BoxStream(moved).cull(shafts))
+    tree.update(boxes[:3], indices=[5, 7, 9])
+    assert tree.needs_refit
+    with pytest.raises(sc.NeedsRefit):
+        tree.count(shafts)
+    assert issubclass(sc.NeedsRefit, RuntimeError)
+    tree.refit()
+    moved[[5, 7, 9]] = boxes[:3]
+    np.testing.assert_array_equal(tree.cull(shafts), sc.BoxStream(moved).cull(shafts))
+    assert tree.growth() > 0
+    np.testing.assert_array_equal(tree.box, np.hstack([moved[:, :3].min(0), moved[:, 3:].max(0)]))
+    tree.rebuild()
+    order = tree.order
+    assert sorted(order) == list(range(len(boxes)))
+    tree.renumber()
+    np.testing.assert_array_equal(tree.order, np.arange(len(boxes)))
+    np.testing.assert_array_equal(tree.cull(shafts), sc.BoxStream(moved[order]).cull(shafts))
+    assert len(tree) == len(boxes) and tree.memory_bytes > 28 * len(boxes)
+
+
+def test_streams_follow_their_bounds(boxes, a, b):
+    stream = sc.BoxStream(boxes)
+    stream.update(boxes[:10] + np.float32(1), first=20)
+    changed = boxes.copy()
+    changed[20:30] = boxes[:10] + np.float32(1)
+    np.testing.assert_array_equal(stream.cull(a, b), sc.BoxTree(changed).cull(a, b))
+    assert stream.memory_bytes >= 24 * len(boxes) and len(stream) == len(boxes)
+
+
+def test_nothing_and_no_shafts_are_fine(boxes, a):
+    none = np.empty((0, 6), dtype=np.float32)
+    for make in HOLDERS.values():
+        empty = make(none)
+        assert len(empty) == 0 and empty.count(a, a).sum() == 0 and empty.cull(a, a).shape == (len(a), 0)
+        assert empty.first(a[0], a[0]) == (-1, np.inf)
+        holder = make(boxes)
+        offsets, indices = holder.list(none, none)
+        assert list(offsets) == [0] and len(indices) == 0
+        assert holder.cull(none, none).shape == (0, len(boxes)) and len(holder.first(none, none)[0]) == 0

@@ -1,0 +1,19 @@
+# Tests of the Python package, the area `python`. Included by tests/CMakeLists.txt.
+
+set(python_tests ${PROJECT_SOURCE_DIR}/bindings/python/tests)
+
+add_custom_target(test_python)
+add_dependencies(test_python shaftcull_python)
+add_dependencies(shaftcull_tests test_python)
+
+# shaftcull_python_test(NAME FILE…): the CTest entry python.NAME, which runs these files with pytest. Without pytest it is skipped.
+function(shaftcull_python_test name)
+  list(TRANSFORM ARGN PREPEND ${python_tests}/)
+  add_test(NAME python.${name}
+    COMMAND ${CMAKE_COMMAND} -D PYTHON=${Python3_EXECUTABLE} "-DFILES=${ARGN}" -P ${python_tests}/run.cmake)
+  set_tests_properties(python.${name} PROPERTIES
+    SKIP_REGULAR_EXPRESSION "no module named pytest"
+    ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1" TIMEOUT 600)
+endfunction()
+
+shaftcull_python_test(questions test_questions.py)
