@@ -17,3 +17,8 @@ function(shaftcull_python_test name)
 endfunction()
 
 shaftcull_python_test(questions test_questions.py)
+shaftcull_python_test(inputs test_inputs.py test_kinds.py)
+shaftcull_python_test(processes test_processes.py)
+shaftcull_python_test(stubs test_stubs.py)
+shaftcull_python_test(wheel test_wheel.py)
+shaftcull_python_test(examples test_examples.py)

@@ -1,0 +1,72 @@
+"""The examples do what they say."""
+
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import shaftcull
+
+EXAMPLES = pathlib.Path(__file__).parents[1] / "examples"
+sys.path.insert(0, str(EXAMPLES))
+
+
+def test_examples_are_short():
+    for example in EXAMPLES.glob("*.py"):
+        assert len(example.read_text().splitlines()) < 60, example
+
+
+def test_form_factors_are_those_of_the_books():
+    import form_factors
+
+    for to_face, analytic in ((3, 0.19982), (1, 0.20004)):
+        factor, tested = form_factors.form_factor(0, to_face)
+        assert abs(factor - analytic) < 5e-5 and tested == 0
+
+
+def test_shafts_name_every_pair_that_a_box_comes_between():
+    import form_factors
+
+    box = [0.375, 0.375, 0.375, 0.625, 0.625, 0.625]
+    for to_face in (3, 1):
+        factor, tested = form_factors.form_factor(0, to_face, 8, box)
+        wanted, pairs = form_factors.form_factor(0, to_face, 8, box, all_pairs=True)
+        assert factor == wanted < form_factors.form_factor(0, to_face, 8)[0] - 0.001
+        assert 0 < tested < pairs * (0.6 if to_face == 3 else 0.4), (tested, pairs)
+
+
+def test_bodies_stop_at_what_they_touch_first():
+    import swept_bodies
+
+    fixed, bodies = swept_bodies.world()
+    fallen, steps = swept_bodies.fall(fixed, bodies)
+    assert 5 < steps < 200
+    everything = np.vstack([fixed, fallen])
+    own = len(fixed) + np.arange(len(fallen))
+    tree = shaftcull.BoxTree(everything)
+    # None overlaps another, and each stands on something: a hair lower it would.
+    np.testing.assert_array_equal(fallen[:, [0, 1, 3, 4]], bodies[:, [0, 1, 3, 4]])
+    assert not tree.any(shaftcull.Shafts.between(fallen, fallen, contact="open"), own=own).any()
+    hit, when = tree.first(shaftcull.Shafts.swept(fallen, [0, 0, -1], contact="open"), own=own)
+    assert (hit >= 0).all() and (when < 1e-6).all()
+    np.testing.assert_allclose(everything[hit, 5], fallen[:, 2], atol=1e-6)
+    assert len(np.unique(fallen[:, 2])) > 5 and (hit >= len(fixed)).any() and (hit == 0).any()
+
+
+def test_casters_are_drawn(tmp_path):
+    pytest.importorskip("matplotlib", reason="no Matplotlib (Debian: python3-matplotlib)")
+    picture = tmp_path / "casters.png"
+    done = subprocess.run([sys.executable, EXAMPLES / "casters.py", picture], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    numbers = [int(word) for word in done.stdout.replace(",", "").split() if word.isdigit()]
+    assert sum(numbers) == 160 and min(numbers) > 5
+    import casters
+    from matplotlib import pyplot
+
+    pixels = pyplot.imread(picture)
+    assert pixels.shape == (600, 960, 4)
+    for colour in casters.PARTS.values():
+        wanted = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)]) / 255
+        near = (abs(pixels[..., :3] - wanted).max(-1) < 0.12).sum()
+        assert near > 200, colour

@@ -1,0 +1,135 @@
+"""The type stubs say what the module has."""
+
+import ast
+import inspect
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import pytest
+import shaftcull
+
+PACKAGE = pathlib.Path(shaftcull.__file__).parent
+STUBS = ast.parse((PACKAGE / "__init__.pyi").read_text())
+
+
+def parameters(function):
+    """Names, kinds and defaults, without types."""
+    arguments = function.args
+    assert not arguments.posonlyargs and arguments.vararg is None and arguments.kwarg is None
+    names = [argument.arg for argument in arguments.args]
+    without = len(names) - len(arguments.defaults)
+    named = [(name, None if i < without else ast.unparse(arguments.defaults[i - without])) for i, name in enumerate(names)]
+    keywords = [
+        (argument.arg, None if default is None else ast.unparse(default))
+        for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults)
+    ]
+    return named, keywords
+
+
+def declared():
+    """Functions of the stubs, by qualified name."""
+    for node in STUBS.body:
+        if isinstance(node, ast.FunctionDef):
+            yield node.name, node
+        elif isinstance(node, ast.ClassDef):
+            for member in node.body:
+                if isinstance(member, ast.FunctionDef):
+                    yield f"{node.name}.{member.name}", member
+
+
+def found(name):
+    """A function of the module as its docstring's first line, which pybind11 writes of what the function takes."""
+    thing = shaftcull
+    for part in name.split("."):
+        thing = inspect.getattr_static(thing, part)
+        if isinstance(thing, (staticmethod, classmethod)):
+            thing = thing.__func__
+    return thing
+
+
+@pytest.mark.parametrize("name, stub", declared(), ids=[name for name, _ in declared()])
+def test_stubs_have_the_parameters_of_the_module(name, stub):
+    thing = found(name)
+    if isinstance(thing, property) or name.endswith(".__len__"):
+        return
+    first = thing.__doc__.splitlines()[0]
+    named, keywords = parameters(ast.parse(f"def {first}: ...").body[0])
+    wanted_named, wanted_keywords = parameters(stub)
+    assert [(argument, default) for argument, default in named] == wanted_named
+    assert keywords == wanted_keywords
+
+
+def test_stubs_name_all_that_there_is():
+    wanted = {name for name, _ in declared()}
+    for name in shaftcull.__all__:
+        thing = getattr(shaftcull, name)
+        if inspect.isclass(thing) and not issubclass(thing, Exception):
+            for member in vars(thing):
+                if not member.startswith("_") or member in ("__len__", "__getitem__"):
+                    assert f"{name}.{member}" in wanted
+        elif not inspect.isclass(thing) and name != "__version__":
+            assert name in wanted
+    classes = {node.name for node in STUBS.body if isinstance(node, ast.ClassDef)}
+    assert classes == {name for name in shaftcull.__all__ if inspect.isclass(getattr(shaftcull, name))}
+    public = {name for name in vars(shaftcull) if not name.startswith("_")}
+    assert public | {"__version__"} == set(shaftcull.__all__)
+
+
+def test_everything_has_a_description():
+    for name, _ in declared():
+        if "__" in name:
+            continue
+        thing = found(name)
+        # Of a function the first line is what it takes.
+        text = thing.__doc__ if isinstance(thing, property) else thing.__doc__.split("\n", 1)[1]
+        assert len(text.split()) > 2, name
+    for name in shaftcull.__all__:
+        if inspect.isclass(getattr(shaftcull, name)):
+            assert getattr(shaftcull, name).__doc__.strip()
+
+
+def test_mypy_agrees(tmp_path):
+    """Stubs are valid, and name what is there. That classes have a metaclass of pybind11's is no matter of theirs."""
+    pytest.importorskip("mypy", reason="no mypy (Debian: python3-mypy)")
+    allowed = tmp_path / "allowed"
+    classes = [name for name in shaftcull.__all__ if inspect.isclass(getattr(shaftcull, name))]
+    allowed.write_text("\n".join(rf"shaftcull\.{name}(\.__init__)?" for name in classes))
+    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy.stubtest", "shaftcull", "--ignore-missing-stub", "--allowlist", allowed,
+         "--ignore-unused-allowlist"],
+        capture_output=True, text=True, cwd=tmp_path, env=environment,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (PACKAGE / "py.typed").exists()
+
+
+def test_a_program_that_uses_it_passes_the_type_checker(tmp_path):
+    pytest.importorskip("mypy", reason="no mypy (Debian: python3-mypy)")
+    program = tmp_path / "program.py"
+    program.write_text(
+        "import numpy as np\n"
+        "import shaftcull\n"
+        "tree = shaftcull.BoxTree(np.zeros((3, 6), dtype=np.float32))\n"
+        "shafts = shaftcull.Shafts.between([0] * 6, [1] * 6, contact='open')\n"
+        "offsets, indices = tree.list(shafts[:1], own=[[0, 1]])\n"
+        "reveal_type(tree.order)\n"
+        "tree.list(shafts, owner=3)\n"
+    )
+    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--cache-dir", tmp_path, program], capture_output=True, text=True, env=environment
+    )
+    assert re.search(r'program.py:6: note: Revealed type is ".*ndarray\[.*unsignedinteger', done.stdout), done.stdout
+    assert re.search(r'program.py:7: error: Unexpected keyword argument "owner"', done.stdout)
+    assert "Found 1 error" in done.stdout
+
+
+def test_the_version_is_that_of_the_library():
+    assert re.fullmatch(r"\d+\.\d+\.\d+", shaftcull.__version__)
+    header = pathlib.Path(__file__).parents[3] / "include/shaftcull/version.hpp"
+    numbers = re.findall(r"#define SHAFTCULL_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header.read_text())
+    assert shaftcull.__version__ == ".".join(numbers)

@@ -1,0 +1,45 @@
+"""The wheel: built without the network, installed, and used as a user would."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import pytest
+import shaftcull
+
+PACKAGE = pathlib.Path(__file__).parents[1]
+ROOT = PACKAGE.parents[1]
+
+
+def test_a_wheel_is_built_installed_and_used(tmp_path):
+    pytest.importorskip("build", reason="no build (Debian: python3-build)")
+    pytest.importorskip("wheel", reason="no wheel (Debian: python3-wheel)")
+    copy = tmp_path / "source/bindings/python"
+    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("build", "dist", "*.egg-info"))
+    header = copy.parents[1] / "include/shaftcull/version.hpp"
+    header.parent.mkdir(parents=True)
+    shutil.copy(ROOT / "include/shaftcull/version.hpp", header)
+    module = next(pathlib.Path(shaftcull.__file__).parent.glob("_shaftcull.*"))
+    environment = {**os.environ, "SHAFTCULL_PYTHON_MODULE": str(module)}
+    done = subprocess.run(
+        [sys.executable, "-m", "build", "--no-isolation", "--wheel", copy, "--outdir", tmp_path],
+        capture_output=True, text=True, env=environment,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    (wheel,) = tmp_path.glob("*.whl")
+    # A module of machine code: for this Python and this platform.
+    tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    assert wheel.name.startswith(f"shaftcull-{shaftcull.__version__}-{tag}-{tag}-")
+    installed = tmp_path / "installed"
+    with zipfile.ZipFile(wheel) as files:
+        names = set(files.namelist())
+        files.extractall(installed)
+    assert {"shaftcull/__init__.py", "shaftcull/__init__.pyi", "shaftcull/py.typed"} <= names
+    assert [name for name in names if name.startswith("shaftcull/_shaftcull.")]
+    environment["PYTHONPATH"] = str(installed)
+    program = "import shaftcull; print(shaftcull.__file__, shaftcull.BoxTree([[0] * 6]).count([0] * 6, [1] * 6))"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=environment, cwd=tmp_path)
+    assert done.stdout == f"{installed}/shaftcull/__init__.py 1\n", done.stderr
