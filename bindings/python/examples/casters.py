@@ -39,7 +39,7 @@ def draw(boxes, path):
         axes.plot([], [], "s", color=PARTS[name], label=f"{name}: {which.sum()}")
     axes.plot(LIGHT[[0, 3]], [10, 10], color="black", lw=4)
     axes.add_patch(Rectangle(RECEIVER[[0, 2]], 5, 0.5, color="black"))
-    axes.set(xlim=(-6.5, 13), ylim=(-0.5, 11), aspect="equal", title="What can cast shadows of the light on the receiver")
+    axes.set(xlim=(-6.5, 13), ylim=(-0.5, 11), aspect="equal", title="What can cast a shadow on the receiver")
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     figure.savefig(path)
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t first_chunk = 16;
 /// Shafts differ, so a chunk is not much larger than what was measured before.
 constexpr std::size_t growth = 64;
-constexpr double seconds_a_chunk = 0.25;
+constexpr double seconds_a_chunk = 0.5;
 
 void hear_signals() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -13,7 +13,8 @@ def test_shafts_are_indexed_as_arrays_are(a, b, boxes):
     every = stream.cull(shafts)
     assert len(shafts) == 40 and shafts.shape == (40,) and shafts[3].shape == ()
     mask = every.sum(1) > 3
-    keys = (slice(5, 9), slice(None), slice(None, None, -3), slice(9, 5), [3, 1, -1], mask, np.array([], dtype=int), ...)
+    none = np.array([], dtype=int)
+    keys = (slice(5, 9), slice(None), slice(None, None, -3), slice(9, 5), [3, 1, -1], mask, none, ...)
     for key in keys:
         np.testing.assert_array_equal(stream.cull(shafts[key]), every[key])
         np.testing.assert_array_equal(shafts[key].a, a[key])

@@ -21,7 +21,8 @@ def parameters(function):
     assert not arguments.posonlyargs and arguments.vararg is None and arguments.kwarg is None
     names = [argument.arg for argument in arguments.args]
     without = len(names) - len(arguments.defaults)
-    named = [(name, None if i < without else ast.unparse(arguments.defaults[i - without])) for i, name in enumerate(names)]
+    defaults = [None] * without + [ast.unparse(default) for default in arguments.defaults]
+    named = list(zip(names, defaults))
     keywords = [
         (argument.arg, None if default is None else ast.unparse(default))
         for argument, default in zip(arguments.kwonlyargs, arguments.kw_defaults)
@@ -120,9 +121,8 @@ def test_a_program_that_uses_it_passes_the_type_checker(tmp_path):
         "tree.list(shafts, owner=3)\n"
     )
     environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
-    done = subprocess.run(
-        [sys.executable, "-m", "mypy", "--cache-dir", tmp_path, program], capture_output=True, text=True, env=environment
-    )
+    command = [sys.executable, "-m", "mypy", "--cache-dir", tmp_path, program]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert re.search(r'program.py:6: note: Revealed type is ".*ndarray\[.*unsignedinteger', done.stdout), done.stdout
     assert re.search(r'program.py:7: error: Unexpected keyword argument "owner"', done.stdout)
     assert "Found 1 error" in done.stdout

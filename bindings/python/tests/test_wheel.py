@@ -41,5 +41,6 @@ def test_a_wheel_is_built_installed_and_used(tmp_path):
     assert [name for name in names if name.startswith("shaftcull/_shaftcull.")]
     environment["PYTHONPATH"] = str(installed)
     program = "import shaftcull; print(shaftcull.__file__, shaftcull.BoxTree([[0] * 6]).count([0] * 6, [1] * 6))"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=environment, cwd=tmp_path)
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path)
     assert done.stdout == f"{installed}/shaftcull/__init__.py 1\n", done.stderr
