@@ -16,6 +16,7 @@ function(shaftcull_python_test name)
     ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1" TIMEOUT 600)
 endfunction()
 
+shaftcull_python_test(documents test_documents.py)
 shaftcull_python_test(questions test_questions.py)
 shaftcull_python_test(inputs test_inputs.py test_kinds.py)
 shaftcull_python_test(processes test_processes.py)

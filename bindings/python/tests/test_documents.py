@@ -1,0 +1,56 @@
+"""What the pages say of Python."""
+
+import ast
+import contextlib
+import io
+import pathlib
+import re
+
+import shaftcull
+
+ROOT = pathlib.Path(__file__).parents[3]
+PAGE = (ROOT / "docs/python.md").read_text()
+
+
+def blocks():
+    """Lines that are indented by four, in which an empty line may stand."""
+    for block in re.findall(r"(?:^    .*\n(?:\n(?=    ))?)+", PAGE, re.MULTILINE):
+        yield re.sub("^    ", "", block, flags=re.MULTILINE)
+
+
+def is_python(block):
+    try:
+        ast.parse(block)
+    except SyntaxError:
+        return False
+    return True
+
+
+def test_the_page_runs():
+    printed, names, run = io.StringIO(), {}, 0
+    with contextlib.redirect_stdout(printed):
+        for block in filter(is_python, blocks()):
+            exec(compile(block, "docs/python.md", "exec"), names)
+            run += 1
+    assert run == 3
+    assert printed.getvalue() == "[ True False]\n" and f"`{printed.getvalue().strip()}`" in PAGE
+    assert names["counts"].shape == (500,) and len(names["offsets"]) == 501 and (names["hit"] != -1).any()
+
+
+def test_every_verb_of_the_readme_is_a_method():
+    """The first column of the table names verbs of C++, the second one methods, perhaps with an argument."""
+    table = dict(re.findall(r"^\| `(\w+)` \| (`\w.*?`) \|", PAGE, re.MULTILINE))
+    rows = re.findall(r"^\| [^|`]+ \|((?: (?:–|`[a-z_]+`) \|){4})$", (ROOT / "README.md").read_text(), re.MULTILINE)
+    verbs = {re.sub("_many$", "", verb) for row in rows for verb in re.findall("`([a-z_]+)`", row)}
+    verbs = {verb for verb in verbs if not verb.startswith("for_each")}
+    assert len(verbs) > 14 and verbs == set(table)
+    for methods in table.values():
+        for method, argument in re.findall(r"`(?:Shafts\.)?(\w+)(?:\((\w+)=\w+\))?`", methods):
+            signature = (getattr(shaftcull.BoxTree, method, None) or getattr(shaftcull.Shafts, method)).__doc__
+            assert argument is None or argument in signature.splitlines()[0]
+
+
+def test_the_page_names_what_there_is():
+    for name in re.findall(r"`(?:shaftcull\.)?([A-Z]\w+)(?:\.\w+)?(?:\(.*?\))?`", PAGE):
+        builtin = {"TypeError", "ValueError", "IndexError", "RuntimeError", "InvalidArgument", "PYTHONPATH", "CMAKE_ARGS"}
+        assert name in builtin or hasattr(shaftcull, name), name
