@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# check.sh SOURCE PROGRAM           whether the pages of docs/ show this source, and what this program prints, as they are
-# check.sh --update SOURCE PROGRAM  writes both into the pages
+# check.sh SOURCE PROGRAM…           whether the pages of docs/ show this source, and what this program prints, as they are
+# check.sh --update SOURCE PROGRAM…  writes both into the pages
 #
 # A page shows a source where a comment names it, in the line before a block of code:
 #   <!-- docs/examples/swept.cpp -->             all of it, without such marks as the following
@@ -11,8 +11,8 @@ docs=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 update=
 if [[ ${1:-} == --update ]]; then update=yes && shift; fi
 source=$1
-program=$2
-printed=$("$program") || { echo "$program ended with an error" && exit 1; }
+program=("${@:2}")
+printed=$("${program[@]}") || { echo "${program[*]} ended with an error" && exit 1; }
 
 # part NAME: the lines of the source between [[NAME]] and [[end]].
 part() {
@@ -53,7 +53,7 @@ for page in "$docs"/*.md "$docs"/recipes/*.md; do
   if [[ $update ]]; then
     printf '%s\n' "$now" >"$page"
   elif ! diff -u "$page" - <<<"$now"; then
-    echo "$page differs from $source or what it prints: docs/examples/check.sh --update $source $program mends it"
+    echo "$page differs from $source or what it prints: docs/examples/check.sh --update $source ${program[*]} mends it"
     result=1
   fi
 done
