@@ -118,9 +118,17 @@ quietly "$program" verify --cases 20000
 
 # The Python module, where it was built.
 if [[ " ${names[*]} " == *" python3-shaftcull "* ]]; then
+  cat >"$work/question.py" <<'PY'
+import numpy
+import shaftcull
+
+tree = shaftcull.BoxTree(numpy.array([[2, 4, 2, 3, 5, 3], [8, 0, 0, 9, 3, 1]], dtype=numpy.float32))
+print(shaftcull.__version__, tree.cull([0, 9, 0, 1, 10, 1], [4, 0, 4, 6, 1, 6]))
+PY
   # Python leaves what it compiled beside the module, as on a user's machine.
-  env -u PYTHONDONTWRITEBYTECODE -u PYTHONPYCACHEPREFIX PYTHONPATH="$root/usr/lib/python3/dist-packages" \
-    /usr/bin/python3 -c 'import shaftcull' || fail "Python does not import shaftcull"
+  answer=$(env -u PYTHONDONTWRITEBYTECODE -u PYTHONPYCACHEPREFIX PYTHONPATH="$root/usr/lib/python3/dist-packages" \
+    /usr/bin/python3 "$work/question.py") || fail "Python does not import shaftcull, or does not answer"
+  equal "the answer of Python" "$answer" "${version%-*} [ True False]"
   compiled=("$root"/usr/lib/python3/dist-packages/shaftcull/__pycache__/*)
   [[ ${#compiled[@]} -gt 0 ]] || fail "Python has compiled nothing, so that nothing shows whether it would be removed"
 fi
