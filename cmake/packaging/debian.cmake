@@ -1,5 +1,5 @@
-# Debian packages by CPack, one for each component of install.cmake. Included where the library is shared and this project is
-# the top level. ./cmake/run package builds them; docs/packages.md says what each holds.
+# Debian packages by CPack, one for each component of install.cmake. Included where the library is shared and this
+# project is the top level. ./cmake/run package builds them; docs/packages.md says what each holds.
 
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT shaftcull_type STREQUAL "SHARED_LIBRARY" OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux")
   return()

@@ -1,5 +1,5 @@
-# Checks that the manual page names what the program has: every command and no other, options of the command that it describes,
-# the version. Given: PROGRAM, PAGE, VERSION.
+# Checks that the manual page names what the program has: every command and no other, options of the command that it
+# describes, the version. Given: PROGRAM, PAGE, VERSION.
 cmake_minimum_required(VERSION 3.22)
 
 # help(command…): sets `output` to what the program says of itself.
@@ -57,7 +57,8 @@ endif()
 # man itself finds nothing wrong with it.
 find_program(man man)
 if(man)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 MANROFFSEQ= MANWIDTH=80 ${man} --warnings -E UTF-8 -l -Tutf8 -Z ${PAGE}
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 MANROFFSEQ= MANWIDTH=80 ${man} --warnings -E UTF-8 -l -Tutf8 -Z ${PAGE}
     OUTPUT_QUIET ERROR_VARIABLE warnings RESULT_VARIABLE result)
   if(warnings OR NOT result EQUAL 0)
     message(SEND_ERROR "man ended with ${result} and says of ${PAGE}:\n${warnings}")

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Tries Debian packages out: installs them below an empty folder, builds programs in C++ and C against what is there, by
-# pkg-config and by CMake, runs them and the program of the packages, looks at what lintian finds, and removes the packages again.
+# Tries Debian packages out: installs them below an empty folder, builds programs in C++ and C against what is there,
+# by pkg-config and by CMake, runs them and the program of the packages, looks at what lintian finds, and removes the
+# packages again.
 #
 #   tests/packages/check.sh FOLDER       of the .deb files; ./cmake/run package --check makes them before
 #
-# Nobody need be root, and nothing of this machine changes: dpkg gets a database of its own in that folder (--root), and fakeroot
-# lets it give files to root. What packages depend on is not there, so dpkg is told to go on without (--force-depends) and
-# libraries of this machine stand in. Scripts of packages run here (--force-script-chrootless), and know by DPKG_ROOT that what
-# they care for is in that folder.
+# Nobody need be root, and nothing of this machine changes: dpkg gets a database of its own in that folder (--root),
+# and fakeroot lets it give files to root. What packages depend on is not there, so dpkg is told to go on without
+# (--force-depends) and libraries of this machine stand in. Scripts of packages run here (--force-script-chrootless),
+# and know by DPKG_ROOT that what they care for is in that folder.
 set -euo pipefail
 
 packages=$(realpath "$1")
@@ -53,7 +54,8 @@ needs shaftcull libassimp5
 mkdir -p "$root/var/lib/dpkg/"{info,updates} "$work/log"
 touch "$root/var/lib/dpkg/"{status,available}
 in_root() {
-  fakeroot dpkg --root="$root" --force-not-root --force-depends --force-script-chrootless --log="$work/log/dpkg" "$@" >"$work/log/output" 2>&1 ||
+  fakeroot dpkg --root="$root" --force-not-root --force-depends --force-script-chrootless --log="$work/log/dpkg" "$@" \
+    >"$work/log/output" 2>&1 ||
     fail "dpkg $* ended with $?" "$(cat "$work/log/output")"
 }
 in_root --install "${debs[@]}"

@@ -1,5 +1,5 @@
-"""Checks the recipe of Conan as far as that is possible without Conan: it runs with stand-ins for what it imports, exports its
-sources into an empty folder, and configures them there with the options that it passes.
+"""Checks the recipe of Conan as far as that is possible without Conan: it runs with stand-ins for what it imports,
+exports its sources into an empty folder, and configures them there with the options that it passes.
 
     conan_recipe.py PROJECT VERSION DESCRIPTION WORK GENERATOR      all from CMake; WORK is a folder to be made anew
 """
@@ -82,8 +82,8 @@ class CMake:
         values = {"BUILD_SHARED_LIBS": self.recipe.options.shared, **self.recipe.cache_variables}
         self.recipe.passed = [f"-D{name}={'ON' if value else 'OFF'}" for name, value in values.items()]
         output = subprocess.run(
-            ["cmake", "-G", generator, "-S", self.recipe.export_sources_folder, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
-             *self.recipe.passed],
+            ["cmake", "-G", generator, "-S", self.recipe.export_sources_folder, "-B", build,
+             "-DCMAKE_BUILD_TYPE=Release", *self.recipe.passed],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         assert output.returncode == 0 and "CMake Warning" not in output.stdout, f"{self.recipe.passed}\n{output.stdout}"
 
@@ -107,17 +107,20 @@ def module(name, **members):
 
 module("conan", ConanFile=Recipe)
 module("conan.tools")
-module("conan.tools.build", check_min_cppstd=lambda _, least: None, stdcpp_library=lambda _: "stdc++", can_run=lambda _: True)
+module("conan.tools.build", check_min_cppstd=lambda _, least: None, stdcpp_library=lambda _: "stdc++",
+       can_run=lambda _: True)
 module("conan.tools.cmake", CMake=CMake, CMakeToolchain=Toolchain, cmake_layout=lambda _: None,
        CMakeDeps=lambda recipe: types.SimpleNamespace(generate=lambda: None))
-module("conan.tools.files", copy=copied, rmdir=lambda *_: None, load=lambda _, path: open(path, encoding="utf-8").read())
+module("conan.tools.files", copy=copied, rmdir=lambda *_: None,
+       load=lambda _, path: open(path, encoding="utf-8").read())
 
 
 def recipe_class(*path):
     spec = importlib.util.spec_from_file_location("recipe", os.path.join(recipes, *path))
     loaded = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(loaded)
-    return next(value for value in vars(loaded).values() if isinstance(value, type) and issubclass(value, Recipe) and value != Recipe)
+    return next(value for value in vars(loaded).values()
+                if isinstance(value, type) and issubclass(value, Recipe) and value != Recipe)
 
 
 Shaftcull = recipe_class("conanfile.py")
@@ -139,7 +142,8 @@ for shared, with_tbb, with_c in itertools.product([False, True], repeat=3):
     assert packages == ["xsimd"] + ["onetbb"] * with_tbb, packages
     recipe.layout()
     recipe.generate()
-    assert recipe.cache_variables["SHAFTCULL_WITH_TBB"] == with_tbb and recipe.cache_variables["SHAFTCULL_BUILD_C"] == with_c
+    assert recipe.cache_variables["SHAFTCULL_WITH_TBB"] == with_tbb
+    assert recipe.cache_variables["SHAFTCULL_BUILD_C"] == with_c
     if shared == with_c != with_tbb:  # two of the eight, each value of each option once: this takes seconds
         recipe.export_sources_folder = os.path.join(work, "sources")
         shutil.rmtree(recipe.export_sources_folder, ignore_errors=True)

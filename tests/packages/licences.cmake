@@ -1,5 +1,5 @@
-# Checks that docs/third-party.md lists what is linked and compiled in, and Debian's copyright file what is compiled in. Given: ROOT,
-# the project.
+# Checks that docs/third-party.md lists what is linked and compiled in, and Debian's copyright file what is compiled
+# in. Given: ROOT, the project.
 cmake_minimum_required(VERSION 3.22)
 
 file(READ ${ROOT}/docs/third-party.md page)

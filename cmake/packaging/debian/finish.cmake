@@ -1,5 +1,6 @@
-# Run by CPack on the packages that it has made, for what its generator of Debian's packages cannot do: says which packages may
-# be installed for several architectures at once, and takes out scripts that call ldconfig, since a trigger does that now.
+# Run by CPack on the packages that it has made, for what its generator of Debian's packages cannot do: says which
+# packages may be installed for several architectures at once, and takes out scripts that call ldconfig, since a
+# trigger does that now.
 cmake_minimum_required(VERSION 3.22)
 
 foreach(package IN LISTS CPACK_PACKAGE_FILES)

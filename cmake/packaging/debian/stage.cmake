@@ -1,5 +1,5 @@
-# Run by CPack when the files of the packages lie in folders of their own: adds what each package of Debian has, its copyright
-# and changelog, and compresses changelogs and manual pages.
+# Run by CPack when the files of the packages lie in folders of their own: adds what each package of Debian has, its
+# copyright and changelog, and compresses changelogs and manual pages.
 cmake_minimum_required(VERSION 3.22)
 
 # compress(file): without the time and the name, so that the same sources give the same package.

@@ -19,7 +19,8 @@ run(${user} -D VERSION=${major}.${minor})
 run(${CMAKE_COMMAND} --build ${WORK}/user)
 run(${WORK}/user/client)
 
-# Components of find_package(): one that there is not is an error that names those that there are, or no error if it is optional.
+# Components of find_package(): one that there is not is an error that names those that there are, or no error if it is
+# optional.
 set(built "cpp")
 if(EXISTS "${prefix}/include/shaftcull.h")
   set(built "cpp and c")

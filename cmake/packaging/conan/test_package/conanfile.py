@@ -19,7 +19,8 @@ class ShaftcullTest(ConanFile):
 
     def build(self):
         cmake = CMake(self)
-        cmake.configure(build_script_folder=os.path.join(self.recipe_folder, "..", "..", "..", "..", "tests", "consumer"))
+        project = os.path.join(self.recipe_folder, "..", "..", "..", "..")
+        cmake.configure(build_script_folder=os.path.join(project, "tests", "consumer"))
         cmake.build()
 
     def test(self):
