@@ -57,6 +57,7 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_page_content(html, page, config, files):
+    html = re.sub(r"(\d) ([×%])", "\\1\u00a0\\2", html)  # a sign stays with its number
     # A table wider than a phone scrolls by itself, not the page.
     return html.replace("<table>", '<div class="wide"><table>').replace("</table>", "</table></div>")
 
