@@ -11,10 +11,10 @@ int main() {
   std::vector<sc::Box> patches;
   for (const float room : {0.0F, 5.0F}) {
     for (const float z : {0.0F, 3.0F}) {
-      for (int i = 0; i != 16; ++i) {
-        const float x = room + static_cast<float>(i % 4);
-        const float y = static_cast<float>(i / 4);
-        patches.push_back({{x, y, z}, {x + 1, y + 1, z}});
+      for (const float x : {0.0F, 1.0F, 2.0F, 3.0F}) {
+        for (const float y : {0.0F, 1.0F, 2.0F, 3.0F}) {
+          patches.push_back({{room + x, y, z}, {room + x + 1, y + 1, z}});
+        }
       }
     }
   }

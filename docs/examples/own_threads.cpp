@@ -10,9 +10,8 @@ namespace sc = shaftcull;
 int main() {
   std::vector<sc::Box> scene;
   for (int i = 0; i != 100'000; ++i) {
-    const float x = static_cast<float>(i % 317);
-    const float y = static_cast<float>(i / 317);
-    scene.push_back({{x, y, 0}, {x + 0.5F, y + 0.5F, 1}});
+    const float x = static_cast<float>(i);
+    scene.push_back({{x / 256, x / 512, 0}, {x / 256 + 1, x / 512 + 1, 1}});
   }
   const sc::BoxStream boxes(scene);
   std::vector<sc::CompiledShaft> shafts;
