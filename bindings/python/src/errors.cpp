@@ -36,6 +36,7 @@ must be. Attribute index: its position, from 0 on.)",
 A tree was asked after update() with indices and before refit().)",
                               PyExc_RuntimeError);
   // pybind11 says what it takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
+  // pybind11 says what it takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
