@@ -142,19 +142,24 @@ def test_memory_is_not_copied_where_it_can_be_viewed(million):
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="no /proc to measure memory with")
 def test_memory_is_given_back(million):
-    tree, shafts = sc.BoxTree(million), long_shafts(million, 1000)
-    tree.list(shafts)
-    before = resident()
-    for _ in range(20):
-        tree.list(shafts)
-        tree.cull(shafts[:100])
-        sc.Shafts.between(million[:10_000], million[0])
-        sc.ConvexHull(million[:8, :3])
-    listed = 4 * tree.count(shafts).sum()
-    assert resident() - before < 10 * listed / 2 + 2**26
-    with pytest.raises(ValueError):
-        tree.count(shafts, only_layers=1)
-    tree.update(million)  # nobody is noted as asking any more
+    tree = sc.BoxTree(million)
+    everything = np.hstack([million[:, :3].min(0), million[:, 3:].max(0)])
+    shafts = sc.Shafts.between(np.tile(everything, (20, 1)), everything)
+    asking = {
+        "lists": (lambda: tree.list(shafts), 80e6),
+        "bits": (lambda: tree.cull(shafts), 20e6),
+        "one list": (lambda: tree.list(shafts[0], times=True), 8e6),
+        "shafts": (lambda: sc.Shafts.between(million[:50_000], everything), 40e6),
+        "trees": (lambda: sc.BoxTree(million), 28e6),
+        "streams": (lambda: sc.BoxStream(million), 24e6),
+        "views": (lambda: sc.BoxView(np.asfortranarray(million)), 24e6),
+    }
+    for what, (ask, size) in asking.items():
+        ask()
+        before = resident()
+        for _ in range(6):
+            ask()
+        assert resident() - before < 2.5 * size, what
 
 
 INTERRUPTED = """

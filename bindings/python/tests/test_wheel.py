@@ -39,8 +39,24 @@ def test_a_wheel_is_built_installed_and_used(tmp_path):
         files.extractall(installed)
     assert {"shaftcull/__init__.py", "shaftcull/__init__.pyi", "shaftcull/py.typed"} <= names
     assert [name for name in names if name.startswith("shaftcull/_shaftcull.")]
-    environment["PYTHONPATH"] = str(installed)
+    assert_it_is_used(installed, tmp_path)
+
+
+def assert_it_is_used(installed, folder):
     program = "import shaftcull; print(shaftcull.__file__, shaftcull.BoxTree([[0] * 6]).count([0] * 6, [1] * 6))"
     command = [sys.executable, "-c", program]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path)
+    environment = {**os.environ, "PYTHONPATH": str(installed)}
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=folder)
     assert done.stdout == f"{installed}/shaftcull/__init__.py 1\n", done.stderr
+
+
+def test_cmake_installs_the_package_as_a_component(tmp_path):
+    build = pathlib.Path(shaftcull.__file__).parents[2]
+    if not (build / "cmake_install.cmake").exists():
+        pytest.skip("the package is not that of a build folder")
+    command = ["cmake", "--install", build, "--component", "shaftcull_python", "--prefix", tmp_path]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (package,) = tmp_path.rglob("shaftcull")
+    assert {file.name for file in package.iterdir()} >= {"__init__.py", "__init__.pyi", "py.typed"}
+    assert_it_is_used(package.parent, tmp_path)
