@@ -16,8 +16,8 @@ namespace py = pybind11;
 
 namespace {
 
-/// One shaft may list millions of bounds, so the first chunk is small.
-constexpr std::size_t first_chunk = 16;
+/// One shaft may list millions of bounds, so the first chunk is small; smaller where it is asked twice.
+[[nodiscard]] constexpr std::size_t first_chunk(Chunks chunks) { return chunks == Chunks::joined ? 16 : 64; }
 /// Shafts differ, so a chunk is not much larger than what was measured before.
 constexpr std::size_t growth = 64;
 constexpr double seconds_a_chunk = 0.5;
@@ -53,12 +53,12 @@ void in_chunks(std::size_t shafts, Chunks chunks, FunctionRef<void(std::size_t f
       run(0, shafts);
     }
   };
-  if (shafts <= first_chunk) {
+  if (shafts <= first_chunk(chunks)) {
     unlocked(0, shafts);
     return;
   }
   std::size_t first = 0;
-  std::size_t count = first_chunk;
+  std::size_t count = first_chunk(chunks);
   while (true) {
     const auto start = std::chrono::steady_clock::now();
     unlocked(first, count);

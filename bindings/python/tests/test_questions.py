@@ -213,8 +213,9 @@ def test_many_shafts_asked_in_chunks_have_the_answers_of_rows(million):
     offsets, indices = tree.list(shafts)
     counts = tree.count(shafts)
     np.testing.assert_array_equal(np.diff(offsets), counts)
-    for i in (0, 15, 16, 17, 1039, 1040, 19999):
+    for i in (0, 15, 16, 17, 63, 64, 1039, 1040, 4159, 4160, 19999):
         np.testing.assert_array_equal(indices[offsets[i] : offsets[i + 1]], tree.list(shafts[i]))
+        assert counts[i] == tree.count(shafts[i])
 
 
 def test_trees_follow_their_bounds(boxes, a, b):
