@@ -3,7 +3,7 @@
 #   shaftcull_development  headers, static libraries or links to the shared ones, the CMake package that find_package(shaftcull)
 #                          finds, and the files that pkg-config reads
 #   shaftcull_program      the program and its manual page, where it is built
-#   python                 the Python module, where it is built
+#   shaftcull_python       the Python package, where it is built (bindings/python/CMakeLists.txt)
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -87,20 +87,6 @@ if(TARGET shaftcull_cli)
   endif()
   install(TARGETS shaftcull_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT shaftcull_program)
   install(FILES ${PROJECT_SOURCE_DIR}/docs/shaftcull.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT shaftcull_program)
-endif()
-
-# The Python module, where it is built, beside those of Debian's packages.
-get_cmake_property(shaftcull_known_components COMPONENTS)
-if(TARGET shaftcull_python AND NOT python IN_LIST shaftcull_known_components)
-  set(shaftcull_python_dir lib/python3/dist-packages/shaftcull)
-  if(shaftcull_type STREQUAL "SHARED_LIBRARY")
-    file(RELATIVE_PATH shaftcull_lib_from_python /${shaftcull_python_dir} /${CMAKE_INSTALL_LIBDIR})
-    set_target_properties(shaftcull_python PROPERTIES INSTALL_RPATH "$ORIGIN/${shaftcull_lib_from_python}")
-  endif()
-  install(TARGETS shaftcull_python LIBRARY DESTINATION ${shaftcull_python_dir} COMPONENT python)
-  file(GLOB shaftcull_python_files ${PROJECT_SOURCE_DIR}/bindings/python/shaftcull/*.py*)
-  list(APPEND shaftcull_python_files ${PROJECT_SOURCE_DIR}/bindings/python/shaftcull/py.typed)
-  install(FILES ${shaftcull_python_files} DESTINATION ${shaftcull_python_dir} COMPONENT python)
 endif()
 
 # Where the library is shared, Debian's packages can be made of these components.

@@ -88,15 +88,15 @@ statistics, and compares answers with exact rational arithmetic.")
   set(CPACK_DEBIAN_SHAFTCULL_PROGRAM_PACKAGE_SUGGESTS gnuplot-nox)
 endif()
 
-# The module is built for one version of Python.
+# The module is built for one version of Python. The preset `package` names Debian's folder for it.
 if(TARGET shaftcull_python)
   find_package(Python3 COMPONENTS Interpreter QUIET)
   math(EXPR shaftcull_next_python "${Python3_VERSION_MINOR} + 1")
-  shaftcull_debian_package(python python3-shaftcull python
+  shaftcull_debian_package(shaftcull_python python3-shaftcull python
     "${shaftcull_same}, python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${shaftcull_next_python}), python3-numpy"
     "exact culling of boxes by shafts - Python module"
     "This package has the module for Python 3, which takes and gives NumPy arrays.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${shaftcull_debian}/python/postinst ${shaftcull_debian}/python/prerm)
+  set(CPACK_DEBIAN_SHAFTCULL_PYTHON_PACKAGE_CONTROL_EXTRA ${shaftcull_debian}/python/postinst ${shaftcull_debian}/python/prerm)
 endif()
 
 # Which package whoever links a library needs. It concerns libraries with a soname, and so not the Python module.
