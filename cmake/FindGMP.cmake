@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Finds GMP with its C++ interface: the target GMP::gmpxx.
 include(FindPackageHandleStandardArgs)
 

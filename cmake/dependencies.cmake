@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The libraries that this project needs, found once for all folders.
 include(${CMAKE_CURRENT_LIST_DIR}/dependency.cmake)
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # How a library that this project needs is found. What is missing or broken is named when configuring, in one sentence,
 # and not by the build that would fail later.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Installs these components, whose names do not meet those of a parent project; docs/packages.md says what each holds.
 #   shaftcull_runtime      what programs need that are linked already: shared libraries
 #   shaftcull_development  headers, static libraries or links to the shared ones, the CMake package that find_package(shaftcull)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Whether the Python package can be built: SHAFTCULL_HAS_PYTHON. It needs a Python with its headers and NumPy, and pybind11.
 
 # The `python3` in the PATH may lack what the system's has, as those of version managers do. The first one that has all is taken,

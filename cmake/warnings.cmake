@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Turns on the warnings that all of this project's own code is free of.
 function(shaftcull_warnings target)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")

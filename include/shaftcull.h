@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// shaftcull in C: shafts between boxes and of moving boxes, convex hulls, and what bounds they keep.
 ///
 /// docs/c.md has an example. What each answer means is said once, in the C++ headers beside this one: `cull.hpp`,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Hot calls do not allocate: every call of operator new is counted, in all threads.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks which folder of kernel/ includes which, against the table in docs/architecture.md, and that bindings include the public
 # headers only. Given: KERNEL, the library's sources; BINDINGS, the folder of the interfaces for other languages; PAGE, that
 # document.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Does what a newcomer does on a bare Debian 12: a system of debootstrap's smallest variant with git, a clone of what is
 # committed here, and a command in it. So a package that ./cmake/run forgets to install is found, on whatever machine this runs.
 #

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds in plain vectors, one for each coordinate: a view of the user's own memory that nothing has checked.
 /// Each is allocated to its exact size, so that AddressSanitizer sees what is read beyond the last bound.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that the files which pages name exist: links to files, and paths like `tests/main.cpp`. Given: ROOT, the project.
 cmake_minimum_required(VERSION 3.22)
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The tests on processors that this machine is not: emulated by qemu-user, with the very binaries that run here. An instruction
 # that such a processor lacks ends the test, so this also shows that no AVX code leaked into what everybody runs.
 

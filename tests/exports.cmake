@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that a shared library exports the interface and nothing else: every symbol is named in a public header, and none is
 # in shaftcull::kernel. Given: NM, LIBRARY, INCLUDE (the folder of the public headers).
 cmake_minimum_required(VERSION 3.22)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "failing_memory.hpp"
 
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// operator new of the whole program, which counts its calls and fails where it is told to.
 ///
 /// What oneTBB allocates for itself does not fail. Nor does what tasks list in (kernel/parallel/task_memory.hpp), which

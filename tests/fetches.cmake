@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that walks through trees, and what reads bounds from all over memory, hold the instructions that fetch memory into
 # the second-level cache: g++ 12 leaves out calls of functions that do nothing else, and all answers stay as they are.
 # Every walk must have as many as a word of leaves has cache lines, or more; other sources at least one. Given:

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # What ./cmake/run says and does on systems that lack something: run with stand-ins for apt-get, sudo, cmake and the others.
 #
 #   tests/first_command.sh          ends with 77, "skipped", where it cannot take root's rights away from itself

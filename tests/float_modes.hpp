@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Floating-point modes that callers may run in, on processors that have them.
 #pragma once
 

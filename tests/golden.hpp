@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Reads the reference answers in tests/golden/, which the paper's original C code gave (see the README there).
 #pragma once
 

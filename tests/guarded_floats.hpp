@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Memory that ends where the process may not read.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that the public headers include each other and the standard library only. Given: INCLUDE, their folder.
 
 file(GLOB headers ${INCLUDE}/shaftcull/*.hpp)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Runs a test on one instruction set after the other.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # links.sh FOLDER LEAST: checks the links of all pages in a folder: those in Markdown of the project, or those in HTML of its site.
 # Fails for one that leads nowhere, and if there are fewer than LEAST. Ends with 77 if there is no such folder, or no awk.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Runs the tests of one executable on the instruction set that SHAFTCULL_ISA names, or on the best one.
 #include <gmock/gmock.h>
 

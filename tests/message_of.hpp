@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a refused call says.
 #pragma once
 

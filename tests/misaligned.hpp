@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A copy of a view whose streams begin a known number of floats after a cache line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Memory that runs out: after std::bad_alloc every object is as it was, lists are as they were or empty, and the same
 /// call made again does its work.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A workload whose answers are on record: every compiler, optimisation level, instruction set and form must give them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How many random cases a test tries, and what it cannot do under a sanitizer.
 #pragma once
 

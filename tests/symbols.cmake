@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that an object file of one instruction set defines no function that another translation unit may define too:
 # of two such copies the linker takes any, and code with AVX must not run for everybody. Given: NM, OBJECTS (the
 # object files), ISA (the name that each of their functions and writable objects must contain).

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Compares docs/tuning.md with what there is: environment variables that sources read, options that CMake has.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that no kernel asks what the compiler may use, which a parent project's -march=native changes for all units: what a set
 # may use, its own header in kernel/simd knows. Given: KERNEL, the library's sources.
 cmake_minimum_required(VERSION 3.22)

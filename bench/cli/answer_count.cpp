@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "answer_count.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the library answers over random shafts, counted.
 #pragma once
 

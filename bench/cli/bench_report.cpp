@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull bench-report`: what the benchmark measured, as a page to look at.
 #include <cstdio>
 #include <filesystem>

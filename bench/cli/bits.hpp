@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Answers as bits: that of bound i is bit i % 64 of word i / 64.
 #pragma once
 

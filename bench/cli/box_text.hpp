@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes and vectors as text: "lo x,lo y,lo z,hi x,hi y,hi z" and "x,y,z".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "city.hpp"
 
 #include <algorithm>

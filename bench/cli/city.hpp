@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A city: blocks of buildings on a square grid of streets, and cars that drive along them.
 #pragma once
 

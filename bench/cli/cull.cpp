@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull cull`: which bounds of a mesh file may lie between two of its objects, in the way of one, in a shadow?
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "cull_report.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What `shaftcull cull` found, and its three formats.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull demo`: millions of bounds that move, culled against moving shafts in every frame.
 #include <algorithm>
 #include <chrono>

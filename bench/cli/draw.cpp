@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull draw`: slices through a shaft, in characters, or a picture of it, in SVG.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What `shaftcull draw` shows: a shaft, what it is made of, and boxes and triangles with the answers that they get.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "instruction_set.hpp"
 
 #include <cstdio>

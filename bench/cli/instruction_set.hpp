@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The option --isa, and what every subcommand says before it starts if SHAFTCULL_ISA cannot be followed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Long runs that end early, with what they have so far, when the user asks for it.
 #pragma once
 

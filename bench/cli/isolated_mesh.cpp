@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "isolated_mesh.hpp"
 
 #include <fcntl.h>

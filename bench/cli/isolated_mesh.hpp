@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Reading a mesh file in a process of its own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The program `shaftcull`.
 #include <fcntl.h>
 #include <unistd.h>

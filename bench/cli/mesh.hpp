@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A mesh file as bounds in world space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "mesh_parts.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Parts of a mesh: the ends of shafts in files that have few objects.
 #pragma once
 

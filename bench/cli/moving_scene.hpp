@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A scene of the demonstration: bounds that move, and shafts that move among them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "name_search.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The known names that come closest to a mistyped one.
 #pragma once
 

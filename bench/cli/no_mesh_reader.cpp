@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Stands in for mesh.cpp and isolated_mesh.cpp where the program is built without assimp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "number.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Numbers on the command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "plane_count.hpp"
 
 namespace shaftcull::cli {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How many planes a test with early out looks at, for every order of planes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Text from files, for the eyes of a reader.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The line that tells how far a long run is.
 #pragma once
 

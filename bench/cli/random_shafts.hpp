@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The random shafts of `shaftcull stats`, and what they meet.
 ///
 /// Both are those of the test harness that the paper describes: a shaft joins two boxes whose corners are uniform in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where shafts are, for pictures: in doubles, and only as right as a picture has to be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaft_choice.hpp"
 
 #include <fmt/format.h>

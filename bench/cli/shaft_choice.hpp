@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which shaft a command line asks for: the options that cull, draw and stats share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sphereflake.hpp"
 
 #include <algorithm>

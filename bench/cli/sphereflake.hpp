@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The sphereflake: a sphere with nine spheres of a third of its radius on it, and so on.
 ///
 /// E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987: the "balls" scene of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull stats`: the paper's statistics over random shafts.
 ///
 /// Shafts and the cubes that they meet are those of the test harness that the paper describes (random_shafts.hpp). Both

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The program's subcommands: each adds itself to the command line, and runs when it is named there.
 #pragma once
 

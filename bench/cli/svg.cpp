@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Drawings as SVG.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A table of text with aligned columns.
 #pragma once
 

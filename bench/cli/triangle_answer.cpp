@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "triangle_answer.hpp"
 
 #include <algorithm>

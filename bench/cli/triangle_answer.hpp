@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Answers of triangles: the library says which are outside, and of points which are inside.
 #pragma once
 

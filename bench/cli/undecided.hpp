@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which answers the float filter leaves to the exact predicates.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull verify`: compares answers with exact arithmetic, by the million.
 #include <algorithm>
 #include <chrono>

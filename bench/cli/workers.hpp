@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The threads that a demonstration runs on. The only place in the program that knows oneTBB.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// blocked/…: which solid boxes block shafts, on one thread.
 ///
 /// blocked/boxes lists those of the boxes of workload W that a shaft keeps, blocked/walls those of larger ones, of

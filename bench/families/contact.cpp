@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// contact/…: shafts with open contact against many boxes, on one thread, results as bits. On workload W next to
 /// nothing touches; on a grid of whole numbers about half of what closed contact keeps does.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// exact/…: what exact answers cost, on AVX2, against the same kernel without its filter.
 ///
 /// Each setting is measured twice on the same bounds and shafts, in tiles that stay in the L1 cache:

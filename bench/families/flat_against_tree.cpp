@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// flat_against_tree/…: flat scans and trees over scenes of several sizes, with shafts that find next to nothing to
 /// all; and what it takes when bounds move. The README's answer to "flat or tree?" is of these.
 #include <array>

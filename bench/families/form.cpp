@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// form/…: from two boxes to a test-ready shaft.
 #include <cstddef>
 #include <cstdint>

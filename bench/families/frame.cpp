@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// frame/…: all boxes move, then shafts are asked: with a tree, which is updated and refitted, and with a flat scan.
 ///
 /// The boxes' user keeps them in tree order, as it was when the tree was built (frame/S/tree), or in an order that has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// hull/…: convex hulls, on one thread. hull/frustum/boxes: what some cameras see of many boxes, exactly; against the
 /// usual six planes, which keep too much, in vectors by hand (six_planes) and box by box (array_of_structs).
 /// hull/casters/list: the hull of a view and a light is formed, and lists what it keeps of a tree; hull/view/list: the

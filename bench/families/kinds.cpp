@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// kinds/…: shafts of moving boxes against many boxes, on one thread, results as bits: swept bodies, bodies swept
 /// without end (sun), and shadows of lights. test/boxes/cull/slab/… is the same for shafts between two boxes.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// test/…: many shafts × many bounds on one thread, results as bits, on each instruction set.
 #include <algorithm>
 #include <cstddef>

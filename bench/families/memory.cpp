@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// memory/…: one shaft × all boxes, which reads each box once and is limited by how fast memory can be read; and
 /// reading the same streams without testing anything.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// outputs/…: counts and index lists of many shafts × many boxes, on one thread. test/boxes/cull/slab/… is the same
 /// work with bits as its result.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// paper/…: the paper's method on workload W, bounds one by one.
 #include <cstddef>
 #include <cstdint>

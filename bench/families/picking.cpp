@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// layers/… and tree/{any,at_most,first,first_of_spheres}/…: queries of a bounds tree that want a part of what it would
 /// list.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// roofline/…: what this machine can do at most, and which of it limits each main path.
 ///
 /// roofline/slab_arithmetic counts boxes: five multiply-adds and six minima or maxima each. So does

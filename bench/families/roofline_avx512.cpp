@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "families/roofline_lanes.hpp"
 #include "simd/x86/avx512.hpp"
 

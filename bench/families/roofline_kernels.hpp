@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Small kernels that do one thing as fast as this machine can: what the tests are measured against in roofline/… and
 /// memory/….
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The kernels of roofline_kernels.hpp over vectors of `L`, a type that only one translation unit has
 /// (kernel/kernels/README.md).
 #pragma once

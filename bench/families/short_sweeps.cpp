@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// tree/equal_short/…: short sweeps among boxes of one size, which suit a uniform grid best: a tree against one.
 ///
 /// 100,000 boxes of 0.5 m, uniform in a cube of 31 m, and boxes of their size that travel up to 3 m in any direction

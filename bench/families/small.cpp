@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// small/…: what calls cost that test few bounds.
 ///
 /// small/one_shaft_64_boxes is the whole cost of cull() for a full word of boxes. small/n/N, small/list_many/N and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// sweep/…: the speed of culling boxes by number of bounds, of shafts and of threads.
 ///
 /// sweep/bounds/N is 64 shafts × N boxes, whose speed should not depend on N, nor that of sweep/classify/N and of

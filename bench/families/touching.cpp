@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// exact/touching/…: what a test costs that only exact arithmetic decides: boxes, points and spheres that touch a
 /// joining plane.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// tree/…: swept boxes against a bounds tree, a flat scan and Bullet's tree; what building and refitting one costs.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// triangles/…: triangles that shafts are asked about once the boxes around them are kept, on one thread; and meshes.
 ///
 /// The triangles of triangles/vertices and triangles/exact span boxes of workload W that a shaft keeps, two corners and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The program `shaftcull-bench`: measures the library against the paper's method and against the machine, in one run.
 #include <array>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the benchmarks measured: one speed for each name.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How much is measured.
 #pragma once
 

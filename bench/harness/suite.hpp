@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What is measured: named benchmarks, what each is compared with, what is to be reached, and what limits it.
 ///
 /// A family is one source file with a function that declares its benchmarks and, next to them, its targets and limits.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The run as a JSON file, for those who compare runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The run as a table, for people.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "harness/threads.hpp"
 
 #include <algorithm>

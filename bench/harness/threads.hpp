@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How many threads the library's parallel calls use. The only place in the benchmarks that knows oneTBB.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a run says about targets and limits.
 #pragma once
 

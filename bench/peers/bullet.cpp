@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "peers/bullet.hpp"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bullet's dynamic tree, which the library's is measured against.
 #pragma once
 

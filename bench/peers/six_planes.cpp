@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "peers/six_planes.hpp"
 
 #include <algorithm>

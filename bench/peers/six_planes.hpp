@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// View frusta as engines cull by them: a box is kept unless its near corner is beyond one of six planes. It keeps
 /// boxes that are behind two planes' common edge, which a convex hull does not.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The slab test without its filter: as fast, and as wrong near a boundary, as rounded arithmetic is. What exactness
 /// costs is measured against it.
 #pragma once

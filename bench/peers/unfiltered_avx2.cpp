@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiled/shaft_data.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "peers/unfiltered.hpp"

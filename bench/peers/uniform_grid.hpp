@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A uniform grid over boxes of one size, as one would write it for short sweeps among them: what trees are measured
 /// against in tree/equal_short/….
 ///

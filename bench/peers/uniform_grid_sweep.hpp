@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The sweep of uniform_grid.hpp, written once for vectors V: a unit of each instruction set gives it its own.
 #pragma once
 

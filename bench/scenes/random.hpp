@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Random bounds for benchmarks, the same on every platform.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Swept boxes among many small ones: what trees are measured on, as a broad phase sees it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trees are measured on: the same boxes as records, in streams, in a tree, and in Bullet's if it is there.
 #pragma once
 

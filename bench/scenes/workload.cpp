@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "scenes/workload.hpp"
 
 #include <algorithm>

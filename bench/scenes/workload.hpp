@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Workload W: the random bounds and shafts that all benchmarks run on, the same on every platform.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Checks of what C hands over, and its values as those of C++.
 ///
 /// Small values are copied, not cast: to a compiler that optimises across languages, a `shaftcull_box` and a `Box` are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// From bounds of any kind and holder, and a shaftcull_query, to the call of the C++ interface that answers.
 #pragma once
 

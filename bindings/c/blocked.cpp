@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which solid boxes hide one end of a shaft from the other.
 #include <cstdint>
 #include <span>

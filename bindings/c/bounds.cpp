@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Views and streams, and what is known of all bounds.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One formed shaft, with its planes.
 #include <algorithm>
 #include <memory>

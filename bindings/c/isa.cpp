@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Instruction sets and threads.
 #include <optional>
 #include <string>

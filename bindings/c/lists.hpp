@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Lists that the library allocates.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Many shafts against many bounds: bits, counts and lists.
 #include <cstdint>
 #include <span>

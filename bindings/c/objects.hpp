@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the handles of the C interface are.
 #pragma once
 

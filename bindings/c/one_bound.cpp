@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One shaft against one bound.
 #include "arguments.hpp"
 #include "status.hpp"

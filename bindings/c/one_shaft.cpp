@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One shaft against many bounds: bits, counts and lists.
 #include <cstdint>
 #include <span>

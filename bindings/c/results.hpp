@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Results of the C++ interface as those of C.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Arrays of test-ready shafts.
 #include <algorithm>
 #include <memory>

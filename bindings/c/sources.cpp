@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sources.hpp"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Sources: bounds in the caller's memory, as the C++ interface takes them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exceptions become statuses here, and nowhere else.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// First contact, entry times, and refining of candidates.
 #include <cstdint>
 #include <span>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Builds the extension module with CMake. All else is said in pyproject.toml.
 
 Environment: CMAKE_ARGS, more arguments for CMake; SHAFTCULL_PYTHON_MODULE, a module that was built already.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Debian packages by CPack, one for each component of install.cmake. Included where the library is shared and this
 # project is the top level. ./cmake/run package builds them; docs/packages.md says what each holds.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # build.sh WORK SITE: makes the documentation site in the folder SITE, with WORK for what is made on the way. Ends with 77 if
 # doxygen, mkdocs or its theme is not installed, and fails on any warning.
 set -euo pipefail

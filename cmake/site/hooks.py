@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Makes the site of pages that are written to be read in the repository, too.
 
 * Links out of docs/ lead to the reference if they name a public header, to the front page if they name the README, and are

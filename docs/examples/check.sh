@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # check.sh SOURCE PROGRAM…           whether the pages of docs/ show this source, and what this program prints, as they are
 # check.sh --update SOURCE PROGRAM…  writes both into the pages
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # check_calls.sh PROGRAM: runs it, and looks for each call that the tables of docs/which-call.md and docs/coming-from.md show in its
 # source, calls.cpp. Names without arguments, as "update()", are those of the public headers.
 set -euo pipefail

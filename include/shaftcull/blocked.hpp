@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Solid boxes that hide one end of a shaft from the other.
 ///
 /// A box *blocks* a shaft if every segment from a point of the shaft's box a to a point of its box b passes through it:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes, spheres and planes: the values that everything else is made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A shaft made ready for testing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One shaft against many bounds, or against one.
 ///
 /// Answers are exact. For all finite floats, degenerate and huge ones included, and on every instruction set the same

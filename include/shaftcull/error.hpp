@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the library throws. Every message says what is wrong, where, and what would be right.
 ///
 /// Destructors are defined in the library, and with them what a `catch` compares: there is one of it, however many

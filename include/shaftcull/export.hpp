@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a shared library exports: the interface, and nothing else.
 ///
 /// The library is compiled with hidden visibility. Public headers open `namespace SHAFTCULL_INTERFACE shaftcull {`,

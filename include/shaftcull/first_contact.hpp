@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// First contact: which bound the moving box of a shaft reaches first, and when.
 ///
 /// A shaft between boxes a and b is what a box sweeps over that moves from a, at time 0, to b, at time 1; each of its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What callbacks are passed as.
 #pragma once
 

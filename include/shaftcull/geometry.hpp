@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Small helpers for making boxes and planes. All are exact or err to the safe side, whatever floating-point mode the
 /// caller runs in; none allocates; all are safe to call from many threads.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Convex hulls in the place of shafts: view frusta, what casts shadows into view, volumes between polygons.
 ///
 /// A hull goes where a compiled shaft goes, alone or among shafts, on views, streams and trees. Refused with

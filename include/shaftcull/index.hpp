@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What numbers bounds.
 #pragma once
 

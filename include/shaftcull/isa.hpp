@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The instruction sets that the kernels are compiled for, and the choice among them.
 ///
 /// The best one that the processor *and* the operating system support is taken at the first call that

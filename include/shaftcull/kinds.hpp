@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts of moving boxes: what a body sweeps over, and what an occluder shadows from a light.
 ///
 /// A shaft between two boxes is a box that moves from one to the other. Here it moves by a displacement, with or

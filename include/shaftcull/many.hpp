@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Many shafts against many bounds, in parallel.
 ///
 /// Each verb means for every shaft what it means for one in cull.hpp; all take a view of boxes or spheres, or a stream.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
 ///
 /// *Verbs* are those of views (cull.hpp, many.hpp). Bounds and indices are of the tree's kind, and a vector or an array

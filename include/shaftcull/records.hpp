@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds in arrays of the user's own structs, by the names of their members.
 ///
 ///     struct Object { float lo[3]; float hi[3]; int id; };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Refining: what a shaft keeps, out of what a shaft around it kept.
 ///
 /// A shaft between two groups of objects contains every shaft between their members. Cull all bounds with the shaft

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What calls answer, and the rule for results that do not fit.
 ///
 /// A call that lists into a span of the caller's returns how many results there are, whether they fit or not. The first

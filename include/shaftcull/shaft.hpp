@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Formation: from two boxes to the shaft between them.
 ///
 /// Colour each face of the shaft box by the object box that touches it: red (the first), blue (the second) or

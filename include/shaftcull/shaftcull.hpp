@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// All public headers: shafts and hulls; views, streams and trees of boxes, spheres and triangles; the verbs that take
 /// both.
 #pragma once

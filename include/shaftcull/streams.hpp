@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds in memory: views of the user's own streams, and streams that own theirs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds trees: millions of bounds, still or moving, at a cost a shaft that grows with what is found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Triangles against shafts: singly, in streams, and in trees of chunks of neighbouring triangles.
 ///
 /// A box around a slanted triangle sticks out of it, so that shafts keep more boxes of triangles than triangles. Here

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The version of this library, for code that must compile with several. While the major version is 0, a new minor
 /// version may change the interface.
 #pragma once

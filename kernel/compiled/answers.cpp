@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiled/answers.hpp"
 
 #include <string>

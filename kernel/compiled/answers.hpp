@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Whether a shaft answers what it is asked.
 #pragma once
 

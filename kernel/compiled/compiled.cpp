@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaftcull/compiled.hpp"
 
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Open contact as a shaft has it, and the same shaft with closed contact.
 #pragma once
 

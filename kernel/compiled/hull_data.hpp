@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a compiled convex hull holds: planes as kernels read them, and the vertices that exact predicates start from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiled/joining_planes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Joining planes of a compiled shaft, with their error margin.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How the faces of a shaft's box move, for all kinds of shafts.
 ///
 /// Face f of box(t) is at p[f] + t (minuend[f] − subtrahend[f]), t from 0 to the end. The floats are those that the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The shaft box: the smallest box around a shaft.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a CompiledShaft holds, as kernels read it: coefficients and corner selectors, in the order in which they are
 /// read.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The slab form of a compiled shaft: the order of its constraints, and the error margins of its three forms.
 ///
 /// docs/exactness.md derives the margins.

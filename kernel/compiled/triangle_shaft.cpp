@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiled/triangle_shaft.hpp"
 
 #include <algorithm>

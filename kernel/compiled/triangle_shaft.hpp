@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A shaft as the exact test of triangles reads it: a box that moves, in floats that are off by little.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A shaft with its joining planes, where they are needed.
 #pragma once
 

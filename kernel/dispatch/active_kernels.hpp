@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The kernels that calls run: those of the instruction set that is selected.
 #pragma once
 

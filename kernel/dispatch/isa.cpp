@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaftcull/isa.hpp"
 
 #include <algorithm>

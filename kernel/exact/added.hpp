@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Added planes: the value of n · p − d.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exact answers for single boxes: what kernels ask about a box of which floats cannot tell whether it blocks a shaft.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Open contact: which bounds that touch a shaft are outside of it.
 ///
 /// A bound is outside iff its relative interior has no point in common with the shaft's: iff no t between its ends,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The edge between a red and a blue face of the shaft box, as a side test in the plane of the two axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where a face of a moving box ends, which need not be a float.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "exact/entry_time.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// When the moving box of a shaft reaches a box: exact times, as the constraints that they come from.
 #pragma once
 

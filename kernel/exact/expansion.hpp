@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exact sums and products of doubles as expansions: unevaluated sums of doubles that do not overlap.
 ///
 /// J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",

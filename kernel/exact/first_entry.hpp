@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which bound the moving box of a shaft reaches first.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How far a sphere's centre is from a shaft: the gaps between it and the faces of box(t).
 ///
 /// The sphere is outside iff the smallest squared distance of its centre c from box(t), over t from 0 to its end,

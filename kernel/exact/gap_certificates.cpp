@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The second step of the distance between a sphere's centre and a shaft: certificates for where f seems to be least.
 #include <limits>
 

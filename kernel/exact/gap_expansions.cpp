@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The third step of the distance between a sphere's centre and a shaft: the sign of f's minimum by expansions.
 #include "exact/gap.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exact answers of convex hulls for single bounds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Planes through vertices of a convex hull, as exact predicates take them.
 #pragma once
 

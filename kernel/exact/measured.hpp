@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Doubles that know how far off they are, by the rounding errors that really happened.
 ///
 /// Most bounds that touch a shaft exactly have coordinates of few bits, so that nothing is rounded in a polynomial of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// On which side of a plane through vertices of a hull a point is: signs of determinants, exactly.
 ///
 /// J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete &

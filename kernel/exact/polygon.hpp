@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exact answers for polygons: whether one hides one end of a shaft from the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exact answers for single bounds: what the kernels ask about the lanes that their float arithmetic cannot decide.
 ///
 /// Every predicate starts again from the floats that the user gave (MovingFaces), never from compiled coefficients, and

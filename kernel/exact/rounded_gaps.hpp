@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The first step of the distance between a sphere's centre and a shaft: doubles, with a bound on their own error.
 #pragma once
 

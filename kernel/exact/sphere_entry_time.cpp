@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "exact/sphere_entry_time.hpp"
 
 #include <algorithm>

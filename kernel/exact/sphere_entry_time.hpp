@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// When the moving box of a shaft reaches a sphere: exact times, as the polynomials that they are roots of.
 ///
 /// With the gaps between the sphere's centre and the faces of box(t), α + t β each (exact/gap.hpp), the sphere is

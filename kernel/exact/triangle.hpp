@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exact answers for single triangles: what kernels ask about a triangle of which floats cannot tell.
 #pragma once
 

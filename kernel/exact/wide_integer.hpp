@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Integers of up to 2,944 bits, on the stack: for polynomials of so high a degree in floats that doubles would over-
 /// or underflow.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// any_many().
 #include "dispatch/active_kernels.hpp"
 #include "flat/batch_job.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// count_at_most_many() and list_at_most_many(): a task tests its bounds tile by tile, each with those shafts only that
 /// have not found enough.
 #include <algorithm>

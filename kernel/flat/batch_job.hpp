@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A batch job: many shafts × many bounds, checked, and tested block by block.
 #pragma once
 

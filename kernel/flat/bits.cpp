@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// cull_many(), classify_many() and contained_many(): every task writes its words straight into the user's rows.
 #include "flat/batch_job.hpp"
 #include "parallel/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// blocked() and its like of a box and of views, but for lists of many shafts, which lists.cpp makes.
 #include "shaftcull/blocked.hpp"
 

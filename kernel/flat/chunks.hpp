@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One shaft against a view, chunk by chunk of bounds, whose bits stay on the stack.
 #pragma once
 

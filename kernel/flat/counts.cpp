@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// count_many() and count_classified_many(): a task counts its own bits and adds the counts to the user's at the end.
 #include <algorithm>
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// first_contact() and first_contact_many() of views. A task of many shafts looks for the first one in its own bounds,
 /// and then compares it with those of other tasks.
 #include "shaftcull/first_contact.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A group of shafts on a grid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Indices of set bits, written to the caller's memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Lists of many shafts: one pass over the bounds. Tasks list what they keep in memory of their own. Once all counts
 /// are known, these lists are copied to where they belong in the user's.
 #pragma once

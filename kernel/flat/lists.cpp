@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// list_many(), list_classified_many() and list_blocking_many() of boxes and spheres.
 #include <array>
 #include <cstddef>

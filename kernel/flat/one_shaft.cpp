@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// count(), list(), any() and their like for one shaft.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One bit a shaft: a task tests its bounds tile by tile, each with those shafts only whose bit is not set yet.
 #pragma once
 

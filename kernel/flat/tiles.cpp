@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// for_each_tile() and for_each_classified_tile(): tasks work in parallel, their answers leave in order.
 #include <algorithm>
 #include <memory>

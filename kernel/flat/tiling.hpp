@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tiling: how many shafts × many bounds are cut into tasks. It depends on the sizes alone, never on the number of
 /// threads.
 #pragma once

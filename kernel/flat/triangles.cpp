@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Triangles of views: cull(), count(), any() and list(), for one shaft and for many.
 #include "shaftcull/triangles.hpp"
 

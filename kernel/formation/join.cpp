@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "formation/join.hpp"
 
 #include <algorithm>

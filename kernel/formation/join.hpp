@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The planes that join edges of one box with the corresponding edges of the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The order in which joining planes are tested: those that decide most bounds first.
 #pragma once
 

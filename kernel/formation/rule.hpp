@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The rule of formation: faces of the shaft box have colours, and an edge between red and blue makes a joining plane.
 ///
 /// From E. Haines, "A Shaft Culling Tool", Journal of Graphics Tools 5(1), 2000.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "formation/search.hpp"
 
 namespace shaftcull::kernel {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Formation by search: compares the colours of all pairs of faces (Listing 1 of the paper).
 #pragma once
 

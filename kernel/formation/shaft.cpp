@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaftcull/shaft.hpp"
 
 #include <algorithm>

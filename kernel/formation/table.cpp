@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "formation/table.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Formation by table: the rule worked out for every colouring when the library is compiled.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The shaft box, trimmed by joining planes, as a polyhedron: how much does one more plane cut off?
 #pragma once
 

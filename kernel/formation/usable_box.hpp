@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a box that a shaft is formed from must be.
 #pragma once
 

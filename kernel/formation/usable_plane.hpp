@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a plane that is added to a shaft must be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Words of bits as a count and as a list of positions.
 ///
 /// A loop "while the word is not zero" is a mispredicted branch a word. So, as in simdjson (Langdale and Lemire,

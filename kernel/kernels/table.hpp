@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The dispatch table: what every instruction set's translation unit provides.
 #pragma once
 

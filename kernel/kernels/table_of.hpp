@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// From views to words: blocks of bounds through the stages of a test.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Parallel loops and pipelines: the only place that knows oneTBB, which SHAFTCULL_WITH_TBB turns on.
 ///
 /// Everything runs inside the caller's task_arena, and exceptions reach the caller. A loop or pipeline that a public

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Memory that tasks fill. It is not initialised, and its allocator reuses it for the next call.
 #pragma once
 

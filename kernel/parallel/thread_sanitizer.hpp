@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tells ThreadSanitizer in which order oneTBB runs things. It cannot see that: the libtbb.so of distributions is not
 /// built for it, so every task would seem to race with the call that waits for it.
 ///

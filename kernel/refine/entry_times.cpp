@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// entry_times(): of boxes that are named, in a view or a tree.
 #include <limits>
 #include <string>

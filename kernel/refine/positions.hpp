@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where bounds that the user names are.
 #pragma once
 

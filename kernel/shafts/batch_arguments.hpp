@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What calls that form many shafts check: index pairs, and planes of the boxes of views.
 #pragma once
 

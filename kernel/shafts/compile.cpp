@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compiled/answers.hpp"
 #include "compiled/contact.hpp"
 #include "compiled/joining_planes.hpp"

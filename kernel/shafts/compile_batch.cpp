@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// compile_batch(): checks of its arguments, and gathering of boxes by index pairs.
 #include <algorithm>
 #include <cstddef>

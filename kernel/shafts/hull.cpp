@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaftcull/hull.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Forms shafts of moving boxes.
 #include "shaftcull/kinds.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Planes of a view, for all calls that take a view-projection matrix.
 #pragma once
 

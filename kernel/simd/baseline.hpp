@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the compiler may use in every function of this unit. Where that is a whole instruction set, because a parent
 /// project has asked for -march=native, say, kernels of lesser ones are left out: they would not be those sets' any
 /// more.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Four floats, for what reads and checks the user's records.
 ///
 /// This is no instruction set to choose: it uses what every processor of the target has, which is SSE2 on x86-64 and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The operations that kernels are written with: what an instruction set must provide.
 ///
 /// A set is a header in this folder and a namespace, shaftcull::kernel::<set>, with

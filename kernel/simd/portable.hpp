@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Every operation of operations.hpp in plain C++: what a new instruction set starts from.
 ///
 /// A set derives from these classes and replaces the operations that its processor has instructions for. Vectors are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The set `portable128`: vectors of 4 floats as the compilers have them, without intrinsics. It runs on any processor,
 /// and is what those run that have no set of their own.
 ///

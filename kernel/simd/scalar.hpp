@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The set `scalar`: one float at a time, on any processor. It has no 16-bit integers, by which it would not gain.
 #pragma once
 

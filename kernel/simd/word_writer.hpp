@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Writing words of streams: much at once goes to memory in whole lines, past the caches.
 #pragma once
 

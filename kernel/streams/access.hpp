@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Access to the memory of streams, which is private in the public classes: to make streams without writing them twice,
 /// and to write them.
 #pragma once

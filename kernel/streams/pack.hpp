@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// From the user's records to streams: everything is checked, then written, so that an error leaves a stream unchanged.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Packing triangles: from arrays, separate streams and indexed meshes.
 #include <algorithm>
 #include <cmath>

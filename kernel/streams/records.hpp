@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Reading bounds from the user's arrays of structs, at any stride and alignment.
 #pragma once
 

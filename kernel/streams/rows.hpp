@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Rows: where the coordinates of bounds are written, in the order of a view's streams.
 ///
 /// Bounds side by side are a view where they are read (BoxView, SphereView) and rows where they are written. Kernels

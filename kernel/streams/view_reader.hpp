@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Reading bounds from the user's separate streams.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What public calls check before they write anything: null and shared memory, sizes, indices and enumerators. What a
 /// shaft was formed for, compiled/answers.hpp checks.
 ///

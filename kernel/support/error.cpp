@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaftcull/error.hpp"
 
 #include "support/exact_floats.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Refuses to be compiled where the compiler may change what floating-point code computes: every answer of this library
 /// is proven for IEEE 754 arithmetic, operation by operation (docs/exactness.md).
 #pragma once

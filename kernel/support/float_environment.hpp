@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The floating-point environment that error margins and exact predicates are proven for, and the caller's own.
 #pragma once
 

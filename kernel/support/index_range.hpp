@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Ranges of indices, and cutting them into chunks of one length.
 #pragma once
 

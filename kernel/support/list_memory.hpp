@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The memory of lists that a call fills.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Faults that mutation tests (tests/mutation/) put into the kernels, to see that other tests notice.
 #pragma once
 

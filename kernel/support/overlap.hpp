@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Whether two arrays share memory.
 #pragma once
 

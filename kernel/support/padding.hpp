@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Padding: what stands behind the last bound up to a whole word of 64, so that kernels may test whole vectors.
 #pragma once
 

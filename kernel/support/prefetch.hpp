@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Prefetching memory before it is read.
 #pragma once
 

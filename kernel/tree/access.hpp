@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Access to the parts of a bounds tree, which are private in the public class.
 #pragma once
 

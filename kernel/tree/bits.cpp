@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bits of a tree by the user's indices, for one shaft and for many; and whether anything is kept at all.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// blocked() and its like of trees, but for lists of many shafts, which many.cpp makes.
 #include "shaftcull/blocked.hpp"
 

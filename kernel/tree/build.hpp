@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A tree from bounds.
 #pragma once
 

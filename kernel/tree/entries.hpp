@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Entries: what tree order is made from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a query leaves out, for one shaft: bounds by index, by a mask of bits, and by layers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// first_contact() and first_contact_many() of trees.
 #include "tree/first_contact.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The walk that looks for what a shaft reaches first: near nodes first, and none that is reached too late.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Nodes around what they hold: one pass over the leaves, or over those that changed.
 #include <algorithm>
 #include <bit>

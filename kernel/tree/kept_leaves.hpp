@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Leaves that shafts keep, until it is known where their indices are written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tree/layers.hpp"
 
 #include <algorithm>

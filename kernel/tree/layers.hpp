@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The layers of a tree's bounds, and those below each node.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The user's indices of leaves.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The leaves of the user's indices.
 #pragma once
 

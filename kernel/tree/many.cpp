@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Many shafts against a tree, in parallel: counts, lists and callbacks.
 #include <algorithm>
 #include <type_traits>

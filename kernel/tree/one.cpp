@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One shaft against a tree, into the caller's memory.
 #include <algorithm>
 

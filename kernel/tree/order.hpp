@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tree order: which bounds share a node.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where lists go: into the caller's memory, into memory that grows, or into chunks of it.
 #pragma once
 

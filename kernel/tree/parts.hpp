@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a bounds tree is made of: streams of leaves and of nodes, and nothing that points from one to the other.
 #pragma once
 

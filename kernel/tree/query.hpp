@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A checked question to a tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Size classes: bounds much larger than a node of small ones get nodes of their own, and so do empty ones.
 #pragma once
 

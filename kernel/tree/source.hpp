@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where bounds come from: the user's views and records, read one at a time and checked as in packing.
 #pragma once
 

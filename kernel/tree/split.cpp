@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// One thread halves a part in place, which moves half of it. Many threads cut it into chunks: they first count which
 /// of their entries go where, and then scatter them, out of place.
 #include "tree/split.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Halving a part of the entries that a tree is built from.
 #pragma once
 

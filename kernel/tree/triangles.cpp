@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trees of triangles: a tree of the boxes around chunks of neighbouring triangles, which lie in its order.
 #include "shaftcull/triangles.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// New values for the bounds of a tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What becomes of the leaves that a walk finds: bits, counts, lists of indices, lists of leaf ranges; and what is left
 /// out.
 #pragma once

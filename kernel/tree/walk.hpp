@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The walk of one shaft through a tree: word by word of answers, from the top down, in tree order.
 ///
 /// Entries that are not outside name words to test one level down. A word is prefetched when it is named, and tested a

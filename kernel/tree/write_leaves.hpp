@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Leaves written a word at a time, and the nodes right above them while the word is at hand.
 #pragma once
 

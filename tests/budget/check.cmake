@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Counts the instructions of budget/workload.cpp with callgrind, and fails if a path takes more than 5 % more of them a test
 # (a shaft for form_…, tree_count and tree_list; a bound for tree_build, tree_update and pack_…) than BUDGET records.
 # Arguments: VALGRIND, WORKLOAD, BUDGET, WORK (a folder), ISA; or, in place of ISA, RECORD (a list of instruction sets):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A fixed workload, whose instructions `valgrind --tool=callgrind` counts: what check.cmake compares with the budget.
 ///
 /// Prints a line "path items" for each path in the order in which it runs them, and makes callgrind dump the cost of

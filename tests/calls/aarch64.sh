@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Compiles SOURCE for 64-bit ARM with the includes of INCLUDE, and runs it emulated. Exit code 77 where the tools are missing.
 source=$1
 include=$2

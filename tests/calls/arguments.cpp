@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Arguments that no call can use: null memory, sizes that wrap, values that are no enumerators. Each is refused with a
 /// message, and nothing is written.
 #include <gmock/gmock.h>

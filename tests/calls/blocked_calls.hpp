@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Public calls that ask what blocks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A table of public calls, what they are given, and their answers as words.
 #pragma once
 

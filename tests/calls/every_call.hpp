@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Every public call that computes something, in one table, for tests of what is promised of all of them.
 #pragma once
 

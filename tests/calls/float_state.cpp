@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The caller's floating-point modes and flags: no answer depends on them, and every call leaves them as they were.
 #include <gtest/gtest.h>
 

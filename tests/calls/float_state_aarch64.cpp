@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Modes and flags on 64-bit ARM: a program without any library, so that every x86 machine with clang, lld and
 /// qemu-user can try it (CMakeLists.txt). Its exit code has a bit for each thing that is wrong.
 #include "support/float_environment.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Public calls that form shafts, of all kinds.
 #pragma once
 

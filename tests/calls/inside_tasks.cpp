@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Calls from within the tasks of a program that uses oneTBB itself: neither disturbs the other.
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 

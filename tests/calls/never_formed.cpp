@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A CompiledShaft that was never formed: every call refuses it, and says which one it is.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

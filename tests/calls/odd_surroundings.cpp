@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Programs that are not like the tests: another locale, fork(), instruction sets chosen anew while others ask, more
 /// threads than processors.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How much of the stack calls take: at most 64 KiB, tasks that the calling thread works on included.
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Public calls that make and update streams of boxes and spheres.
 #pragma once
 

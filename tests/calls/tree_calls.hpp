@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Public calls that make trees of boxes or spheres, and that ask about them.
 #pragma once
 

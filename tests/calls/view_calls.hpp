@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Public calls that ask about the boxes or spheres of a view.
 #pragma once
 

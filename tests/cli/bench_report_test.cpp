@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull bench-report`, from outside, on a stored summary of a run (cli/summary.json).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull cull`, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

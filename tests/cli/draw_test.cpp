@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What `draw` shows beside the shaft: triangles, and boxes that are flat, from outside; and the pictures of
 /// docs/kinds.md.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Signals that end long runs early.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

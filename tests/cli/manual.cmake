@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that the manual page names what the program has: every command and no other, options of the command that it
 # describes, the version. Given: PROGRAM, PAGE, VERSION.
 cmake_minimum_required(VERSION 3.22)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Parts of meshes.
 #include "mesh_parts.hpp"
 

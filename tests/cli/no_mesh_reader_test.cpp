@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a program that was built without assimp says of mesh files.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the program says of options, subcommands and boxes that it cannot use, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Names of files and objects, as text shows them.
 #include "printable.hpp"
 

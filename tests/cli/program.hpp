@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The program `shaftcull`, run from outside as a user runs it.
 #pragma once
 

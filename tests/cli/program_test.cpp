@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The program's options, `demo`, `draw` and `verify`, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The line that tells how far a long run is, with a clock of the test's own.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which shaft the command line asks for, as `draw` shows it, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// `shaftcull stats`, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Installs the library below WORK, builds the consumer against what is installed there, and checks what it prints.
 # Given: BUILD (the library's build tree), WORK, CONFIG, GENERATOR, COMPILER, FLAGS.
 

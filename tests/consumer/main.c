@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <shaftcull.h>
 #include <stdio.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Planes that the user adds: the sign at the near and far corner is the exact one.
 #include <gtest/gtest.h>
 

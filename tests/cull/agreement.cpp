@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "cull/agreement.hpp"
 
 #include <gtest/gtest.h>

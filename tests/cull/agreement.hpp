@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Compares what the library answers, in every form and on every instruction set under test, with what is right.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// compile_batch() makes the same shafts as forming and compiling them one by one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

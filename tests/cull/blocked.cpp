@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes that block a shaft: every answer equals the one of exact arithmetic.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Open contact: what only touches a shaft is outside. Every answer equals the one of exact arithmetic, in every form
 /// and on every instruction set; and every verb, of views and of trees, gives the same.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Compiled shafts that must be the same to the bit.
 #pragma once
 

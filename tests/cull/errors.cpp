@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What cull() and classify() refuse, and what they say.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes: every answer equals the one of exact arithmetic.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// First contact: which bound is reached first, and when, are those of exact arithmetic, in views and in trees.
 #include "shaftcull/first_contact.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Answers do not depend on the floating-point mode that the caller runs in, and calls leave it as it was.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// All rows of the reference answers of the paper's original code.
 #include <gtest/gtest.h>
 

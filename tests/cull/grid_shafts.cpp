@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What shafts on a grid may be off by, which random bounds seldom show (docs/exactness.md, "On a grid").
 #include <gtest/gtest.h>
 

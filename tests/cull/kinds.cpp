@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts of moving boxes: swept bodies and shadows, with and without an end. Every answer equals the one of exact
 /// arithmetic, in every form, and on every instruction set.
 #include "shaftcull/kinds.hpp"
@@ -189,7 +190,8 @@ TEST(Kinds, ShadowsOfWhichOnlyASlowFaceFollowsAreAnsweredExactly) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   const auto power = [&](int low, int high) {
-    return std::ldexp(random.uniform(0.5F, 1.0F), low + static_cast<int>(random.below(static_cast<unsigned>(high - low))));
+    return std::ldexp(random.uniform(0.5F, 1.0F),
+                      low + static_cast<int>(random.below(static_cast<unsigned>(high - low))));
   };
   const Box light{{0, 0, 0}, {0, 0, 0}};
   for (std::size_t i = 0; i != random_cases(100); ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// compile() of two boxes makes the same shaft as forming and compiling it in two steps.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

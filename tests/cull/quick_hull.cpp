@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The quick oracle: what it proves is what rationals say, and it proves most answers.
 #include "oracle/quick_hull.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Infinite and empty bounds have their answers; NaN has one too, and the same everywhere.
 #include <gtest/gtest.h>
 

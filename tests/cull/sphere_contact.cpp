@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// First contact of spheres where it is hard to tell: times that are equal though they come from different polynomials,
 /// that are equal but for less than a rounding of a double, or where spheres are grazed.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Triangles against shafts: every answer of both tests equals the one of exact arithmetic.
 #include "shaftcull/triangles.hpp"
 

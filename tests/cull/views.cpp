@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Views of every count and every misalignment: the same answers, nothing read or written past the end.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A library whose own dependency names a file that does not exist, inside of a generator expression.
 add_library(Broken::inner INTERFACE IMPORTED)
 set_property(TARGET Broken::inner PROPERTY INTERFACE_LINK_LIBRARIES m "$<$<NOT:$<CONFIG:DEBUG>>:/nowhere/libz.so>")

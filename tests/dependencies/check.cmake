@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Configures a small project that asks for libraries that are missing, broken, too old or sound, and reads what is printed.
 # Given: PROJECT_CMAKE (the folder cmake/ of the project), WORK, GENERATOR.
 cmake_minimum_required(VERSION 3.22)

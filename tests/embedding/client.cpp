@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small user of the library. It checks answers against numbers on record, which do not depend on flags: its own
 // arithmetic is on integers, and its floats are small whole numbers or are made of bits.
 #include <array>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Runs one case. Given: CASE, and what steps.cmake needs.
 cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE ${WORK})

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What cases do (cases/*.cmake). Given: SHAFTCULL (the sources), BUILD (a build of the same sources), WORK (an empty folder),
 # GENERATOR.
 

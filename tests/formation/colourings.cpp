@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// All 729 colourings of the shaft box's faces: the tables, the search and the planes they make.
 #include <gmock/gmock.h>
 

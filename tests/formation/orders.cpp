@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The orders of joining planes: by the volume they cut off, alone or beyond those before them.
 #include <gmock/gmock.h>
 

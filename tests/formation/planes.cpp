@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Joining planes: against the reference answers, of random shafts, and at the ends of the float range.
 #include <gmock/gmock.h>
 

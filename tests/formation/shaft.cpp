@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The class Shaft: what it accepts, what it refuses and how it says so.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the bytes of a fuzzer's input mean: a shaft and bounds, with coordinates that may be any bits at all.
 #pragma once
 

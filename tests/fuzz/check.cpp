@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fuzz/check.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What packing must refuse, and what it must make of the rest.
 #pragma once
 

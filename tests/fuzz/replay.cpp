@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The seed corpus of the fuzzer, and inputs near to it, without a fuzzer: any compiler runs this.
 #include <gtest/gtest.h>
 

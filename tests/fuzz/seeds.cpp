@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Writes the seed corpus: `test_fuzz_seeds FOLDER` makes one file for each kind of input that fuzzing should start
 /// from.
 #include <algorithm>

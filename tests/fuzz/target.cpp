@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The target of libFuzzer: any bytes.
 #include <cstdio>
 #include <cstdlib>

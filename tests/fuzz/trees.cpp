@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fuzz/trees.hpp"
 
 #include <algorithm>

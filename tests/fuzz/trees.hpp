@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds trees of a case's bounds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Convex hulls against the oracle: on every instruction set, in views of all sizes, one bound at a time, and in trees.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// All rows of the reference answers of the paper's original code, asked of the convex hull of a shaft's sixteen
 /// corners. Its planes are those of the shaft, so spheres are answered as the original answers them, too.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a ConvexHull takes, refuses, and keeps through copies and moves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a CompiledShaft tells of itself.
 #include "shaftcull/compiled.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a query leaves out can be written in the call, in every way in which indices come.
 #include <gtest/gtest.h>
 

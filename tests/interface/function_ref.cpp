@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// References to callbacks: they call what they refer to, own nothing, and tell whether they are empty.
 #include "shaftcull/function_ref.hpp"
 

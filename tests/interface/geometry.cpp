@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The helpers that make boxes and planes: exact, or off to the safe side and by as little as can be.
 #include "shaftcull/geometry.hpp"
 

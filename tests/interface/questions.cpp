@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The README's table of questions, and the page of kinds: their lines of code compile as they stand there, and the
 /// shafts that they make keep what is in the way and cull what is not.
 #include <gtest/gtest.h>

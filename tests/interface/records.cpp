@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Records by the names of members: what is packed is what the members hold, and wrong types do not compile.
 #include "shaftcull/records.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The table of verbs in the README: every cell of it compiles with the arguments and the result that it promises, and
 /// what is marked as missing does not.
 #include <gtest/gtest.h>

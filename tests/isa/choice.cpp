@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which instruction set is chosen, and what is said if there is no such.
 ///
 /// The choice is made once in a process, so every case is a process of its own.

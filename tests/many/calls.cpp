@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// How calls for many behave: what they refuse, where they run, and what exceptions do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

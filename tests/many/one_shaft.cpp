@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Numbers and lists of one shaft: what cull() and classify() say, over several chunks of bounds, and whether or not
 /// the results fit.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bits, counts, lists and tiles all say what cull() and classify() say, whatever the number of threads.
 #include <gtest/gtest.h>
 

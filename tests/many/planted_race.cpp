@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Two races that ThreadSanitizer must find although kernel/parallel/thread_sanitizer.hpp and cmake/tsan.suppressions
 /// tell it what to pass over: `test_planted_race loop` and `test_planted_race pipeline`. CTest has them in the preset
 /// tsan only. A run without a report fails.

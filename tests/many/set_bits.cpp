@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Words of bits as lists of positions: the same on every instruction set, whatever share of bits is set.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Every number of bounds and of shafts: bits, counts, lists and what is refined are the answers that the scalar
 /// kernels give one bound at a time, and nothing is read past the last bound.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts and bounds for the tests of many against many, and the arenas to run them in.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Shows that tests can fail: each fault in the library must be noticed by wrong answers, not by a crash, in every area and
 # form that it concerns. Arguments: TEST (the mutant executable), ISA.
 function(run fault filter)

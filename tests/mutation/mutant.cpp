@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Makes test_cull and test_hull a mutant: the environment variable SHAFTCULL_MUTANT names the fault to put into the
 /// library.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Whether a box hides one end of a shaft from the other, in exact rational arithmetic and straight from the
 /// definition: segment by segment. Slow, and shares no code with the library.
 #pragma once

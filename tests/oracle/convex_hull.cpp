@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "oracle/convex_hull.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Answers of convex hulls, worked out in exact rational arithmetic. Shares no code with the library.
 ///
 /// Two convex polyhedra, of which one is bounded, have no point in common iff a plane separates them that is parallel

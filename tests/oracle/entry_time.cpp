@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "oracle/entry_time.hpp"
 
 #include <algorithm>

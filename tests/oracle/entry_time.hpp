@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// When a moving box first touches another box or a sphere, in exact arithmetic, straight from the definition.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The answers of one shaft for a few bounds, tested on a grid (kernel/kernels/grid/forming.hpp). The library does so
 /// for many shafts and bounds only, so the bounds are put into a whole tile, and the shaft into a group of shafts.
 #pragma once

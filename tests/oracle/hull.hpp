@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The answers worked out in exact rational arithmetic, straight from the definition. Slow, and shares no code with
 /// the library.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Intervals of doubles that certainly contain the real result.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "oracle/moving_hull.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The answers of shafts of moving boxes in exact rational arithmetic, from what the kinds mean to their users: a body
 /// that moves, a segment that leaves a light. Slow, and shares no code with the library.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "oracle/open_contact.hpp"
 
 #include <algorithm>

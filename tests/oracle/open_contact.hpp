@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Open contact in exact arithmetic, straight from the definition: a bound is outside iff a plane separates it properly
 /// from the shaft, that is, has them on different sides and does not hold both. Slow, and shares no code with the
 /// library.

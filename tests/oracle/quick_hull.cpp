@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "oracle/quick_hull.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The oracle for long runs: proves most answers in interval arithmetic, a hundred times as fast as rationals, and says
 /// so where it cannot. Shares no code with the library.
 #pragma once

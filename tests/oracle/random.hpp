@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Random numbers, boxes and spheres that are the same on every machine for the same seed.
 #pragma once
 

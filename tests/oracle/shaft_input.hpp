@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a test is about: a shaft, given as its boxes and added planes, and how to print it.
 #pragma once
 

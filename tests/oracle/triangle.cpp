@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "oracle/triangle.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Whether triangles are outside of a shaft, in exact rational arithmetic and straight from the definition: is there a
 /// time, and a point of the triangle, such that the point is in the box then? Slow, and shares no code with the
 /// library.

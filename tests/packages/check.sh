@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Tries Debian packages out: installs them below an empty folder, builds programs in C++ and C against what is there,
 # by pkg-config and by CMake, runs them and the program of the packages, looks at what lintian finds, and removes the
 # packages again.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Checks the recipe of Conan as far as that is possible without Conan: it runs with stand-ins for what it imports,
 exports its sources into an empty folder, and configures them there with the options that it passes.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that docs/third-party.md lists what is linked and compiled in, and Debian's copyright file what is compiled
 # in. Given: ROOT, the project.
 cmake_minimum_required(VERSION 3.22)
@@ -7,7 +8,7 @@ file(READ ${ROOT}/cmake/packaging/debian/copyright copyright)
 string(TOLOWER "${copyright}" copyright)
 
 # What CMake looks for: shaftcull_dependency(NAME …) for the library, the program and tests; find_package(NAME …) elsewhere.
-file(GLOB_RECURSE lists ${ROOT}/cmake/dependencies.cmake ${ROOT}/kernel/CMakeLists.txt ${ROOT}/bench/CMakeLists.txt
+file(GLOB_RECURSE lists ${ROOT}/cmake/*.cmake ${ROOT}/kernel/CMakeLists.txt ${ROOT}/bench/CMakeLists.txt
   ${ROOT}/bindings/CMakeLists.txt ${ROOT}/tests/CMakeLists.txt)
 list(FILTER lists EXCLUDE REGEX "/tests/(consumer|embedding|dependencies)/")
 set(tools Python3 Python Doxygen Git Threads)  # which leave nothing in what is built
@@ -15,7 +16,9 @@ set(names "")
 foreach(list IN LISTS lists)
   file(STRINGS ${list} lines REGEX "^ *(shaftcull_dependency|find_package)\\(")
   foreach(line IN LISTS lines)
-    string(REGEX MATCH "\\(([A-Za-z0-9_]+)" name "${line}")
+    if(NOT line MATCHES "\\(([A-Za-z0-9_]+)")  # a name in a variable: cmake/dependency.cmake looks for what others name
+      continue()
+    endif()
     set(name ${CMAKE_MATCH_1})
     list(APPEND names ${name})
     if(NOT name IN_LIST tools AND NOT page MATCHES "\n\\| ${name} \\| [^|]+ \\|")

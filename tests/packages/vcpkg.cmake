@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks the port of vcpkg as far as that is possible without vcpkg: its manifest has the project's name, version and
 # licence, and its portfile runs with stand-ins for vcpkg's functions, of which the one that configures does so, with
 # the options that the port passes. Given: ROOT, the project; VERSION, DESCRIPTION, of the project; WORK, a folder;

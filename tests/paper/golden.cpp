@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The baseline of the benchmarks gives the reference answers, however its shafts are formed.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Every operation on eight floats of one thing, on each set, against a plain definition.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Every operation on vectors of floats, on each set, against a plain definition.
 #include <gtest/gtest.h>
 

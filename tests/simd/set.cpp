@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The operations of one instruction set: SHAFTCULL_SET is its namespace, SHAFTCULL_SET_HEADER its header. As in the
 // library's units, every function is a template on the set, and nothing of the standard library is called
 // (kernel/kernels/README.md).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the tests of operations share: the tables of all sets that are built, values worth trying, comparisons.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The operations of an instruction set as functions on arrays. The tests are compiled once, for any processor, and
 /// call these, which are compiled for each set with its flags (set.cpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bad input to owning streams: the error names the first bad record and what is wrong; the stream stays as it was.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Owning streams: what is packed is what was given, for every count, stride and alignment.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// FourFloats floats without vectors, as other processors have them: the same header, in another namespace.
 #undef __SSE2__
 #define shaftcull shaftcull_portable

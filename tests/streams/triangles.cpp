@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Streams of triangles: what is packed into them, and what is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

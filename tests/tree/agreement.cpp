@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A tree answers what a flat scan answers.
 #include <gtest/gtest.h>
 

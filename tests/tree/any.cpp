@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A walk that looks for any bound ends at the first one, and one that looks for so many when it has found them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trees of solid boxes: what blocks a shaft, and how little of a tree is looked at for it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

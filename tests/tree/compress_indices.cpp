@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Picking indices of leaves by bits: on every instruction set, and nothing else is read or written.
 #include <gtest/gtest.h>
 

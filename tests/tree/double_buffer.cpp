@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Two trees, one asked while the other is updated, so that queries never wait for an update.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trees refuse, and what they say.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Exceptions out of the middle of a call: from the user's callbacks, and from an update or refit that does not end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

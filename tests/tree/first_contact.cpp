@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// First contact in a tree is what a flat scan finds, and the walk looks at little more than what is reached first.
 #include "shaftcull/first_contact.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What a flat scan answers, as lists to compare those of a tree with.
 #pragma once
 

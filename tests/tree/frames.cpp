@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds that move: updates, refits and rebuilds leave a tree that answers what a flat scan of the new bounds answers.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Kinds of trees, for typed tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Layers: a query answers what a flat scan answers of the bounds in the layers that it asks for, and of no others.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

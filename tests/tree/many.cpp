@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Many shafts, any number of threads: the same answers in the same order; and bounds left out.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Candidates of a parent shaft, tested against its children: what a scan of everything would keep.
 #include <gtest/gtest.h>
 

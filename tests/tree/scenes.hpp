@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Scenes for the tests of trees: shapes that could break one, and random ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Outputs that share memory with inputs or with each other are refused, and nothing is written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trees are built of and updated from: the same bounds make the same tree, wherever they come from. And the box
 /// around them.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Halving entries: the kernel that makes tree order.
 #include <gtest/gtest.h>
 

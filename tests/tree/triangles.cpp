@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trees of triangles: they answer what a scan of the same triangles answers.
 #include "shaftcull/triangles.hpp"
 

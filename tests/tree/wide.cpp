@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// A walk through a tree of more bounds than 32 bits number, in little memory: pages that nobody has written to are all
 /// the same one.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Speed by number of bounds, of shafts and of threads.
 #include <algorithm>
 #include <charconv>

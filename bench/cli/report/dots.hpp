@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Dot plots: a row for each job, a dot for each instruction set.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/gnuplot.hpp"
 
 #include <spawn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// gnuplot as a child process: a script in, a picture out.
 #pragma once
 

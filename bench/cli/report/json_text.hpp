@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// JSON that remembers on which line each of its parts stands, so that errors can name it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The report as a page of HTML.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What all plots of the report share: ink, marks and labels, as gnuplot takes them.
 #pragma once
 

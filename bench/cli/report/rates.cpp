@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Speed by instruction set and form: in tests a second, against the paper's method, and against what limits it.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The roofline: what memory and arithmetic allow, and where culling boxes with more and more shafts lies below it.
 #include <algorithm>
 #include <array>

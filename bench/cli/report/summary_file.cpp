@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "report/summary_file.hpp"
 
 #include <cmath>

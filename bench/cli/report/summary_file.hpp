@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// build/bench/summary.json, as `shaftcull-bench` writes it (bench/harness/summary.hpp), read back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trials of shafts between two boxes.
 #include <optional>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trials ask about solid boxes that hide one end of a shaft from the other.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trials ask of all bounds: which are outside, and which are inside.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trials of convex hulls.
 #include <cstddef>
 #include <iterator>

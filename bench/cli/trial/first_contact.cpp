@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trials ask about first contact.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trials of shafts of moving boxes: swept bodies and shadows.
 #include <cstddef>
 #include <iterator>

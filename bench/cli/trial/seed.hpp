@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Seeds of trials.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "trial/trial.hpp"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Trials: what `shaftcull verify` compares, a shaft with a few dozen bounds and their right answers.
 ///
 /// What trials are about is in between_boxes.cpp, moving_boxes.cpp and convex_hull.cpp, and what they ask in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trials ask about triangles.
 #include <algorithm>
 #include <cmath>

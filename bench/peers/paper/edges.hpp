@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The edges of the shaft box along which planes can join the two object boxes, and the paper's 64-entry table of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "peers/paper/shaft.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The paper's method as a scalar baseline: a shaft box and a linked list of planes, bounds tested one by one.
 ///
 /// Written from the description in E. Haines, "A Shaft Culling Tool", Journal of Graphics Tools 5(1), 2000. It keeps

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Every question by the C interface, against the C++ one: over random scenes, in all holders, of all kinds of shafts.
 #include <gmock/gmock.h>
 

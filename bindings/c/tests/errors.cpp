@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Errors: what is recorded, for which thread, and that nothing is thrown into C.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Calls every function of the C interface from plain C11, and every kind of error. What bounds they are asked about is
 /// little: agreement.cpp asks about scenes. This program shows that C can compile, link and use all of it.
 #include <math.h>

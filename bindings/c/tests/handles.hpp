@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The handles of the C interface for C++ tests, and what makes them of C++ values.
 #pragma once
 

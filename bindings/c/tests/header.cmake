@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks the C header: every function in it is documented, is on record (the test c.symbols checks that what is on record is
 # defined and exported), and is called by the C program; and that every verb of the table in README.md is there. Given: HEADER,
 # RECORD, PROGRAM, README.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the C interface allocates, and that memory that runs out becomes a status. A program of its own, for it
 /// replaces operator new.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The layout of structs and the values of constants: what other languages read from the header, and programs that were
 /// built before rely on.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Checks that the library defines the functions on record and no others, and that a shared one exports nothing else. What is on
 # record stays within a major version: programs that are linked against it need it. Given: NM, LIBRARY, SHARED (0 or 1), RECORD
 # (a name a line, in order).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Tests of the C interface, the area `c`. Included by tests/CMakeLists.txt.
 
 set(c_tests ${PROJECT_SOURCE_DIR}/bindings/c/tests)

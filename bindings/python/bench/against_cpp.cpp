@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The C++ side of against_cpp.py: reads boxes, a and b from a file, and then, for each line on its input, makes the
 // call that it names and prints its seconds.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Times calls from Python against the same calls in C++, in turns, in one run: shaftcull_python_bench of the build.
 
     PYTHONPATH=build/release/python python3 bindings/python/bench/against_cpp.py build/release/bin/shaftcull-python-bench

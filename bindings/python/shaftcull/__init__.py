@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Shaft culling: what can stand between two objects, what a moving body can hit, what lies in a shadow.
 
 Bounds are float32 arrays: boxes (n, 6) or (n, 2, 3), spheres (n, 4), triangles (n, 3, 3). Make a tree of them, make

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The questions that bounds are asked, and their answers as arrays. Each takes what holds the bounds, the shafts, and
 /// what a query chooses; the lock is released while the library works.
 #pragma once

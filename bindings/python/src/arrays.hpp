@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// NumPy arrays that callers give: what they must be, and where their numbers lie. Nothing is copied that the library
 /// can read where it is, and nothing is rounded.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts from arrays of boxes.
 
 #include <numeric>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What the library throws, as Python's exceptions with the library's messages.
 
 #include "module.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What holds bounds in Python: views and streams, trees. Each knows who uses it (usage.hpp), and gives what the
 /// questions of the C++ interface are asked of.
 #pragma once

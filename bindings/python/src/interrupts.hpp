@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Long calls in chunks of shafts, between which signals are heard, so that Ctrl-C ends them; and what a child of
 /// fork() must not do.
 #pragma once

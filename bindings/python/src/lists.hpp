@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Questions whose answers are lists of indices, or of times. As answers.hpp.
 #pragma once
 

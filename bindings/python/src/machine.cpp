@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Instruction sets, threads, version.
 
 #include "module.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The module shaftcull._shaftcull, whose names the package shaftcull passes on.
 
 #include "module.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The parts of the module: one function each, which defines its classes and functions.
 #pragma once
 

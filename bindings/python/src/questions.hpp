@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The questions as methods of a class in Python, with the arguments that what holds the bounds takes.
 #pragma once
 

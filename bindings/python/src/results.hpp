@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Results as NumPy arrays, which own their memory: a vector is moved behind the array, not copied.
 #pragma once
 

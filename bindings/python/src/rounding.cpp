@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// float64 to float32 outwards: what is made contains what was given.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shafts.hpp"
 
 #include "arrays.hpp"

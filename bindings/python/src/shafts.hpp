@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What Python knows as shaftcull.Shafts and shaftcull.ConvexHull.
 #pragma once
 

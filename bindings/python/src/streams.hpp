@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What views and streams can do beyond questions.
 #pragma once
 

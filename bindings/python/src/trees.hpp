@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What trees of boxes and of spheres can do beyond questions.
 #pragma once
 

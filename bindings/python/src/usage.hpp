@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Who uses an object while the interpreter lock is released. Queries may run side by side; a change must be alone, or
 /// Python could crash where C++ forbids a race. Both are begun and ended with the lock held, so counters need no
 /// atomics.

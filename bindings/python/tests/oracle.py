@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Answers from the definition, in fractions: a shaft is a box that moves, lo(t) = p + q t, hi(t) = r + s t."""
 
 from fractions import Fraction as F

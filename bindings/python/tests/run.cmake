@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Runs test files with pytest. Given: PYTHON, and FILES.
 cmake_minimum_required(VERSION 3.22)
 

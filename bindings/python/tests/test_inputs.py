@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What is taken, what is refused, and how that is said."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Arrays of shafts, hulls, spheres and triangles."""
 
 import numpy as np

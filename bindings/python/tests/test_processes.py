@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Threads, memory, interrupts and processes."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Every question, of every holder of boxes, against the definition."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The type stubs say what the module has."""
 
 import ast

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The wheel: built without the network, installed, and used as a user would."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Tests of the Python package, the area `python`. Included by tests/CMakeLists.txt.
 
 set(python_tests ${PROJECT_SOURCE_DIR}/bindings/python/tests)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Builds the sources around it with Conan 2: conan create cmake/packaging/conan"""
 
 import os

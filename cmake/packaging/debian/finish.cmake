@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Run by CPack on the packages that it has made, for what its generator of Debian's packages cannot do: says which
 # packages may be installed for several architectures at once, and takes out scripts that call ldconfig, since a
 # trigger does that now.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Run by CPack when the files of the packages lie in folders of their own: adds what each package of Debian has, its
 # copyright and changelog, and compresses changelogs and manual pages.
 cmake_minimum_required(VERSION 3.22)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes that block a shaft: boxes that every segment from its one end to the other passes through.
 ///
 /// Such a box satisfies lo(t) > box.lo and hi(t) < box.hi for all pairs of constraints on different axes, and on every

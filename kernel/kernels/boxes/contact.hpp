@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes that touch a face of a shaft with open contact: comparisons that the other stages decide as for closed
 /// contact, where a tie is not undecided.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes inside the shaft, one box at a time: the lanes of a vector hold the planes of the shaft. For few boxes that
 /// lie apart.
 #pragma once

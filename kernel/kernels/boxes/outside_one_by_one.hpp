@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes outside the shaft, in slab form, one box at a time: the lanes of a vector hold the constraints of the shaft.
 /// For few boxes that lie apart, which then need not be gathered, nor the shaft be broadcast.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes against planes: outside by near corners, inside by far corners, and added planes.
 #pragma once
 

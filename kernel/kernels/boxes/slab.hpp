@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
 #pragma once
 

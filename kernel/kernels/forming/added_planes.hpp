@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Added planes of a batch of shafts: margins and selectors of a vector of planes at a time. docs/exactness.md derives
 /// the margins.
 ///

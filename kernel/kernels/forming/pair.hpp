@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The slab constraints of one shaft: its six faces in the lanes of one vector.
 ///
 /// The arithmetic of slab.hpp, operation by operation, so that a shaft formed alone has the bits of one formed in a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Slab coefficients of many shafts at once: one pair of boxes a lane.
 ///
 /// Face f of box(u) is at p + u q, with p = a's face and q = b's face − p. A bound's coordinate x on that axis, at the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts on a grid: the slab constraints in 16-bit integers, for groups of shafts that are tested against the same
 /// bounds.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Tests on a grid: the first stage of many shafts against the same bounds (kernel/kernels/grid/forming.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes against a convex hull: outside by near corners, inside by far ones, exactly.
 #pragma once
 

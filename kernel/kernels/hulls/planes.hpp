@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds against the planes of a convex hull: what the stages of boxes and of spheres share.
 #pragma once
 

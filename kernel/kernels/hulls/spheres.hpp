@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Spheres against a convex hull, by distances from its planes.
 #pragma once
 

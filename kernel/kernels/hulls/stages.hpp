@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The stages of a convex hull's tests, on the bounds of one block.
 #pragma once
 

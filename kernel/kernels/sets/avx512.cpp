@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "simd/x86/avx512.hpp"
 #include "kernels/table_of.hpp"
 

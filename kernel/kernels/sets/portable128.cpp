@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "simd/portable128.hpp"
 #include "kernels/table_of.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "simd/scalar.hpp"
 #include "kernels/table_of.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "simd/baseline.hpp"
 #ifndef SHAFTCULL_COMPILED_FOR_AVX2
 #include "kernels/table_of.hpp"

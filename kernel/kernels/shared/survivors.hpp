@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Survivors: later stages of a test run on the few bounds that earlier ones left, collected into full vectors.
 ///
 /// On the usual scene one bound in fifty survives the first stage, so nearly every vector that holds a survivor holds

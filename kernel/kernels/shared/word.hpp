@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Words: 64 bounds at a time, and what every stage of a test shares.
 ///
 /// A test is a row of stages over a block of words. Each stage sees the kept bits of the one before and only clears

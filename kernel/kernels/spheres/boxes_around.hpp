@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The boxes around spheres: what the slab form tests first.
 #pragma once
 

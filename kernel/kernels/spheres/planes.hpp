@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Spheres: a cheap stage that culls most, one that accepts most of the rest, and the exact predicate for what is left.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Compressing indices by the bits of a word: the user's indices of the leaves in a word that a shaft keeps.
 #pragma once
 

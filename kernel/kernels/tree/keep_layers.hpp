@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Which bounds of a word are in any of some layers.
 #pragma once
 

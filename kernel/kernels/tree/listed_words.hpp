@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Whole words of bounds, wherever they lie: what a walk through a bounds tree asks at each level.
 #pragma once
 

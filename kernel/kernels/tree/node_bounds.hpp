@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Boxes around whole words of bounds: the nodes of a bounds tree.
 #pragma once
 

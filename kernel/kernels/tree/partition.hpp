@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Halving entries of a bounds tree: one pass without a branch that depends on a key.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Where to halve entries of a bounds tree: the key of an exact rank is found by counting.
 ///
 /// Counting has no branch that depends on a key, and is quick on vectors. Of many entries, a sample brackets the key of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The boxes around triangles: what the slab form tests first.
 #pragma once
 

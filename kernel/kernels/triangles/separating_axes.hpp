@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Triangles against a box that moves: is there a time at which no axis separates the two?
 ///
 /// At one time, a box and a triangle have no point in common iff one of 13 axes separates them: the three of the box,

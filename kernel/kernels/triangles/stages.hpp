@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The stages of a triangle's tests: the box around it, added planes at its vertices, and all separating axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The set `avx2` (with FMA, BMI and BMI2): vectors of 8 floats and of 16 integers.
 #pragma once
 

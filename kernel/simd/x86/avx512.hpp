@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The set `avx512` (F, CD, DQ, BW and VL): vectors of 16 floats and of 32 integers.
 ///
 /// Shafts are formed with vectors of 8, since transposing goes by eight: that is a quarter faster.

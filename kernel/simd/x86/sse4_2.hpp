@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// The set `sse4_2`: vectors of 4 floats and of 8 integers.
 #pragma once
 

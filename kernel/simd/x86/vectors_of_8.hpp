@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// What AVX2 and AVX-512 share: vectors of 8 floats, with FMA, BMI and BMI2. AVX-512 forms shafts with them, and holds
 /// one box or the constraints of one shaft in them.
 ///

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # 32-bit x86 with SSE2, which has portable kernels only.
 needs(g++ -m32)
 configure(g++ -D "CMAKE_CXX_FLAGS=-m32 -msse2 -mfpmath=sse -O0" -D SHAFTCULL_WITH_TBB=OFF -D SHAFTCULL_BUILD_C=ON

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Configuring for another system: xsimd is not asked for where no instruction set uses it, and no folder of this machine's is
 # put in front of the other's.
 needs(clang++-14)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A baseline of AVX2, by the oldest compiler that is tried. Kernels of SSE4.2 are left out.
 needs(clang++-14)
 configure(clang++-14 -D "PARENT_OPTIONS=-O0 -march=haswell" -D SHAFTCULL_WITH_TBB=OFF)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The library is optimised where nobody says how: not where the parent says how, or asks for a debug build.
 needs(g++)
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What is installed: the CMake package, its version and its components; pkg-config's files; the program and its manual page.
 needs(g++)
 set(prefix "${WORK}/a prefix")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What would make answers wrong and cannot be taken back is refused, by every source of the library.
 needs(g++)
 set(compile g++ -std=c++20 -I ${SHAFTCULL}/include -I ${SHAFTCULL}/kernel -E -o ${WORK}/out)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A shared library, of which the interface is all that is to be seen. -Ofast for everything, linking included: that adds code
 # which sets the processor to flush denormal numbers to zero.
 needs(g++)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # -march=native: instruction sets that are part of what every function may use anyway are left out, but for the best of them.
 # And the static library in somebody's exported library, and in two plugins of one program.
 needs(g++ -march=native)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A parent that has no exceptions and no type information, takes every warning for an error, joins sources and does not
 # optimise.
 needs(g++)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loads two plugins that each have the library in themselves, so that all symbols of the one are there for the other.
 // Neither may come to use the other's copy.
 #include <dlfcn.h>

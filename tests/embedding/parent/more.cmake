@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A library of the parent's own that it installs and exports, and two plugins with a program that loads them.
 add_library(scene STATIC ${CMAKE_CURRENT_LIST_DIR}/scene.cpp)
 target_link_libraries(scene PUBLIC shaftcull::shaftcull)

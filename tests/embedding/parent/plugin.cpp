@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A plugin that has the library in itself.
 #include <shaftcull/shaftcull.hpp>
 

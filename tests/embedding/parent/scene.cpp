@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <shaftcull/shaftcull.hpp>
 
 std::size_t boxes_kept(const shaftcull::Shaft& shaft, const shaftcull::BoxTree& tree) {

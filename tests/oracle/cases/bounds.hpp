@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Bounds around a shaft: random ones, and those that touch it or miss touching it by an ulp or two, where rounding
 /// would decide.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// All families of shafts and bounds that long runs draw their cases from, in one table.
 #pragma once
 

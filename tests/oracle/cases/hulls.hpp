@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Convex hulls of every family that exactness is tested on, and bounds next to them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts of moving boxes of every family that exactness is tested on, and bounds that touch them or miss touching them
 /// by an ulp or two.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Shafts of every family that exactness is tested on.
 #pragma once
 

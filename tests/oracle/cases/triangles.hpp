@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /// Triangles around a shaft: random ones, and those that touch it or miss touching it by an ulp or two.
 #pragma once
 

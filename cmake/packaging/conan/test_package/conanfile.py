@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Builds and runs the project in tests/consumer against the package: part of conan create"""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A port that builds the sources around it: vcpkg install shaftcull --overlay-ports=cmake/packaging/vcpkg
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../../.." ABSOLUTE)
 
