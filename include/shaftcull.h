@@ -64,14 +64,14 @@ extern "C" {
 /// Why a call failed, or SHAFTCULL_OK.
 typedef int32_t shaftcull_status;
 enum {
-  SHAFTCULL_OK = 0,
+  SHAFTCULL_OK = 0,               /* It did not. */
   SHAFTCULL_INVALID_ARGUMENT = 1, /* An argument breaks a rule of the function. */
   SHAFTCULL_BAD_BOUND = 2,        /* A bound or point in the caller's memory cannot be used: NaN, lo > hi, and so on;
                                      or a shaft of a batch cannot be formed. shaftcull_error_position() says which. */
   SHAFTCULL_NEEDS_REFIT = 3,      /* A tree was asked between an update by index and shaftcull_tree_refit(). */
-  SHAFTCULL_OUT_OF_MEMORY = 4,
-  SHAFTCULL_STOPPED = 5,       /* A callback returned something else than 0. */
-  SHAFTCULL_INTERNAL_ERROR = 6 /* A fault of the library or of the system; the message says what is known. */
+  SHAFTCULL_OUT_OF_MEMORY = 4,    /* No memory was left. */
+  SHAFTCULL_STOPPED = 5,          /* A callback returned something else than 0. */
+  SHAFTCULL_INTERNAL_ERROR = 6    /* A fault of the library or of the system; the message says what is known. */
 };
 
 /// What shaftcull_error_position() and shaftcull_blocked_by() give where there is none.
@@ -158,15 +158,26 @@ enum {
 
 /// What a shaft says of one bound.
 typedef uint32_t shaftcull_answer;
-enum { SHAFTCULL_OUTSIDE = 0, SHAFTCULL_OVERLAP = 1, SHAFTCULL_INSIDE = 2 };
+enum {
+  SHAFTCULL_OUTSIDE = 0, /* Nothing of it is in the shaft. */
+  SHAFTCULL_OVERLAP = 1, /* A part of it is, or it touches. */
+  SHAFTCULL_INSIDE = 2   /* All of it is. */
+};
 
 /// Which form of the shaft decides outside, for boxes and spheres in views and streams. Answers are the same.
 typedef uint32_t shaftcull_form;
-enum { SHAFTCULL_FORM_FASTEST = 0, SHAFTCULL_FORM_SLAB = 1, SHAFTCULL_FORM_PLANES = 2 };
+enum {
+  SHAFTCULL_FORM_FASTEST = 0, /* what measured fastest: slab */
+  SHAFTCULL_FORM_SLAB = 1,    /* the shaft as a moving box */
+  SHAFTCULL_FORM_PLANES = 2   /* the paper's planes with near corners */
+};
 
 /// How triangles are tested (triangles.hpp). Convex hulls take the test by vertices only.
 typedef uint32_t shaftcull_triangle_test;
-enum { SHAFTCULL_TRIANGLES_EXACT = 0, SHAFTCULL_TRIANGLES_BY_VERTICES = 1 };
+enum {
+  SHAFTCULL_TRIANGLES_EXACT = 0,      /* the triangle itself */
+  SHAFTCULL_TRIANGLES_BY_VERTICES = 1 /* the box around the vertices, and added planes */
+};
 
 /// Which depths in clip space are in view.
 typedef uint32_t shaftcull_clip_depth;
@@ -177,11 +188,19 @@ enum {
 
 /// How the edges that need a joining plane are found. All give the same shaft.
 typedef uint32_t shaftcull_formation;
-enum { SHAFTCULL_FORMATION_SEARCH = 0, SHAFTCULL_FORMATION_TABLE64 = 1, SHAFTCULL_FORMATION_TABLE729 = 2 };
+enum {
+  SHAFTCULL_FORMATION_SEARCH = 0,  /* all pairs of faces are compared */
+  SHAFTCULL_FORMATION_TABLE64 = 1, /* two colours a face are looked up */
+  SHAFTCULL_FORMATION_TABLE729 = 2 /* three colours a face are looked up */
+};
 
 /// The order in which joining planes are tested. It changes speed, never answers.
 typedef uint32_t shaftcull_plane_order;
-enum { SHAFTCULL_ORDER_UNSORTED = 0, SHAFTCULL_ORDER_BY_VOLUME = 1, SHAFTCULL_ORDER_BY_ADDED_VOLUME = 2 };
+enum {
+  SHAFTCULL_ORDER_UNSORTED = 0,       /* as they are formed */
+  SHAFTCULL_ORDER_BY_VOLUME = 1,      /* first the plane that cuts most off */
+  SHAFTCULL_ORDER_BY_ADDED_VOLUME = 2 /* first the one that cuts most off what is left */
+};
 
 /// The number of 64-bit words that hold one bit for each of `bounds` bounds. Never fails. O(1).
 SHAFTCULL_API uint64_t shaftcull_words_for(uint64_t bounds);
@@ -323,7 +342,11 @@ SHAFTCULL_API shaftcull_status shaftcull_hull_points(const shaftcull_hull* hull,
 
 /// What bounds are.
 typedef uint32_t shaftcull_bound_kind;
-enum { SHAFTCULL_BOXES = 1, SHAFTCULL_SPHERES = 2, SHAFTCULL_TRIANGLES = 3 };
+enum {
+  SHAFTCULL_BOXES = 1,    /* shaftcull_box */
+  SHAFTCULL_SPHERES = 2,  /* shaftcull_sphere */
+  SHAFTCULL_TRIANGLES = 3 /* shaftcull_triangle */
+};
 
 /// What holds bounds.
 typedef uint32_t shaftcull_holder;
@@ -822,9 +845,9 @@ SHAFTCULL_API shaftcull_status shaftcull_blocked_by_polygon(const shaftcull_shaf
 /// What lists hold.
 typedef uint32_t shaftcull_lists_kind;
 enum {
-  SHAFTCULL_LISTS_OF_INDICES = 1,
-  SHAFTCULL_LISTS_OF_INDICES64 = 2,
-  SHAFTCULL_LISTS_OF_RANGES = 3 /* of leaves of a tree, of either width of index */
+  SHAFTCULL_LISTS_OF_INDICES = 1,   /* of 32 bits */
+  SHAFTCULL_LISTS_OF_INDICES64 = 2, /* of 64 bits */
+  SHAFTCULL_LISTS_OF_RANGES = 3     /* of leaves of a tree, of either width of index */
 };
 
 /// Lists that the library allocates, one for each shaft, one behind the other. Calls use their memory

@@ -122,7 +122,11 @@ void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<
 void keep_layers(std::span<std::uint64_t> bits, std::span<const std::uint32_t> layers, std::uint32_t only_layers);
 
 /// What a shaft says of one bound.
-enum class Answer : std::uint8_t { outside, overlap, inside };
+enum class Answer : std::uint8_t {
+  outside,  ///< nothing of it is in the shaft
+  overlap,  ///< a part of it is, or it touches
+  inside,   ///< all of it is
+};
 
 /// Whether the shaft keeps this one bound. Some 20 ns for a box with AVX2, about half of what a view of one box takes:
 /// a loop over a few bounds that lie about in memory need not make a view of them first. Of many, cull() of a view

@@ -24,7 +24,13 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// On one processor, the better ones later. `scalar` and `portable128`, four floats in a vector and no intrinsics, run
 /// on any processor; the others are those of x86-64. Numbers may change when a set is added: what is to last is the
 /// name.
-enum class Isa : std::uint8_t { scalar, portable128, sse4_2, avx2, avx512 };
+enum class Isa : std::uint8_t {
+  scalar,       ///< one float at a time
+  portable128,  ///< four floats, by the compiler
+  sse4_2,       ///< four floats
+  avx2,         ///< eight floats
+  avx512,       ///< sixteen floats
+};
 
 /// "scalar", "portable128", "sse4_2" (which includes POPCNT), "avx2" (which includes FMA, BMI and BMI2) or "avx512"
 /// (those and F, CD, DQ, BW and VL); "unknown" for a value that is no enumerator.

@@ -27,7 +27,7 @@ enum class Formation : std::uint8_t {
 
 /// The order in which a shaft's joining planes are tested (it changes speed, never answers).
 enum class PlaneOrder : std::uint8_t {
-  unsorted,
+  unsorted,         ///< as they are formed
   by_volume,        ///< the plane that cuts most volume off the shaft box first
   by_added_volume,  ///< greedily the plane that cuts most volume not cut by those before it
 };

@@ -55,7 +55,10 @@ struct Triangle {
 };
 
 /// How triangles are tested, as said above.
-enum class TriangleTest : std::uint8_t { vertices, exact };
+enum class TriangleTest : std::uint8_t {
+  vertices,  ///< the box around the vertices, and added planes
+  exact,     ///< the triangle itself
+};
 
 /// `count` triangles in the user's memory as nine separate streams of floats: x, y, z of vertex 0, then of vertex 1,
 /// then of vertex 2. Any alignment of a float, any count from 0 up, nothing past `count` is read: as BoxView.
