@@ -23,6 +23,7 @@ def test_a_wheel_is_built_installed_and_used(tmp_path):
     header = copy.parents[1] / "include/shaftcull/version.hpp"
     header.parent.mkdir(parents=True)
     shutil.copy(ROOT / "include/shaftcull/version.hpp", header)
+    shutil.copy(ROOT / "LICENSE", copy.parents[1])
     module = next(pathlib.Path(shaftcull.__file__).parent.glob("_shaftcull.*"))
     environment = {**os.environ, "SHAFTCULL_PYTHON_MODULE": str(module)}
     done = subprocess.run(
@@ -40,6 +41,7 @@ def test_a_wheel_is_built_installed_and_used(tmp_path):
         files.extractall(installed)
     assert {"shaftcull/__init__.py", "shaftcull/__init__.pyi", "shaftcull/py.typed"} <= names
     assert [name for name in names if name.startswith("shaftcull/_shaftcull.")]
+    assert [name for name in names if name.endswith(".dist-info/LICENSE")]
     assert_it_is_used(installed, tmp_path)
 
 
