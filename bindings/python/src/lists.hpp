@@ -134,7 +134,6 @@ py::object ask_list(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>
   if (shafts.one) {
     const py::gil_scoped_release release;
     enter(0, 1);
-    // The tuple is made with the lock held.
   } else {
     in_chunks(shafts.count, Chunks::side_by_side, enter);
   }

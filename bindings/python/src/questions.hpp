@@ -101,7 +101,8 @@ How many bounds overlap shafts and how many are inside: two of int64 (n,), or of
 Which bounds are kept: (offsets, indices), int64 (n + 1,) and uint32; shaft i keeps
 indices[offsets[i]:offsets[i + 1]], )" +
                   in_order<Holder>() +
-                  R"(. Of one shaft the indices alone. With at_most=k it stops at the first k.
+                  R"(.
+Of one shaft the indices alone. With at_most=k it stops at the first k.
 With times=True there is one array more, float32: when the moving box reaches each bound, as those of first().)",
               arg("at_most") = none, arg("times") = false);
   ask<Holder>(to, "list_classified", &ask_list_classified<Holder>, R"(

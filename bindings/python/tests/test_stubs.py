@@ -12,7 +12,7 @@ import sys
 import pytest
 import shaftcull
 
-PACKAGE = pathlib.Path(shaftcull.__file__).parent
+PACKAGE = pathlib.Path(shaftcull.__file__).resolve().parent
 STUBS = ast.parse((PACKAGE / "__init__.pyi").read_text())
 
 
@@ -99,7 +99,7 @@ def test_mypy_agrees(tmp_path):
     allowed = tmp_path / "allowed"
     classes = [name for name in shaftcull.__all__ if inspect.isclass(getattr(shaftcull, name))]
     allowed.write_text("\n".join(rf"shaftcull\.{name}(\.__init__)?" for name in classes))
-    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent), "PYTHONPATH": str(PACKAGE.parent)}
     done = subprocess.run(
         [sys.executable, "-m", "mypy.stubtest", "shaftcull", "--ignore-missing-stub", "--allowlist", allowed,
          "--ignore-unused-allowlist"],
@@ -121,7 +121,7 @@ def test_a_program_that_uses_it_passes_the_type_checker(tmp_path):
         "reveal_type(tree.order)\n"
         "tree.list(shafts, owner=3)\n"
     )
-    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+    environment = {**os.environ, "MYPYPATH": str(PACKAGE.parent), "PYTHONPATH": str(PACKAGE.parent)}
     command = [sys.executable, "-m", "mypy", "--cache-dir", tmp_path, program]
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert re.search(r'program.py:6: note: Revealed type is ".*ndarray\[.*unsignedinteger', done.stdout), done.stdout
