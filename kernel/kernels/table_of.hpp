@@ -349,6 +349,7 @@ inline constexpr Kernels kernels_for = {
                  .keep_any = keep_any<L>,
                  .keep = keep_siblings<L>,
                  .block = block_siblings<L>,
+                 .may_block = may_block_siblings<L>,
                  .behind_plane = behind_plane<L>,
                  .behind_planes = behind_planes<L>,
                  .points_behind_planes = points_behind_planes<L>,
