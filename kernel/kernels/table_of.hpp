@@ -312,6 +312,7 @@ constexpr GridKernels grid_kernels() noexcept {
             .frame = grid_frame<L>,
             .form_shafts = form_grid_shafts<L>,
             .snap_boxes = snap_boxes<L>,
+            .extent = tile_extent<L>,
             .test = test_on_grid<L>,
             .resolve = resolve_in_floats<L>,
             .finish_boxes = finish_after_grid<L, BoxStages<L, Form::slab>>,
