@@ -298,8 +298,7 @@ class Answers final : public SightOracle::Questions {
     return {Number(p[0] - q[0]), Number(p[1] - q[1]), Number(p[2] - q[2])};
   }
   [[nodiscard]] static Number determinant(const Point& p, const Point& q, const Point& r) {
-    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
-           p[2] * (q[0] * r[1] - q[1] * r[0]);
+    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
   }
 
   /// Whether all segments go from one side of a polygon to the other strictly within its edges.

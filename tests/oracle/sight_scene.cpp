@@ -222,9 +222,7 @@ class SightPainter {
                                                           : box(3));
     }
     for (unsigned left = random_.below(6); left != 0; --left) {
-      Box solid = is(SightScenery::near_edges) ? near_edge(true)
-                  : is(SightScenery::nested)   ? shell()
-                                               : box(2 * reach_);
+      Box solid = is(SightScenery::near_edges) ? near_edge(true) : is(SightScenery::nested) ? shell() : box(2 * reach_);
       if (is(SightScenery::room) && random_.one_in(2)) {  // a wall across the room
         const std::size_t axis = random_.below(3);
         for (std::size_t k = 0; k != 3; ++k) {
@@ -307,8 +305,8 @@ class SightPainter {
 }  // namespace
 
 const char* name(SightScenery scenery) {
-  constexpr const char* names[sight_sceneries] = {"lattice", "points", "flat", "nested", "room", "uniform",
-                                                  "nudged", "near edges", "wild", "tiny", "huge"};
+  constexpr const char* names[sight_sceneries] = {"lattice", "points",     "flat", "nested", "room", "uniform",
+                                                  "nudged",  "near edges", "wild", "tiny",   "huge"};
   return names[static_cast<unsigned>(scenery)];
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
+#include <iostream>
 #include <string>
 
 #include "instruction_sets.hpp"
@@ -74,6 +76,24 @@ TEST(Visibility, IsWhatItIsWhereBlockersTouchShafts) { expect_all_right(SightSce
 TEST(Visibility, IsWhatItIsOfAnyMagnitude) { expect_all_right(SightScenery::wild, 100, 1); }
 TEST(Visibility, IsWhatItIsOfDenormals) { expect_all_right(SightScenery::tiny, 100, 4); }
 TEST(Visibility, IsWhatItIsUpToTheLargestFloat) { expect_all_right(SightScenery::huge, 100, 1); }
+
+// Of a group, both a unit normal and a shorter one along the same axis: the shorter one's products round.
+TEST(Visibility, IsNotTakenForFacingAwayWhereAGroupHasNormalsOfSeveralLengths) {
+  SightScene scene{};
+  scene.scenery = SightScenery::lattice;
+  const float x = 0x1.e848p+19F;
+  for (const float length : {1.0F, 0x1.8acdap-3F}) {
+    scene.a.push_back({{0, x, 0}, {0, x, 0}});
+    const double distance = double{length} * x;
+    float offset = static_cast<float>(distance);
+    if (double{offset} >= distance) offset = std::nextafter(offset, 0.0F);
+    scene.a_planes.push_back({{0, length, 0}, length == 1 ? 2 * x : offset});
+  }
+  // In front of the second plane, by less than what rounds.
+  for (unsigned i = 0; i != 3; ++i) scene.b.push_back({{static_cast<float>(i), x, 0}, {static_cast<float>(i), x, 1}});
+  const SightCase of(scene);
+  on_each_instruction_set([&] { EXPECT_EQ(SightTruths(of).fault_of(of.collect(of.options)), ""); });
+}
 
 }  // namespace
 }  // namespace shaftcull

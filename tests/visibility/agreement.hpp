@@ -67,7 +67,8 @@ class SightTable {
       if (product.sight == Sight::undecided) fail("a product is undecided");
       if (product.a.count == 0 || product.b.count == 0) fail("a product is empty");
       for (const std::uint32_t i : of.a.order().subspan(product.a.first, product.a.count)) {
-        for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count)) write(i, j).sight = product.sight;
+        for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count))
+          write(i, j).sight = product.sight;
       }
     }
     for (std::size_t p = 0; p != all.undecided.size(); ++p) {
@@ -149,7 +150,8 @@ class SightTruths {
                               : *entry.sight == Sight::clear
                                   ? truth.is_clear()
                                   : !truth.is_facing_away && !truth.is_blocked && !truth.is_clear();
-        if (!is_right || (with_candidates && *entry.sight == Sight::undecided && entry.candidates != truth.candidates)) {
+        if (!is_right ||
+            (with_candidates && *entry.sight == Sight::undecided && entry.candidates != truth.candidates)) {
           return say(i, j, entry, truth);
         }
       }
