@@ -19,6 +19,9 @@ class Results : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override;
 
+  /// What benchmarks said that could not be measured, each with its name.
+  [[nodiscard]] const std::vector<std::string>& errors() const noexcept { return errors_; }
+
   /// The median over all repetitions; nothing if the benchmark did not run.
   [[nodiscard]] std::optional<double> per_second(const std::string& name) const;
   /// per_second(name) over per_second(against); nothing if either did not run.
@@ -26,6 +29,7 @@ class Results : public benchmark::BenchmarkReporter {
 
  private:
   std::map<std::string, std::vector<double>> speeds_;
+  std::vector<std::string> errors_;
 };
 
 }  // namespace shaftcull::bench

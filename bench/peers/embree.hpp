@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+/// Embree, which what sees what is measured against: shadow rays between two patches.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "scenes/patch_pairs.hpp"
+#include "scenes/patch_scene.hpp"
+#include "scenes/shadow_rays.hpp"
+
+namespace shaftcull::bench {
+
+/// What became of a pair's rays. Those that leave or arrive behind a patch's plane are not traced and not counted.
+struct RayCounts {
+  std::uint16_t traced;
+  std::uint16_t clear;  ///< of these, how many meet nothing
+  friend bool operator==(const RayCounts&, const RayCounts&) = default;
+};
+
+/// A scene's triangles in Embree's tree, built at high quality, asked on the calling thread by packets of as many rays
+/// as the machine has lanes.
+class EmbreeScene {
+ public:
+  /// `scene` must outlive it.
+  explicit EmbreeScene(const PatchScene& scene);
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+  ~EmbreeScene();
+
+  /// Rays a packet: 4, 8 or 16.
+  [[nodiscard]] unsigned packet() const noexcept;
+
+  [[nodiscard]] RayCounts trace(const FacingPair& pair, const ShadowRays& rays) const;
+  /// counts[i] becomes that of pairs[i].
+  void trace(std::span<const FacingPair> pairs, const ShadowRays& rays, std::span<RayCounts> counts) const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+  const PatchScene& scene_;
+};
+
+}  // namespace shaftcull::bench
