@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <stdexcept>
-#include <type_traits>
+#include <utility>
 
 namespace shaftcull::bench {
 namespace {
@@ -123,7 +124,8 @@ struct EmbreeScene::Handles {
 };
 
 EmbreeScene::EmbreeScene(const PatchScene& scene) : handles_(std::make_unique<Handles>()), scene_(scene) {
-  handles_->device = rtcNewDevice("threads=1,set_affinity=0");
+  // Without a number of threads, which would hold for all of oneTBB in this process. Rays need none.
+  handles_->device = rtcNewDevice(nullptr);
   const RTCDevice device = handles_->device;
   if (device == nullptr) throw std::runtime_error("Embree cannot make a device");
   for (const auto& [property, width] :
@@ -166,10 +168,6 @@ RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays) con
     default:
       return trace_pair<4>(handles_->scene, scene_, pair, rays);
   }
-}
-
-void EmbreeScene::trace(std::span<const FacingPair> pairs, const ShadowRays& rays, std::span<RayCounts> counts) const {
-  for (std::size_t i = 0; i != pairs.size(); ++i) counts[i] = trace(pairs[i], rays);
 }
 
 }  // namespace shaftcull::bench

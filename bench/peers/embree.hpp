@@ -2,10 +2,8 @@
 /// Embree, which what sees what is measured against: shadow rays between two patches.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "scenes/patch_pairs.hpp"
 #include "scenes/patch_scene.hpp"
@@ -34,8 +32,6 @@ class EmbreeScene {
   [[nodiscard]] unsigned packet() const noexcept;
 
   [[nodiscard]] RayCounts trace(const FacingPair& pair, const ShadowRays& rays) const;
-  /// counts[i] becomes that of pairs[i].
-  void trace(std::span<const FacingPair> pairs, const ShadowRays& rays, std::span<RayCounts> counts) const;
 
  private:
   struct Handles;
