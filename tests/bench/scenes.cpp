@@ -28,8 +28,8 @@ struct NamedScene {
 };
 
 const NamedScene& scene_of(bool city) {
-  static const NamedScene inside{"interior", interior(), 0.36F};
-  static const NamedScene outside{"city", city_blocks(), 8.2F};
+  static const NamedScene inside{"interior", interior(), interior_patch};
+  static const NamedScene outside{"city", city_blocks(), city_blocks_patch};
   return city ? outside : inside;
 }
 
@@ -137,10 +137,12 @@ TEST(Interior, IsTheSameByEveryCompiler) { EXPECT_EQ(hash_of(scene_of(false).sce
 
 TEST(CityBlocks, IsTheSameByEveryCompiler) { EXPECT_EQ(hash_of(scene_of(true).scene), 2124378406928901268U); }
 
-TEST(Interior, OfAnotherSeedIsAnother) { EXPECT_NE(hash_of(interior({0.36F}, 5001)), hash_of(scene_of(false).scene)); }
+TEST(Interior, OfAnotherSeedIsAnother) {
+  EXPECT_NE(hash_of(interior({interior_patch}, 5001)), hash_of(scene_of(false).scene));
+}
 
 TEST(CityBlocks, OfAnotherSeedIsAnother) {
-  EXPECT_NE(hash_of(city_blocks({8.2F}, 5101)), hash_of(scene_of(true).scene));
+  EXPECT_NE(hash_of(city_blocks({city_blocks_patch}, 5101)), hash_of(scene_of(true).scene));
 }
 
 TEST_P(Scene, TwiceAsFineHasFourTimesThePatchesAndTheSameSurfaces) {
