@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// All public headers: shafts and hulls; views, streams and trees of boxes, spheres and triangles; the verbs that take
-/// both.
+/// both; what sees what.
 #pragma once
 
 #include "shaftcull/blocked.hpp"
@@ -22,7 +22,9 @@
 #include "shaftcull/refine.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/shaft.hpp"
+#include "shaftcull/solids.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/triangles.hpp"
 #include "shaftcull/version.hpp"
+#include "shaftcull/visibility.hpp"

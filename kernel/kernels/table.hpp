@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "compiled/shaft_data.hpp"
+#include "kernels/siblings/siblings.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
 #include "support/exact_floats.hpp"
@@ -221,6 +222,7 @@ struct Kernels {
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
   BlockingKernels blocking;
+  SiblingKernels siblings;
   /// Triangles, in nine streams, as shaftcull/triangles.hpp says; `inside` is null. Not exactly for a hull.
   Test* triangles_by_vertices;
   Test* triangles_exactly;

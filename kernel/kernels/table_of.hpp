@@ -16,6 +16,10 @@
 #include "kernels/set_bits.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
+#include "kernels/siblings/block.hpp"
+#include "kernels/siblings/facing.hpp"
+#include "kernels/siblings/form.hpp"
+#include "kernels/siblings/keep.hpp"
 #include "kernels/spheres/boxes_around.hpp"
 #include "kernels/spheres/planes.hpp"
 #include "kernels/table.hpp"
@@ -341,6 +345,15 @@ inline constexpr Kernels kernels_for = {
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
+    .siblings = {.form = form_siblings<L>,
+                 .keep_any = keep_any<L>,
+                 .keep = keep_siblings<L>,
+                 .block = block_siblings<L>,
+                 .behind_plane = behind_plane<L>,
+                 .behind_planes = behind_planes<L>,
+                 .points_behind_planes = points_behind_planes<L>,
+                 .behind_groups = behind_groups<L>,
+                 .behind_group = behind_group<L>},
     .triangles_by_vertices = test_triangles_by_vertices<L>,
     .triangles_exactly = test_triangles_exactly<L>,
     .compress_indices = compress_indices<L>,

@@ -14,6 +14,7 @@ extern float radius_margin_factor;     // on what a sphere's radius adds to the 
 extern float grid_slack_factor;        // on what snapping and rounding on a grid may be off by
 extern float grid_limit_factor;        // on the interval length above which a bound on a grid is certainly not outside
 extern float blocking_margin_factor;   // on the margin of boxes that block a shaft
+extern float sibling_margin_factor;    // on the margin of sibling shafts
 extern float triangle_margin_factor;   // on the margin of separating axes of triangles
 extern float measured_error_factor;    // on the rounding errors that exact predicates measure
 extern float hull_margin_factor;       // on the margin of planes of a convex hull with an end
@@ -29,6 +30,7 @@ inline constexpr float radius_margin_factor = 1.0F;
 inline constexpr float grid_slack_factor = 1.0F;
 inline constexpr float grid_limit_factor = 1.0F;
 inline constexpr float blocking_margin_factor = 1.0F;
+inline constexpr float sibling_margin_factor = 1.0F;
 inline constexpr float triangle_margin_factor = 1.0F;
 inline constexpr float measured_error_factor = 1.0F;
 inline constexpr float hull_margin_factor = 1.0F;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "exact/pair.hpp"
+
+#include "exact/blocking.hpp"
+#include "exact/expansion.hpp"
+#include "exact/polygon.hpp"
+#include "exact/predicates.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// What exact predicates read of a shaft: the rest is not written.
+void describe_pair(const float (&a)[6], const float (&b)[6], Contact contact, ShaftData& shaft) noexcept {
+  for (unsigned f = 0; f != 6; ++f) {
+    shaft.a[f] = a[f];
+    shaft.b[f] = b[f];
+  }
+  shaft.slab_form = ShaftData::SlabForm::exact;
+  shaft.kind = ShaftData::Kind::between;
+  shaft.contact = contact;
+  shaft.added_count = 0;
+}
+
+}  // namespace
+
+bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contact, const float (&bound)[6]) noexcept {
+  ShaftData shaft;
+  describe_pair(a, b, contact, shaft);
+  return box_outside(shaft, bound);
+}
+
+bool blocks_between(const float (&a)[6], const float (&b)[6], const float (&bound)[6]) noexcept {
+  ShaftData shaft;
+  describe_pair(a, b, Contact::open, shaft);
+  return box_blocks(shaft, bound);
+}
+
+bool polygon_blocks_between(const float (&a)[6], const float (&b)[6], std::span<const Vec3> polygon) noexcept {
+  ShaftData shaft;
+  describe_pair(a, b, Contact::open, shaft);
+  return polygon_blocks(shaft, polygon);
+}
+
+bool is_point_behind(const float (&normal)[3], float offset, const float (&point)[3]) noexcept {
+  Expansion<7> sum(-double{offset});
+  for (unsigned k = 0; k != 3; ++k) sum.grow(double{normal[k]} * point[k]);  // two 24-bit factors: exact in a double
+  return sum.sign() <= 0;
+}
+
+bool is_box_behind(const float (&normal)[3], float offset, const float (&box)[6]) noexcept {
+  float farthest[3];
+  for (unsigned k = 0; k != 3; ++k) farthest[k] = normal[k] > 0 ? box[k + 3] : box[k];
+  return is_point_behind(normal, offset, farthest);
+}
+
+}  // namespace shaftcull::kernel

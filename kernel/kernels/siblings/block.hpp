@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+/// Which of sibling shafts a solid box blocks.
+///
+/// As kernels/blocking/boxes.hpp tests many boxes with one shaft: lo(t) > box.lo and hi(t) < box.hi, where lo(t) > x
+/// bounds t from below if lo grows.
+#pragma once
+
+#include "exact/pair.hpp"
+#include "kernels/siblings/form.hpp"
+
+namespace shaftcull::kernel {
+
+/// A solid in all lanes.
+template <class L>
+class SolidInLanes {
+  using Vector = typename L::Vector;
+  using Mask = typename L::Mask;
+
+ public:
+  explicit SolidInLanes(const BoxRow& solid) noexcept : solid_(solid) {
+    for (unsigned f = 0; f < 6; ++f) face_[f] = L::all(solid.face[f]);
+    for (unsigned k = 0; k < 3; ++k) is_flat_ |= solid.face[k] == solid.face[k + 3];
+  }
+
+  /// Siblings of `asked` that it blocks.
+  [[nodiscard]] std::uint64_t blocked(const Siblings& siblings, std::uint64_t asked) const noexcept {
+    if (!siblings.solids_around_ends) [[unlikely]]
+      asked &= ~reaching_ends(siblings, asked);
+    std::uint64_t blocked = 0;
+    std::uint64_t undecided = 0;
+    for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
+      if ((asked & lanes_of<L>(lane)) == 0) continue;
+      const std::uint64_t across =
+          L::bits(is_flat_ ? reaches_across<true>(siblings, lane) : reaches_across<false>(siblings, lane)) << lane;
+      if ((asked & across) == 0) continue;
+      const Vector sum = largest_sum(siblings, lane);
+      const std::uint64_t possible = across & L::bits(L::less_equal(sum, L::all(1 + margin()))) << lane;
+      std::uint64_t certain = L::bits(L::less(sum, L::all(1 - margin()))) << lane;
+      if (is_flat_) certain &= L::bits(reaches_across<false>(siblings, lane)) << lane;
+      blocked |= across & certain;
+      undecided |= possible & ~certain;
+    }
+    blocked &= asked;
+    undecided = (undecided | siblings.inexact) & asked;
+    if (undecided == 0) [[likely]]
+      return blocked;
+    const SixFaces<L> fixed(siblings.fixed);
+    const SixFaces<L> solid(solid_.face);
+    return (blocked & ~undecided) | decide_lanes<L>(undecided, [&](unsigned lane) {
+             return blocks_between(fixed.face, OtherBox<L>(siblings, lane).face, solid.face);
+           });
+  }
+
+ private:
+  static float margin() noexcept { return blocking_margin * sibling_margin_factor; }
+
+  /// Whether it reaches across a shaft on all axes. A flat one may do so by touching, if it is in the plane of both
+  /// ends.
+  template <bool closed>
+  [[nodiscard]] Mask reaches_across(const Siblings& siblings, unsigned lane) const noexcept {
+    Mask across = reaches_across<closed>(siblings, lane, 0);
+#pragma GCC unroll 2
+    for (unsigned k = 1; k < 3; ++k) across = L::both(across, reaches_across<closed>(siblings, lane, k));
+    return across;
+  }
+  template <bool closed>
+  [[nodiscard]] Mask reaches_across(const Siblings& siblings, unsigned lane, unsigned k) const noexcept {
+    const Vector largest_lo = L::load(&siblings.inner[k][lane]);
+    const Vector smallest_hi = L::load(&siblings.inner[k + 3][lane]);
+    if constexpr (closed) {
+      return L::both(L::less_equal(face_[k], largest_lo), L::less_equal(smallest_hi, face_[k + 3]));
+    } else {
+      return L::both(L::less(face_[k], largest_lo), L::less(smallest_hi, face_[k + 3]));
+    }
+  }
+
+  /// Siblings into one of whose ends it reaches: its inside, or if it is flat, itself.
+  [[nodiscard]] std::uint64_t reaching_ends(const Siblings& siblings, std::uint64_t asked) const noexcept {
+    bool reaches_fixed = true;
+    for (unsigned k = 0; k < 3; ++k) {
+      reaches_fixed &= is_flat_ ? solid_.face[k] <= siblings.fixed[k + 3] && siblings.fixed[k] <= solid_.face[k + 3]
+                                : solid_.face[k] < siblings.fixed[k + 3] && siblings.fixed[k] < solid_.face[k + 3];
+    }
+    if (reaches_fixed) return asked;
+    std::uint64_t reached = 0;
+    for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
+      Mask reaches = L::less_equal(L::all(0.0F), L::all(0.0F));
+#pragma GCC unroll 3
+      for (unsigned k = 0; k < 3; ++k) {
+        const Vector lo = L::load(siblings.other[k] + lane);
+        const Vector hi = L::load(siblings.other[k + 3] + lane);
+        reaches = L::both(reaches, is_flat_ ? L::both(L::less_equal(face_[k], hi), L::less_equal(lo, face_[k + 3]))
+                                            : L::both(L::less(face_[k], hi), L::less(lo, face_[k + 3])));
+      }
+      reached |= L::bits(reaches) << lane;
+    }
+    return reached;
+  }
+
+  /// As BoundInLanes has it.
+  [[nodiscard]] Vector largest_sum(const Siblings& siblings, unsigned lane) const noexcept {
+    Vector since[3];
+    Vector until[3];
+    const Vector none = L::all(0.0F);
+#pragma GCC unroll 3
+    for (unsigned k = 0; k < 3; ++k) {
+      const Vector lo = L::subtract(face_[k], L::load(&siblings.outer[k][lane]));
+      const Vector hi = L::subtract(L::load(&siblings.outer[k + 3][lane]), face_[k + 3]);
+      since[k] = L::maximum(L::multiply(lo, L::load(&siblings.forward[k][lane])),
+                            L::maximum(L::multiply(hi, L::load(&siblings.backward[k + 3][lane])), none));
+      until[k] = L::maximum(L::multiply(lo, L::load(&siblings.backward[k][lane])),
+                            L::maximum(L::multiply(hi, L::load(&siblings.forward[k + 3][lane])), none));
+    }
+    const Vector x = L::add(since[0], L::maximum(until[1], until[2]));
+    const Vector y = L::add(since[1], L::maximum(until[2], until[0]));
+    const Vector z = L::add(since[2], L::maximum(until[0], until[1]));
+    return L::maximum(x, L::maximum(y, z));
+  }
+
+  const BoxRow& solid_;
+  Vector face_[6];
+  bool is_flat_ = false;
+};
+
+/// As SiblingKernels has it.
+template <class L>
+std::uint64_t block_siblings(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list,
+                             std::size_t count, const std::uint64_t* may_block, std::uint64_t asked) noexcept {
+  const std::uint64_t all = asked;
+  for (std::size_t i = 0; i != count && asked != 0; ++i) {
+    const std::uint64_t lanes = may_block == nullptr ? asked : asked & may_block[i];
+    if (lanes == 0) continue;
+    asked &= ~SolidInLanes<L>(solids[list[i]]).blocked(siblings, lanes);
+  }
+  return all & ~asked;
+}
+
+}  // namespace shaftcull::kernel

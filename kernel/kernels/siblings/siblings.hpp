@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/// Sibling shafts: those from one box to each of up to 64 others, a shaft a lane.
+///
+/// Elsewhere a shaft is tested with many bounds. Where groups of patches are compared, many shafts are tested with few
+/// bounds, and each shaft with others: so lanes are shafts here, and a bound is in all lanes.
+///
+/// A shaft's box moves from box a to box b, t from 0 to 1. Constraints on t that concern different axes separate it
+/// from a bound, or let it pass through one (docs/exactness.md). As for blocked boxes (kernels/blocking/boxes.hpp), one
+/// that bounds t from below by s and one that bounds 1 − t from below by u leave no t if s + u is 1 or more.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "compiled/shaft_data.hpp"
+#include "support/exact_floats.hpp"
+
+namespace shaftcull::kernel {
+
+/// Most siblings.
+inline constexpr unsigned most_siblings = 64;
+
+/// A box whose faces are read one at a time: lo x, y, z, hi x, y, z. The last two floats say nothing.
+struct alignas(32) BoxRow {
+  float face[8];
+};
+
+/// Shafts from box `fixed` to box i of six streams, in the form that tests read. `outer` are the faces of the shaft's
+/// box, and `inner` those of the two boxes that are farther inside. Of a face that moves, the reciprocal of its travel
+/// is in `forward` if the coordinate grows on the way to b, and in `backward` if it shrinks, always positive.
+struct Siblings {
+  unsigned count;
+  Contact contact;
+  /// Whether boxes are those of groups. Then, with open contact, a flat bound is kept if it touches: it may lie in a
+  /// face of the shaft, where a flat shaft between two of their patches meets it.
+  bool are_groups;
+  bool solids_around_ends;    ///< whether a solid that reaches into an end may block
+  const float* fixed;         ///< six faces
+  const float* const* other;  ///< six streams
+  std::uint64_t lanes;        ///< a bit for every sibling
+  std::uint64_t inexact;      ///< where floats overflow: exact predicates decide alone
+  alignas(64) float outer[6][most_siblings];
+  alignas(64) float inner[6][most_siblings];
+  alignas(64) float forward[6][most_siblings];
+  alignas(64) float backward[6][most_siblings];
+};
+
+/// Planes of patches, or of groups of them: bounds of the components of their normals, and of their offsets. Those of a
+/// patch are equal.
+struct PlaneStreams {
+  const float* least_normal[3];
+  const float* largest_normal[3];
+  const float* least_offset;
+  const float* error;  ///< of a computed normal·p − offset; NaN where floats overflow
+};
+
+/// A plane of PlaneStreams alone.
+struct PlaneRow {
+  float least_normal[3];
+  float largest_normal[3];
+  float least_offset;
+  float error;
+};
+
+/// Streams must be readable up to the end of the vector in which the last lane is: they are padded.
+struct SiblingKernels {
+  /// Forms the shafts, of `count` ≤ most_siblings. What they are asked about, `contact` and so
+  /// on, is the caller's to set.
+  void (*form)(const float* fixed, const float* const* other, unsigned count, Siblings& siblings) noexcept;
+
+  /// The siblings of `asked` that keep some bound of a list; kept[i], unless null, are the siblings that may keep bound
+  /// list[i].
+  std::uint64_t (*keep_any)(const Siblings& siblings, const BoxRow* bounds, const std::uint32_t* list,
+                            std::size_t count, const std::uint64_t* may_keep, std::uint64_t asked) noexcept;
+
+  /// Writes for every bound of a list which siblings of `asked` keep it. Returns the union.
+  std::uint64_t (*keep)(const Siblings& siblings, const BoxRow* bounds, const std::uint32_t* list, std::size_t count,
+                        const std::uint64_t* may_keep, std::uint64_t asked, std::uint64_t* kept) noexcept;
+
+  /// The siblings of `asked` that a solid of a list blocks; `may_block` as may_keep.
+  std::uint64_t (*block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
+                         const std::uint64_t* may_block, std::uint64_t asked) noexcept;
+
+  /// The boxes, of `count` ≤ 64 in six streams, that lie on or behind a patch's plane.
+  std::uint64_t (*behind_plane)(const PlaneRow& plane, const float* const* boxes, unsigned count) noexcept;
+
+  /// The patches, of `count` ≤ 64, on or behind whose planes the box lies.
+  std::uint64_t (*behind_planes)(const PlaneStreams& planes, unsigned count, const float* box) noexcept;
+
+  /// Likewise of points, all of which lie there, for patches of `asked`.
+  std::uint64_t (*points_behind_planes)(const PlaneStreams& planes, unsigned count, const Vec3* points,
+                                        std::size_t size, std::uint64_t asked) noexcept;
+
+  /// The groups of patches, of `count` ≤ 64, such that the box lies on or behind every patch's plane. It may say no.
+  std::uint64_t (*behind_groups)(const PlaneStreams& groups, unsigned count, const float* box) noexcept;
+
+  /// The boxes, of `count` ≤ 64 in six streams, that lie on or behind every plane of a group. It may say no.
+  std::uint64_t (*behind_group)(const PlaneRow& group, const float* const* boxes, unsigned count) noexcept;
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/blockers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "shaftcull/solids.hpp"
+#include "shaftcull/tree.hpp"
+#include "shaftcull/visibility.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Most triangles in a group that the library makes.
+constexpr std::size_t group_triangles = 32;
+
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
+[[noreturn]] void refuse(const char* noun, std::size_t i, const char* why) {
+  throw BadBound(i, std::string(noun) + " " + std::to_string(i) + " " + why);
+}
+
+void require_usable_box(const Box& box, const char* noun, std::size_t i) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) refuse(noun, i, "is not finite");
+    if (box.lo[k] > box.hi[k]) refuse(noun, i, "has lo > hi");
+  }
+}
+
+/// Grows by points.
+struct PointBox {
+  Box box{{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+           std::numeric_limits<float>::infinity()},
+          {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+           -std::numeric_limits<float>::infinity()}};
+
+  void add(const Vec3& point) noexcept {
+    for (std::size_t k = 0; k != 3; ++k) {
+      box.lo[k] = std::min(box.lo[k], point[k]);
+      box.hi[k] = std::max(box.hi[k], point[k]);
+    }
+  }
+};
+
+bool is_finite(const Vec3& point) noexcept {
+  return std::all_of(point.begin(), point.end(), [](float x) { return std::isfinite(x); });
+}
+
+/// What is to be added, until all of it was checked: then it is added as a whole.
+class Addition {
+ public:
+  explicit Addition(const kernel::BlockerData& data) : data_(data) {}
+
+  /// A blocker; its points and triangles were added before.
+  void add(const Box& box) {
+    kernel::BoxRow row{};
+    for (std::size_t k = 0; k != 3; ++k) {
+      row.face[k] = box.lo[k];
+      row.face[k + 3] = box.hi[k];
+      data_.largest_coordinate = std::max({data_.largest_coordinate, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
+    }
+    if (data_.boxes.size() == std::numeric_limits<std::uint32_t>::max()) {
+      throw InvalidArgument("there are 2^32 - 1 blockers already; no more can be numbered");
+    }
+    data_.boxes.push_back(row);
+    data_.first_point.push_back(data_.points.size());
+    data_.first_triangle.push_back(data_.triangles.size());
+  }
+  void add_point(const Vec3& point) { data_.points.push_back(point); }
+  void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
+  void add_polygon() { data_.polygons.push_back({static_cast<std::uint32_t>(data_.boxes.size() - 1)}); }
+  void add_solids(std::span<const Box> solids) {
+    data_.solids.insert(data_.solids.end(), solids.begin(), solids.end());
+    data_.solids = merged_boxes(data_.solids);
+    data_.solid_rows.clear();
+    for (const Box& solid : data_.solids) {
+      data_.solid_rows.push_back(
+          {{solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2], 0, 0}});
+    }
+  }
+
+  /// Returns the number of the first one that was added.
+  std::size_t commit(kernel::BlockerData& to) {
+    const std::size_t first = to.size();
+    std::swap(to, data_);
+    return first;
+  }
+
+ private:
+  kernel::BlockerData data_;
+};
+
+/// The boxes of a view, all of which are usable.
+std::vector<Box> usable_boxes(const BoxView& view, const char* noun) {
+  kernel::require_view(view);
+  std::vector<Box> boxes(view.count);
+  for (std::size_t i = 0; i != view.count; ++i) {
+    boxes[i] = view[i];
+    require_usable_box(boxes[i], noun, i);
+  }
+  return boxes;
+}
+
+std::vector<Box> usable_boxes(std::span<const Box> boxes, const char* noun) {
+  kernel::require_memory(noun, boxes, "boxes");
+  for (std::size_t i = 0; i != boxes.size(); ++i) require_usable_box(boxes[i], noun, i);
+  return {boxes.begin(), boxes.end()};
+}
+
+/// The parts of a list, of which part i begins at first[i] and ends where the next one begins. Throws unless they
+/// ascend from 0 to `size`.
+void require_parts(std::span<const std::size_t> first, std::size_t size, const char* name, const char* noun) {
+  if (first.empty() && size == 0) return;
+  if (first.empty() || first.front() != 0 || first.back() != size) {
+    throw InvalidArgument(std::string(name) + " must begin with 0 and end with the number of " + noun + ", " +
+                          std::to_string(size));
+  }
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    if (first[i] >= first[i - 1]) continue;
+    throw InvalidArgument(std::string(name) + "[" + std::to_string(i) + "] = " + std::to_string(first[i]) +
+                          " is less than the one before it");
+  }
+}
+
+/// Adds the corners of part after part, and calls added(corners) after each.
+template <class Added>
+void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<const std::size_t> first, const char* noun,
+               std::size_t fewest, std::size_t most, const Added& added) {
+  kernel::require_memory("corners", corners, "corners");
+  kernel::require_memory("first_corner", first, "positions");
+  require_parts(first, corners.size(), "first_corner", "corners");
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
+    if (part.size() < fewest || part.size() > most) {
+      throw InvalidArgument(std::string(noun) + " " + std::to_string(i) + " has " +
+                            kernel::counted(part.size(), "corner") + "; it takes " + std::to_string(fewest) +
+                            (most < any_number ? " to " + std::to_string(most) : " or more"));
+    }
+    PointBox around;
+    for (const Vec3& corner : part) {
+      if (!is_finite(corner)) refuse(noun, i, "has a corner that is not finite");
+      around.add(corner);
+      addition.add_point(corner);
+    }
+    addition.add(around.box);
+    added(part);
+  }
+}
+
+/// Groups of neighbours: the triangles in the order of a tree over their boxes.
+std::vector<std::uint32_t> in_tree_order(const TriangleView& triangles) {
+  std::vector<Box> boxes(triangles.count);
+  for (std::size_t i = 0; i != triangles.count; ++i) {
+    PointBox around;
+    for (const Vec3& vertex : triangles[i].vertex) around.add(vertex);
+    boxes[i] = around.box;
+  }
+  const BoxTree tree{std::span<const Box>(boxes)};
+  std::vector<std::uint32_t> order(triangles.count);
+  for (std::size_t i = 0; i != order.size(); ++i) order[i] = static_cast<std::uint32_t>(tree.order()[i]);
+  return order;
+}
+
+}  // namespace
+
+Blockers::Blockers() : data_(std::make_unique<kernel::BlockerData>()) {}
+Blockers::Blockers(const Blockers& other) : data_(std::make_unique<kernel::BlockerData>(other.data())) {}
+Blockers::Blockers(Blockers&& other) noexcept = default;
+Blockers& Blockers::operator=(Blockers other) noexcept {
+  std::swap(data_, other.data_);
+  return *this;
+}
+Blockers::~Blockers() = default;
+
+std::size_t Blockers::add_boxes(std::span<const Box> boxes) {
+  Addition addition(data());
+  for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
+  return addition.commit(*data_);
+}
+
+std::size_t Blockers::add_boxes(const BoxView& boxes) {
+  return add_boxes(std::span<const Box>(usable_boxes(boxes, "box")));
+}
+
+std::size_t Blockers::add_solids(std::span<const Box> boxes) {
+  Addition addition(data());
+  const std::vector<Box> solids = usable_boxes(boxes, "solid");
+  for (const Box& solid : solids) addition.add(solid);
+  addition.add_solids(solids);
+  return addition.commit(*data_);
+}
+
+std::size_t Blockers::add_solids(const BoxView& boxes) {
+  return add_solids(std::span<const Box>(usable_boxes(boxes, "solid")));
+}
+
+std::size_t Blockers::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+  Addition addition(data());
+  std::vector<Box> inside;
+  add_parts(addition, corners, first_corner, "hull", 4, 32,
+            [&](std::span<const Vec3> hull) { inside.push_back(inscribed_box(hull)); });
+  addition.add_solids(inside);
+  return addition.commit(*data_);
+}
+
+std::size_t Blockers::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+  Addition addition(data());
+  add_parts(addition, corners, first_corner, "polygon", 3, any_number,
+            [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
+  return addition.commit(*data_);
+}
+
+std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle) {
+  kernel::require_view(triangles);
+  kernel::require_memory("first_triangle", first_triangle, "positions");
+  if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
+    throw InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered");
+  }
+  for (std::size_t i = 0; i != triangles.count; ++i) {
+    for (const Vec3& vertex : triangles[i].vertex) {
+      if (!is_finite(vertex)) refuse("triangle", i, "is not finite");
+    }
+  }
+  Addition addition(data());
+  const bool has_groups = !first_triangle.empty();
+  if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
+  std::vector<std::uint32_t> order;
+  if (!has_groups && triangles.count != 0) order = in_tree_order(triangles);
+  const auto add_group = [&](std::size_t first, std::size_t end) {
+    PointBox around;
+    std::vector<Vec3> vertices;
+    for (std::size_t i = first; i != end; ++i) {
+      const std::size_t triangle = has_groups ? i : order[i];
+      addition.add_triangle(static_cast<std::uint32_t>(triangle));
+      for (const Vec3& vertex : triangles[triangle].vertex) {
+        around.add(vertex);
+        vertices.push_back(vertex);
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (const Vec3& vertex : vertices) addition.add_point(vertex);
+    addition.add(around.box);
+  };
+  if (has_groups) {
+    for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
+      if (first_triangle[i] == first_triangle[i + 1]) {
+        throw InvalidArgument("group " + std::to_string(i) + " of triangles is empty");
+      }
+      add_group(first_triangle[i], first_triangle[i + 1]);
+    }
+  } else {
+    for (std::size_t i = 0; i < order.size(); i += group_triangles) {
+      add_group(i, std::min(order.size(), i + group_triangles));
+    }
+  }
+  return addition.commit(*data_);
+}
+
+std::size_t Blockers::size() const noexcept { return data_->size(); }
+
+Box Blockers::box(std::size_t i) const noexcept {
+  const float(&face)[8] = data_->boxes[i].face;
+  return {{face[0], face[1], face[2]}, {face[3], face[4], face[5]}};
+}
+
+std::span<const std::uint32_t> Blockers::triangles(std::size_t i) const noexcept {
+  return {data_->triangles.data() + data_->first_triangle[i], data_->first_triangle[i + 1] - data_->first_triangle[i]};
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// What a Blockers holds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernels/siblings/siblings.hpp"
+#include "shaftcull/bounds.hpp"
+
+namespace shaftcull::kernel {
+
+/// A flat convex polygon that makes pairs blocked.
+struct PolygonBlocker {
+  std::uint32_t blocker;  ///< its number, whose points are its corners
+};
+
+struct BlockerData {
+  /// Of each blocker, the box around it.
+  std::vector<BoxRow> boxes;
+  /// Points that a blocker is the hull of, or lies in the hull of: those of blocker i from first_point[i] on. None if
+  /// it is a box.
+  std::vector<Vec3> points;
+  std::vector<std::size_t> first_point{0};
+  /// Triangles, likewise.
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::size_t> first_triangle{0};
+
+  /// Boxes that make pairs blocked, those given made as large as they are together.
+  std::vector<Box> solids;
+  std::vector<BoxRow> solid_rows;
+  std::vector<PolygonBlocker> polygons;
+  float largest_coordinate = 0;
+
+  [[nodiscard]] std::size_t size() const noexcept { return boxes.size(); }
+  [[nodiscard]] std::span<const Vec3> points_of(std::size_t i) const noexcept {
+    return {points.data() + first_point[i], first_point[i + 1] - first_point[i]};
+  }
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/ladder.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+#include <utility>
+
+#include "exact/pair.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+/// Calls visit(lane) for every bit that is set, ascending.
+template <class Visit>
+void for_each_lane(std::uint64_t lanes, const Visit& visit) {
+  for (; lanes != 0; lanes &= lanes - 1) visit(static_cast<unsigned>(std::countr_zero(lanes)));
+}
+
+/// Calls visit(first, count) for every run of bits that are set, ascending.
+template <class Visit>
+void for_each_run(std::uint64_t lanes, const Visit& visit) {
+  while (lanes != 0) {
+    const auto first = static_cast<unsigned>(std::countr_zero(lanes));
+    const auto count = static_cast<unsigned>(std::countr_one(lanes >> first));
+    visit(first, count);
+    if (first + count == 64) return;
+    lanes &= ~std::uint64_t{0} << (first + count);
+  }
+}
+
+std::uint64_t first_lanes(unsigned count) noexcept {
+  return count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+}
+
+std::uint64_t bit(unsigned lane) noexcept { return std::uint64_t{1} << lane; }
+
+}  // namespace
+
+std::uint64_t SightJob::pairs(std::uint32_t a_group, std::uint32_t b_group) const noexcept {
+  const std::uint64_t in_a = a.tree.groups()[a_group].count;
+  const std::uint64_t in_b = b.tree.groups()[b_group].count;
+  return is_of_one_set && a_group == b_group ? in_a * (in_a - 1) / 2 : in_a * in_b;
+}
+
+void SightAnswers::clear() noexcept {
+  counts = {};
+  products.clear();
+  undecided.clear();
+  first_candidate.resize(1);
+  candidates.clear();
+}
+
+std::size_t SightAnswers::memory_bytes() const noexcept {
+  return products.size() * sizeof(products[0]) + undecided.size() * sizeof(undecided[0]) +
+         first_candidate.size() * sizeof(first_candidate[0]) + candidates.size() * sizeof(candidates[0]);
+}
+
+/// Groups or patches side by side, at most 64: children of a group, or a group alone.
+struct Ladder::Side {
+  const SightSet& set;
+  bool are_patches;
+  unsigned count;
+  std::uint32_t first;  ///< a group, or a position in the order of patches
+  const float* box[6];
+  PlaneStreams planes{};
+
+  Side(const SightSet& of, std::uint32_t from, unsigned size, bool patches)
+      : set(of), are_patches(patches), count(size), first(from) {
+    const PatchStreams& streams = patches ? of.tree.patch_streams() : of.tree.group_streams();
+    for (unsigned s = 0; s != 6; ++s) box[s] = streams.stream(s) + from;
+    if (!streams.has_planes()) return;
+    for (unsigned k = 0; k != 3; ++k) {
+      planes.least_normal[k] = streams.stream(6 + k) + from;
+      planes.largest_normal[k] = streams.stream(9 + k) + from;
+    }
+    planes.least_offset = streams.stream(12) + from;
+    planes.error = (patches ? of.patch_error : of.group_error).data() + from;
+  }
+  static Side alone(const SightSet& set, std::uint32_t group) { return {set, group, 1, false}; }
+  static Side children(const SightSet& set, std::uint32_t group) {
+    const PatchGroup& parent = set.tree.groups()[group];
+    return {set, parent.first_child, parent.children, parent.has_patches};
+  }
+
+  [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
+  [[nodiscard]] PlaneRow plane(unsigned lane) const noexcept {
+    PlaneRow row{};
+    for (unsigned k = 0; k != 3; ++k) {
+      row.least_normal[k] = planes.least_normal[k][lane];
+      row.largest_normal[k] = planes.largest_normal[k][lane];
+    }
+    row.least_offset = planes.least_offset[lane];
+    row.error = planes.error[lane];
+    return row;
+  }
+  /// The box of a lane, six faces.
+  void copy_box(unsigned lane, float (&to)[6]) const noexcept {
+    for (unsigned s = 0; s != 6; ++s) to[s] = box[s][lane];
+  }
+  /// The patches of lanes side by side.
+  [[nodiscard]] PatchRun run(unsigned lane, unsigned lanes) const noexcept {
+    if (are_patches) return {first + lane, lanes};
+    const std::vector<PatchGroup>& groups = set.tree.groups();
+    const PatchGroup& last = groups[first + lane + lanes - 1];
+    const std::uint32_t begin = groups[first + lane].first;
+    return {begin, last.first + last.count - begin};
+  }
+  /// Lanes whose patches lie on or behind all planes of a lane of another side.
+  [[nodiscard]] std::uint64_t behind_plane_of(const Side& other, unsigned lane, const SiblingKernels& kernels) const {
+    if (!other.has_planes()) return 0;
+    return (other.are_patches ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
+  }
+  /// Lanes on or behind all of whose planes a box lies.
+  [[nodiscard]] std::uint64_t with_behind(const float* faces, const SiblingKernels& kernels) const {
+    if (!has_planes()) return 0;
+    return (are_patches ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces);
+  }
+};
+
+/// What is known of a product, and scratch.
+struct Ladder::Level {
+  SightLists lists;
+  // Lanes of rows and columns whose shafts with all of the other side keep each of the lists.
+  std::vector<std::uint64_t> row_candidates;
+  std::vector<std::uint64_t> row_solids;
+  std::vector<std::uint64_t> row_polygons;
+  std::vector<std::uint64_t> column_candidates;
+  std::vector<std::uint64_t> column_solids;
+  std::vector<std::uint64_t> column_polygons;
+  // Of the row at hand: what is left of the lists, in which lanes it may be, and where it is kept.
+  SightLists of_row;
+  std::vector<std::uint64_t> may_candidates;
+  std::vector<std::uint64_t> may_solids;
+  std::vector<std::uint64_t> may_polygons;
+  std::vector<std::uint64_t> kept;
+  std::vector<std::uint64_t> kept_solids;
+  std::vector<std::uint64_t> kept_polygons;
+};
+
+Ladder::Ladder(const SightJob& job, SightAnswers& answers) : job_(job), answers_(answers) {}
+Ladder::~Ladder() = default;
+
+Ladder::Level& Ladder::level(std::size_t depth) {
+  while (levels_.size() <= depth) levels_.emplace_back();
+  return levels_[depth];
+}
+
+void Ladder::enter(SightProductTask&& task) {
+  level(0).lists = std::move(task.lists);
+  descend(task.a, task.b, 0);
+}
+
+void Ladder::answer(SightProductTask&& task) {
+  leave_ = nullptr;
+  full_ = nullptr;
+  enter(std::move(task));
+}
+
+void Ladder::answer_in_parts(SightProductTask&& task, std::size_t most_bytes, const Full& full) {
+  leave_ = nullptr;
+  full_ = &full;
+  most_bytes_ = most_bytes;
+  enter(std::move(task));
+}
+
+void Ladder::split(SightProductTask&& task, std::uint64_t most_pairs, const Leave& leave) {
+  full_ = nullptr;
+  leave_ = &leave;
+  most_pairs_ = most_pairs;
+  enter(std::move(task));
+}
+
+/// Answers a product whose lists are those of a level, or leaves it.
+void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
+  if (leave_ != nullptr && job_.pairs(a, b) <= most_pairs_) {
+    return (*leave_)(SightProductTask{a, b, level(depth).lists});
+  }
+  walk(a, b, depth);
+}
+
+void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
+  const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
+  SightCounts& counts = answers_.counts;
+  (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
+  if (job_.wants_products) answers_.products.push_back({a, b, sight});
+}
+
+void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
+  if (which == 0) return;
+  if (!job_.wants_products && rows.are_patches && columns.are_patches) {
+    const auto pairs = static_cast<std::uint64_t>(std::popcount(which));
+    SightCounts& counts = answers_.counts;
+    (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
+    return;
+  }
+  for_each_run(which,
+               [&](unsigned first, unsigned count) { write(rows.run(row, 1), columns.run(first, count), sight); });
+}
+
+void Ladder::decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight) {
+  for_each_run(which,
+               [&](unsigned first, unsigned count) { write(rows.run(first, count), columns.run(column, 1), sight); });
+}
+
+void Ladder::form(const Side& fixed, unsigned lane, const Side& lanes) {
+  fixed.copy_box(lane, fixed_);
+  job_.kernels.form(fixed_, lanes.box, lanes.count, siblings_);
+  siblings_.contact = job_.contact;
+  siblings_.are_groups = !fixed.are_patches || !lanes.are_patches;
+  siblings_.solids_around_ends = job_.solids_around_ends;
+}
+
+/// Lanes of `asked` on or behind all of whose planes a blocker lies.
+std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) const {
+  if (!lanes.has_planes() || asked == 0) return 0;
+  std::uint64_t behind = lanes.with_behind(job_.blockers.boxes[blocker].face, job_.kernels) & asked;
+  const std::span<const Vec3> points = job_.blockers.points_of(blocker);
+  if (!lanes.are_patches || points.empty() || behind == asked) return behind;
+  return job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), asked & ~behind) |
+         behind;
+}
+
+std::uint64_t Ladder::blocked_by_polygons(const std::vector<std::uint32_t>& polygons,
+                                          const std::vector<std::uint64_t>& may_block, std::uint64_t asked) {
+  std::uint64_t blocked = 0;
+  for (std::size_t i = 0; i != polygons.size() && asked != 0; ++i) {
+    std::uint64_t met = 0;
+    const std::uint32_t polygon = polygons[i];
+    job_.kernels.keep(siblings_, job_.blockers.boxes.data(), &polygon, 1, nullptr,
+                      may_block.empty() ? asked : asked & may_block[i], &met);
+    for_each_lane(met, [&](unsigned lane) {
+      float other[6];
+      for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
+      if (polygon_blocks_between(fixed_, other, job_.blockers.points_of(polygon))) blocked |= bit(lane);
+    });
+    asked &= ~blocked;
+  }
+  return blocked;
+}
+
+/// Compares lanes of one side with a whole group of the other set. Answers those that can be, and returns the others.
+std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
+                                         std::uint64_t rows) {
+  const SiblingKernels& kernels = job_.kernels;
+  std::uint64_t left = first_lanes(lanes.count);
+  const auto answer = [&](std::uint64_t which, Sight sight) {
+    left &= ~which;
+    for_each_lane(which, [&](unsigned lane) {
+      if (lanes_are_rows) {
+        write(lanes.run(lane, 1), group.run(0, 1), sight);
+      } else {
+        decide_rows(*rows_, rows, lanes, lane, sight);
+      }
+    });
+  };
+  form(group, 0, lanes);
+  answer(lanes.with_behind(fixed_, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
+  if (left == 0) return 0;
+  const SightLists& lists = level.lists;
+  const BlockerData& blockers = job_.blockers;
+  answer(kernels.block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
+         Sight::blocked);
+  answer(blocked_by_polygons(lists.polygons, {}, left), Sight::blocked);
+  if (left == 0) return 0;
+
+  const auto keep = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
+                        std::vector<std::uint64_t>& kept) {
+    kept.resize(list.size());
+    return kernels.keep(siblings_, boxes.data(), list.data(), list.size(), nullptr, left, kept.data());
+  };
+  std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
+  std::uint64_t any = keep(blockers.boxes, lists.candidates, kept);
+  if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
+  answer(left & ~any, Sight::clear);
+  if (left == 0) return 0;
+  keep(blockers.solid_rows, lists.solids, lanes_are_rows ? level.row_solids : level.column_solids);
+  keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  return left;
+}
+
+/// Clears the lanes on or behind whose planes candidates lie. Returns those in which some are left.
+std::uint64_t Ladder::drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept) const {
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i != kept.size(); ++i) {
+    kept[i] &= ~behind(lanes, level.lists.candidates[i], kept[i]);
+    any |= kept[i];
+  }
+  return any;
+}
+
+/// Answers all pairs of two groups, whose lists are those of a level.
+void Ladder::walk(std::uint32_t a, std::uint32_t b, std::size_t depth) {
+  Level& here = level(depth);
+  const PatchGroup& a_group = job_.a.tree.groups()[a];
+  const PatchGroup& b_group = job_.b.tree.groups()[b];
+  const bool is_itself = job_.is_of_one_set && a == b;
+  // Patches are compared with patches, and groups with groups.
+  const Side rows = a_group.has_patches && !b_group.has_patches ? Side::alone(job_.a, a) : Side::children(job_.a, a);
+  const Side columns = b_group.has_patches && !a_group.has_patches ? Side::alone(job_.b, b) : Side::children(job_.b, b);
+  std::uint64_t rows_left = first_lanes(rows.count);
+  std::uint64_t columns_left = first_lanes(columns.count);
+  const auto keep_all = [&](std::vector<std::uint64_t>& candidates, std::vector<std::uint64_t>& solids,
+                            std::vector<std::uint64_t>& polygons) {
+    candidates.assign(here.lists.candidates.size(), ~std::uint64_t{0});
+    solids.assign(here.lists.solids.size(), ~std::uint64_t{0});
+    polygons.assign(here.lists.polygons.size(), ~std::uint64_t{0});
+  };
+  rows_ = &rows;
+  if (is_itself || rows.count == 1) {
+    keep_all(here.row_candidates, here.row_solids, here.row_polygons);
+    if (rows.are_patches) drop_behind(here, rows, here.row_candidates);
+  } else {
+    rows_left = compare_with_group(here, rows, Side::alone(job_.b, b), true, 0);
+  }
+  if (is_itself || columns.count == 1) {
+    keep_all(here.column_candidates, here.column_solids, here.column_polygons);
+    if (columns.are_patches) drop_behind(here, columns, here.column_candidates);
+  } else if (rows_left != 0) {
+    columns_left = compare_with_group(here, columns, Side::alone(job_.a, a), false, rows_left);
+  }
+  if (columns_left == 0) return;
+  for_each_lane(rows_left, [&](unsigned row) {
+    std::uint64_t lanes = columns_left;
+    if (is_itself) {
+      lanes &= row == 63 ? 0 : ~std::uint64_t{0} << (row + 1);
+      if (!rows.are_patches) go_into_itself(depth, rows, row);
+    }
+    if (lanes != 0) answer_row(depth, rows, row, columns, lanes);
+  });
+}
+
+/// A child with itself: nothing is known of it but what is known of its parent.
+void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
+  level(depth + 1).lists = level(depth).lists;
+  descend(rows.first + row, rows.first + row, depth + 1);
+}
+
+/// Answers one row of pairs.
+void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  const SiblingKernels& kernels = job_.kernels;
+  const BlockerData& blockers = job_.blockers;
+  Level& here = level(depth);
+  form(rows, row, columns);
+  const std::uint64_t away =
+      lanes & (columns.with_behind(fixed_, kernels) | columns.behind_plane_of(rows, row, kernels));
+  decide(rows, row, columns, away, Sight::facing_away);
+  lanes &= ~away;
+  if (lanes == 0) return;
+
+  const auto select = [&](const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
+                          const std::vector<std::uint64_t>& of_columns, std::vector<std::uint32_t>& selected,
+                          std::vector<std::uint64_t>& may) {
+    selected.clear();
+    may.clear();
+    for (std::size_t i = 0; i != list.size(); ++i) {
+      if ((of_rows[i] & bit(row)) == 0 || (of_columns[i] & lanes) == 0) continue;
+      selected.push_back(list[i]);
+      may.push_back(of_columns[i]);
+    }
+  };
+  select(here.lists.solids, here.row_solids, here.column_solids, here.of_row.solids, here.may_solids);
+  std::uint64_t blocked = kernels.block(siblings_, blockers.solid_rows.data(), here.of_row.solids.data(),
+                                        here.of_row.solids.size(), here.may_solids.data(), lanes);
+  if (!here.lists.polygons.empty()) {
+    select(here.lists.polygons, here.row_polygons, here.column_polygons, here.of_row.polygons, here.may_polygons);
+    blocked |= blocked_by_polygons(here.of_row.polygons, here.may_polygons, lanes & ~blocked);
+  }
+  decide(rows, row, columns, blocked, Sight::blocked);
+  lanes &= ~blocked;
+  if (lanes == 0) return;
+
+  select(here.lists.candidates, here.row_candidates, here.column_candidates, here.of_row.candidates,
+         here.may_candidates);
+  const bool are_patches = rows.are_patches && columns.are_patches;
+  const auto keep = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
+                        const std::vector<std::uint64_t>& may, std::vector<std::uint64_t>& kept) {
+    kept.resize(list.size());
+    return kernels.keep(siblings_, boxes.data(), list.data(), list.size(), may.data(), lanes, kept.data());
+  };
+  std::uint64_t undecided = 0;
+  if (are_patches && !job_.wants_candidates) {
+    undecided = kernels.keep_any(siblings_, blockers.boxes.data(), here.of_row.candidates.data(),
+                                 here.of_row.candidates.size(), here.may_candidates.data(), lanes);
+  } else {
+    undecided = keep(blockers.boxes, here.of_row.candidates, here.may_candidates, here.kept);
+  }
+  decide(rows, row, columns, lanes & ~undecided, Sight::clear);
+  lanes = undecided;
+  if (lanes == 0) return;
+  if (are_patches) return write_undecided(here, rows, row, columns, lanes);
+
+  keep(blockers.solid_rows, here.of_row.solids, here.may_solids, here.kept_solids);
+  if (!here.lists.polygons.empty()) {
+    keep(blockers.boxes, here.of_row.polygons, here.may_polygons, here.kept_polygons);
+  }
+  for_each_lane(lanes, [&](unsigned lane) {
+    SightLists& below = level(depth + 1).lists;
+    const auto pass_on = [&](const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& kept,
+                             std::vector<std::uint32_t>& to) {
+      to.clear();
+      for (std::size_t i = 0; i != list.size(); ++i) {
+        if ((kept[i] & bit(lane)) != 0) to.push_back(list[i]);
+      }
+    };
+    pass_on(here.of_row.candidates, here.kept, below.candidates);
+    pass_on(here.of_row.solids, here.kept_solids, below.solids);
+    if (here.lists.polygons.empty()) {
+      below.polygons.clear();
+    } else {
+      pass_on(here.of_row.polygons, here.kept_polygons, below.polygons);
+    }
+    descend(rows.first + row, columns.first + lane, depth + 1);
+  });
+}
+
+/// Pairs of patches that are undecided, with what level `here` keeps.
+void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns,
+                             std::uint64_t lanes) {
+  answers_.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
+  if (!job_.wants_undecided) return;
+  const std::uint32_t a = rows.set.tree.order()[rows.first + row];
+  for_each_lane(lanes, [&](unsigned lane) {
+    answers_.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
+    if (!job_.wants_candidates) return;
+    for (std::size_t i = 0; i != here.of_row.candidates.size(); ++i) {
+      if ((here.kept[i] & bit(lane)) != 0) answers_.candidates.push_back(here.of_row.candidates[i]);
+    }
+    answers_.first_candidate.push_back(answers_.candidates.size());
+  });
+  if (full_ != nullptr && answers_.memory_bytes() >= most_bytes_) (*full_)();
+}
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+/// Patches in a tree whose groups are small, and face alike.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "kernels/siblings/siblings.hpp"
+#include "shaftcull/bounds.hpp"
+#include "shaftcull/streams.hpp"
+
+namespace shaftcull::kernel {
+
+/// Boxes with planes in separate streams, padded so that a word can be read from any of them on: patches, or groups.
+class PatchStreams {
+ public:
+  PatchStreams() noexcept = default;
+  /// `count` of them, to be written. Of patches, normals have one bound only.
+  PatchStreams(std::size_t count, bool has_planes, bool are_groups);
+
+  [[nodiscard]] std::size_t size() const noexcept { return count_; }
+  [[nodiscard]] bool has_planes() const noexcept { return has_planes_; }
+  /// Streams 0 to 5 are the box, 6 to 8 the least normal, 9 to 11 the largest one, 12 the least offset.
+  [[nodiscard]] float* stream(std::size_t s) noexcept { return row(s); }
+  [[nodiscard]] const float* stream(std::size_t s) const noexcept { return row(s); }
+
+ private:
+  [[nodiscard]] float* row(std::size_t s) const noexcept {
+    // Patches have no second bound of the normal.
+    const std::size_t own = are_groups_ || s < 9 ? s : s - 3;
+    return memory_.get() + own * stride_;
+  }
+
+  struct Free {
+    void operator()(float* memory) const noexcept;
+  };
+  std::unique_ptr<float[], Free> memory_;
+  std::size_t count_ = 0;
+  std::size_t stride_ = 0;
+  bool has_planes_ = false;
+  bool are_groups_ = false;
+};
+
+/// A group of patches. Its children are groups side by side, or patches.
+struct PatchGroup {
+  std::uint32_t first;        ///< its patches, side by side in the order of the tree
+  std::uint32_t count;        ///< how many
+  std::uint32_t first_child;  ///< a group; of a group of patches, `first`
+  std::uint8_t children;      ///< how many: 2 to most_children, or `count`, 1 to most_patches
+  bool has_patches;           ///< whether its children are patches
+};
+
+/// The tree. Group 0 has all patches; there is none if there are no patches.
+class PatchTree {
+ public:
+  /// Most groups in a group, and most patches.
+  static constexpr std::size_t most_children = 8;
+  static constexpr std::size_t most_patches = most_siblings;
+
+  PatchTree() = default;
+  /// Boxes are finite with lo ≤ hi, planes finite with normals that are not zero, and there are none or as many.
+  PatchTree(const BoxView& boxes, std::span<const Plane> planes);
+
+  [[nodiscard]] std::span<const std::uint32_t> order() const noexcept { return order_; }
+  [[nodiscard]] const std::vector<PatchGroup>& groups() const noexcept { return groups_; }
+  [[nodiscard]] const PatchStreams& patch_streams() const noexcept { return patch_streams_; }
+  [[nodiscard]] const PatchStreams& group_streams() const noexcept { return group_streams_; }
+  [[nodiscard]] bool has_planes() const noexcept { return patch_streams_.has_planes(); }
+  /// The largest magnitude of a coordinate of a box.
+  [[nodiscard]] float largest_coordinate() const noexcept { return largest_coordinate_; }
+
+ private:
+  std::vector<std::uint32_t> order_;
+  std::vector<PatchGroup> groups_;
+  PatchStreams patch_streams_;
+  PatchStreams group_streams_;
+  float largest_coordinate_ = 0;
+};
+
+}  // namespace shaftcull::kernel

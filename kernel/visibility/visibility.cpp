@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: MIT
+#include "shaftcull/visibility.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "dispatch/active_kernels.hpp"
+#include "parallel/parallel.hpp"
+#include "shaftcull/many.hpp"
+#include "support/arguments.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
+#include "visibility/ladder.hpp"
+
+namespace shaftcull {
+namespace {
+
+using kernel::SightAnswers;
+using kernel::SightJob;
+using kernel::SightProductTask;
+
+constexpr std::size_t least_memory = std::size_t{1} << 20;
+
+/// Errors of computed normal·p − offset, for coordinates of at most `coordinate`: three products, three sums and a
+/// difference round, each by 2⁻²⁴ of what is at most |n|·|p| + |offset| in sum; underflow adds less than 2⁻¹⁴⁰. NaN
+/// where products may overflow. 0 where nothing is rounded but the difference, whose sign is right then: of a plane
+/// across an axis with a normal of 1.
+float distance_error(const float (&normal)[3], float offset, float coordinate) noexcept {
+  unsigned components = 0;
+  double length = 0;
+  bool is_unit = true;
+  for (const float n : normal) {
+    components += n != 0;
+    is_unit = is_unit && (n == 0 || std::fabs(n) == 1);
+    length += std::fabs(double{n});
+  }
+  if (components == 1 && is_unit) return 0;
+  const double size = length * coordinate + std::fabs(double{offset});
+  if (size > 0x1p120) return std::numeric_limits<float>::quiet_NaN();
+  return static_cast<float>(8 * 0x1p-24 * size + 0x1p-120);
+}
+
+/// The errors of all planes of some streams.
+std::vector<float> distance_errors(const kernel::PatchStreams& streams, float coordinate) {
+  std::vector<float> error;
+  if (!streams.has_planes()) return error;
+  error.resize(streams.size() + kernel::most_siblings);
+  for (std::size_t i = 0; i != streams.size(); ++i) {
+    float normal[3];
+    for (std::size_t k = 0; k != 3; ++k) {
+      const float least = streams.stream(6 + k)[i];
+      const float largest = streams.stream(9 + k)[i];
+      normal[k] = std::fabs(least) > std::fabs(largest) ? least : largest;
+    }
+    error[i] = distance_error(normal, streams.stream(12)[i], coordinate);
+  }
+  return error;
+}
+
+kernel::SightSet sight_set(const kernel::PatchTree& tree, float coordinate) {
+  return {tree, distance_errors(tree.patch_streams(), coordinate), distance_errors(tree.group_streams(), coordinate)};
+}
+
+/// The tree of a set without patches.
+const std::shared_ptr<const kernel::PatchTree>& no_patches() noexcept {
+  static const std::shared_ptr<const kernel::PatchTree> none = std::make_shared<const kernel::PatchTree>();
+  return none;
+}
+
+std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::span<const Plane> planes) {
+  kernel::require_view(boxes);
+  kernel::require_memory("planes", planes, "planes");
+  if (!planes.empty() && planes.size() != boxes.count) {
+    throw InvalidArgument(kernel::counted(planes.size(), "plane") + " for " + std::to_string(boxes.count) +
+                          " patches; there must be one for each, or none");
+  }
+  if (boxes.count >= std::numeric_limits<std::uint32_t>::max()) {
+    throw InvalidArgument(std::to_string(boxes.count) + " patches; there may be at most 2^32 - 2");
+  }
+  const auto refuse = [](std::size_t i, const char* why) {
+    throw BadBound(i, "patch " + std::to_string(i) + " " + why);
+  };
+  for (std::size_t i = 0; i != boxes.count; ++i) {
+    const Box box = boxes[i];
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) refuse(i, "is not finite");
+      if (box.lo[k] > box.hi[k]) refuse(i, "has lo > hi");
+    }
+    if (planes.empty()) continue;
+    bool is_zero = true;
+    for (const float n : planes[i].normal) {
+      if (!std::isfinite(n)) refuse(i, "has a plane that is not finite");
+      is_zero = is_zero && n == 0;
+    }
+    if (!std::isfinite(planes[i].offset)) refuse(i, "has a plane that is not finite");
+    if (is_zero) refuse(i, "has a plane whose normal is zero");
+  }
+  return kernel::in_float_environment([&] { return std::make_shared<const kernel::PatchTree>(boxes, planes); });
+}
+
+/// What is told of progress, some times a second.
+class ProgressTeller {
+ public:
+  ProgressTeller(const VisibilityOptions& options, std::uint64_t total) : options_(options), total_(total) {}
+
+  /// Throws Cancelled if the user does not want to go on.
+  void tell(std::uint64_t done, bool at_once = false) {
+    if (!options_.progress) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (!at_once && now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    if (!options_.progress({done, total_})) {
+      throw Cancelled("the call was cancelled by its progress callback after " + std::to_string(done) + " of " +
+                      std::to_string(total_) + " pairs");
+    }
+  }
+
+ private:
+  const VisibilityOptions& options_;
+  std::uint64_t total_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+SightCounts& operator+=(SightCounts& to, const SightCounts& more) noexcept {
+  to.undecided += more.undecided;
+  to.clear += more.clear;
+  to.blocked += more.blocked;
+  to.facing_away += more.facing_away;
+  return to;
+}
+
+/// One call.
+class Run {
+ public:
+  using Deliver = FunctionRef<void(const SightBatch&)>;
+
+  Run(const kernel::PatchTree& a, const kernel::PatchTree& b, bool is_of_one_set, const kernel::BlockerData& blockers,
+      const VisibilityOptions& options, const Deliver* deliver)
+      : options_(options),
+        deliver_(deliver),
+        job_{sight_set(a, largest_coordinate(a, b, blockers)),
+             sight_set(b, largest_coordinate(a, b, blockers)),
+             is_of_one_set,
+             blockers,
+             kernel::active_kernels().siblings,
+             options.contact,
+             options.solids_around_ends,
+             deliver != nullptr,
+             deliver != nullptr || static_cast<bool>(options.resolve),
+             options.candidates && (deliver != nullptr || static_cast<bool>(options.resolve))},
+        teller_(options, total_pairs()) {
+    if (!options.resolve) return;
+    a_place_ = places(a);
+    b_place_ = is_of_one_set ? a_place_ : places(b);
+  }
+
+  SightCounts run() {
+    if (job_.a.tree.groups().empty() || job_.b.tree.groups().empty()) return {};
+    teller_.tell(0, true);
+    SightProductTask all{0, 0, {}};
+    const auto number = [](std::vector<std::uint32_t>& list, std::size_t count) {
+      list.resize(count);
+      for (std::size_t i = 0; i != count; ++i) list[i] = static_cast<std::uint32_t>(i);
+    };
+    number(all.lists.candidates, job_.blockers.size());
+    number(all.lists.solids, job_.blockers.solids.size());
+    for (const kernel::PolygonBlocker& polygon : job_.blockers.polygons) all.lists.polygons.push_back(polygon.blocker);
+
+    kernel::Ladder top(job_, before_);
+    const auto leave = [&](SightProductTask&& task) { add(std::move(task)); };
+    kernel::in_float_environment([&] { top.split(std::move(all), pairs_at_once(), leave); });
+    flush();
+    hand_over(before_);
+    teller_.tell(counts_.total(), true);
+    return counts_;
+  }
+
+ private:
+  /// A product that is to be answered, with what was answered before it.
+  struct Item {
+    SightAnswers before;
+    SightProductTask task;
+  };
+
+  /// Where in the order of a tree each patch is.
+  static std::vector<std::uint32_t> places(const kernel::PatchTree& tree) {
+    std::vector<std::uint32_t> place(tree.order().size());
+    for (std::size_t p = 0; p != place.size(); ++p) place[tree.order()[p]] = static_cast<std::uint32_t>(p);
+    return place;
+  }
+
+  static float largest_coordinate(const kernel::PatchTree& a, const kernel::PatchTree& b,
+                                  const kernel::BlockerData& blockers) noexcept {
+    return std::max({a.largest_coordinate(), b.largest_coordinate(), blockers.largest_coordinate});
+  }
+
+  [[nodiscard]] std::uint64_t total_pairs() const noexcept {
+    return job_.a.tree.groups().empty() || job_.b.tree.groups().empty() ? 0 : job_.pairs(0, 0);
+  }
+
+  [[nodiscard]] bool writes() const noexcept { return job_.wants_undecided; }
+  [[nodiscard]] std::size_t slots() const noexcept { return 2 * static_cast<std::size_t>(std::max(concurrency(), 1)); }
+
+  /// Pairs of a product that one thread answers: enough that handing them out costs nothing.
+  [[nodiscard]] std::uint64_t pairs_at_once() const noexcept {
+    return writes() ? std::uint64_t{1} << 18 : std::uint64_t{1} << 20;
+  }
+
+  /// The most bytes that answers to a product can take.
+  [[nodiscard]] std::size_t most_bytes(const SightProductTask& task) const noexcept {
+    if (!writes()) return 0;
+    const std::size_t pair =
+        std::max(sizeof(SightProduct), sizeof(PatchPair) + sizeof(std::size_t) +
+                                           (job_.wants_candidates ? task.lists.candidates.size() * 4 : 0));
+    return static_cast<std::size_t>(job_.pairs(task.a, task.b)) * pair;
+  }
+
+  void add(SightProductTask&& task) {
+    waiting_bytes_ += task.lists.candidates.size() * sizeof(std::uint32_t) + before_.memory_bytes();
+    SightAnswers before;
+    std::swap(before, before_);
+    items_.push_back({std::move(before), std::move(task)});
+    // Bounded by memory, and short enough that progress is told.
+    if (items_.size() >= 64 * slots() || waiting_bytes_ > options_.memory / 4) flush();
+  }
+
+  /// Answers the products that wait, and hands all over in order.
+  void flush() {
+    const std::size_t room = options_.memory / 2 / slots();
+    std::size_t first = 0;
+    while (first != items_.size()) {
+      // Products whose answers fit are answered side by side, others alone and in parts.
+      std::size_t end = first;
+      while (end != items_.size() && most_bytes(items_[end].task) <= room) ++end;
+      answer_side_by_side(first, end);
+      if (end != items_.size()) {
+        answer_in_parts(items_[end]);
+        ++end;
+      }
+      first = end;
+    }
+    items_.clear();
+    waiting_bytes_ = 0;
+  }
+
+  void answer_side_by_side(std::size_t first, std::size_t end) {
+    if (first == end) return;
+    std::vector<SightAnswers> answers(slots());
+    kernel::ordered_pipeline(
+        end - first, slots(),
+        [&](std::size_t i, std::size_t slot) {
+          answers[slot].clear();
+          kernel::Ladder(job_, answers[slot]).answer(std::move(items_[first + i].task));
+          resolve(answers[slot]);
+        },
+        [&](std::size_t i, std::size_t slot) {
+          hand_over(items_[first + i].before);
+          hand_over(answers[slot]);
+          teller_.tell(counts_.total());
+        });
+  }
+
+  void answer_in_parts(Item& item) {
+    hand_over(item.before);
+    SightAnswers answers;
+    const auto hand_over_part = [&] {
+      resolve(answers);
+      hand_over(answers);
+      answers.clear();
+      teller_.tell(counts_.total());
+    };
+    kernel::in_float_environment([&] {
+      kernel::Ladder(job_, answers).answer_in_parts(std::move(item.task), options_.memory / 4, hand_over_part);
+    });
+    hand_over_part();
+  }
+
+  /// Asks the user about what is undecided.
+  void resolve(SightAnswers& answers) const {
+    if (!options_.resolve || answers.undecided.empty()) return;
+    std::vector<Sight> verdict(answers.undecided.size(), Sight::undecided);
+    options_.resolve(undecided_of(answers), verdict);
+    for (const Sight sight : verdict) {
+      if (sight > Sight::facing_away) throw InvalidArgument("resolve() wrote a verdict that is no Sight");
+    }
+    apply(verdict, answers);
+  }
+
+  [[nodiscard]] UndecidedPairs undecided_of(const SightAnswers& answers) const noexcept {
+    if (!job_.wants_candidates) return {answers.undecided, {}, {}};
+    return {answers.undecided, answers.first_candidate, answers.candidates};
+  }
+
+  /// Makes products of pairs that have an answer now.
+  void apply(std::span<const Sight> verdict, SightAnswers& answers) const {
+    std::size_t left = 0;
+    std::size_t candidates = 0;
+    for (std::size_t i = 0; i != verdict.size(); ++i) {
+      const PatchPair pair = answers.undecided[i];
+      if (verdict[i] == Sight::undecided) {
+        answers.undecided[left++] = pair;
+        if (!job_.wants_candidates) continue;
+        for (std::size_t c = answers.first_candidate[i]; c != answers.first_candidate[i + 1]; ++c) {
+          answers.candidates[candidates++] = answers.candidates[c];
+        }
+        answers.first_candidate[left] = candidates;  // at or before what is still to be read
+        continue;
+      }
+      SightCounts& counts = answers.counts;
+      --counts.undecided;
+      ++(verdict[i] == Sight::clear     ? counts.clear
+         : verdict[i] == Sight::blocked ? counts.blocked
+                                        : counts.facing_away);
+      if (job_.wants_products) {
+        answers.products.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});
+      }
+    }
+    answers.undecided.resize(left);
+    if (!job_.wants_candidates) return;
+    answers.first_candidate.resize(left + 1);
+    answers.candidates.resize(candidates);
+  }
+
+  /// Counts and delivers.
+  void hand_over(const SightAnswers& answers) {
+    counts_ += answers.counts;
+    if (deliver_ == nullptr || (answers.products.empty() && answers.undecided.empty())) return;
+    (*deliver_)({answers.products, undecided_of(answers)});
+  }
+
+  const VisibilityOptions& options_;
+  const Deliver* deliver_;
+  SightJob job_;
+  ProgressTeller teller_;
+  std::vector<std::uint32_t> a_place_;  // for resolve
+  std::vector<std::uint32_t> b_place_;
+  SightCounts counts_;
+  SightAnswers before_;
+  std::vector<Item> items_;
+  std::size_t waiting_bytes_ = 0;
+};
+
+void require_options(const VisibilityOptions& options) {
+  kernel::require_contact(options.contact);
+  if (options.memory < least_memory) {
+    throw InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more");
+  }
+}
+
+void require_callback(const FunctionRef<void(const SightBatch&)>& deliver) {
+  if (!deliver) throw InvalidArgument("deliver is empty; it is called with the answers");
+}
+
+/// Runs a call of two sets, or of one with itself.
+SightCounts run(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers,
+                const VisibilityOptions& options, const FunctionRef<void(const SightBatch&)>* deliver) {
+  require_options(options);
+  return Run(a.tree(), b.tree(), is_of_one_set, blockers.data(), options, deliver).run();
+}
+
+Visibility collect(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers,
+                   const VisibilityOptions& options) {
+  Visibility all;
+  all.first_candidate.push_back(0);
+  const auto append = [&](const SightBatch& batch) {
+    const UndecidedPairs& undecided = batch.undecided;
+    all.products.insert(all.products.end(), batch.products.begin(), batch.products.end());
+    all.undecided.insert(all.undecided.end(), undecided.pairs.begin(), undecided.pairs.end());
+    const std::size_t before = all.candidates.size();
+    all.candidates.insert(all.candidates.end(), undecided.candidates.begin(), undecided.candidates.end());
+    for (std::size_t i = 1; i < undecided.first_candidate.size(); ++i) {
+      all.first_candidate.push_back(before + undecided.first_candidate[i]);
+    }
+  };
+  const FunctionRef<void(const SightBatch&)> deliver = append;
+  all.counts = run(a, b, is_of_one_set, blockers, options, &deliver);
+  if (!options.candidates) all.first_candidate.clear();
+  return all;
+}
+
+SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers, Sight sight,
+                       std::span<std::uint64_t> bits, const VisibilityOptions& options) {
+  if (sight > Sight::facing_away) throw InvalidArgument("sight is no enumerator of Sight");
+  const std::size_t words = words_for(b.size());
+  kernel::require_rows("bits", bits, a.size(), words);
+  std::fill(bits.begin(), bits.end(), 0);
+  const auto set = [&](std::size_t i, std::size_t j) { bits[i * words + j / 64] |= std::uint64_t{1} << j % 64; };
+  const auto set_pair = [&](std::size_t i, std::size_t j) {
+    set(i, j);
+    if (is_of_one_set) set(j, i);
+  };
+  const auto write = [&](const SightBatch& batch) {
+    for (const SightProduct& product : batch.products) {
+      if (product.sight != sight) continue;
+      for (const std::uint32_t i : a.order().subspan(product.a.first, product.a.count)) {
+        for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count)) set_pair(i, j);
+      }
+    }
+    if (sight != Sight::undecided) return;
+    for (const PatchPair& pair : batch.undecided.pairs) set_pair(pair.a, pair.b);
+  };
+  VisibilityOptions without_candidates = options;
+  without_candidates.candidates = options.candidates && options.resolve;
+  const FunctionRef<void(const SightBatch&)> deliver = write;
+  return run(a, b, is_of_one_set, blockers, without_candidates, &deliver);
+}
+
+}  // namespace
+
+const char* name(Sight sight) noexcept {
+  switch (sight) {
+    case Sight::undecided:
+      return "undecided";
+    case Sight::clear:
+      return "clear";
+    case Sight::blocked:
+      return "blocked";
+    case Sight::facing_away:
+      return "facing away";
+  }
+  return "unknown";
+}
+
+Cancelled::~Cancelled() = default;
+
+PatchSet::PatchSet() noexcept : PatchSet(no_patches()) {}
+
+PatchSet::PatchSet(const BoxView& boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
+
+PatchSet::PatchSet(std::span<const Box> boxes, std::span<const Plane> planes)
+    : PatchSet(BoxStream(boxes).view(), planes) {}
+
+std::size_t PatchSet::size() const noexcept { return tree_->order().size(); }
+bool PatchSet::has_planes() const noexcept { return tree_->has_planes(); }
+std::span<const std::uint32_t> PatchSet::order() const noexcept { return tree_->order(); }
+
+SightCounts count_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+                             const VisibilityOptions& options) {
+  return run(a, b, false, blockers, options, nullptr);
+}
+SightCounts count_visibility(const PatchSet& patches, const Blockers& blockers, const VisibilityOptions& options) {
+  return run(patches, patches, true, blockers, options, nullptr);
+}
+
+SightCounts visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+                       FunctionRef<void(const SightBatch&)> deliver, const VisibilityOptions& options) {
+  require_callback(deliver);
+  return run(a, b, false, blockers, options, &deliver);
+}
+SightCounts visibility(const PatchSet& patches, const Blockers& blockers, FunctionRef<void(const SightBatch&)> deliver,
+                       const VisibilityOptions& options) {
+  require_callback(deliver);
+  return run(patches, patches, true, blockers, options, &deliver);
+}
+
+Visibility collect_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+                              const VisibilityOptions& options) {
+  return collect(a, b, false, blockers, options);
+}
+Visibility collect_visibility(const PatchSet& patches, const Blockers& blockers, const VisibilityOptions& options) {
+  return collect(patches, patches, true, blockers, options);
+}
+
+SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Blockers& blockers, Sight sight,
+                            std::span<std::uint64_t> bits, const VisibilityOptions& options) {
+  return write_bits(a, b, false, blockers, sight, bits, options);
+}
+SightCounts visibility_bits(const PatchSet& patches, const Blockers& blockers, Sight sight,
+                            std::span<std::uint64_t> bits, const VisibilityOptions& options) {
+  return write_bits(patches, patches, true, blockers, sight, bits, options);
+}
+
+}  // namespace shaftcull
