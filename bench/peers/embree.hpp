@@ -31,7 +31,11 @@ class EmbreeScene {
   /// Rays a packet: 4, 8 or 16.
   [[nodiscard]] unsigned packet() const noexcept;
 
-  [[nodiscard]] RayCounts trace(const FacingPair& pair, const ShadowRays& rays) const;
+  /// Without rays that begin or end less than `least_height` above the other patch's plane, either.
+  [[nodiscard]] RayCounts trace(const FacingPair& pair, const ShadowRays& rays, float least_height = 0) const;
+  /// Rays lower than this above a plane may meet the surface that they come from, for all that is left out at their
+  /// ends: rounding moves them, and the surface, as far.
+  [[nodiscard]] float grazing_height() const noexcept;
 
  private:
   struct Handles;
