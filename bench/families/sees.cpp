@@ -9,7 +9,9 @@
 ///
 /// sees/SCENE/all counts answers for all pairs of a scene, from boxes and triangles on; `finer` does so for four times
 /// the patches on the same surfaces. An item is a pair.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,6 +23,7 @@
 
 #include <fmt/format.h>
 
+#include "families/candidate_rays.hpp"
 #include "harness/suite.hpp"
 #include "harness/threads.hpp"
 #include "scenes/city_blocks.hpp"
@@ -72,8 +75,10 @@ std::string shares_text(const SightCounts& counts) {
 
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
 
-constexpr std::size_t partners = 8;  // clusters that a cluster is asked about
-constexpr float near_in_city = 60;   // metres
+constexpr std::size_t partners = 8;          // clusters that a cluster is asked about
+constexpr std::size_t most_candidates = 32;  // of a pair whose rays are tested with them one by one
+constexpr unsigned most_rays = 256;          // a pair
+constexpr float near_in_city = 60;           // metres
 
 /// Products for so many rays a pair, so that all take about as long.
 constexpr std::size_t products_for(unsigned rays, bool quick) { return (quick ? 20 : 160) * 16 / rays + 4; }
@@ -101,6 +106,9 @@ class SeesScene {
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const Blockers& blockers() {
     return blockers_.get([&] { return blockers_of(scene()); });
+  }
+  const std::vector<RayBox>& ray_boxes() {
+    return ray_boxes_.get([&] { return ray_boxes_of(scene()); });
   }
   const EmbreeScene& embree() {
     if (!embree_) embree_ = std::make_unique<EmbreeScene>(scene());
@@ -132,6 +140,7 @@ class SeesScene {
   Lazy<PatchScene> finer_;
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<Blockers> blockers_;
+  Lazy<std::vector<RayBox>> ray_boxes_;
   std::unique_ptr<EmbreeScene> embree_;
   Lazy<std::vector<Product>> near_;
   Lazy<std::vector<Product>> anywhere_;
@@ -155,8 +164,8 @@ PatchSet set_of(const PatchScene& scene, std::span<const std::uint32_t> patches)
   return PatchSet(boxes, planes);
 }
 
-/// Asks for all pairs of a product, and calls decided(i, j, sight) or undecided(i, j) for each, by positions in the
-/// product's lists.
+/// Asks for all pairs of a product, and calls decided(i, j, sight) or undecided(i, j, candidates) for each, by
+/// positions in the product's lists.
 template <class Decided, class Undecided>
 void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& product, const Decided& decided,
          const Undecided& undecided) {
@@ -164,37 +173,67 @@ void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& 
   const PatchSet b = set_of(scene, product.b);
   const std::span<const std::uint32_t> order_a = a.order();
   const std::span<const std::uint32_t> order_b = b.order();
-  visibility(a, b, blockers,
-             [&](const SightBatch& batch) {
-               for (const SightProduct& part : batch.products) {
-                 for (const std::uint32_t i : order_a.subspan(part.a.first, part.a.count)) {
-                   for (const std::uint32_t j : order_b.subspan(part.b.first, part.b.count)) decided(i, j, part.sight);
-                 }
-               }
-               for (const auto& pair : batch.undecided.pairs) undecided(pair.a, pair.b);
-             },
-             {.candidates = false});
+  visibility(a, b, blockers, [&](const SightBatch& batch) {
+    for (const SightProduct& part : batch.products) {
+      for (const std::uint32_t i : order_a.subspan(part.a.first, part.a.count)) {
+        for (const std::uint32_t j : order_b.subspan(part.b.first, part.b.count)) decided(i, j, part.sight);
+      }
+    }
+    const UndecidedPairs& open = batch.undecided;
+    for (std::size_t i = 0; i != open.pairs.size(); ++i) {
+      undecided(
+          open.pairs[i].a, open.pairs[i].b,
+          open.candidates.subspan(open.first_candidate[i], open.first_candidate[i + 1] - open.first_candidate[i]));
+    }
+  });
+}
+
+/// The part of its rays that is clear, of a pair of which these are all the blockers that they may meet. Solids are
+/// boxes to be tested with: Embree traces those rays only that meet none of them but the box around a mesh.
+float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays,
+                 std::span<const std::uint32_t> candidates) {
+  const PatchScene& scene = sees.scene();
+  if (candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
+  std::array<RayState, most_rays> states;
+  const RayEnds ends{scene.patches[pair.a], scene.patches[pair.b], scene.patch_planes[pair.a],
+                     scene.patch_planes[pair.b]};
+  const unsigned maybe =
+      trace_candidates(available_isas().back())(ends, rays, sees.ray_boxes(), candidates, states.data());
+  unsigned traced = 0;
+  unsigned clear = 0;
+  for (unsigned i = 0; i != rays.count; ++i) {
+    traced += states[i] != RayState::not_traced ? 1 : 0;
+    clear += states[i] == RayState::clear ? 1 : 0;
+  }
+  if (maybe != 0) {
+    std::array<bool, most_rays> wanted;
+    for (unsigned i = 0; i != rays.count; ++i) wanted[i] = states[i] == RayState::maybe;
+    clear += sees.embree().count_clear(pair, rays, std::span(wanted).first(rays.count));
+  }
+  return traced == 0 ? 0.0F : static_cast<float>(clear) / static_cast<float>(traced);
 }
 
 /// The share of clear rays of each pair of a product, row by row.
-void answer(const PatchScene& scene, const Blockers& blockers, const EmbreeScene& embree, const ShadowRays& rays,
-            const PatchProduct& product, std::vector<float>& shares) {
+void answer(SeesScene& sees, const ShadowRays& rays, const PatchProduct& product, std::vector<float>& shares) {
   const std::size_t columns = product.b.size();
   shares.assign(product.a.size() * columns, 0.0F);
   ask(
-      scene, blockers, product,
+      sees.scene(), sees.blockers(), product,
       [&](std::uint32_t i, std::uint32_t j, Sight sight) {
         if (sight == Sight::clear) shares[i * columns + j] = 1;
       },
-      [&](std::uint32_t i, std::uint32_t j) {
-        shares[i * columns + j] = share_of(embree.trace({product.a[i], product.b[j]}, rays));
+      [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
+        shares[i * columns + j] = share_past(sees, {product.a[i], product.b[j]}, rays, candidates);
       });
 }
 
-/// What rays say of the answers for some products.
+/// What Embree's rays say of the answers for some products.
 struct Check {
-  SightCounts counts;        ///< of pairs that face each other
-  std::uint64_t grazed = 0;  ///< clear pairs of which rays meet nothing but, by rounding, the surface they graze
+  SightCounts counts;            ///< of pairs that face each other
+  std::uint64_t candidates = 0;  ///< of those that are undecided
+  std::uint64_t grazed = 0;      ///< clear pairs of which rays meet nothing but, by rounding, the surface they graze
+  std::uint64_t rays = 0;        ///< of undecided pairs
+  std::uint64_t differ = 0;      ///< of these, which meet a box but not its triangles, or the other way
   std::uint64_t wrong = 0;
   std::string first_wrong;
 };
@@ -211,9 +250,12 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
       ++answers[i * columns + j];
     };
     ask(sees.scene(), sees.blockers(), product.patches, note,
-        [&](std::uint32_t i, std::uint32_t j) { note(i, j, Sight::undecided); });
+        [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
+          note(i, j, Sight::undecided);
+          result.candidates += candidates.size();
+        });
     std::vector<float> shares;
-    answer(sees.scene(), sees.blockers(), sees.embree(), rays, product.patches, shares);
+    answer(sees, rays, product.patches, shares);
     std::size_t next = 0;
     for (std::size_t i = 0; i != product.patches.a.size(); ++i) {
       for (std::size_t j = 0; j != columns; ++j) {
@@ -222,16 +264,24 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
             next != product.facing.size() && product.facing[next].a == pair.a && product.facing[next].b == pair.b;
         if (faces) ++next;
         const Sight sight = sights[i * columns + j];
+        const float share = shares[i * columns + j];
         bool right = answers[i * columns + j] == 1;
         RayCounts traced{0, 0};
         if (faces) {
           traced = sees.embree().trace(pair, rays);
           // Rays of a pair that hardly faces may all leave from behind: none of them says anything.
-          bool agrees = traced.traced == 0 || shares[i * columns + j] == share_of(traced);
+          bool agrees = traced.traced == 0 || share == share_of(traced);
           if (!agrees && sight == Sight::clear) {
             const RayCounts high = sees.embree().trace(pair, rays, grazing);
             agrees = high.clear == high.traced;
             if (agrees) ++result.grazed;
+          }
+          if (sight == Sight::undecided) {
+            const float clear = share * static_cast<float>(traced.traced);
+            result.rays += traced.traced;
+            result.differ +=
+                static_cast<std::uint64_t>(std::lround(std::abs(clear - static_cast<float>(traced.clear))));
+            agrees = true;
           }
           right = right && agrees;
           result.counts.clear += sight == Sight::clear ? 1 : 0;
@@ -262,9 +312,6 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
   suite.add(row, "",
             [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
               select_isa(available_isas().back());
-              const PatchScene& scene = sees->scene();
-              const Blockers& blockers = sees->blockers();
-              const EmbreeScene& embree = sees->embree();
               const ShadowRays shadow_rays(rays);
               if (!*checked) {
                 const Check checked_pairs = check(*sees, products_of(), shadow_rays);
@@ -273,15 +320,19 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
                       fmt::format("{} pairs are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
                   return;
                 }
-                suite.note(fmt::format(
-                    "{}: {} of {} pairs that face each other; of {} that are clear rays graze the surface", row,
-                    shares_text(checked_pairs.counts), checked_pairs.counts.total(), checked_pairs.grazed));
+                suite.note(
+                    fmt::format("{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair; {} of "
+                                "{} rays differ; of {} clear pairs rays graze the surface",
+                                row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
+                                static_cast<double>(checked_pairs.candidates) /
+                                    static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1)),
+                                checked_pairs.differ, checked_pairs.rays, checked_pairs.grazed));
                 *checked = true;
               }
               std::vector<float> shares;
               for (auto _ : state) {
                 for (const Product& product : products_of()) {
-                  answer(scene, blockers, embree, shadow_rays, product.patches, shares);
+                  answer(*sees, shadow_rays, product.patches, shares);
                   benchmark::DoNotOptimize(shares.data());
                 }
               }

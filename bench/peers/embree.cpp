@@ -53,7 +53,7 @@ void place(const Patch& patch, std::size_t axis, const float* u, const float* v,
 
 template <unsigned width>
 RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair& pair, const ShadowRays& rays,
-                     float least_height) {
+                     float least_height, const bool* wanted) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -62,7 +62,7 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
   const Patch& b = scene.patches[pair.b];
   const ShadowRays::Points& of_a = a.triangle ? rays.on_triangle[0] : rays.on_rectangle[0];
   const ShadowRays::Points& of_b = b.triangle ? rays.on_triangle[1] : rays.on_rectangle[1];
-  const bool all = least_height <= 0 && wholly_facing(scene, pair);
+  const bool all = wanted == nullptr && least_height <= 0 && wholly_facing(scene, pair);
   const Plane& plane_a = scene.patch_planes[pair.a];
   const Plane& plane_b = scene.patch_planes[pair.b];
   RayCounts counts{0, 0};
@@ -94,8 +94,10 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
                                plane_a.normal[2] * end[2][i] - plane_a.offset;
         const float before_b = plane_b.normal[0] * origins[0][i] + plane_b.normal[1] * origins[1][i] +
                                plane_b.normal[2] * origins[2][i] - plane_b.offset;
-        valid[i] = before_a > least_height && before_b > least_height ? -1 : 0;
-        traced += before_a > least_height && before_b > least_height ? 1 : 0;
+        const bool is_wanted =
+            wanted == nullptr ? before_a > least_height && before_b > least_height : wanted[first + i];
+        valid[i] = is_wanted ? -1 : 0;
+        traced += is_wanted ? 1 : 0;
       }
       if (traced == 0) continue;
     }
@@ -160,6 +162,26 @@ EmbreeScene::~EmbreeScene() = default;
 
 unsigned EmbreeScene::packet() const noexcept { return handles_->packet; }
 
+RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, float least_height) const {
+  return trace(pair, rays, least_height, nullptr);
+}
+
+unsigned EmbreeScene::count_clear(const FacingPair& pair, const ShadowRays& rays, std::span<const bool> wanted) const {
+  return trace(pair, rays, 0, wanted.data()).clear;
+}
+
+RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, float least_height,
+                             const bool* wanted) const {
+  switch (std::min(handles_->packet, rays.count)) {
+    case 16:
+      return trace_pair<16>(handles_->scene, scene_, pair, rays, least_height, wanted);
+    case 8:
+      return trace_pair<8>(handles_->scene, scene_, pair, rays, least_height, wanted);
+    default:
+      return trace_pair<4>(handles_->scene, scene_, pair, rays, least_height, wanted);
+  }
+}
+
 float EmbreeScene::grazing_height() const noexcept {
   float largest = 0;
   for (const Box& box : scene_.patch_boxes) {
@@ -167,17 +189,6 @@ float EmbreeScene::grazing_height() const noexcept {
   }
   constexpr float roundings = 4;  // of the largest coordinate: of the ray's end, of triangles and of their planes
   return roundings * largest * std::numeric_limits<float>::epsilon() / ray_margin;
-}
-
-RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, float least_height) const {
-  switch (std::min(handles_->packet, rays.count)) {
-    case 16:
-      return trace_pair<16>(handles_->scene, scene_, pair, rays, least_height);
-    case 8:
-      return trace_pair<8>(handles_->scene, scene_, pair, rays, least_height);
-    default:
-      return trace_pair<4>(handles_->scene, scene_, pair, rays, least_height);
-  }
 }
 
 }  // namespace shaftcull::bench
