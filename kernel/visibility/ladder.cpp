@@ -203,22 +203,42 @@ void Ladder::decide_rows(const Side& rows, std::uint64_t which, const Side& colu
                [&](unsigned first, unsigned count) { write(rows.run(first, count), columns.run(column, 1), sight); });
 }
 
-void Ladder::form(const Side& fixed, unsigned lane, const Side& lanes) {
+/// Forms shafts from a box of one side to all of another.
+void Ladder::form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
   fixed.copy_box(lane, fixed_);
-  job_.kernels.form(fixed_, lanes.box, lanes.count, siblings_);
+  job_.kernels.form(fixed_, lanes.box, lanes.count, asked, siblings_);
   siblings_.contact = job_.contact;
   siblings_.are_groups = !fixed.are_patches || !lanes.are_patches;
   siblings_.solids_around_ends = job_.solids_around_ends;
 }
 
+/// Likewise, with lo and hi of groups exchanged, as may_block() wants them.
+void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
+  const float* other[6];
+  for (unsigned f = 0; f != 6; ++f) {
+    exchanged_[f] = fixed.box[fixed.are_patches ? f : (f + 3) % 6][lane];
+    other[f] = lanes.box[lanes.are_patches ? f : (f + 3) % 6];
+  }
+  job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
+}
+
 /// Lanes of `asked` on or behind all of whose planes a blocker lies.
-std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) const {
+std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) {
   if (!lanes.has_planes() || asked == 0) return 0;
-  std::uint64_t behind = lanes.with_behind(job_.blockers.boxes[blocker].face, job_.kernels) & asked;
   const std::span<const Vec3> points = job_.blockers.points_of(blocker);
-  if (!lanes.are_patches || points.empty() || behind == asked) return behind;
-  return job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), asked & ~behind) |
-         behind;
+  if (!lanes.are_patches || points.empty()) {
+    return lanes.with_behind(job_.blockers.boxes[blocker].face, job_.kernels) & asked;
+  }
+  // Many points, and the same groups again and again: what was found is kept.
+  constexpr std::size_t kept = std::size_t{1} << 16;
+  if (points_behind_.empty()) points_behind_.resize(kept);
+  PointsBehind& known = points_behind_[(lanes.first * 0x9e3779b1U ^ blocker * 0x85ebca6bU) >> 16U];
+  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.blocker != blocker) {
+    known = {&lanes.set.tree, lanes.first, blocker,
+             job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(),
+                                               first_lanes(lanes.count))};
+  }
+  return known.lanes & asked;
 }
 
 std::uint64_t Ladder::blocked_by_polygons(const std::vector<std::uint32_t>& polygons,
@@ -254,9 +274,10 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
       }
     });
   };
-  form(group, 0, lanes);
+  group.copy_box(0, fixed_);
   answer(lanes.with_behind(fixed_, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
   if (left == 0) return 0;
+  form(group, 0, lanes, left);
   const SightLists& lists = level.lists;
   const BlockerData& blockers = job_.blockers;
   answer(kernels.block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
@@ -274,13 +295,21 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
   answer(left & ~any, Sight::clear);
   if (left == 0) return 0;
-  keep(blockers.solid_rows, lists.solids, lanes_are_rows ? level.row_solids : level.column_solids);
-  keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  if (!lists.polygons.empty()) {
+    keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  }
+  if (!lists.solids.empty()) {
+    form_exchanged(group, 0, lanes, left);
+    std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
+    may.resize(lists.solids.size());
+    kernels.may_block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
+                      may.data());
+  }
   return left;
 }
 
 /// Clears the lanes on or behind whose planes candidates lie. Returns those in which some are left.
-std::uint64_t Ladder::drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept) const {
+std::uint64_t Ladder::drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept) {
   std::uint64_t any = 0;
   for (std::size_t i = 0; i != kept.size(); ++i) {
     kept[i] &= ~behind(lanes, level.lists.candidates[i], kept[i]);
@@ -341,23 +370,27 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   const SiblingKernels& kernels = job_.kernels;
   const BlockerData& blockers = job_.blockers;
   Level& here = level(depth);
-  form(rows, row, columns);
+  rows.copy_box(row, fixed_);
   const std::uint64_t away =
       lanes & (columns.with_behind(fixed_, kernels) | columns.behind_plane_of(rows, row, kernels));
   decide(rows, row, columns, away, Sight::facing_away);
   lanes &= ~away;
   if (lanes == 0) return;
+  form(rows, row, columns, lanes);
 
   const auto select = [&](const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
                           const std::vector<std::uint64_t>& of_columns, std::vector<std::uint32_t>& selected,
                           std::vector<std::uint64_t>& may) {
-    selected.clear();
-    may.clear();
-    for (std::size_t i = 0; i != list.size(); ++i) {
-      if ((of_rows[i] & bit(row)) == 0 || (of_columns[i] & lanes) == 0) continue;
-      selected.push_back(list[i]);
-      may.push_back(of_columns[i]);
+    selected.resize(list.size());
+    may.resize(list.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i != list.size(); ++i) {  // without branches, which would be mispredicted
+      selected[count] = list[i];
+      may[count] = of_columns[i] & lanes;
+      count += static_cast<std::size_t>((of_rows[i] >> row & 1U) != 0) & static_cast<std::size_t>(may[count] != 0);
     }
+    selected.resize(count);
+    may.resize(count);
   };
   select(here.lists.solids, here.row_solids, here.column_solids, here.of_row.solids, here.may_solids);
   std::uint64_t blocked = kernels.block(siblings_, blockers.solid_rows.data(), here.of_row.solids.data(),
@@ -390,9 +423,14 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   if (lanes == 0) return;
   if (are_patches) return write_undecided(here, rows, row, columns, lanes);
 
-  keep(blockers.solid_rows, here.of_row.solids, here.may_solids, here.kept_solids);
   if (!here.lists.polygons.empty()) {
     keep(blockers.boxes, here.of_row.polygons, here.may_polygons, here.kept_polygons);
+  }
+  here.kept_solids.resize(here.of_row.solids.size());
+  if (!here.of_row.solids.empty()) {
+    form_exchanged(rows, row, columns, lanes);
+    kernels.may_block(siblings_, blockers.solid_rows.data(), here.of_row.solids.data(), here.of_row.solids.size(),
+                      here.may_solids.data(), lanes, here.kept_solids.data());
   }
   for_each_lane(lanes, [&](unsigned lane) {
     SightLists& below = level(depth + 1).lists;

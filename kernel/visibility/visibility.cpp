@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 #include <utility>
@@ -193,6 +194,13 @@ class Run {
     return place;
   }
 
+  struct Worker {
+    SightAnswers answers;
+    kernel::Ladder ladder;
+
+    explicit Worker(const SightJob& job) : ladder(job, answers) {}
+  };
+
   static float largest_coordinate(const kernel::PatchTree& a, const kernel::PatchTree& b,
                                   const kernel::BlockerData& blockers) noexcept {
     return std::max({a.largest_coordinate(), b.largest_coordinate(), blockers.largest_coordinate});
@@ -249,17 +257,18 @@ class Run {
 
   void answer_side_by_side(std::size_t first, std::size_t end) {
     if (first == end) return;
-    std::vector<SightAnswers> answers(slots());
+    while (workers_.size() < slots()) workers_.emplace_back(job_);
     kernel::ordered_pipeline(
         end - first, slots(),
         [&](std::size_t i, std::size_t slot) {
-          answers[slot].clear();
-          kernel::Ladder(job_, answers[slot]).answer(std::move(items_[first + i].task));
-          resolve(answers[slot]);
+          Worker& worker = workers_[slot];
+          worker.answers.clear();
+          worker.ladder.answer(std::move(items_[first + i].task));
+          resolve(worker.answers);
         },
         [&](std::size_t i, std::size_t slot) {
           hand_over(items_[first + i].before);
-          hand_over(answers[slot]);
+          hand_over(workers_[slot].answers);
           teller_.tell(counts_.total());
         });
   }
@@ -341,6 +350,7 @@ class Run {
   SightCounts counts_;
   SightAnswers before_;
   std::vector<Item> items_;
+  std::deque<Worker> workers_;  // one a slot
   std::size_t waiting_bytes_ = 0;
 };
 

@@ -37,7 +37,6 @@ struct Siblings {
   bool solids_around_ends;    ///< whether a solid that reaches into an end may block
   const float* fixed;         ///< six faces
   const float* const* other;  ///< six streams
-  std::uint64_t lanes;        ///< a bit for every sibling
   std::uint64_t inexact;      ///< where floats overflow: exact predicates decide alone
   alignas(64) float outer[6][most_siblings];
   alignas(64) float inner[6][most_siblings];
@@ -64,9 +63,10 @@ struct PlaneRow {
 
 /// Streams must be readable up to the end of the vector in which the last lane is: they are padded.
 struct SiblingKernels {
-  /// Forms the shafts, of `count` ≤ most_siblings. What they are asked about, `contact` and so
-  /// on, is the caller's to set.
-  void (*form)(const float* fixed, const float* const* other, unsigned count, Siblings& siblings) noexcept;
+  /// Forms the shafts, of `count` ≤ most_siblings, that are in `lanes`: others must not be asked. `contact`,
+  /// `are_groups` and `solids_around_ends` are the caller's to set.
+  void (*form)(const float* fixed, const float* const* other, unsigned count, std::uint64_t lanes,
+               Siblings& siblings) noexcept;
 
   /// The siblings of `asked` that keep some bound of a list; kept[i], unless null, are the siblings that may keep bound
   /// list[i].
@@ -80,6 +80,11 @@ struct SiblingKernels {
   /// The siblings of `asked` that a solid of a list blocks; `may_block` as may_keep.
   std::uint64_t (*block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
                          const std::uint64_t* may_block, std::uint64_t asked) noexcept;
+
+  /// Writes for every solid of a list which siblings of `asked` it may block. Of a group's box lo and hi are exchanged:
+  /// then what is 0 blocks no patch of one group from one of the other.
+  void (*may_block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
+                    const std::uint64_t* may_block, std::uint64_t asked, std::uint64_t* kept) noexcept;
 
   /// The boxes, of `count` ≤ 64 in six streams, that lie on or behind a patch's plane.
   std::uint64_t (*behind_plane)(const PlaneRow& plane, const float* const* boxes, unsigned count) noexcept;
