@@ -13,14 +13,6 @@
 
 namespace shaftcull::bench {
 
-/// What is known of a ray.
-enum class RayState : std::uint8_t {
-  not_traced,  ///< it leaves or arrives behind a patch
-  clear,       ///< it meets no box
-  hit,         ///< it meets a solid box
-  maybe,       ///< it meets none but boxes around meshes
-};
-
 /// A blocker as rays are tested with it: a box in a frame that is turned about the vertical.
 struct RayBox {
   float cosine;
@@ -41,10 +33,17 @@ struct RayEnds {
   const Plane& plane_b;
 };
 
-/// Writes the state of each ray, a multiple of 16, given the boxes whose numbers are in `candidates`. Returns how many
-/// are `maybe`.
-using TraceCandidates = unsigned(const RayEnds& ends, const ShadowRays& rays, std::span<const RayBox> boxes,
-                                 std::span<const std::uint32_t> candidates, RayState* states) noexcept;
+/// What became of a pair's rays.
+struct CandidateCounts {
+  unsigned traced;  ///< neither leave nor arrive behind a patch
+  unsigned clear;   ///< of these, meet no box
+  unsigned maybe;   ///< meet no solid box, but boxes around meshes
+};
+
+/// Tests the rays, a multiple of 16, with those boxes whose numbers are in `candidates`, and writes for each ray
+/// whether it is one of those that may be clear.
+using TraceCandidates = CandidateCounts(const RayEnds& ends, const ShadowRays& rays, std::span<const RayBox> boxes,
+                                        std::span<const std::uint32_t> candidates, bool* maybe) noexcept;
 
 /// As it is compiled for `isa`, or for the lowest instruction set if there is none for that one.
 [[nodiscard]] TraceCandidates* trace_candidates(Isa isa) noexcept;

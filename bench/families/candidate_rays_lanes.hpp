@@ -94,42 +94,45 @@ struct CandidateRays {
     return result;
   }
 
-  static unsigned trace(const RayEnds& ends, const ShadowRays& rays, std::span<const RayBox> boxes,
-                        std::span<const std::uint32_t> candidates, RayState* states) noexcept {
-    unsigned maybes = 0;
+  static CandidateCounts trace(const RayEnds& ends, const ShadowRays& rays, std::span<const RayBox> boxes,
+                               std::span<const std::uint32_t> candidates, bool* maybe) noexcept {
+    CandidateCounts counts{0, 0, 0};
     for (unsigned first = 0; first != rays.count; first += ray_packet) {
       const RayPacket packet = packet_of(ends, rays, first);
-      // By how much a ray is apart from the nearest box: of those that are solid, and of all.
+      // By how much a ray is apart from the nearest box: of those that are solid, and of the others.
       RayLanes from_solids;
-      RayLanes from_all;
+      RayLanes from_meshes;
       for (unsigned i = 0; i != ray_packet; ++i) {
-        from_solids[i] = std::numeric_limits<float>::infinity();
-        from_all[i] = std::numeric_limits<float>::infinity();
+        from_solids[i] = packet.rise[i] > 0 ? std::numeric_limits<float>::infinity() : -1;
+        from_meshes[i] = std::numeric_limits<float>::infinity();
       }
       for (const std::uint32_t candidate : candidates) {
         const RayBox& box = boxes[candidate];
         const RayLanes apart = separation(packet, box);
-        for (unsigned i = 0; i != ray_packet; ++i) from_all[i] = apart[i] < from_all[i] ? apart[i] : from_all[i];
-        if (!box.solid) continue;
+        RayLanes& nearest = box.solid ? from_solids : from_meshes;
         int left = 0;
         for (unsigned i = 0; i != ray_packet; ++i) {
-          from_solids[i] = apart[i] < from_solids[i] ? apart[i] : from_solids[i];
-          const float open = from_solids[i] < packet.rise[i] ? from_solids[i] : packet.rise[i];
-          left += open > 0 ? 1 : 0;
+          nearest[i] = apart[i] < nearest[i] ? apart[i] : nearest[i];
+          left += nearest[i] >= 0 ? 1 : 0;
         }
-        if (left == 0) break;
+        if (left == 0 && box.solid) break;
       }
+      int traced = 0;
+      int past_solids = 0;
+      int maybes = 0;
       for (unsigned i = 0; i != ray_packet; ++i) {
-        const bool traced = packet.rise[i] > 0;
-        const bool maybe = traced && from_solids[i] >= 0 && from_all[i] < 0;
-        states[first + i] = !traced              ? RayState::not_traced
-                            : from_solids[i] < 0 ? RayState::hit
-                            : from_all[i] < 0    ? RayState::maybe
-                                                 : RayState::clear;
-        maybes += maybe ? 1 : 0;
+        const int past = from_solids[i] >= 0 ? 1 : 0;
+        const int meets = from_meshes[i] < 0 ? past : 0;
+        traced += packet.rise[i] > 0 ? 1 : 0;
+        past_solids += past;
+        maybes += meets;
+        maybe[first + i] = meets != 0;
       }
+      counts.traced += static_cast<unsigned>(traced);
+      counts.clear += static_cast<unsigned>(past_solids - maybes);
+      counts.maybe += static_cast<unsigned>(maybes);
     }
-    return maybes;
+    return counts;
   }
 };
 

@@ -175,9 +175,7 @@ void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& 
   const std::span<const std::uint32_t> order_b = b.order();
   visibility(a, b, blockers, [&](const SightBatch& batch) {
     for (const SightProduct& part : batch.products) {
-      for (const std::uint32_t i : order_a.subspan(part.a.first, part.a.count)) {
-        for (const std::uint32_t j : order_b.subspan(part.b.first, part.b.count)) decided(i, j, part.sight);
-      }
+      decided(order_a.subspan(part.a.first, part.a.count), order_b.subspan(part.b.first, part.b.count), part.sight);
     }
     const UndecidedPairs& open = batch.undecided;
     for (std::size_t i = 0; i != open.pairs.size(); ++i) {
@@ -194,23 +192,14 @@ float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays
                  std::span<const std::uint32_t> candidates) {
   const PatchScene& scene = sees.scene();
   if (candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
-  std::array<RayState, most_rays> states;
+  static TraceCandidates* const trace = trace_candidates(available_isas().back());
+  std::array<bool, most_rays> maybe;
   const RayEnds ends{scene.patches[pair.a], scene.patches[pair.b], scene.patch_planes[pair.a],
                      scene.patch_planes[pair.b]};
-  const unsigned maybe =
-      trace_candidates(available_isas().back())(ends, rays, sees.ray_boxes(), candidates, states.data());
-  unsigned traced = 0;
-  unsigned clear = 0;
-  for (unsigned i = 0; i != rays.count; ++i) {
-    traced += states[i] != RayState::not_traced ? 1 : 0;
-    clear += states[i] == RayState::clear ? 1 : 0;
-  }
-  if (maybe != 0) {
-    std::array<bool, most_rays> wanted;
-    for (unsigned i = 0; i != rays.count; ++i) wanted[i] = states[i] == RayState::maybe;
-    clear += sees.embree().count_clear(pair, rays, std::span(wanted).first(rays.count));
-  }
-  return traced == 0 ? 0.0F : static_cast<float>(clear) / static_cast<float>(traced);
+  const CandidateCounts counts = trace(ends, rays, sees.ray_boxes(), candidates, maybe.data());
+  unsigned clear = counts.clear;
+  if (counts.maybe != 0) clear += sees.embree().count_clear(pair, rays, std::span(maybe).first(rays.count));
+  return counts.traced == 0 ? 0.0F : static_cast<float>(clear) / static_cast<float>(counts.traced);
 }
 
 /// The share of clear rays of each pair of a product, row by row.
@@ -219,8 +208,11 @@ void answer(SeesScene& sees, const ShadowRays& rays, const PatchProduct& product
   shares.assign(product.a.size() * columns, 0.0F);
   ask(
       sees.scene(), sees.blockers(), product,
-      [&](std::uint32_t i, std::uint32_t j, Sight sight) {
-        if (sight == Sight::clear) shares[i * columns + j] = 1;
+      [&](std::span<const std::uint32_t> of_a, std::span<const std::uint32_t> of_b, Sight sight) {
+        if (sight != Sight::clear) return;
+        for (const std::uint32_t i : of_a) {
+          for (const std::uint32_t j : of_b) shares[i * columns + j] = 1;
+        }
       },
       [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
         shares[i * columns + j] = share_past(sees, {product.a[i], product.b[j]}, rays, candidates);
@@ -249,7 +241,12 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
       sights[i * columns + j] = sight;
       ++answers[i * columns + j];
     };
-    ask(sees.scene(), sees.blockers(), product.patches, note,
+    const auto note_all = [&](std::span<const std::uint32_t> of_a, std::span<const std::uint32_t> of_b, Sight sight) {
+      for (const std::uint32_t i_of_a : of_a) {
+        for (const std::uint32_t j_of_b : of_b) note(i_of_a, j_of_b, sight);
+      }
+    };
+    ask(sees.scene(), sees.blockers(), product.patches, note_all,
         [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
           note(i, j, Sight::undecided);
           result.candidates += candidates.size();

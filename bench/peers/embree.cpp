@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -70,6 +71,7 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
   alignas(64) float end[3][width];
   alignas(64) int valid[width];
   for (unsigned first = 0; first < rays.count; first += width) {
+    if (wanted != nullptr && std::none_of(wanted + first, wanted + first + width, std::identity())) continue;
     float* const origins[3] = {packet.org_x, packet.org_y, packet.org_z};
     float* const directions[3] = {packet.dir_x, packet.dir_y, packet.dir_z};
     for (std::size_t k = 0; k != 3; ++k) {
