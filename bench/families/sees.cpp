@@ -293,6 +293,11 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
       }
     }
   }
+  // Edges are grazed by one ray in ten thousand.
+  if (1000 * result.differ > result.rays && result.wrong++ == 0) {
+    result.first_wrong = fmt::format("{} of {} rays of undecided pairs are clear past boxes or past triangles alone",
+                                     result.differ, result.rays);
+  }
   return result;
 }
 
@@ -314,7 +319,7 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
                 const Check checked_pairs = check(*sees, products_of(), shadow_rays);
                 if (checked_pairs.wrong != 0) {
                   state.SkipWithError(
-                      fmt::format("{} pairs are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
+                      fmt::format("{} answers are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
                   return;
                 }
                 suite.note(
@@ -361,7 +366,7 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
 void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pairs_per_second) {
   const std::string row = fmt::format("sees/{}/all", sees->name);
   const auto add = [&](const std::string& name, bool finer, RunOptions options) {
-    (suite.quick() ? options.once : options.brief) = true;
+    (suite.quick() || finer ? options.once : options.brief) = true;
     suite.add(
         name, "",
         [=, &suite, noted = std::make_shared<bool>(options.threads != 1)](benchmark::State& state) {
