@@ -1002,8 +1002,8 @@ static int32_t on_progress(uint64_t done, uint64_t total, void* user) {
 }
 
 static void visibility(void) {
-  /* Three patches on the left and two on the right. Of the rows, one has nothing between, one a thin ball's box, one a
-     wall. */
+  /* Three patches on the left and two on the right. The box of a group of triangles stands between the lowest two, a
+     ball's box between the highest two, and a wall between all others. */
   static const shaftcull_box left[3] = {{{0, 0, 0}, {0, 1, 1}}, {{0, 10, 0}, {0, 11, 1}}, {{0, 20, 0}, {0, 21, 1}}};
   static const shaftcull_box right[2] = {{{9, 10, 0}, {9, 11, 1}}, {{9, 20, 0}, {9, 21, 1}}};
   static const shaftcull_plane to_right[3] = {{{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}};
@@ -1093,14 +1093,14 @@ static void visibility(void) {
   CHECK(options.solids_around_ends == 1 && options.candidates == 1 && options.resolve == NULL);
   shaftcull_sight_counts counts;
   OK(shaftcull_count_visibility(a, b, blockers, NULL, &counts));
-  CHECK(counts.blocked == 2 && counts.undecided == 4 && counts.clear == 0 && counts.facing_away == 0);
+  CHECK(counts.blocked == 4 && counts.undecided == 2 && counts.clear == 0 && counts.facing_away == 0);
   OK(shaftcull_count_visibility(a, NULL, blockers, NULL, &counts));
   CHECK(counts.facing_away == 3); /* all lie in one plane */
   OK(shaftcull_count_visibility(a, facing, blockers, NULL, &counts));
-  CHECK(counts.facing_away == 2 && counts.undecided + counts.blocked == 4);
+  CHECK(counts.facing_away >= 1 && counts.undecided == 1); /* some that face away are blocked, too */
   sights_told told = {0, 0, SHAFTCULL_SIGHT_CLEAR, 0};
   OK(shaftcull_visibility(a, b, blockers, NULL, on_sights, &told, &counts));
-  CHECK(told.pairs == 2 && told.undecided == 4 && counts.undecided == 4);
+  CHECK(told.pairs == 4 && told.undecided == 2 && counts.undecided == 2);
   options.resolve = on_undecided;
   options.progress = on_progress;
   options.user = &told;
@@ -1121,7 +1121,7 @@ static void visibility(void) {
   shaftcull_sight_batch all;
   OK(shaftcull_collect_visibility(a, b, blockers, &options, &sights));
   OK(shaftcull_sights_all(sights, &all, &counts));
-  CHECK(counts.blocked == 2 && all.undecided.count == 4 && all.product_count != 0);
+  CHECK(counts.blocked == 4 && all.undecided.count == 2 && all.product_count != 0);
   CHECK(all.undecided.first_candidate[0] == 0 && all.undecided.candidates[0] < 7);
   REFUSED(shaftcull_sights_all(NULL, &all, &counts), "sights is NULL");
   REFUSED(shaftcull_sights_all(sights, NULL, &counts), "batch is NULL");
@@ -1130,11 +1130,11 @@ static void visibility(void) {
   options.candidates = 0;
   OK(shaftcull_collect_visibility(a, b, blockers, &options, &sights));
   OK(shaftcull_sights_all(sights, &all, NULL));
-  CHECK(all.undecided.count == 4 && all.undecided.first_candidate == NULL && all.undecided.candidates == NULL);
+  CHECK(all.undecided.count == 2 && all.undecided.first_candidate == NULL && all.undecided.candidates == NULL);
   shaftcull_sights_free(sights);
   uint64_t bits[3] = {7, 7, 7};
   OK(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 3, &counts));
-  CHECK(bits[0] == 1 && bits[1] == 1 && bits[2] == 0 && counts.blocked == 2);
+  CHECK(bits[0] == 2 && bits[1] == 3 && bits[2] == 1 && counts.blocked == 4);
   REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 2, NULL), "bits");
   REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, NULL, 3, NULL), "bits is NULL");
   REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, 258, bits, 3, NULL), "sight = 258"); /* not cut to a byte */

@@ -119,7 +119,7 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
               created = *handle != nullptr;
               return status;
             },
-            [=] { free(*handle); }};
+            [=] { free(std::exchange(*handle, nullptr)); }};
   };
   const auto nothing = [] {};
   const Call calls[] = {
@@ -168,6 +168,11 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
         break;
       }
       ++failures;
+      if (status == SHAFTCULL_OK) {  // patches are sorted without a buffer if there is no memory for one
+        clean();
+        created = false;
+        continue;
+      }
       ASSERT_EQ(status, SHAFTCULL_OUT_OF_MEMORY) << shaftcull_error_message();
       EXPECT_STREQ(shaftcull_error_message(), "memory ran out");
       EXPECT_FALSE(created);

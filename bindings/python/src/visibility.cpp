@@ -307,7 +307,7 @@ py::array seen_in(const py::object& owner, const Number* first, std::vector<py::
   static constexpr Number none{};
   py::array_t<Number> array(std::move(shape), std::move(strides), first == nullptr ? &none : first, owner);
   array.attr("setflags")(py::arg("write") = false);
-  return std::move(array);
+  return array;
 }
 
 py::array order_of(const PatchSet& set) {
@@ -326,7 +326,7 @@ py::array pairs_of(const Sights& sights, const std::string& name) {
     *to++ = i;
     *to++ = j;
   });
-  return std::move(array);
+  return array;
 }
 
 py::array bits_of(const Sights& sights, const std::string& name, bool packed) {
@@ -347,13 +347,13 @@ py::array bits_of(const Sights& sights, const std::string& name, bool packed) {
     std::uint64_t* const to = array.mutable_data();
     const py::gil_scoped_release release;
     fill(to, [](std::uint64_t* at, std::uint32_t j) { at[j / 64] |= std::uint64_t{1} << j % 64; });
-    return std::move(array);
+    return array;
   }
   py::array_t<bool> array(shape);
   bool* const to = array.mutable_data();
   const py::gil_scoped_release release;
   fill(to, [](bool* at, std::uint32_t j) { at[j] = true; });
-  return std::move(array);
+  return array;
 }
 
 void add_blockers(py::module_& module) {
