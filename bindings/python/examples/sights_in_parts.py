@@ -9,10 +9,10 @@ import shaftcull
 
 
 def scene(count=2_000):
-    """A field of houses, some of them turned, and patches on the ground between them."""
+    """Houses, trees, and patches at the height of eyes."""
     random = np.random.default_rng(7)
-    lo = np.hstack([random.integers(0, 400, (count, 2)) / 4, np.zeros((count, 1))])
-    patches = np.hstack([lo, lo + (0.25, 0.25, 0)]).astype(np.float32)
+    lo = np.hstack([random.integers(0, 400, (count, 2)) / 4, np.full((count, 1), 0.5)])
+    patches = np.hstack([lo, lo + (0.25, 0.25, 0.25)]).astype(np.float32)
     at = np.stack(np.meshgrid(*[np.arange(2, 100, 5)] * 2), axis=-1).reshape(-1, 2)
     walls = np.hstack([at, 0 * at[:, :1], at + (3, 1), 3 + 0 * at[:, :1]]).astype(np.float32)
     trees = random.integers(0, 100, (200, 3)) * (1, 1, 0)

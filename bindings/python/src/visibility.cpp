@@ -86,7 +86,11 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const std
   const BoxesInStreams in(boxes, name);
   const std::vector<Plane> facing = patch_planes_in(planes, planes_name, in.view().count);
   const py::gil_scoped_release release;
-  return PatchSet(in.view(), facing);
+  try {
+    return PatchSet(in.view(), facing);
+  } catch (const BadBound& bad) {
+    throw BadBound(bad.index(), name + ": " + bad.what());
+  }
 }
 
 /// Corners of hulls or polygons: an array (n, k, 3), or a sequence of arrays (k, 3).
