@@ -325,13 +325,15 @@ constexpr GridKernels grid_kernels() noexcept {
 
 /// The functions that pack siblings, where a set has what that takes.
 template <class L>
-constexpr SiblingKernels sibling_packing() noexcept {
-  if constexpr (MovesBits<L>) {
-    return {.pack = pack_siblings<L>, .spread = spread_siblings<L>};
-  } else {
-    return {};
-  }
-}
+struct SiblingPacking {
+  static constexpr auto pack = static_cast<decltype(SiblingKernels::pack)>(nullptr);
+  static constexpr auto spread = static_cast<decltype(SiblingKernels::spread)>(nullptr);
+};
+template <MovesBits L>
+struct SiblingPacking<L> {
+  static constexpr auto pack = pack_siblings<L>;
+  static constexpr auto spread = spread_siblings<L>;
+};
 
 /// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
 template <class L, class FormationLanes = L>
@@ -357,8 +359,8 @@ inline constexpr Kernels kernels_for = {
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
-    .siblings = {.pack = sibling_packing<L>().pack,
-                 .spread = sibling_packing<L>().spread,
+    .siblings = {.pack = SiblingPacking<L>::pack,
+                 .spread = SiblingPacking<L>::spread,
                  .select = select_listed<L>,
                  .form = form_siblings<L>,
                  .keep_any = keep_any<L>,
