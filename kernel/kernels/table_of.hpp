@@ -20,6 +20,7 @@
 #include "kernels/siblings/facing.hpp"
 #include "kernels/siblings/form.hpp"
 #include "kernels/siblings/keep.hpp"
+#include "kernels/siblings/pack.hpp"
 #include "kernels/spheres/boxes_around.hpp"
 #include "kernels/spheres/planes.hpp"
 #include "kernels/table.hpp"
@@ -322,6 +323,16 @@ constexpr GridKernels grid_kernels() noexcept {
   }
 }
 
+/// The functions that pack siblings, where a set has what that takes.
+template <class L>
+constexpr SiblingKernels sibling_packing() noexcept {
+  if constexpr (MovesBits<L>) {
+    return {.pack = pack_siblings<L>, .spread = spread_siblings<L>};
+  } else {
+    return {};
+  }
+}
+
 /// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
 template <class L, class FormationLanes = L>
 inline constexpr Kernels kernels_for = {
@@ -346,7 +357,10 @@ inline constexpr Kernels kernels_for = {
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
-    .siblings = {.form = form_siblings<L>,
+    .siblings = {.pack = sibling_packing<L>().pack,
+                 .spread = sibling_packing<L>().spread,
+                 .select = select_listed<L>,
+                 .form = form_siblings<L>,
                  .keep_any = keep_any<L>,
                  .keep = keep_siblings<L>,
                  .block = block_siblings<L>,

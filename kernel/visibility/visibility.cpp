@@ -114,10 +114,33 @@ std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::s
   return kernel::in_float_environment([&] { return checked_patch_tree(boxes, planes); });
 }
 
+/// Calls callbacks in the modes of the caller, wherever they are called from.
+class CallersModes {
+ public:
+  template <class Callback>
+  decltype(auto) operator()(const Callback& callback) const {
+    const Restore standard;
+    modes_.set();
+    return callback();
+  }
+
+ private:
+  struct Restore {
+    kernel::FloatState state = kernel::FloatState::now();
+    Restore() = default;
+    Restore(const Restore&) = delete;
+    Restore& operator=(const Restore&) = delete;
+    ~Restore() { state.set(); }
+  };
+
+  kernel::FloatState modes_ = kernel::FloatState::now();
+};
+
 /// What is told of progress, some times a second.
 class ProgressTeller {
  public:
-  ProgressTeller(const VisibilityOptions& options, std::uint64_t total) : options_(options), total_(total) {}
+  ProgressTeller(const VisibilityOptions& options, const CallersModes& modes, std::uint64_t total)
+      : options_(options), modes_(modes), total_(total) {}
 
   /// Throws Cancelled if the user does not want to go on.
   void tell(std::uint64_t done, bool at_once = false) {
@@ -125,7 +148,7 @@ class ProgressTeller {
     const auto now = std::chrono::steady_clock::now();
     if (!at_once && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
-    if (!options_.progress({done, total_})) {
+    if (!modes_([&] { return options_.progress({done, total_}); })) {
       throw Cancelled("the call was cancelled by its progress callback after " + std::to_string(done) + " of " +
                       std::to_string(total_) + " pairs");
     }
@@ -133,6 +156,7 @@ class ProgressTeller {
 
  private:
   const VisibilityOptions& options_;
+  const CallersModes& modes_;
   std::uint64_t total_;
   std::chrono::steady_clock::time_point last_{};
 };
@@ -164,7 +188,7 @@ class Run {
              deliver != nullptr,
              deliver != nullptr || static_cast<bool>(options.resolve),
              options.candidates && (deliver != nullptr || static_cast<bool>(options.resolve))},
-        teller_(options, total_pairs()) {
+        teller_(options, modes_, total_pairs()) {
     if (!options.resolve) return;
     a_place_ = places(a);
     b_place_ = is_of_one_set ? a_place_ : places(b);
@@ -303,7 +327,7 @@ class Run {
   void resolve(SightAnswers& answers) const {
     if (!options_.resolve || answers.undecided.empty()) return;
     std::vector<Sight> verdict(answers.undecided.size(), Sight::undecided);
-    options_.resolve(undecided_of(answers), verdict);
+    modes_([&] { options_.resolve(undecided_of(answers), verdict); });
     for (const Sight sight : verdict) {
       if (sight > Sight::facing_away) throw InvalidArgument("resolve() wrote a verdict that is no Sight");
     }
@@ -349,11 +373,12 @@ class Run {
   void hand_over(const SightAnswers& answers) {
     counts_ += answers.counts;
     if (deliver_ == nullptr || (answers.products.empty() && answers.undecided.empty())) return;
-    (*deliver_)({answers.products, undecided_of(answers)});
+    modes_([&] { (*deliver_)({answers.products, undecided_of(answers)}); });
   }
 
   const VisibilityOptions& options_;
   const Deliver* deliver_;
+  CallersModes modes_;
   SightJob job_;
   ProgressTeller teller_;
   std::vector<std::uint32_t> a_place_;  // for resolve

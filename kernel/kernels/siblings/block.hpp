@@ -56,7 +56,8 @@ class SolidInLanes {
     std::uint64_t possible = siblings.inexact;
     for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
       if ((asked & lanes_of<L>(lane)) == 0) continue;
-      const std::uint64_t across = L::bits(reaches_across<true>(siblings, lane)) << lane;
+      const std::uint64_t across =
+          L::bits(is_flat_ ? reaches_across<true>(siblings, lane) : reaches_across<false>(siblings, lane)) << lane;
       if ((asked & across) == 0) continue;
       possible |= across & L::bits(L::less_equal(largest_sum(siblings, lane), L::all(1 + margin()))) << lane;
     }
