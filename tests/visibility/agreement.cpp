@@ -82,11 +82,11 @@ TEST(Visibility, IsNotTakenForFacingAwayWhereAGroupHasNormalsOfSeveralLengths) {
   SightScene scene{};
   scene.scenery = SightScenery::lattice;
   constexpr float shorter = 0x1.8acdap-3F;
-  float x = 0x1.e848p+19F;  // so that the product rounds down
+  float x = -0x1.e848p+19F;  // so that the product rounds down
   while (double{shorter * x} >= double{shorter} * double{x}) x = std::nextafter(x, 2 * x);
   for (const float length : {1.0F, shorter}) {
     scene.a.push_back({{0, x, 0}, {0, x, 0}});
-    scene.a_planes.push_back({{0, length, 0}, length == 1 ? 2 * x : shorter * x});
+    scene.a_planes.push_back({{0, length, 0}, length == 1 ? -2 * x : shorter * x});
   }
   // In front of the second plane, by less than what rounds.
   for (unsigned i = 0; i != 3; ++i) scene.b.push_back({{static_cast<float>(i), x, 0}, {static_cast<float>(i), x, 1}});
