@@ -89,7 +89,7 @@ TEST(Visibility, IsNotTakenForFacingAwayWhereAGroupHasNormalsOfSeveralLengths) {
     scene.a_planes.push_back({{0, length, 0}, length == 1 ? -2 * x : shorter * x});
   }
   // In front of the second plane, by less than what rounds.
-  for (unsigned i = 0; i != 3; ++i) scene.b.push_back({{static_cast<float>(i), x, 0}, {static_cast<float>(i), x, 1}});
+  for (unsigned i = 0; i != 20; ++i) scene.b.push_back({{static_cast<float>(i), x, 0}, {static_cast<float>(i), x, 1}});
   const SightCase of(scene);
   on_each_instruction_set([&] { EXPECT_EQ(SightTruths(of).fault_of(of.collect(of.options)), ""); });
 }
