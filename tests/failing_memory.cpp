@@ -10,6 +10,9 @@
 #if __has_include(<dlfcn.h>)
 #include <dlfcn.h>
 #endif
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 namespace shaftcull {
 namespace {
@@ -20,6 +23,23 @@ std::atomic<std::size_t> calls = 0;
 std::atomic<std::size_t> first_failing = never;  // calls are counted from 1
 std::atomic<std::size_t> last_failing = never;
 std::atomic<bool> any_failed = false;
+std::atomic<std::size_t> live = 0;
+std::atomic<std::size_t> peak = 0;
+
+std::size_t bytes_of([[maybe_unused]] void* memory) noexcept {
+#ifdef __GLIBC__
+  return memory == nullptr ? 0 : malloc_usable_size(memory);
+#else
+  return 0;
+#endif
+}
+
+void* counted(void* memory) noexcept {
+  const std::size_t now = live += bytes_of(memory);
+  for (std::size_t before = peak; before < now && !peak.compare_exchange_weak(before, now);) {
+  }
+  return memory;
+}
 
 /// Whether `caller`, an address in code, is in oneTBB. It promises nothing of threads that find no memory for
 /// themselves.
@@ -42,7 +62,7 @@ void* allocate(std::size_t bytes, std::size_t alignment, const void* caller) noe
     }
   }
   // aligned_alloc() wants a multiple of the alignment.
-  return std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
+  return counted(std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment));
 }
 
 void* allocate_or_throw(std::size_t bytes, std::size_t alignment, const void* caller) {
@@ -52,13 +72,19 @@ void* allocate_or_throw(std::size_t bytes, std::size_t alignment, const void* ca
 }
 
 /// Not inlined: where only operator delete is, g++ takes the pair for a mismatched one.
-[[gnu::noinline]] void release(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void release(void* memory) noexcept {
+  live -= bytes_of(memory);
+  std::free(memory);
+}
 
 constexpr std::size_t usual = alignof(std::max_align_t);
 
 }  // namespace
 
 std::size_t allocations() noexcept { return calls; }
+std::size_t live_bytes() noexcept { return live; }
+std::size_t peak_bytes() noexcept { return peak; }
+void forget_peak() noexcept { peak = live.load(); }
 
 FailingMemory::FailingMemory(std::size_t n, Failing failing) noexcept {
   any_failed = false;

@@ -13,6 +13,12 @@ namespace shaftcull {
 /// Calls of operator new so far, in all threads.
 [[nodiscard]] std::size_t allocations() noexcept;
 
+/// Bytes that operator new has given and that are not deleted yet, and the most there were since forget_peak(). 0 where
+/// the C library does not say how large a piece of memory is.
+[[nodiscard]] std::size_t live_bytes() noexcept;
+[[nodiscard]] std::size_t peak_bytes() noexcept;
+void forget_peak() noexcept;
+
 /// Which calls of operator new fail, counted in all threads from when a FailingMemory is made.
 enum class Failing {
   only_one,      ///< the n-th

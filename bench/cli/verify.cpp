@@ -21,6 +21,7 @@
 #include "shaftcull/isa.hpp"
 #include "subcommand.hpp"
 #include "table.hpp"
+#include "trial/sight_trial.hpp"
 #include "trial/trial.hpp"
 #include "workers.hpp"
 
@@ -39,6 +40,9 @@ struct VerifyOptions {
 constexpr std::size_t first_batch_trials = 256;
 constexpr std::size_t most_batch_trials = 4096;
 constexpr std::size_t chunk_trials = 32;
+
+/// For so many cases there is one scene of patches, all pairs of which are asked about.
+constexpr std::uint64_t cases_per_scene = 4096;
 
 /// Reproducers that are printed; later failures are only counted.
 constexpr std::uint64_t most_reproducers = 20;
@@ -70,6 +74,7 @@ class Verification {
     workers.run([&] {
       while (compared_ < options_.cases && interrupt_.signal() == 0) {
         run_batch();
+        look_at_pairs();
         show_progress();
       }
     });
@@ -111,6 +116,8 @@ class Verification {
         "Right answers from rational arithmetic: {}, {} of them exactly on the boundary; the others proved in "
         "intervals\n",
         grouped(sum.by_rationals), grouped(sum.touching));
+    fmt::print("What sees what: {} pairs of patches in {} scenes, all from exact integers\n", grouped(pairs_),
+               grouped(scenes_));
     fmt::print("Wrong answers: {}   ({:.0f} s, {} cases/s)\n", grouped(wrong_), seconds(),
                prefixed(static_cast<double>(sum.bounds) / seconds()));
   }
@@ -166,11 +173,34 @@ class Verification {
   }
 
   void take_failures(const Trial& trial) {
-    for (const std::string& failure : trial.failures()) {
-      if (++reported_ <= most_reproducers) progress_.milestone("WRONG: " + failure);
-      if (reported_ == most_reproducers) progress_.milestone("Further reproducers are left out.");
-    }
+    for (const std::string& failure : trial.failures()) report(failure);
     wrong_ += trial.counts().wrong;
+  }
+
+  void report(const std::string& failure) {
+    if (++reported_ <= most_reproducers) progress_.milestone("WRONG: " + failure);
+    if (reported_ == most_reproducers) progress_.milestone("Further reproducers are left out.");
+  }
+
+  /// What sees what, in as many scenes as the cases until now ask for.
+  void look_at_pairs() {
+    const std::uint64_t scenes = (compared_ + cases_per_scene - 1) / cases_per_scene;
+    if (scenes <= scenes_ || interrupt_.signal() != 0) return;
+    std::vector<std::unique_ptr<SightTrial>> trials(static_cast<std::size_t>(scenes - scenes_));
+    Workers::for_chunks(trials.size(), 1, [&](std::size_t i, std::size_t) {
+      trials[i] = std::make_unique<SightTrial>(options_.seed, scenes_ + i);
+    });
+    for (const Isa isa : isas_) {
+      select_isa(isa);
+      Workers::for_chunks(trials.size(), 1, [&](std::size_t i, std::size_t) { trials[i]->ask(); });
+    }
+    for (const std::unique_ptr<SightTrial>& trial : trials) {
+      pairs_ += trial->pairs();
+      if (trial->failure().empty()) continue;
+      report(trial->failure());
+      ++wrong_;
+    }
+    scenes_ = scenes;
   }
 
   void show_progress() {
@@ -193,6 +223,8 @@ class Verification {
   std::uint64_t compared_ = 0;  ///< cases in all complete batches
   std::uint64_t wrong_ = 0;
   std::uint64_t reported_ = 0;
+  std::uint64_t scenes_ = 0;  ///< of patches
+  std::uint64_t pairs_ = 0;   ///< in these
   Progress progress_;
   InterruptWatch interrupt_;
   Clock::time_point start_ = Clock::now();
@@ -236,8 +268,9 @@ void add_verify(CLI::App& program) {
       "in\n"
       "32 has open contact, one in 6 is a swept body, a shadow or a convex hull. Of shafts between two boxes, what "
       "blocks\n"
-      "is asked, too; of one shaft in 8 the first contact, and of one in 64 triangles. Exit code 1 if any answer is "
-      "wrong.\n"
+      "is asked, too; of one shaft in 8 the first contact, and of one in 64 triangles. For every 4096 cases there is a "
+      "scene\n"
+      "of patches, of all pairs of which it is asked what they see. Exit code 1 if any answer is wrong.\n"
       "Ctrl-C (SIGINT, or SIGTERM) ends it early with the summary of the cases until then; a second one ends it at "
       "once.");
   verify.callback([options] { run(*options); });

@@ -195,8 +195,8 @@ struct VisibilityProgress {
 struct VisibilityOptions {
   /// Whether what only touches a shaft reaches into it. Blocked is always open: what only touches hides nothing.
   Contact contact = Contact::open;
-  /// Whether a solid makes a pair `blocked` if an end reaches into its interior. No ray that starts inside a solid
-  /// meets its front: set it to false where answers are to be those of rays.
+  /// Whether a solid makes a pair `blocked` if an end reaches into its interior; if it is flat, if an end touches
+  /// it. No ray that starts inside a solid meets its front: set it to false where answers are to be those of rays.
   bool solids_around_ends = true;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;

@@ -193,90 +193,102 @@ Blockers& Blockers::operator=(Blockers other) noexcept {
 }
 Blockers::~Blockers() = default;
 
+// Boxes are compared and joined in modes in which denormals are what they are.
+
 std::size_t Blockers::add_boxes(std::span<const Box> boxes) {
-  Addition addition(data());
-  for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
-  return addition.commit(*data_);
+  return kernel::in_float_environment([&] {
+    Addition addition(data());
+    for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
+    return addition.commit(*data_);
+  });
 }
 
 std::size_t Blockers::add_boxes(const BoxView& boxes) {
-  return add_boxes(std::span<const Box>(usable_boxes(boxes, "box")));
+  return kernel::in_float_environment([&] { return add_boxes(std::span<const Box>(usable_boxes(boxes, "box"))); });
 }
 
 std::size_t Blockers::add_solids(std::span<const Box> boxes) {
-  Addition addition(data());
-  const std::vector<Box> solids = usable_boxes(boxes, "solid");
-  for (const Box& solid : solids) addition.add(solid);
-  addition.add_solids(solids);
-  return addition.commit(*data_);
+  return kernel::in_float_environment([&] {
+    Addition addition(data());
+    const std::vector<Box> solids = usable_boxes(boxes, "solid");
+    for (const Box& solid : solids) addition.add(solid);
+    addition.add_solids(solids);
+    return addition.commit(*data_);
+  });
 }
 
 std::size_t Blockers::add_solids(const BoxView& boxes) {
-  return add_solids(std::span<const Box>(usable_boxes(boxes, "solid")));
+  return kernel::in_float_environment([&] { return add_solids(std::span<const Box>(usable_boxes(boxes, "solid"))); });
 }
 
 std::size_t Blockers::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
-  Addition addition(data());
-  std::vector<Box> inside;
-  add_parts(addition, corners, first_corner, "hull", 4, 32,
-            [&](std::span<const Vec3> hull) { inside.push_back(inscribed_box(hull)); });
-  addition.add_solids(inside);
-  return addition.commit(*data_);
+  return kernel::in_float_environment([&] {
+    Addition addition(data());
+    std::vector<Box> inside;
+    add_parts(addition, corners, first_corner, "hull", 4, 32,
+              [&](std::span<const Vec3> hull) { inside.push_back(inscribed_box(hull)); });
+    addition.add_solids(inside);
+    return addition.commit(*data_);
+  });
 }
 
 std::size_t Blockers::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
-  Addition addition(data());
-  add_parts(addition, corners, first_corner, "polygon", 3, any_number,
-            [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
-  return addition.commit(*data_);
+  return kernel::in_float_environment([&] {
+    Addition addition(data());
+    add_parts(addition, corners, first_corner, "polygon", 3, any_number,
+              [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
+    return addition.commit(*data_);
+  });
 }
 
 std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle) {
-  kernel::require_view(triangles);
-  kernel::require_memory("first_triangle", first_triangle, "positions");
-  if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
-    throw InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered");
-  }
-  for (std::size_t i = 0; i != triangles.count; ++i) {
-    for (const Vec3& vertex : triangles[i].vertex) {
-      if (!is_finite(vertex)) refuse("triangle", i, "is not finite");
+  return kernel::in_float_environment([&] {
+    kernel::require_view(triangles);
+    kernel::require_memory("first_triangle", first_triangle, "positions");
+    if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
+      throw InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered");
     }
-  }
-  Addition addition(data());
-  const bool has_groups = !first_triangle.empty();
-  if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
-  std::vector<std::uint32_t> order;
-  if (!has_groups && triangles.count != 0) order = in_tree_order(triangles);
-  const auto add_group = [&](std::size_t first, std::size_t end) {
-    PointBox around;
-    std::vector<Vec3> vertices;
-    for (std::size_t i = first; i != end; ++i) {
-      const std::size_t triangle = has_groups ? i : order[i];
-      addition.add_triangle(static_cast<std::uint32_t>(triangle));
-      for (const Vec3& vertex : triangles[triangle].vertex) {
-        around.add(vertex);
-        vertices.push_back(vertex);
+    for (std::size_t i = 0; i != triangles.count; ++i) {
+      for (const Vec3& vertex : triangles[i].vertex) {
+        if (!is_finite(vertex)) refuse("triangle", i, "is not finite");
       }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    put_extremes_first(vertices);
-    for (const Vec3& vertex : vertices) addition.add_point(vertex);
-    addition.add(around.box);
-  };
-  if (has_groups) {
-    for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
-      if (first_triangle[i] == first_triangle[i + 1]) {
-        throw InvalidArgument("group " + std::to_string(i) + " of triangles is empty");
+    Addition addition(data());
+    const bool has_groups = !first_triangle.empty();
+    if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
+    std::vector<std::uint32_t> order;
+    if (!has_groups && triangles.count != 0) order = in_tree_order(triangles);
+    const auto add_group = [&](std::size_t first, std::size_t end) {
+      PointBox around;
+      std::vector<Vec3> vertices;
+      for (std::size_t i = first; i != end; ++i) {
+        const std::size_t triangle = has_groups ? i : order[i];
+        addition.add_triangle(static_cast<std::uint32_t>(triangle));
+        for (const Vec3& vertex : triangles[triangle].vertex) {
+          around.add(vertex);
+          vertices.push_back(vertex);
+        }
       }
-      add_group(first_triangle[i], first_triangle[i + 1]);
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      put_extremes_first(vertices);
+      for (const Vec3& vertex : vertices) addition.add_point(vertex);
+      addition.add(around.box);
+    };
+    if (has_groups) {
+      for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
+        if (first_triangle[i] == first_triangle[i + 1]) {
+          throw InvalidArgument("group " + std::to_string(i) + " of triangles is empty");
+        }
+        add_group(first_triangle[i], first_triangle[i + 1]);
+      }
+    } else {
+      for (std::size_t i = 0; i < order.size(); i += group_triangles) {
+        add_group(i, std::min(order.size(), i + group_triangles));
+      }
     }
-  } else {
-    for (std::size_t i = 0; i < order.size(); i += group_triangles) {
-      add_group(i, std::min(order.size(), i + group_triangles));
-    }
-  }
-  return addition.commit(*data_);
+    return addition.commit(*data_);
+  });
 }
 
 std::size_t Blockers::size() const noexcept { return data_->size(); }

@@ -195,9 +195,7 @@ Box box_inside(std::span<const Vec3> corners) {
   return point;
 }
 
-}  // namespace
-
-std::vector<Box> merged_boxes(std::span<const Box> boxes) {
+std::vector<Box> merge(std::span<const Box> boxes) {
   kernel::require_memory("boxes", boxes, "boxes");
   for (std::size_t i = 0; i != boxes.size(); ++i) {
     for (std::size_t k = 0; k != 3; ++k) {
@@ -226,6 +224,12 @@ std::vector<Box> merged_boxes(std::span<const Box> boxes) {
     if (larger == merged) return merged;
     merged = std::move(larger);
   }
+}
+
+}  // namespace
+
+std::vector<Box> merged_boxes(std::span<const Box> boxes) {
+  return kernel::in_float_environment([&] { return merge(boxes); });
 }
 
 Box inscribed_box(std::span<const Vec3> corners) {

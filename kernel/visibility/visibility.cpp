@@ -66,7 +66,10 @@ std::vector<float> distance_errors(const kernel::PatchStreams& streams, float co
 }
 
 kernel::SightSet sight_set(const kernel::PatchTree& tree, float coordinate) {
-  return {tree, distance_errors(tree.patch_streams(), coordinate), distance_errors(tree.group_streams(), coordinate)};
+  return kernel::in_float_environment([&] {
+    return kernel::SightSet{tree, distance_errors(tree.patch_streams(), coordinate),
+                            distance_errors(tree.group_streams(), coordinate)};
+  });
 }
 
 /// The tree of a set without patches.
@@ -75,7 +78,7 @@ const std::shared_ptr<const kernel::PatchTree>& no_patches() noexcept {
   return none;
 }
 
-std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::span<const Plane> planes) {
+std::shared_ptr<const kernel::PatchTree> checked_patch_tree(const BoxView& boxes, std::span<const Plane> planes) {
   kernel::require_view(boxes);
   kernel::require_memory("planes", planes, "planes");
   if (!planes.empty() && planes.size() != boxes.count) {
@@ -103,7 +106,12 @@ std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::s
     if (!std::isfinite(planes[i].offset)) refuse(i, "has a plane that is not finite");
     if (is_zero) refuse(i, "has a plane whose normal is zero");
   }
-  return kernel::in_float_environment([&] { return std::make_shared<const kernel::PatchTree>(boxes, planes); });
+  return std::make_shared<const kernel::PatchTree>(boxes, planes);
+}
+
+/// What is checked are comparisons, of denormals, too, which the caller's modes may take for 0.
+std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::span<const Plane> planes) {
+  return kernel::in_float_environment([&] { return checked_patch_tree(boxes, planes); });
 }
 
 /// Calls callbacks in the modes of the caller, wherever they are called from.

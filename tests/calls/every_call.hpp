@@ -13,6 +13,7 @@
 #include "calls/stream_calls.hpp"
 #include "calls/triangle_calls.hpp"
 #include "calls/view_calls.hpp"
+#include "calls/visibility_calls.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
 
@@ -50,6 +51,7 @@ class EveryCall {
     add_stream_calls(table_);
     add_triangle_calls(table_, " in a view", table_.triangle_stream.view());
     add_triangle_calls(table_, " in a tree", table_.triangle_tree);
+    add_visibility_calls(table_);
     add_view_calls<Box>(table_, table_.box_stream, table_.boxes, table_.box_tree);
     add_view_calls<Sphere>(table_, table_.sphere_stream, table_.spheres, table_.sphere_tree);
   }

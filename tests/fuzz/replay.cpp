@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fuzz/check.hpp"
+#include "fuzz/sights.hpp"
 #include "fuzz/trees.hpp"
 #include "oracle/random.hpp"
 #include "sanitizers.hpp"
@@ -47,6 +48,7 @@ void check(const Bytes& bytes, std::size_t most_exact) {
     check_answers(it);
     check_exact(it, most_exact);
     check_trees(it);
+    check_sights(it);
   } catch (const Fault& fault) {
     FAIL() << fault.what() << "\n  input (xxd -r -p): " << hexadecimal(bytes);
   }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "fuzz/check.hpp"
+#include "fuzz/sights.hpp"
 #include "fuzz/trees.hpp"
 
 namespace {
@@ -15,6 +16,9 @@ constexpr unsigned exact_every = 64;
 
 /// And one in so many is put into trees.
 constexpr unsigned trees_every = 16;
+
+/// And of one in so many it is asked what its boxes see of each other.
+constexpr unsigned sights_every = 64;
 
 }  // namespace
 
@@ -30,6 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
                           8U;
     shaftcull::fuzz::check_answers(it, draw);
     if (draw % exact_every == 1) shaftcull::fuzz::check_exact(it, 4);
+    if (draw % sights_every == 3) shaftcull::fuzz::check_sights(it);
     if (draw % trees_every == 2) shaftcull::fuzz::check_trees(it);
   } catch (const shaftcull::fuzz::Fault& fault) {
     std::fprintf(stderr, "%s\n", fault.what());

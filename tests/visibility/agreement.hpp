@@ -2,8 +2,6 @@
 /// What is true of every pair of a scene, and whether the library says so.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -168,7 +168,7 @@ TEST(Siblings, AreWhatTheyAreOnEveryInstructionSet) {
 
 /// Shafts and bounds that touch as nearly as floats can say, of each of which only some lanes do.
 TEST(Siblings, DecideWhatRoundingCannot) {
-  for (std::uint64_t seed = 1; seed <= random_cases(4000); ++seed) {
+  for (std::uint64_t seed = 1; seed <= random_cases(1500); ++seed) {
     SCOPED_TRACE("near edges, " + std::to_string(seed));
     Random random(seed);
     Word word(SightScenery::near_edges, seed);
@@ -249,7 +249,7 @@ TEST(Siblings, OfGroupsKeepFlatBoundsThatTouch) {
 }
 
 TEST(Siblings, BoxesAreBehindPlanesExactly) {
-  for (std::uint64_t seed = 1; seed <= random_cases(400); ++seed) {
+  for (std::uint64_t seed = 1; seed <= random_cases(150); ++seed) {
     constexpr SightScenery sceneries[] = {SightScenery::lattice, SightScenery::uniform, SightScenery::nudged,
                                           SightScenery::tiny,    SightScenery::huge,    SightScenery::room};
     const SightScenery scenery = sceneries[seed % std::size(sceneries)];

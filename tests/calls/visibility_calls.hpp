@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+/// Calls about what sees what.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "calls/call_table.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+
+/// What these calls are given.
+struct SightWorkload {
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  std::vector<Box> solids;
+  std::vector<Vec3> hull;
+  PatchSet patches;
+  PatchSet others;
+  Blockers blockers;
+};
+
+/// Notes all answers to pairs.
+inline void note_visibility(AnswerWords& words, const Visibility& all) {
+  for (const SightProduct& product : all.products) {
+    for (const PatchRun& run : {product.a, product.b}) {
+      note(words, run.first);
+      note(words, run.count);
+    }
+    note(words, product.sight);
+  }
+  for (const PatchPair& pair : all.undecided) {
+    note(words, pair.a);
+    note(words, pair.b);
+  }
+  note(words, all.first_candidate);
+  note(words, all.candidates);
+  note(words, all.counts.total());
+}
+
+/// Patches and blockers are the first boxes of the table, and the triangles.
+inline void add_visibility_calls(CallTable& table) {
+  const auto all = std::make_shared<SightWorkload>();
+  const std::size_t count = std::min<std::size_t>(table.boxes.size(), 300);
+  all->boxes.assign(table.boxes.begin(), table.boxes.begin() + static_cast<std::ptrdiff_t>(count));
+  for (std::size_t i = 0; i != count; ++i) {
+    const Box& box = all->boxes[i];
+    const Vec3 normals[] = {{1, 0, 0}, {0, -1, 0}, {1, 2, 0}, {-0.3F, 0.4F, 0.5F}};
+    all->planes.push_back({normals[i % 4], i % 4 == 1 ? -box.hi[1] : box.lo[0]});
+    if (i % 40 == 0) all->solids.push_back(box);
+  }
+  all->hull = {{0, 0, 0}, {2, 1, 0}, {1, 3, 0}, {0, 0, 4}, {2, 1, 4}, {1, 3, 4}};
+  all->patches = PatchSet(std::span<const Box>(all->boxes), all->planes);
+  all->others = PatchSet(std::span<const Box>(all->boxes).subspan(0, count / 2));
+  const auto add_blockers = [all, &triangles = table.triangle_stream](Blockers& to) {
+    to.add_boxes(std::span<const Box>(all->boxes).subspan(0, std::min<std::size_t>(all->boxes.size(), 20)));
+    to.add_solids(std::span<const Box>(all->solids));
+    to.add_solid_hulls(all->hull, std::vector<std::size_t>{0, all->hull.size()});
+    to.add_polygons(std::span<const Vec3>(all->hull).subspan(0, 3), std::vector<std::size_t>{0, 3});
+    TriangleView few = triangles.view();
+    few.count = std::min<std::size_t>(few.count, 100);
+    to.add_triangles(few);
+  };
+  add_blockers(all->blockers);
+
+  table.add("PatchSet", false, [all](AnswerWords& words) {
+    const PatchSet set(std::span<const Box>(all->boxes), all->planes);
+    note(words, set.order());
+  });
+  table.add("Blockers", false, [all, add_blockers](AnswerWords& words) {
+    Blockers blockers;
+    add_blockers(blockers);
+    for (std::size_t i = 0; i != blockers.size(); ++i) note(words, blockers.box(i));
+  });
+  table.add("merged_boxes", false, [all](AnswerWords& words) {
+    for (const Box& box : merged_boxes(all->boxes)) note(words, box);
+  });
+  table.add("inscribed_box", false, [all](AnswerWords& words) { note(words, inscribed_box(all->hull)); });
+  table.add("count_visibility", false, [all](AnswerWords& words) {
+    const SightCounts counts = count_visibility(all->patches, all->blockers);
+    for (const std::uint64_t n : {counts.undecided, counts.clear, counts.blocked, counts.facing_away})
+      words.push_back(n);
+    words.push_back(count_visibility(all->patches, all->others, all->blockers).undecided);
+  });
+  table.add("collect_visibility", false, [all](AnswerWords& words) {
+    note_visibility(words, collect_visibility(all->patches, all->blockers));
+    VisibilityOptions closed;
+    closed.contact = Contact::closed;
+    closed.solids_around_ends = false;
+    note_visibility(words, collect_visibility(all->others, all->patches, all->blockers, closed));
+  });
+  table.add("visibility_bits", false, [all](AnswerWords& words) {
+    std::vector<std::uint64_t> bits(all->patches.size() * words_for(all->others.size()));
+    visibility_bits(all->patches, all->others, all->blockers, Sight::clear, bits);
+    note(words, bits);
+  });
+}
+
+}  // namespace shaftcull

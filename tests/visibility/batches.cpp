@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+/// How answers are delivered: every pair once, the same for any number of threads and any memory, with callbacks that
+/// decide, watch, cancel and throw.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "float_modes.hpp"
+#include "instruction_sets.hpp"
+#include "many/workload.hpp"
+#include "message_of.hpp"
+#include "sanitizers.hpp"
+#include "visibility/agreement.hpp"
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_group.h>
+#endif
+
+namespace shaftcull {
+namespace {
+
+constexpr std::size_t least_memory = std::size_t{1} << 20;
+
+/// A scene that has answers of all kinds, with `patches` or more in each set, so that there are groups of groups.
+SightCase large_case(bool is_of_one_set, unsigned patches, SightScenery scenery = SightScenery::room) {
+  for (std::uint64_t seed = 1;; ++seed) {
+    SightScene scene = random_sight_scene(scenery, seed, 2 * patches);
+    if (scene.is_of_one_set != is_of_one_set || scene.a.size() < patches || scene.a_planes.empty()) continue;
+    if (!is_of_one_set && (scene.b.size() < patches || scene.b_planes.empty())) continue;
+    scene.solids_around_ends = true;
+    SightCase of(std::move(scene));
+    const SightCounts counts = of.count(of.options);
+    if (std::min({counts.undecided, counts.clear, counts.blocked, counts.facing_away}) > patches) return of;
+  }
+}
+
+/// Batches, as they came.
+struct Batches {
+  std::vector<std::vector<SightProduct>> products;
+  std::vector<std::vector<PatchPair>> undecided;
+  std::vector<std::vector<std::size_t>> first_candidate;
+  std::vector<std::vector<std::uint32_t>> candidates;
+  SightCounts counts;
+  friend bool operator==(const Batches&, const Batches&) = default;
+};
+
+Batches batches_of(const SightCase& of, const VisibilityOptions& options) {
+  Batches all;
+  all.counts = of.deliver(
+      [&](const SightBatch& batch) {
+        all.products.emplace_back(batch.products.begin(), batch.products.end());
+        const UndecidedPairs& undecided = batch.undecided;
+        all.undecided.emplace_back(undecided.pairs.begin(), undecided.pairs.end());
+        all.first_candidate.emplace_back(undecided.first_candidate.begin(), undecided.first_candidate.end());
+        all.candidates.emplace_back(undecided.candidates.begin(), undecided.candidates.end());
+      },
+      options);
+  return all;
+}
+
+void expect_same(const Visibility& a, const Visibility& b) {
+  EXPECT_EQ(a.products, b.products);
+  EXPECT_EQ(a.undecided, b.undecided);
+  EXPECT_EQ(a.first_candidate, b.first_candidate);
+  EXPECT_EQ(a.candidates, b.candidates);
+  EXPECT_EQ(a.counts, b.counts);
+}
+
+TEST(VisibilityBatches, AreTheSameForAnyNumberOfThreads) {
+  for (const bool is_of_one_set : {false, true}) {
+    const SightCase of = large_case(is_of_one_set, has_shadow_memory ? 300 : 600);
+    Batches one;
+    with_threads(1, [&] { one = batches_of(of, of.options); });
+    EXPECT_GT(one.products.size(), 2U);
+    for (const int threads : {2, 3}) {
+      with_threads(threads, [&] { EXPECT_EQ(batches_of(of, of.options), one) << threads << " threads"; });
+    }
+    EXPECT_EQ(one.counts.total(), of.pairs());
+  }
+}
+
+TEST(VisibilityBatches, HaveTheSameAnswersWhateverTheMemory) {
+  for (const bool is_of_one_set : {false, true}) {
+    const SightCase of = large_case(is_of_one_set, has_shadow_memory ? 200 : 400);
+    const Visibility all = of.collect(of.options);
+    EXPECT_EQ(SightTable(of, all).fault(), "");
+    EXPECT_EQ(SightTable(of, all).counts(), all.counts);
+    EXPECT_EQ(all.counts.total(), of.pairs());
+    EXPECT_EQ(of.count(of.options), all.counts);
+    for (const std::size_t memory : {least_memory, 3 * least_memory + 7, std::size_t{1} << 40}) {
+      VisibilityOptions options = of.options;
+      options.memory = memory;
+      for (const int threads : {1, 3}) {
+        with_threads(threads, [&] { expect_same(of.collect(options), all); });
+      }
+      EXPECT_EQ(of.count(options), all.counts);
+    }
+    VisibilityOptions without = of.options;
+    without.candidates = false;
+    const Visibility bare = of.collect(without);
+    EXPECT_EQ(bare.products, all.products);
+    EXPECT_EQ(bare.undecided, all.undecided);
+    EXPECT_TRUE(bare.first_candidate.empty());
+    EXPECT_TRUE(bare.candidates.empty());
+  }
+}
+
+TEST(VisibilityBatches, OrdersArePermutations) {
+  Random random(3);
+  for (const std::size_t count : {0U, 1U, 2U, 64U, 65U, 66U, 513U, 5000U}) {
+    for (const bool are_alike : {false, true}) {
+      std::vector<Box> boxes;
+      for (std::size_t i = 0; i != count; ++i) boxes.push_back(are_alike ? Box{} : random.box(-1, 1, 0, 0.1F));
+      const PatchSet set{std::span<const Box>(boxes)};
+      std::vector<std::uint32_t> order(set.order().begin(), set.order().end());
+      std::vector<std::uint32_t> right(count);
+      std::iota(right.begin(), right.end(), 0U);
+      std::sort(order.begin(), order.end());
+      EXPECT_EQ(order, right);
+      EXPECT_EQ(set.size(), count);
+      const std::uint64_t pairs = count * (count - (count == 0 ? 0 : 1)) / 2;
+      EXPECT_EQ(count_visibility(set, Blockers()).clear, pairs);
+      EXPECT_EQ(count_visibility(set, set, Blockers()).clear, count * count);
+    }
+  }
+  const PatchSet none;
+  EXPECT_EQ(none.size(), 0U);
+  EXPECT_FALSE(none.has_planes());
+  EXPECT_TRUE(none.order().empty());
+  bool was_called = false;
+  EXPECT_EQ(visibility(none, Blockers(), [&](const SightBatch&) { was_called = true; }), SightCounts());
+  EXPECT_FALSE(was_called);
+}
+
+TEST(VisibilityBatches, BitsAreThoseOfPairs) {
+  for (const bool is_of_one_set : {false, true}) {
+    const SightCase of = large_case(is_of_one_set, 150);
+    const Visibility all = of.collect(of.options);
+    const SightTable table(of, all);
+    const std::size_t words = words_for(of.b.size());
+    for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+      std::vector<std::uint64_t> bits(of.a.size() * words, ~std::uint64_t{0});
+      EXPECT_EQ(of.bits(sight, bits, of.options), all.counts);
+      for (std::size_t i = 0; i != of.a.size(); ++i) {
+        for (std::size_t j = 0; j != 64 * words; ++j) {
+          bool right = j < of.b.size() && table.at(i, j).sight == sight;
+          if (is_of_one_set && j < of.b.size()) right = right || table.at(j, i).sight == sight;
+          ASSERT_EQ((bits[i * words + j / 64] >> j % 64 & 1U) != 0, right) << i << ", " << j << ", " << name(sight);
+        }
+      }
+    }
+  }
+}
+
+/// A final word on most pairs that depends on nothing but the pair.
+Sight word_on(const PatchPair& pair) { return static_cast<Sight>((pair.a * 7U + pair.b * 3U) % 4); }
+
+TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
+  for (const bool is_of_one_set : {false, true}) {
+    const SightCase of = large_case(is_of_one_set, has_shadow_memory ? 200 : 400);
+    const Visibility all = of.collect(of.options);
+    const SightTable before(of, all);
+    for (const bool with_candidates : {true, false}) {
+      for (const std::size_t memory : {least_memory, std::size_t{256} << 20}) {
+        std::atomic<std::uint64_t> asked = 0;
+        std::atomic<bool> is_wrong = false;
+        VisibilityOptions options = of.options;
+        options.memory = memory;
+        options.candidates = with_candidates;
+        options.resolve = [&](const UndecidedPairs& undecided, std::span<Sight> verdict) {
+          asked += verdict.size();
+          bool is_right = verdict.size() == undecided.pairs.size() && !verdict.empty() &&
+                          undecided.first_candidate.empty() != with_candidates;
+          for (std::size_t i = 0; i != verdict.size(); ++i) {
+            const SightTable::Entry& entry = before.at(undecided.pairs[i].a, undecided.pairs[i].b);
+            is_right = is_right && verdict[i] == Sight::undecided && entry.sight == Sight::undecided;
+            if (with_candidates) {
+              const std::size_t first = undecided.first_candidate[i];
+              is_right = is_right && std::equal(undecided.candidates.begin() + static_cast<std::ptrdiff_t>(first),
+                                                undecided.candidates.begin() +
+                                                    static_cast<std::ptrdiff_t>(undecided.first_candidate[i + 1]),
+                                                entry.candidates.begin(), entry.candidates.end());
+            }
+            verdict[i] = word_on(undecided.pairs[i]);
+          }
+          if (!is_right) is_wrong = true;
+        };
+        Visibility after;
+        with_threads(3, [&] { after = of.collect(options); });
+        EXPECT_FALSE(is_wrong);
+        EXPECT_EQ(asked, all.counts.undecided);
+        const SightTable table(of, after);
+        ASSERT_EQ(table.fault(), "");
+        EXPECT_EQ(table.counts(), after.counts);
+        EXPECT_EQ(after.counts.total(), of.pairs());
+        for (const PatchPair& pair : all.undecided) {
+          const SightTable::Entry& entry = table.at(pair.a, pair.b);
+          ASSERT_EQ(entry.sight, word_on(pair));
+          if (entry.sight == Sight::undecided && with_candidates) {
+            ASSERT_EQ(entry.candidates, before.at(pair.a, pair.b).candidates);
+          }
+        }
+        with_threads(1, [&] { expect_same(of.collect(options), after); });
+        EXPECT_EQ(of.count(options), after.counts);
+        std::vector<std::uint64_t> bits(of.a.size() * words_for(of.b.size()));
+        EXPECT_EQ(of.bits(Sight::blocked, bits, options), after.counts);
+      }
+    }
+  }
+}
+
+TEST(VisibilityBatches, VerdictsMustBeSights) {
+  const SightCase of = large_case(false, 100);
+  VisibilityOptions options = of.options;
+  options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) { verdict.back() = static_cast<Sight>(4); };
+  EXPECT_EQ(message_of([&] { static_cast<void>(of.collect(options)); }), "resolve() wrote a verdict that is no Sight");
+  EXPECT_EQ(message_of([&] { static_cast<void>(of.count(options)); }), "resolve() wrote a verdict that is no Sight");
+}
+
+TEST(VisibilityBatches, ExceptionsOfCallbacksArriveAsTheyAre) {
+  const SightCase of = large_case(true, 300);
+  for (const int threads : {1, 3}) {
+    with_threads(threads, [&] {
+      unsigned calls = 0;
+      EXPECT_THROW(of.deliver(
+                       [&](const SightBatch&) {
+                         if (++calls == 1) throw std::out_of_range("deliver");
+                       },
+                       of.options),
+                   std::out_of_range);
+      EXPECT_EQ(calls, 1U);
+      VisibilityOptions options = of.options;
+      options.resolve = [](const UndecidedPairs&, std::span<Sight>) { throw std::length_error("resolve"); };
+      EXPECT_THROW(static_cast<void>(of.count(options)), std::length_error);
+      options.resolve = nullptr;
+      options.progress = [](const VisibilityProgress&) -> bool { throw std::domain_error("progress"); };
+      EXPECT_THROW(static_cast<void>(of.count(options)), std::domain_error);
+    });
+  }
+}
+
+TEST(VisibilityBatches, ProgressAscendsToTheTotal) {
+  for (const bool is_of_one_set : {false, true}) {
+    const SightCase of = large_case(is_of_one_set, 300);
+    for (const bool writes : {false, true}) {
+      std::vector<std::uint64_t> done;
+      VisibilityOptions options = of.options;
+      options.progress = [&](const VisibilityProgress& progress) {
+        EXPECT_EQ(progress.total, of.pairs());
+        done.push_back(progress.done);
+        return true;
+      };
+      if (writes) {
+        static_cast<void>(of.collect(options));
+      } else {
+        static_cast<void>(of.count(options));
+      }
+      ASSERT_GE(done.size(), 2U);
+      EXPECT_EQ(done.front(), 0U);
+      EXPECT_EQ(done.back(), of.pairs());
+      EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+    }
+  }
+}
+
+TEST(VisibilityBatches, ACancelledCallSaysHowFarItCame) {
+  const SightCase of = large_case(false, 300);
+  VisibilityOptions options = of.options;
+  options.progress = [](const VisibilityProgress&) { return false; };
+  const std::string end = " of " + std::to_string(of.pairs()) + " pairs";
+  bool was_delivered = false;
+  EXPECT_EQ(message_of<Cancelled>([&] { of.deliver([&](const SightBatch&) { was_delivered = true; }, options); }),
+            "the call was cancelled by its progress callback after 0" + end);
+  EXPECT_FALSE(was_delivered);
+  EXPECT_THROW(static_cast<void>(of.count(options)), Cancelled);
+  options.progress = [&](const VisibilityProgress& progress) { return progress.done == 0; };
+  EXPECT_THAT(message_of<Cancelled>([&] { static_cast<void>(of.collect(options)); }), testing::HasSubstr(end));
+}
+
+TEST(VisibilityBatches, CallsWithinCallbacksAnswerToo) {
+  const SightCase of = large_case(false, 150);
+  const SightCounts right = of.count(of.options);
+  for (const int threads : {1, 3}) {
+    with_threads(threads, [&] {
+      unsigned calls = 0;
+      VisibilityOptions options = of.options;
+      options.resolve = [&](const UndecidedPairs&, std::span<Sight>) { EXPECT_EQ(of.count(of.options), right); };
+      of.deliver(
+          [&](const SightBatch&) {
+            ++calls;
+            EXPECT_EQ(of.count(of.options), right);
+          },
+          options);
+      EXPECT_GT(calls, 0U);
+    });
+  }
+}
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+TEST(VisibilityBatches, CallsInTasksAndCancelledGroupsAnswerToo) {
+  const SightCase of = large_case(true, 150);
+  const Visibility right = of.collect(of.options);
+  with_threads(3, [&] {
+    tbb::parallel_for(0, 6, [&](int) { EXPECT_EQ(of.collect(of.options).undecided, right.undecided); });
+    Visibility all;
+    tbb::task_group group;
+    group.run([&] {
+      group.cancel();
+      all = of.collect(of.options);
+    });
+    group.wait();
+    expect_same(all, right);
+  });
+}
+#endif
+
+#ifdef __SSE__
+TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
+  for (const SightScenery scenery : {SightScenery::nudged, SightScenery::tiny, SightScenery::near_edges}) {
+    for (std::uint64_t seed = 1; seed != 9; ++seed) {
+      const SightScene scene = random_sight_scene(scenery, seed, 80);
+      SCOPED_TRACE(std::string(name(scenery)) + ", " + std::to_string(seed));
+      on_each_instruction_set([&] {
+        const SightCase of(scene);
+        const Visibility right = of.collect(of.options);
+        for (const Mode& mode : modes) {
+          SCOPED_TRACE(mode.name);
+          Visibility all;
+          unsigned after = 0;
+          {
+            const InMode in(mode);
+            const PatchSet a = first_set(scene);
+            const PatchSet b = second_set(scene);
+            const Blockers blockers = blockers_of(scene);
+            all = scene.is_of_one_set ? collect_visibility(a, blockers, of.options)
+                                      : collect_visibility(a, b, blockers, of.options);
+            after = _mm_getcsr();
+          }
+          EXPECT_EQ(after & control_bits, mode.bits & control_bits);
+          expect_same(all, right);
+        }
+      });
+      if (HasFailure()) return;
+    }
+  }
+}
+#endif
+
+TEST(VisibilityBatches, BlockersAreValuesAndNumberedAsTheyAreAdded) {
+  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}};
+  const std::vector<std::size_t> whole{0, 4};
+  std::vector<Triangle> triangles(70, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  const TriangleStream stream{std::span<const Triangle>(triangles)};
+  Blockers blockers;
+  EXPECT_EQ(blockers.add_boxes(std::span<const Box>(boxes)), 0U);
+  EXPECT_EQ(blockers.add_solids(std::span<const Box>(boxes)), 2U);
+  EXPECT_EQ(blockers.add_solid_hulls(corners, whole), 4U);
+  EXPECT_EQ(blockers.add_polygons(std::span<const Vec3>(corners).subspan(0, 3), std::vector<std::size_t>{0, 3}), 5U);
+  EXPECT_EQ(blockers.add_triangles(stream.view(), std::vector<std::size_t>{0, 1, 70}), 6U);
+  EXPECT_EQ(blockers.add_triangles(stream.view()), 8U);
+  EXPECT_EQ(blockers.size(), 8U + 3U);  // at most 32 in each
+  EXPECT_EQ(blockers.box(3), boxes[1]);
+  EXPECT_EQ(blockers.box(4), (Box{{0, 0, 0}, {1, 1, 5}}));
+  EXPECT_TRUE(blockers.triangles(4).empty());
+  EXPECT_EQ(blockers.triangles(6).size(), 1U);
+  EXPECT_EQ(blockers.triangles(7).size(), 69U);
+  std::vector<std::uint32_t> seen;
+  for (std::size_t i = 8; i != 11; ++i) {
+    EXPECT_LE(blockers.triangles(i).size(), 32U);
+    seen.insert(seen.end(), blockers.triangles(i).begin(), blockers.triangles(i).end());
+  }
+  std::sort(seen.begin(), seen.end());
+  for (std::size_t i = 0; i != 70; ++i) EXPECT_EQ(seen.at(i), i);
+
+  Blockers copy = blockers;
+  copy.add_boxes(std::span<const Box>(boxes));
+  EXPECT_EQ(copy.size(), 13U);
+  EXPECT_EQ(blockers.size(), 11U);
+  Blockers moved = std::move(copy);
+  EXPECT_EQ(moved.size(), 13U);
+  blockers = moved;
+  EXPECT_EQ(blockers.size(), 13U);
+}
+
+}  // namespace
+}  // namespace shaftcull
