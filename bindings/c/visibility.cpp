@@ -275,16 +275,17 @@ shaftcull_status shaftcull_blockers_add_triangles(shaftcull_blockers* blockers, 
       const std::size_t number = all.add_triangles(view, groups);
       if (first != nullptr) *first = number;
     };
-    const bool taken = use_source(source, [&]<class Records>(const Records& records) requires(
-                                              std::is_same_v<Records, shaftcull::TriangleView> ||
-                                              std::is_constructible_v<shaftcull::TriangleStream, const Records&>) {
-      if constexpr (std::is_same_v<Records, shaftcull::TriangleView>) {
-        add(records);
-      } else {
-        const shaftcull::TriangleStream packed(records);
-        add(packed.view());
-      }
-    });
+    const bool taken = use_source(
+        source, [&]<class Records>(const Records& records) requires(
+                    std::is_same_v<Records, shaftcull::TriangleView> ||
+                    std::is_constructible_v<shaftcull::TriangleStream, const Records&>) {
+          if constexpr (std::is_same_v<Records, shaftcull::TriangleView>) {
+            add(records);
+          } else {
+            const shaftcull::TriangleStream packed(records);
+            add(packed.view());
+          }
+        });
     if (!taken) refuse("triangles is a source of other bounds; this call takes triangles");
   });
 }

@@ -66,7 +66,8 @@ void make_scene(Random& random, Scene& scene) {
     const Vec3 at = random.vec3(-9, 9);
     triangles.push_back({at, {at[0] + 1, at[1], at[2]}, {at[0], at[1] + 2, at[2] + 1}});
     for (std::size_t corner = 0; corner != 8; ++corner) {
-      corners.push_back({at[0] + (corner & 1 ? 3.0F : 0), at[1] + (corner & 2 ? 4.0F : 0), at[2] + (corner & 4 ? 5.0F : 0)});
+      corners.push_back(
+          {at[0] + (corner & 1 ? 3.0F : 0), at[1] + (corner & 2 ? 4.0F : 0), at[2] + (corner & 4 ? 5.0F : 0)});
     }
     first_corner.push_back(corners.size());
     c_first_corner.push_back(corners.size());
@@ -93,7 +94,8 @@ void make_scene(Random& random, Scene& scene) {
   EXPECT_EQ(first, cpp.add_boxes(some));
   ok(shaftcull_blockers_add_solids(c, &solid_source, &first));
   EXPECT_EQ(first, cpp.add_solids(solids));
-  ok(shaftcull_blockers_add_solid_hulls(c, floats_of(corners).data(), corners.size(), c_first_corner.data(), 5, &first));
+  ok(shaftcull_blockers_add_solid_hulls(c, floats_of(corners).data(), corners.size(), c_first_corner.data(), 5,
+                                        &first));
   EXPECT_EQ(first, cpp.add_solid_hulls(corners, first_corner));
   ok(shaftcull_blockers_add_polygons(c, floats_of(squares).data(), 4, c_first_of_square.data(), 1, &first));
   EXPECT_EQ(first, cpp.add_polygons(squares, first_of_square));
@@ -121,10 +123,10 @@ void expect_equal(const shaftcull_sight_batch& c, const Visibility& cpp) {
   ASSERT_EQ(c.product_count, cpp.products.size());
   for (std::size_t i = 0; i != cpp.products.size(); ++i) {
     const shaftcull_sight_product& product = c.products[i];
-    EXPECT_EQ((SightProduct{{product.a.first, product.a.count},
-                            {product.b.first, product.b.count},
-                            static_cast<Sight>(product.sight)}),
-              cpp.products[i]);
+    EXPECT_EQ(
+        (SightProduct{
+            {product.a.first, product.a.count}, {product.b.first, product.b.count}, static_cast<Sight>(product.sight)}),
+        cpp.products[i]);
   }
   ASSERT_EQ(c.undecided.count, cpp.undecided.size());
   for (std::size_t i = 0; i != cpp.undecided.size(); ++i) {
@@ -158,10 +160,10 @@ TEST(CVisibility, IsThatOfCpp) {
       with.solids_around_ends = round < 3;
       const Visibility wanted = is_of_one_set ? collect_visibility(scene.cpp, scene.blockers_cpp, with)
                                               : collect_visibility(scene.cpp, second, scene.blockers_cpp, with);
-      const auto sights = made<SightsHandle>(
-          shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()), other,
-          static_cast<const shaftcull_blockers*>(scene.blockers_c.get()),
-          static_cast<const shaftcull_visibility_options*>(&options));
+      const auto sights =
+          made<SightsHandle>(shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()), other,
+                             static_cast<const shaftcull_blockers*>(scene.blockers_c.get()),
+                             static_cast<const shaftcull_visibility_options*>(&options));
       shaftcull_sight_batch all;
       shaftcull_sight_counts counts;
       ok(shaftcull_sights_all(sights.get(), &all, &counts));

@@ -115,8 +115,8 @@ CornersIn corners_in(const py::object& given, const std::string& name) {
     return in;
   }
   for (const py::handle& one : given) {
-    const VectorsIn vectors = vectors_in(py::reinterpret_borrow<py::object>(one),
-                                         name + "[" + std::to_string(in.first.size() - 1) + "]");
+    const VectorsIn vectors =
+        vectors_in(py::reinterpret_borrow<py::object>(one), name + "[" + std::to_string(in.first.size() - 1) + "]");
     in.corners.insert(in.corners.end(), vectors.vectors.begin(), vectors.vectors.end());
     in.first.push_back(in.corners.size());
   }
@@ -516,9 +516,8 @@ planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where 
       .def_property_readonly(
           "order", [](const PatchSet& self) { return order_of(self); },
           "uint32 (n,): the indices of the patches in the order of the tree, neighbours in space together. A copy.")
-      .def("__repr__", [](const PatchSet& self) {
-        return "<shaftcull.Patches, " + std::to_string(self.size()) + " of them>";
-      });
+      .def("__repr__",
+           [](const PatchSet& self) { return "<shaftcull.Patches, " + std::to_string(self.size()) + " of them>"; });
   add_blockers(module);
   add_answers(module);
 
