@@ -327,7 +327,10 @@ constexpr GridKernels grid_kernels() noexcept {
 template <class L>
 constexpr SiblingKernels sibling_packing() noexcept {
   if constexpr (MovesBits<L>) {
-    return {.pack = pack_siblings<L>, .spread = spread_siblings<L>};
+    SiblingKernels packing{};
+    packing.pack = pack_siblings<L>;
+    packing.spread = spread_siblings<L>;
+    return packing;
   } else {
     return {};
   }
