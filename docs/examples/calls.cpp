@@ -37,6 +37,16 @@ void make_more(const ConvexHull& view) {
   expect(shafts[0].formed(), "batch");
 }
 
+void ask_of_all_pairs() {
+  const PatchSet patches(boxes);
+  Blockers blockers;
+  blockers.add_solids(std::vector<Box>{{{2, -1, -1}, {3, 2, 2}}});
+  std::size_t batches = 0;
+  const auto deliver = [&](const SightBatch&) { ++batches; };
+  const SightCounts counts = visibility(patches, blockers, deliver);
+  expect(counts.blocked == 1 && counts.total() == 3 && batches != 0, "visibility");
+}
+
 void make_volumes() {
   const Box a = box;
   const Box b{{9, 0, 0}, {10, 1, 1}};
@@ -117,6 +127,7 @@ void ask() {
 
 int main() {
   make_volumes();
+  ask_of_all_pairs();
   ask();
   std::printf(failures == 0 ? "all calls answer\n" : "not all calls answer\n");
   return failures == 0 ? 0 : 1;

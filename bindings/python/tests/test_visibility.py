@@ -179,8 +179,9 @@ def test_blockers_of_all_sorts():
     touching = np.array([0, 1, 0, 10, 2, 1], dtype=np.float32)
     assert said(blockers=touching) == "clear" and said(blockers=touching, contact="closed") == "undecided"
 
-    blockers = sc.Blockers(box, solids=[box, box], hulls=[turned], polygons=[square], triangles=np.repeat(triangle[None], 5, 0),
-                           groups=[0, 2, 5])  # fmt: skip
+    five = np.repeat(triangle[None], 5, axis=0)
+    solid = dict(solids=[box, box], hulls=[turned], polygons=[square])
+    blockers = sc.Blockers(box, **solid, triangles=five, groups=[0, 2, 5])
     assert len(blockers) == 7
     assert blockers.first == {"blockers": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
     np.testing.assert_array_equal(blockers.box(2), box)
@@ -267,7 +268,8 @@ def crowd(count=3000):
 def test_progress_is_told_and_may_end_the_call():
     patches, blockers = crowd()
     told = []
-    counts = sc.count_visibility(patches, blockers=blockers, progress=lambda *at: told.append((at, threading.get_ident())))
+    tell = lambda *at: told.append((at, threading.get_ident()))
+    counts = sc.count_visibility(patches, blockers=blockers, progress=tell)
     assert told[-1][0] == (sum(counts.values()),) * 2 == (3000 * 2999 // 2,) * 2
     assert all(done <= total for (done, total), _ in told) and {thread for _, thread in told} == {threading.get_ident()}
 
@@ -358,7 +360,9 @@ if MPI.COMM_WORLD.rank == 0:
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     mpirun = ["mpirun", "--oversubscribe", "-n", "2"]
     try:
-        done = subprocess.run([*mpirun, sys.executable, program], capture_output=True, text=True, timeout=300, env=environment)
+        done = subprocess.run(
+            [*mpirun, sys.executable, program], capture_output=True, text=True, timeout=300, env=environment
+        )
     except FileNotFoundError:
         pytest.skip("no mpirun (Debian: openmpi-bin)")
     assert done.returncode == 0, done.stderr
