@@ -30,9 +30,9 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_verify, add_bench_report};
+constexpr std::array subcommands{add_demo, add_cull, add_sees, add_stats, add_draw, add_verify, add_bench_report};
 #else
-constexpr std::array subcommands{add_demo, add_cull, add_stats, add_draw, add_bench_report};
+constexpr std::array subcommands{add_demo, add_cull, add_sees, add_stats, add_draw, add_bench_report};
 #endif
 
 std::string version() {
