@@ -118,18 +118,20 @@ class RoomsBuilder {
   }
 
   void furnish(float x, float y) {
-    const float table_x = x + uniform(0.6F, 2);
+    const float table_x = x + uniform(0.6F, 1.2F);
     const float table_y = y + uniform(0.6F, 2);
-    const float table_width = uniform(0.7F, 1.4F);
+    const float table_width = uniform(0.7F, 1.1F);
     add_prism(fmt::format("table {}", ++tables_),
               {{{table_x, table_y},
                 {table_x + table_width, table_y},
                 {table_x + table_width, table_y + 0.8F},
                 {table_x, table_y + 0.8F}}},
               0, 0.75F);
-    add_cupboard(x + uniform(2.9F, 3.1F), y + uniform(0.9F, 3.1F));
+    // Named one by one: which argument is drawn first is the compiler's choice.
+    const float cupboard_x = x + uniform(3.05F, 3.15F);
+    add_cupboard(cupboard_x, y + uniform(0.9F, 3.1F));
     const float radius = uniform(0.2F, 0.35F);
-    const float ball_x = x + uniform(0.6F, 2.2F);
+    const float ball_x = x + uniform(0.6F, 1.9F);
     add_ball({ball_x, y + uniform(3.2F, 3.4F), radius}, radius);
   }
 

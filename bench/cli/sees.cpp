@@ -15,6 +15,7 @@
 #include "isolated_mesh.hpp"
 #include "number.hpp"
 #include "output_file.hpp"
+#include "printable.hpp"
 #include "rooms.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
@@ -41,7 +42,8 @@ struct SeesOptions {
 
 void run(const SeesOptions& options) {
   options.isa.select();
-  const std::string source = options.rooms != 0 ? fmt::format("{} rooms", options.rooms) : options.path;
+  const std::string source =
+      options.rooms != 0 ? fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s") : options.path;
   const SeesScene scene = make_sees_scene(
       options.rooms != 0 ? make_rooms(options.rooms, options.seed) : load_mesh_isolated(options.path, true),
       options.choice, source);
@@ -65,7 +67,7 @@ void run(const SeesOptions& options) {
   {
     Progress progress;
     const InterruptWatch interrupt;
-    SeesWork work{options.rays, options.seed, options.megabytes << 20, {}};
+    SeesWork work{options.rays, options.seed, options.megabytes << 20, {}, {}};
     workers.run([&] { report = run_sees(scene, patches, work, source, sinks, progress, interrupt); });
   }
   if (picture) {
@@ -100,6 +102,10 @@ SeesReport run_sees(const SeesScene& scene, const PatchSet& patches, SeesWork wo
     progress.update(progress_text(now, seconds()));
     return interrupt.signal() == 0;
   };
+  work.stops = [&] { return interrupt.signal() != 0; };
+  const std::uint64_t pairs = std::uint64_t{patches.size()} * (patches.size() - 1) / 2;
+  progress.milestone(
+      fmt::format("{}: {} patches, {} pairs", printable(source), grouped(patches.size()), grouped(pairs)));
   SeesReport report{source,
                     std::string(name(active_isa())),
                     scene.mesh.names.size(),

@@ -16,7 +16,7 @@ namespace {
 class RayAnswers {
  public:
   RayAnswers(const SeesScene& scene, const SeesWork& work)
-      : scene_(scene), rays_(work.rays, work.seed, scene.planes.empty()) {
+      : scene_(scene), rays_(work.rays, work.seed, scene.planes.empty()), stops_(work.stops) {
     for (const std::vector<std::uint32_t>& triangles : scene.blocker_triangles) {
       rays_.add_blocker(scene.mesh.triangles, triangles);
     }
@@ -52,6 +52,7 @@ class RayAnswers {
   [[nodiscard]] std::vector<std::uint32_t> seen_of(const UndecidedPairs& undecided) const {
     std::vector<std::uint32_t> seen(undecided.pairs.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (stops_ && stops_()) throw Cancelled("rays were cancelled");
       const std::size_t first = undecided.first_candidate[i];
       seen[i] = rays_.seen(scene_.patches, undecided.pairs[i].a, undecided.pairs[i].b,
                            undecided.candidates.subspan(first, undecided.first_candidate[i + 1] - first));
@@ -61,6 +62,7 @@ class RayAnswers {
 
   const SeesScene& scene_;
   SightRays rays_;
+  const std::function<bool()>& stops_;
   std::mutex mutex_;
   std::map<std::uint64_t, std::vector<std::uint32_t>> found_;
 };

@@ -21,6 +21,8 @@ struct SeesWork {
   std::size_t memory = std::size_t{256} << 20;
   /// As VisibilityOptions::progress.
   std::function<bool(const VisibilityProgress&)> progress;
+  /// Whether to end now, which throws Cancelled; asked by many threads, also while rays are cast.
+  std::function<bool()> stops;
 };
 
 /// How many pairs there are of each kind. The last three are parts of the undecided ones, and 0 without rays.

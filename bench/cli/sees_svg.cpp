@@ -57,7 +57,7 @@ class PatchPicture {
         "  <title>What share of the other patches each patch sees, {2} to the right, {3} up</title>\n"
         "  <rect width=\"{0}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
         width, height, "xyz"[across_], "xyz"[along_]);
-    most_ = shares_.empty() ? 0 : *std::max_element(shares_.begin(), shares_.end());
+    for (const std::size_t i : shown_) most_ = std::max(most_, shares_[i]);
     add_patches();
     add_legend(height - legend_height + 4);
     return svg_ + "</svg>\n";
@@ -108,7 +108,9 @@ class PatchPicture {
     for (const std::size_t i : shown_) height[i] = height_of(i);
     std::stable_sort(shown_.begin(), shown_.end(), [&](std::size_t p, std::size_t q) { return height[p] < height[q]; });
     // Strokes close the gaps that smooth edges leave between neighbours.
-    svg_ += "  <g transform=\"scale(0.1)\" stroke-width=\"4\" stroke-linejoin=\"round\">\n";
+    svg_ +=
+        "  <g transform=\"scale(0.1)\" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"5\" "
+        "stroke-linejoin=\"round\">\n";
     for (std::size_t first = 0; first < shown_.size();) {
       // Those of one height do not hide each other, so those of one colour become one path.
       std::size_t end = first + 1;
@@ -133,7 +135,7 @@ class PatchPicture {
     }
     for (std::size_t s = 0; s < shades; ++s) {
       if (paths[s].empty()) continue;
-      svg_ += fmt::format("    <path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n", shade(s), paths[s]);
+      svg_ += fmt::format("    <path color=\"{}\" d=\"{}\"/>\n", shade(s), paths[s]);
     }
   }
 
