@@ -1025,6 +1025,213 @@ SHAFTCULL_API shaftcull_status shaftcull_for_each_classified(const shaftcull_sha
                                                              const shaftcull_query* query,
                                                              shaftcull_ranges_callback callback, void* user);
 
+/* ---- What sees what: of all pairs of patches ---- */
+
+/// What is said of a pair of patches (visibility.hpp).
+typedef uint32_t shaftcull_sight;
+enum {
+  SHAFTCULL_SIGHT_UNDECIDED = 0,  /* Some blockers stand between them, none of which hides all. */
+  SHAFTCULL_SIGHT_CLEAR = 1,      /* Nothing stands between them. */
+  SHAFTCULL_SIGHT_BLOCKED = 2,    /* One solid hides all. */
+  SHAFTCULL_SIGHT_FACING_AWAY = 3 /* One is on or behind the plane of the other. */
+};
+
+/// Patches, in a tree: boxes, each perhaps with the plane that it faces away from. It never changes.
+typedef struct shaftcull_patches shaftcull_patches;
+
+/// What stands between patches. Blockers are numbered in the order in which they are added, from 0 on.
+typedef struct shaftcull_blockers shaftcull_blockers;
+
+/// All answers of a call, in the library's memory.
+typedef struct shaftcull_sights shaftcull_sights;
+
+/// Some patches side by side in shaftcull_patches_order().
+typedef struct shaftcull_patch_run {
+  uint32_t first; /* position in the order */
+  uint32_t count; /* how many */
+} shaftcull_patch_run;
+
+/// One answer for all pairs of a patch of one run and a patch of another.
+typedef struct shaftcull_sight_product {
+  shaftcull_patch_run a; /* of set a */
+  shaftcull_patch_run b; /* of set b */
+  shaftcull_sight sight; /* never undecided */
+} shaftcull_sight_product;
+
+/// Pairs that are undecided, by the caller's indices. Candidates of pair i are candidates[first_candidate[i]] to before
+/// candidates[first_candidate[i + 1]], in ascending order. Both are NULL if they were not asked for.
+typedef struct shaftcull_undecided_pairs {
+  const shaftcull_index_pair* pairs; /* of one set with itself, the one that is first in its order is a */
+  uint64_t count;                    /* of pairs */
+  const uint64_t* first_candidate;   /* count + 1 of them */
+  const uint32_t* candidates;        /* numbers of blockers */
+} shaftcull_undecided_pairs;
+
+/// Some answers. Valid during the callback only.
+typedef struct shaftcull_sight_batch {
+  const shaftcull_sight_product* products; /* what is decided */
+  uint64_t product_count;                  /* of products */
+  shaftcull_undecided_pairs undecided;     /* and what is not */
+} shaftcull_sight_batch;
+
+/// How many pairs there are of each kind.
+typedef struct shaftcull_sight_counts {
+  uint64_t undecided;   /* SHAFTCULL_SIGHT_UNDECIDED */
+  uint64_t clear;       /* SHAFTCULL_SIGHT_CLEAR */
+  uint64_t blocked;     /* SHAFTCULL_SIGHT_BLOCKED */
+  uint64_t facing_away; /* SHAFTCULL_SIGHT_FACING_AWAY */
+} shaftcull_sight_counts;
+
+/// Gets `user` as it was passed. Returns 0 to go on; anything else ends the call with SHAFTCULL_STOPPED. It may run on
+/// any thread, one call at a time. It must return: no exception and no longjmp may leave it.
+typedef int32_t (*shaftcull_sight_callback)(const shaftcull_sight_batch* batch, void* user);
+
+/// May give the final word on undecided pairs, by rays for instance: verdicts[i] is a shaftcull_sight of pair i, and
+/// undecided to begin with. Many threads call it at once; it returns as shaftcull_sight_callback does.
+typedef int32_t (*shaftcull_resolve_callback)(const shaftcull_undecided_pairs* undecided, uint8_t* verdicts,
+                                              void* user);
+
+/// Is told some times a second that `done` of `total` pairs were answered. It returns as shaftcull_sight_callback does,
+/// so it can end the call.
+typedef int32_t (*shaftcull_progress_callback)(uint64_t done, uint64_t total, void* user);
+
+/// How it is done.
+typedef struct shaftcull_visibility_options {
+  uint64_t memory;                      /* bytes that answers under way may take, 1 MB or more */
+  shaftcull_contact contact;            /* what becomes of blockers that only touch */
+  uint32_t solids_around_ends;          /* 0: a solid that an end reaches into makes no pair blocked */
+  uint32_t candidates;                  /* 1: undecided pairs come with candidates */
+  uint32_t reserved;                    /* 0 */
+  shaftcull_resolve_callback resolve;   /* or NULL */
+  shaftcull_progress_callback progress; /* or NULL */
+  void* user;                           /* for these two */
+} shaftcull_visibility_options;
+
+/// 256 MB, open contact, solids around ends, candidates, no callbacks. Never fails.
+SHAFTCULL_API shaftcull_visibility_options shaftcull_default_visibility_options(void);
+
+/// The name of what is said of a pair, "blocked" say; "unknown" for a number that is none. Valid for ever. Never fails.
+/// O(1).
+SHAFTCULL_API const char* shaftcull_sight_name(shaftcull_sight sight);
+
+/// Patches of a source of boxes, with `plane_count` planes: 0, or one for each patch, which faces where the normal
+/// points, and sees what is in front. SHAFTCULL_BAD_BOUND for the first box that is not finite with lo ≤ hi, or plane
+/// that is not finite or has no normal. O(n log n); holds some 100 bytes a patch. Freed by shaftcull_patches_free().
+SHAFTCULL_API shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
+                                                        uint64_t plane_count, shaftcull_patches** patches);
+
+/// Frees patches; does nothing for NULL.
+SHAFTCULL_API void shaftcull_patches_free(shaftcull_patches* patches);
+
+/// How many patches there are; 0 for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_patches_count(const shaftcull_patches* patches);
+
+/// The order that runs refer to: (*order)[p] is the caller's index of the patch at position p. Valid until the patches
+/// are freed. NULL if there are none. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_patches_order(const shaftcull_patches* patches, const uint32_t** order);
+
+/// No blockers, to add some. Freed by shaftcull_blockers_free(). O(1).
+SHAFTCULL_API shaftcull_status shaftcull_blockers_create(shaftcull_blockers** blockers);
+
+/// Frees blockers; does nothing for NULL.
+SHAFTCULL_API void shaftcull_blockers_free(shaftcull_blockers* blockers);
+
+/// How many blockers there are; 0 for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_blockers_count(const shaftcull_blockers* blockers);
+
+/// Adds boxes around things that may hide something, one blocker a box. `first` gets the number of the first of them,
+/// here and in those that follow, or may be NULL. SHAFTCULL_BAD_BOUND for what is not finite with lo ≤ hi. O(count).
+SHAFTCULL_API shaftcull_status shaftcull_blockers_add_boxes(shaftcull_blockers* blockers, const shaftcull_source* boxes,
+                                                            uint64_t* first);
+
+/// Adds boxes that are solid, one blocker a box. They make pairs blocked, also where several are one larger box
+/// together. Errors as shaftcull_blockers_add_boxes().
+SHAFTCULL_API shaftcull_status shaftcull_blockers_add_solids(shaftcull_blockers* blockers,
+                                                             const shaftcull_source* boxes, uint64_t* first);
+
+/// Adds convex hulls that are solid, one blocker a hull: hull i has the corners first_corner[i] to before
+/// first_corner[i + 1] of all `corner_count`, 3 floats each. Those are hull_count + 1 numbers, or `first_corner` may be
+/// NULL if there are no hulls; 4 to 32 corners a hull. SHAFTCULL_BAD_BOUND for a corner that is not finite.
+SHAFTCULL_API shaftcull_status shaftcull_blockers_add_solid_hulls(shaftcull_blockers* blockers, const float* corners,
+                                                                  uint64_t corner_count, const uint64_t* first_corner,
+                                                                  uint64_t hull_count, uint64_t* first);
+
+/// Adds flat convex polygons by their corners in order, one blocker a polygon. They make pairs blocked. As
+/// shaftcull_blockers_add_solid_hulls(), with 3 corners or more a polygon.
+SHAFTCULL_API shaftcull_status shaftcull_blockers_add_polygons(shaftcull_blockers* blockers, const float* corners,
+                                                               uint64_t corner_count, const uint64_t* first_corner,
+                                                               uint64_t polygon_count, uint64_t* first);
+
+/// Adds triangles in groups, one blocker a group: group i has the triangles first_triangle[i] to before
+/// first_triangle[i + 1], which are group_count + 1 numbers. With NULL and 0 the library makes groups of at most 32
+/// neighbours. SHAFTCULL_BAD_BOUND for a triangle that is not finite. Allocates a copy of 36 bytes a triangle on the
+/// way.
+SHAFTCULL_API shaftcull_status shaftcull_blockers_add_triangles(shaftcull_blockers* blockers,
+                                                                const shaftcull_source* triangles,
+                                                                const uint64_t* first_triangle, uint64_t group_count,
+                                                                uint64_t* first);
+
+/// The box around one blocker. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_blockers_box(const shaftcull_blockers* blockers, uint64_t blocker,
+                                                      shaftcull_box* box);
+
+/// The triangles of one blocker, by their positions in the source that it was added from: `count` of them, which may be
+/// 0. Valid until the blockers are added to or freed. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_blockers_triangles(const shaftcull_blockers* blockers, uint64_t blocker,
+                                                            const uint32_t** triangles, uint64_t* count);
+
+/// How many pairs of a patch of `a` and a patch of `b` there are of each kind; of `a` with itself, each two patches
+/// once, if `b` is NULL, here and in those that follow. `options` may be NULL: the default ones. Refuses less memory
+/// than 1 MB. SHAFTCULL_STOPPED if a callback says so.
+SHAFTCULL_API shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                                          const shaftcull_blockers* blockers,
+                                                          const shaftcull_visibility_options* options,
+                                                          shaftcull_sight_counts* counts);
+
+/// Calls back until every pair was in one batch, once, and tells how many there were of each kind; `counts` may be
+/// NULL. Batches come in an order that does not depend on the number of threads. Otherwise as
+/// shaftcull_count_visibility().
+SHAFTCULL_API shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                                    const shaftcull_blockers* blockers,
+                                                    const shaftcull_visibility_options* options,
+                                                    shaftcull_sight_callback callback, void* user,
+                                                    shaftcull_sight_counts* counts);
+
+/// Collects all answers. It may take much memory: 20 bytes a product, and there are some 0.1 to 0.2 as many as pairs.
+/// Otherwise as shaftcull_count_visibility(). Freed by shaftcull_sights_free().
+SHAFTCULL_API shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                                            const shaftcull_blockers* blockers,
+                                                            const shaftcull_visibility_options* options,
+                                                            shaftcull_sights** sights);
+
+/// Frees answers; does nothing for NULL.
+SHAFTCULL_API void shaftcull_sights_free(shaftcull_sights* sights);
+
+/// All answers as one batch, valid until they are freed, and how many there are of each kind; `counts` may be NULL.
+/// O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_sights_all(const shaftcull_sights* sights, shaftcull_sight_batch* batch,
+                                                    shaftcull_sight_counts* counts);
+
+/// Writes a bit for every pair, rows of shaftcull_words_for(patches of b) words, one for each patch of `a`: bit j of
+/// row i says whether patches i and j are of the kind `sight`. `words` are those of all rows. Of one set with itself
+/// both bits of a pair are written, and the diagonal is 0. `counts` may be NULL. If it fails, bits hold anything.
+/// Otherwise as shaftcull_count_visibility().
+SHAFTCULL_API shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const shaftcull_patches* b,
+                                                         const shaftcull_blockers* blockers,
+                                                         const shaftcull_visibility_options* options,
+                                                         shaftcull_sight sight, uint64_t* bits, uint64_t words,
+                                                         shaftcull_sight_counts* counts);
+
+/// Larger solid boxes that cover nothing but what the given ones cover: pieces of a wall that share a face become one
+/// (solids.hpp). Lists as many of them as there is room for, and `merged_count` says how many there are.
+/// SHAFTCULL_BAD_BOUND for a box that is not finite with lo ≤ hi. Some O(n log n).
+SHAFTCULL_API shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes, uint64_t count, shaftcull_box* merged,
+                                                      uint64_t room, uint64_t* merged_count);
+
+/// A large box inside the convex hull of 4 to 32 points, 3 floats each: exactly, no coordinate is rounded outwards.
+/// Refuses another number of points and what is not finite.
+SHAFTCULL_API shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box);
+
 /* ---- Threads and instruction sets ---- */
 
 /// How many threads a call for many shafts would use from here; 1 in a build without oneTBB. Never fails.

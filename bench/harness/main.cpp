@@ -31,7 +31,7 @@ constexpr std::array families{
     declare_contact,  declare_hull,         declare_outputs,   declare_blocked,
     declare_memory,   declare_small,        declare_sweep,     declare_roofline,
     declare_tree,     declare_picking,      declare_frame,     declare_flat_against_tree,
-    declare_touching, declare_short_sweeps, declare_triangles,
+    declare_touching, declare_short_sweeps, declare_triangles, declare_sees,
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
     declare_exact,
 #endif
@@ -105,7 +105,8 @@ int run(int argc, char** argv) {
   print_table(suite, results);
   write_summary(out, suite, size, results);
   fmt::print("\nWritten to {} and {}.\n", out.string(), raw.string());
-  return 0;
+  for (const std::string& error : results.errors()) fmt::print(stderr, "shaftcull-bench: {}\n", error);
+  return results.errors().empty() ? 0 : 1;
 }
 
 }  // namespace

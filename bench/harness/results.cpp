@@ -8,6 +8,7 @@ namespace shaftcull::bench {
 
 void Results::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
+    if (run.error_occurred) errors_.insert(run.run_name.function_name + ": " + run.error_message);
     const auto speed = run.counters.find("items_per_second");
     if (run.run_type != Run::RT_Iteration || speed == run.counters.end()) continue;
     speeds_[run.run_name.function_name].push_back(speed->second.value);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ class Results : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override;
 
+  /// What benchmarks said that could not be measured, each with its name.
+  [[nodiscard]] const std::set<std::string>& errors() const noexcept { return errors_; }
+
   /// The median over all repetitions; nothing if the benchmark did not run.
   [[nodiscard]] std::optional<double> per_second(const std::string& name) const;
   /// per_second(name) over per_second(against); nothing if either did not run.
@@ -26,6 +30,7 @@ class Results : public benchmark::BenchmarkReporter {
 
  private:
   std::map<std::string, std::vector<double>> speeds_;
+  std::set<std::string> errors_;  // once, whatever the number of repetitions
 };
 
 }  // namespace shaftcull::bench

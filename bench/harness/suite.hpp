@@ -123,6 +123,8 @@ void declare_picking(Suite& suite, const Workload& workload);
 void declare_short_sweeps(Suite& suite, const Workload& workload);
 /// frame/…: moving bounds, updated and asked
 void declare_frame(Suite& suite, const Workload& workload);
+/// sees/…: which patches see each other, against shadow rays
+void declare_sees(Suite& suite, const Workload& workload);
 /// flat_against_tree/…: flat scans and trees, by size and by what is found
 void declare_flat_against_tree(Suite& suite, const Workload& workload);
 

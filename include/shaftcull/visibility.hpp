@@ -205,10 +205,10 @@ struct VisibilityOptions {
   std::size_t memory = std::size_t{256} << 20;
   /// Gets undecided pairs and may give the final word on each, by rays for instance: verdict[i] is of pair i, and
   /// undecided to begin with. Called by many threads at once. What it answers is deterministic if it is.
-  std::function<void(const UndecidedPairs& undecided, std::span<Sight> verdict)> resolve;
+  std::function<void(const UndecidedPairs& undecided, std::span<Sight> verdict)> resolve = {};
   /// Is told how far the call has come, some times a second; returns whether to go on. If it says no, the call ends as
   /// soon as it can and throws Cancelled.
-  std::function<bool(const VisibilityProgress& progress)> progress;
+  std::function<bool(const VisibilityProgress& progress)> progress = {};
 };
 
 /// What is thrown if a callback wants a call to end.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <type_traits>
 
@@ -170,16 +169,10 @@ class BatchJob {
     } else {
       kernels_.grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
     }
-    LeastOnGrid least{};
-    if (on_grid.has_cuts) {
-      for (unsigned s = 0; s != 6; ++s) {
-        std::int16_t smallest = std::numeric_limits<std::int16_t>::max();
-        for (std::size_t i = 0; i != row; ++i) smallest = std::min(smallest, grid[s][i]);
-        least.of[s] = smallest;
-      }
-    }
+    TileExtent extent{};
+    if (on_grid.has_cuts) extent = kernels_.grid.extent(grid, words_for(tile.count));
     for (std::size_t b = 0; b != chunk_count(group.size, batch_shafts); ++b) {
-      test_batch_on_grid(on_grid, chunk_at(group.size, batch_shafts, b), least, tile, grid, undecided, first, group,
+      test_batch_on_grid(on_grid, chunk_at(group.size, batch_shafts, b), extent, tile, grid, undecided, first, group,
                          kept, inside);
     }
   }
@@ -193,7 +186,7 @@ class BatchJob {
   static constexpr std::size_t lines_a_word =
       (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
 
-  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch, const LeastOnGrid& least,
+  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch, const TileExtent& extent,
                                                  const View& tile, const std::int16_t* const* grid,
                                                  UndecidedWord* undecided, std::size_t first, IndexRange group,
                                                  Rows kept, Rows inside) const noexcept {
@@ -207,7 +200,7 @@ class BatchJob {
       prefetch_share_of_next(first + tile.count, tile.count, s, group.size);
       if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
       const ShaftData& its_shaft = shafts_[group.first + s];
-      if (!on_grid.shaft[s].exists || (on_grid.has_cuts && may_pass_cut(on_grid.shaft[s], least))) {
+      if (!on_grid.shaft[s].exists || (on_grid.has_cuts && may_pass_cut(on_grid.shaft[s], extent))) {
         kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
         continue;
       }

@@ -147,6 +147,13 @@ struct GridShaft;
 /// Where the box of a shaft without end is when it has left all bounds behind: its faces, rounded.
 struct ClippedEnd {
   float face[6];
+  float in_frame[6];  ///< what of it is among the bounds, which the frame is to hold
+};
+
+/// How far the bounds of a tile reach on a grid.
+struct TileExtent {
+  std::int16_t least[6];  ///< coordinate of each stream
+  bool any_above;         ///< whether a bound has a coordinate that was cut off above, but for those that have them all
 };
 
 /// A word of bounds some of which a grid leaves undecided.
@@ -177,6 +184,9 @@ struct GridKernels {
   /// the boxes do not fill is filled up by boxes that are outside of everything.
   void (*snap_boxes)(const GridFrame& frame, const float* const* box, std::size_t count,
                      std::int16_t* const* grid) noexcept;
+
+  /// How far `words` words of bounds on the grid reach, more than none.
+  TileExtent (*extent)(const std::int16_t* const* grid, std::size_t words) noexcept;
 
   /// Tests `words` words of bounds, at most most_block_words, on the grid. Writes their kept bits, 0 only for bounds
   /// that are certainly outside. Lists the words that hold undecided bounds, with `shaft` as their shaft's number, at

@@ -20,6 +20,7 @@
 #include "kernels/siblings/facing.hpp"
 #include "kernels/siblings/form.hpp"
 #include "kernels/siblings/keep.hpp"
+#include "kernels/siblings/pack.hpp"
 #include "kernels/spheres/boxes_around.hpp"
 #include "kernels/spheres/planes.hpp"
 #include "kernels/table.hpp"
@@ -312,10 +313,21 @@ constexpr GridKernels grid_kernels() noexcept {
             .frame = grid_frame<L>,
             .form_shafts = form_grid_shafts<L>,
             .snap_boxes = snap_boxes<L>,
+            .extent = tile_extent<L>,
             .test = test_on_grid<L>,
             .resolve = resolve_in_floats<L>,
             .finish_boxes = finish_after_grid<L, BoxStages<L, Form::slab>>,
             .finish_spheres = finish_after_grid<L, SphereStages<L>>};
+  } else {
+    return {};
+  }
+}
+
+/// The functions that pack siblings, where a set has what that takes.
+template <class L>
+constexpr SiblingKernels sibling_packing() noexcept {
+  if constexpr (MovesBits<L>) {
+    return {.pack = pack_siblings<L>, .spread = spread_siblings<L>};
   } else {
     return {};
   }
@@ -345,10 +357,14 @@ inline constexpr Kernels kernels_for = {
     .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
-    .siblings = {.form = form_siblings<L>,
+    .siblings = {.pack = sibling_packing<L>().pack,
+                 .spread = sibling_packing<L>().spread,
+                 .select = select_listed<L>,
+                 .form = form_siblings<L>,
                  .keep_any = keep_any<L>,
                  .keep = keep_siblings<L>,
                  .block = block_siblings<L>,
+                 .may_block = may_block_siblings<L>,
                  .behind_plane = behind_plane<L>,
                  .behind_planes = behind_planes<L>,
                  .points_behind_planes = points_behind_planes<L>,

@@ -15,6 +15,7 @@ extern float grid_slack_factor;        // on what snapping and rounding on a gri
 extern float grid_limit_factor;        // on the interval length above which a bound on a grid is certainly not outside
 extern float blocking_margin_factor;   // on the margin of boxes that block a shaft
 extern float sibling_margin_factor;    // on the margin of sibling shafts
+extern bool drops_touching_flats;      // groups, too, do not keep flat bounds that touch with open contact
 extern float triangle_margin_factor;   // on the margin of separating axes of triangles
 extern float measured_error_factor;    // on the rounding errors that exact predicates measure
 extern float hull_margin_factor;       // on the margin of planes of a convex hull with an end
@@ -31,6 +32,7 @@ inline constexpr float grid_slack_factor = 1.0F;
 inline constexpr float grid_limit_factor = 1.0F;
 inline constexpr float blocking_margin_factor = 1.0F;
 inline constexpr float sibling_margin_factor = 1.0F;
+inline constexpr bool drops_touching_flats = false;
 inline constexpr float triangle_margin_factor = 1.0F;
 inline constexpr float measured_error_factor = 1.0F;
 inline constexpr float hull_margin_factor = 1.0F;

@@ -152,6 +152,22 @@ void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<cons
   }
 }
 
+/// The vertices farthest in 26 directions come first: one of them is in front of most planes that any is in front of.
+void put_extremes_first(std::vector<Vec3>& vertices) {
+  std::size_t put = 0;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (put == vertices.size() || (x == 0 && y == 0 && z == 0)) continue;
+        const auto along = [&](const Vec3& p) { return double{p[0]} * x + double{p[1]} * y + double{p[2]} * z; };
+        const auto farthest = std::max_element(vertices.begin(), vertices.end(),
+                                               [&](const Vec3& a, const Vec3& b) { return along(a) < along(b); });
+        if (farthest >= vertices.begin() + static_cast<std::ptrdiff_t>(put)) std::swap(vertices[put++], *farthest);
+      }
+    }
+  }
+}
+
 /// Groups of neighbours: the triangles in the order of a tree over their boxes.
 std::vector<std::uint32_t> in_tree_order(const TriangleView& triangles) {
   std::vector<Box> boxes(triangles.count);
@@ -244,6 +260,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
     }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    put_extremes_first(vertices);
     for (const Vec3& vertex : vertices) addition.add_point(vertex);
     addition.add(around.box);
   };

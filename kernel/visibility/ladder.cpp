@@ -33,7 +33,26 @@ std::uint64_t first_lanes(unsigned count) noexcept {
   return count == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
+/// Blockers with more points are looked up rather than tested again.
+constexpr std::size_t few_points = 64;
+
 std::uint64_t bit(unsigned lane) noexcept { return std::uint64_t{1} << lane; }
+
+/// Takes off a list what no row or no column that is left has to do with.
+void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
+                 std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i != list.size(); ++i) {
+    list[count] = list[i];
+    rows[count] = rows[i];
+    columns[count] = columns[i];
+    count += static_cast<std::size_t>((rows[i] & rows_left) != 0) &
+             static_cast<std::size_t>((columns[i] & columns_left) != 0);
+  }
+  list.resize(count);
+  rows.resize(count);
+  columns.resize(count);
+}
 
 }  // namespace
 
@@ -111,11 +130,21 @@ struct Ladder::Side {
     if (!other.has_planes()) return 0;
     return (other.are_patches ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
   }
-  /// Lanes on or behind all of whose planes a box lies.
-  [[nodiscard]] std::uint64_t with_behind(const float* faces, const SiblingKernels& kernels) const {
+  /// Lanes on or behind all of whose planes a box lies. Those that are not asked may be anything.
+  [[nodiscard]] std::uint64_t with_behind(const float* faces, std::uint64_t asked,
+                                          const SiblingKernels& kernels) const {
     if (!has_planes()) return 0;
-    return (are_patches ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces);
+    return (are_patches ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces, asked);
   }
+};
+
+/// Of a row of pairs: the blockers of a list that it may have to do with, with which of its lanes, and what is found.
+/// Only the first `count` mean anything.
+struct Ladder::Selection {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> list;
+  std::vector<std::uint64_t> may;
+  std::vector<std::uint64_t> kept;
 };
 
 /// What is known of a product, and scratch.
@@ -128,17 +157,14 @@ struct Ladder::Level {
   std::vector<std::uint64_t> column_candidates;
   std::vector<std::uint64_t> column_solids;
   std::vector<std::uint64_t> column_polygons;
-  // Of the row at hand: what is left of the lists, in which lanes it may be, and where it is kept.
-  SightLists of_row;
-  std::vector<std::uint64_t> may_candidates;
-  std::vector<std::uint64_t> may_solids;
-  std::vector<std::uint64_t> may_polygons;
-  std::vector<std::uint64_t> kept;
-  std::vector<std::uint64_t> kept_solids;
-  std::vector<std::uint64_t> kept_polygons;
+  Selection candidates_of_row;
+  Selection solids_of_row;
+  Selection polygons_of_row;
 };
 
-Ladder::Ladder(const SightJob& job, SightAnswers& answers) : job_(job), answers_(answers) {}
+Ladder::Ladder(const SightJob& job, SightAnswers& answers) : job_(job), answers_(answers) {
+  for (unsigned f = 0; f != 6; ++f) packed_box_[f] = packed_.face[f];
+}
 Ladder::~Ladder() = default;
 
 Ladder::Level& Ladder::level(std::size_t depth) {
@@ -203,38 +229,67 @@ void Ladder::decide_rows(const Side& rows, std::uint64_t which, const Side& colu
                [&](unsigned first, unsigned count) { write(rows.run(first, count), columns.run(column, 1), sight); });
 }
 
-void Ladder::form(const Side& fixed, unsigned lane, const Side& lanes) {
-  fixed.copy_box(lane, fixed_);
-  job_.kernels.form(fixed_, lanes.box, lanes.count, siblings_);
-  siblings_.contact = job_.contact;
+/// Forms shafts from a box of one side to all of another.
+void Ladder::form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
+  form(fixed, lane, lanes.box, lanes.count, asked);
   siblings_.are_groups = !fixed.are_patches || !lanes.are_patches;
+}
+
+/// Likewise to boxes of patches.
+void Ladder::form(const Side& fixed, unsigned lane, const float* const* boxes, unsigned count, std::uint64_t asked) {
+  fixed.copy_box(lane, fixed_);
+  job_.kernels.form(fixed_, boxes, count, asked, siblings_);
+  siblings_.contact = job_.contact;
+  siblings_.are_groups = !fixed.are_patches;
   siblings_.solids_around_ends = job_.solids_around_ends;
 }
 
-/// Lanes of `asked` on or behind all of whose planes a blocker lies.
-std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) const {
-  if (!lanes.has_planes() || asked == 0) return 0;
-  std::uint64_t behind = lanes.with_behind(job_.blockers.boxes[blocker].face, job_.kernels) & asked;
-  const std::span<const Vec3> points = job_.blockers.points_of(blocker);
-  if (!lanes.are_patches || points.empty() || behind == asked) return behind;
-  return job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), asked & ~behind) |
-         behind;
+/// Likewise, with lo and hi of groups exchanged, as may_block() wants them.
+void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked) {
+  const float* other[6];
+  for (unsigned f = 0; f != 6; ++f) {
+    exchanged_[f] = fixed.box[fixed.are_patches ? f : (f + 3) % 6][lane];
+    other[f] = lanes.box[lanes.are_patches ? f : (f + 3) % 6];
+  }
+  job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
 }
 
-std::uint64_t Ladder::blocked_by_polygons(const std::vector<std::uint32_t>& polygons,
-                                          const std::vector<std::uint64_t>& may_block, std::uint64_t asked) {
+/// Lanes of `asked` on or behind all of whose planes a blocker lies.
+std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) {
+  if (!lanes.has_planes() || asked == 0) return 0;
+  std::uint64_t behind = asked & lanes.with_behind(job_.blockers.boxes[blocker].face, asked, job_.kernels);
+  const std::span<const Vec3> points = job_.blockers.points_of(blocker);
+  if (!lanes.are_patches || points.empty() || behind == asked) return behind;
+  // The box may stick out where the points do not.
+  const auto points_behind = [&](std::uint64_t of) {
+    return job_.kernels.points_behind_planes(lanes.planes, lanes.count, points.data(), points.size(), of);
+  };
+  if (points.size() <= few_points) return behind | points_behind(asked & ~behind);
+  // Many points, and the same groups again and again: what was found is kept.
+  constexpr std::size_t kept = std::size_t{1} << 16;
+  if (points_behind_.empty()) points_behind_.resize(kept);
+  PointsBehind& known = points_behind_[(lanes.first * 0x9e3779b1U ^ blocker * 0x85ebca6bU) >> 16U];
+  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.blocker != blocker) {
+    const std::uint64_t all = first_lanes(lanes.count);
+    const std::uint64_t of_box = lanes.with_behind(job_.blockers.boxes[blocker].face, all, job_.kernels);
+    known = {&lanes.set.tree, lanes.first, blocker, of_box | points_behind(all & ~of_box)};
+  }
+  return asked & (behind | known.lanes);
+}
+
+/// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may.
+std::uint64_t Ladder::blocked_by_polygons(const std::uint32_t* polygons, std::size_t count,
+                                          const std::uint64_t* may_block, std::uint64_t asked) const {
   std::uint64_t blocked = 0;
-  for (std::size_t i = 0; i != polygons.size() && asked != 0; ++i) {
+  for (std::size_t i = 0; i != count && (asked & ~blocked) != 0; ++i) {
+    const std::uint64_t may = asked & ~blocked & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
     std::uint64_t met = 0;
-    const std::uint32_t polygon = polygons[i];
-    job_.kernels.keep(siblings_, job_.blockers.boxes.data(), &polygon, 1, nullptr,
-                      may_block.empty() ? asked : asked & may_block[i], &met);
+    job_.kernels.keep(siblings_, job_.blockers.boxes.data(), &polygons[i], 1, nullptr, may, &met);
     for_each_lane(met, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
-      if (polygon_blocks_between(fixed_, other, job_.blockers.points_of(polygon))) blocked |= bit(lane);
+      if (polygon_blocks_between(fixed_, other, job_.blockers.points_of(polygons[i]))) blocked |= bit(lane);
     });
-    asked &= ~blocked;
   }
   return blocked;
 }
@@ -254,14 +309,15 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
       }
     });
   };
-  form(group, 0, lanes);
-  answer(lanes.with_behind(fixed_, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
+  group.copy_box(0, fixed_);
+  answer(lanes.with_behind(fixed_, left, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
   if (left == 0) return 0;
+  form(group, 0, lanes, left);
   const SightLists& lists = level.lists;
   const BlockerData& blockers = job_.blockers;
   answer(kernels.block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
          Sight::blocked);
-  answer(blocked_by_polygons(lists.polygons, {}, left), Sight::blocked);
+  answer(blocked_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::blocked);
   if (left == 0) return 0;
 
   const auto keep = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
@@ -274,13 +330,21 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
   answer(left & ~any, Sight::clear);
   if (left == 0) return 0;
-  keep(blockers.solid_rows, lists.solids, lanes_are_rows ? level.row_solids : level.column_solids);
-  keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  if (!lists.polygons.empty()) {
+    keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  }
+  if (!lists.solids.empty()) {
+    form_exchanged(group, 0, lanes, left);
+    std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
+    may.resize(lists.solids.size());
+    kernels.may_block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
+                      may.data());
+  }
   return left;
 }
 
 /// Clears the lanes on or behind whose planes candidates lie. Returns those in which some are left.
-std::uint64_t Ladder::drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept) const {
+std::uint64_t Ladder::drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept) {
   std::uint64_t any = 0;
   for (std::size_t i = 0; i != kept.size(); ++i) {
     kept[i] &= ~behind(lanes, level.lists.candidates[i], kept[i]);
@@ -319,7 +383,10 @@ void Ladder::walk(std::uint32_t a, std::uint32_t b, std::size_t depth) {
   } else if (rows_left != 0) {
     columns_left = compare_with_group(here, columns, Side::alone(job_.a, a), false, rows_left);
   }
-  if (columns_left == 0) return;
+  if (rows_left == 0 || columns_left == 0) return;
+  drop_unused(here.lists.candidates, here.row_candidates, here.column_candidates, rows_left, columns_left);
+  drop_unused(here.lists.solids, here.row_solids, here.column_solids, rows_left, columns_left);
+  drop_unused(here.lists.polygons, here.row_polygons, here.column_polygons, rows_left, columns_left);
   for_each_lane(rows_left, [&](unsigned row) {
     std::uint64_t lanes = columns_left;
     if (is_itself) {
@@ -330,9 +397,29 @@ void Ladder::walk(std::uint32_t a, std::uint32_t b, std::size_t depth) {
   });
 }
 
-/// A child with itself: nothing is known of it but what is known of its parent.
+/// Answers the pairs of a child group with itself: only what meets its box stands between some of its patches.
 void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
-  level(depth + 1).lists = level(depth).lists;
+  const SiblingKernels& kernels = job_.kernels;
+  const SightLists& lists = level(depth).lists;
+  SightLists& below = level(depth + 1).lists;
+  const auto pass_on = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
+                           std::vector<std::uint32_t>& to, bool may_block) {
+    std::vector<std::uint64_t> kept(list.size());
+    if (may_block) {
+      kernels.may_block(siblings_, boxes.data(), list.data(), list.size(), nullptr, bit(row), kept.data());
+    } else {
+      kernels.keep(siblings_, boxes.data(), list.data(), list.size(), nullptr, bit(row), kept.data());
+    }
+    to.clear();
+    for (std::size_t i = 0; i != list.size(); ++i) {
+      if (kept[i] != 0) to.push_back(list[i]);
+    }
+  };
+  form(rows, row, rows, bit(row));
+  pass_on(job_.blockers.boxes, lists.candidates, below.candidates, false);
+  pass_on(job_.blockers.boxes, lists.polygons, below.polygons, false);
+  form_exchanged(rows, row, rows, bit(row));
+  pass_on(job_.blockers.solid_rows, lists.solids, below.solids, true);
   descend(rows.first + row, rows.first + row, depth + 1);
 }
 
@@ -341,77 +428,114 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   const SiblingKernels& kernels = job_.kernels;
   const BlockerData& blockers = job_.blockers;
   Level& here = level(depth);
-  form(rows, row, columns);
+  rows.copy_box(row, fixed_);
   const std::uint64_t away =
-      lanes & (columns.with_behind(fixed_, kernels) | columns.behind_plane_of(rows, row, kernels));
+      lanes & (columns.with_behind(fixed_, lanes, kernels) | columns.behind_plane_of(rows, row, kernels));
   decide(rows, row, columns, away, Sight::facing_away);
   lanes &= ~away;
   if (lanes == 0) return;
+  const bool are_patches = rows.are_patches && columns.are_patches;
+  if (are_patches) return answer_patches(here, rows, row, columns, lanes);
+  form(rows, row, columns, lanes);
 
-  const auto select = [&](const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
-                          const std::vector<std::uint64_t>& of_columns, std::vector<std::uint32_t>& selected,
-                          std::vector<std::uint64_t>& may) {
-    selected.clear();
-    may.clear();
-    for (std::size_t i = 0; i != list.size(); ++i) {
-      if ((of_rows[i] & bit(row)) == 0 || (of_columns[i] & lanes) == 0) continue;
-      selected.push_back(list[i]);
-      may.push_back(of_columns[i]);
-    }
-  };
-  select(here.lists.solids, here.row_solids, here.column_solids, here.of_row.solids, here.may_solids);
-  std::uint64_t blocked = kernels.block(siblings_, blockers.solid_rows.data(), here.of_row.solids.data(),
-                                        here.of_row.solids.size(), here.may_solids.data(), lanes);
-  if (!here.lists.polygons.empty()) {
-    select(here.lists.polygons, here.row_polygons, here.column_polygons, here.of_row.polygons, here.may_polygons);
-    blocked |= blocked_by_polygons(here.of_row.polygons, here.may_polygons, lanes & ~blocked);
-  }
+  Selection& solids = here.solids_of_row;
+  Selection& polygons = here.polygons_of_row;
+  Selection& candidates = here.candidates_of_row;
+  select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, false, solids);
+  select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, false, polygons);
+  const std::uint64_t blocked = block(solids, polygons, lanes);
   decide(rows, row, columns, blocked, Sight::blocked);
   lanes &= ~blocked;
   if (lanes == 0) return;
 
-  select(here.lists.candidates, here.row_candidates, here.column_candidates, here.of_row.candidates,
-         here.may_candidates);
-  const bool are_patches = rows.are_patches && columns.are_patches;
-  const auto keep = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
-                        const std::vector<std::uint64_t>& may, std::vector<std::uint64_t>& kept) {
-    kept.resize(list.size());
-    return kernels.keep(siblings_, boxes.data(), list.data(), list.size(), may.data(), lanes, kept.data());
+  select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
+  const auto keep = [&](Selection& selection) {
+    return kernels.keep(siblings_, blockers.boxes.data(), selection.list.data(), selection.count, selection.may.data(),
+                        lanes, selection.kept.data());
   };
-  std::uint64_t undecided = 0;
-  if (are_patches && !job_.wants_candidates) {
-    undecided = kernels.keep_any(siblings_, blockers.boxes.data(), here.of_row.candidates.data(),
-                                 here.of_row.candidates.size(), here.may_candidates.data(), lanes);
-  } else {
-    undecided = keep(blockers.boxes, here.of_row.candidates, here.may_candidates, here.kept);
-  }
+  const std::uint64_t undecided = keep(candidates);
   decide(rows, row, columns, lanes & ~undecided, Sight::clear);
   lanes = undecided;
   if (lanes == 0) return;
-  if (are_patches) return write_undecided(here, rows, row, columns, lanes);
 
-  keep(blockers.solid_rows, here.of_row.solids, here.may_solids, here.kept_solids);
-  if (!here.lists.polygons.empty()) {
-    keep(blockers.boxes, here.of_row.polygons, here.may_polygons, here.kept_polygons);
+  keep(polygons);
+  if (solids.count != 0) {
+    form_exchanged(rows, row, columns, lanes);
+    kernels.may_block(siblings_, blockers.solid_rows.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
+                      solids.kept.data());
   }
   for_each_lane(lanes, [&](unsigned lane) {
     SightLists& below = level(depth + 1).lists;
-    const auto pass_on = [&](const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& kept,
-                             std::vector<std::uint32_t>& to) {
+    const auto pass_on = [&](const Selection& selection, std::vector<std::uint32_t>& to) {
       to.clear();
-      for (std::size_t i = 0; i != list.size(); ++i) {
-        if ((kept[i] & bit(lane)) != 0) to.push_back(list[i]);
+      for (std::size_t i = 0; i != selection.count; ++i) {
+        if ((selection.kept[i] & bit(lane)) != 0) to.push_back(selection.list[i]);
       }
     };
-    pass_on(here.of_row.candidates, here.kept, below.candidates);
-    pass_on(here.of_row.solids, here.kept_solids, below.solids);
-    if (here.lists.polygons.empty()) {
-      below.polygons.clear();
-    } else {
-      pass_on(here.of_row.polygons, here.kept_polygons, below.polygons);
-    }
+    pass_on(candidates, below.candidates);
+    pass_on(solids, below.solids);
+    pass_on(polygons, below.polygons);
     descend(rows.first + row, columns.first + lane, depth + 1);
   });
+}
+
+/// Siblings of `asked` that a solid or a polygon blocks.
+std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked) {
+  const std::uint64_t blocked = job_.kernels.block(siblings_, job_.blockers.solid_rows.data(), solids.list.data(),
+                                                   solids.count, solids.may.data(), asked);
+  return blocked | blocked_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~blocked);
+}
+
+/// Selects what one row and some column of `lanes` may have to do with.
+void Ladder::select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
+                    const std::vector<std::uint64_t>& of_columns, unsigned row, std::uint64_t lanes, bool packed,
+                    Selection& selection) const {
+  if (selection.list.size() <= list.size()) {  // what is not selected is written, too
+    selection.list.resize(list.size() + 1);
+    selection.may.resize(list.size() + 1);
+    selection.kept.resize(list.size() + 1);
+  }
+  selection.count = job_.kernels.select({list.data(), of_rows.data(), of_columns.data()}, list.size(), row, lanes,
+                                        packed, selection.list.data(), selection.may.data());
+}
+
+/// Answers a patch with those of the other side that are in `lanes`: the innermost loop.
+void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  const SiblingKernels& kernels = job_.kernels;
+  const BlockerData& blockers = job_.blockers;
+  // Side by side, fewer vectors hold those that are left.
+  const auto count = static_cast<unsigned>(std::popcount(lanes));
+  const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
+  std::uint64_t left = packs ? first_lanes(count) : lanes;
+  if (packs) {
+    kernels.pack(columns.box, columns.count, lanes, packed_);
+    form(rows, row, packed_box_, count, left);
+  } else {
+    form(rows, row, columns, lanes);
+  }
+  select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, packs, here.solids_of_row);
+  select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, packs, here.polygons_of_row);
+  const std::uint64_t blocked = block(here.solids_of_row, here.polygons_of_row, left);
+  decide(rows, row, columns, spread(blocked), Sight::blocked);
+  left &= ~blocked;
+  if (left == 0) return;
+
+  Selection& candidates = here.candidates_of_row;
+  select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
+  std::uint64_t undecided = 0;
+  if (job_.wants_candidates) {
+    undecided = kernels.keep(siblings_, blockers.boxes.data(), candidates.list.data(), candidates.count,
+                             candidates.may.data(), left, candidates.kept.data());
+    for (std::size_t i = 0; packs && i != candidates.count; ++i) {
+      candidates.kept[i] = kernels.spread(candidates.kept[i], lanes);
+    }
+  } else {
+    undecided = kernels.keep_any(siblings_, blockers.boxes.data(), candidates.list.data(), candidates.count,
+                                 candidates.may.data(), left);
+  }
+  decide(rows, row, columns, spread(left & ~undecided), Sight::clear);
+  if (undecided != 0) write_undecided(here, rows, row, columns, spread(undecided));
 }
 
 /// Pairs of patches that are undecided, with what level `here` keeps.
@@ -423,8 +547,9 @@ void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, 
   for_each_lane(lanes, [&](unsigned lane) {
     answers_.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
     if (!job_.wants_candidates) return;
-    for (std::size_t i = 0; i != here.of_row.candidates.size(); ++i) {
-      if ((here.kept[i] & bit(lane)) != 0) answers_.candidates.push_back(here.of_row.candidates[i]);
+    const Selection& candidates = here.candidates_of_row;
+    for (std::size_t i = 0; i != candidates.count; ++i) {
+      if ((candidates.kept[i] & bit(lane)) != 0) answers_.candidates.push_back(candidates.list[i]);
     }
     answers_.first_candidate.push_back(answers_.candidates.size());
   });

@@ -94,6 +94,14 @@ class Ladder {
  private:
   struct Side;
   struct Level;
+  struct Selection;
+  /// Of a group of patches, and a blocker with points: on or behind whose planes all points are.
+  struct PointsBehind {
+    const PatchTree* tree = nullptr;
+    std::uint32_t first = 0;  ///< patch of the group
+    std::uint32_t blocker = 0;
+    std::uint64_t lanes = 0;
+  };
 
   Level& level(std::size_t depth);
   void enter(SightProductTask&& task);
@@ -101,14 +109,21 @@ class Ladder {
   void walk(std::uint32_t a, std::uint32_t b, std::size_t depth);
   std::uint64_t compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
                                    std::uint64_t rows);
-  std::uint64_t drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept) const;
+  std::uint64_t drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept);
   void go_into_itself(std::size_t depth, const Side& rows, unsigned row);
   void answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
+  void answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
+  [[nodiscard]] std::uint64_t block(const Selection& solids, const Selection& polygons, std::uint64_t asked);
+  void select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
+              const std::vector<std::uint64_t>& of_columns, unsigned row, std::uint64_t lanes, bool packed,
+              Selection& selection) const;
   void write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes);
-  void form(const Side& fixed, unsigned lane, const Side& lanes);
-  [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) const;
-  [[nodiscard]] std::uint64_t blocked_by_polygons(const std::vector<std::uint32_t>& polygons,
-                                                  const std::vector<std::uint64_t>& may_block, std::uint64_t asked);
+  void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
+  void form(const Side& fixed, unsigned lane, const float* const* boxes, unsigned count, std::uint64_t asked);
+  void form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t blocked_by_polygons(const std::uint32_t* polygons, std::size_t count,
+                                                  const std::uint64_t* may_block, std::uint64_t asked) const;
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
   void write(const PatchRun& a, const PatchRun& b, Sight sight);
@@ -117,7 +132,11 @@ class Ladder {
   SightAnswers& answers_;
   std::deque<Level> levels_;
   Siblings siblings_;
-  float fixed_[6] = {};         // the box that all siblings_ begin at
+  PackedBoxes packed_;
+  const float* packed_box_[6];
+  float fixed_[6] = {};      // the box that all siblings_ begin at
+  float exchanged_[6] = {};  // likewise of form_exchanged()
+  std::vector<PointsBehind> points_behind_;
   const Side* rows_ = nullptr;  // of the product at hand
   std::uint64_t most_pairs_ = 0;
   const Leave* leave_ = nullptr;

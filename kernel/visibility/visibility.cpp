@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 #include <utility>
@@ -28,15 +29,18 @@ constexpr std::size_t least_memory = std::size_t{1} << 20;
 /// Errors of computed normal·p − offset, for coordinates of at most `coordinate`: three products, three sums and a
 /// difference round, each by 2⁻²⁴ of what is at most |n|·|p| + |offset| in sum; underflow adds less than 2⁻¹⁴⁰. NaN
 /// where products may overflow. 0 where nothing is rounded but the difference, whose sign is right then: of a plane
-/// across an axis with a normal of 1.
-float distance_error(const float (&normal)[3], float offset, float coordinate) noexcept {
+/// across an axis with a normal of 1. Of a group, both bounds of the normal must be such: another patch's may be
+/// shorter.
+float distance_error(const float (&least)[3], const float (&largest)[3], float offset, float coordinate) noexcept {
   unsigned components = 0;
   double length = 0;
   bool is_unit = true;
-  for (const float n : normal) {
+  const auto is_unit_or_none = [](float n) { return n == 0 || std::fabs(n) == 1; };
+  for (std::size_t k = 0; k != 3; ++k) {
+    const float n = std::max(std::fabs(least[k]), std::fabs(largest[k]));
     components += n != 0;
-    is_unit = is_unit && (n == 0 || std::fabs(n) == 1);
-    length += std::fabs(double{n});
+    is_unit = is_unit && is_unit_or_none(least[k]) && is_unit_or_none(largest[k]);
+    length += double{n};
   }
   if (components == 1 && is_unit) return 0;
   const double size = length * coordinate + std::fabs(double{offset});
@@ -50,13 +54,13 @@ std::vector<float> distance_errors(const kernel::PatchStreams& streams, float co
   if (!streams.has_planes()) return error;
   error.resize(streams.size() + kernel::most_siblings);
   for (std::size_t i = 0; i != streams.size(); ++i) {
-    float normal[3];
+    float least[3];
+    float largest[3];
     for (std::size_t k = 0; k != 3; ++k) {
-      const float least = streams.stream(6 + k)[i];
-      const float largest = streams.stream(9 + k)[i];
-      normal[k] = std::fabs(least) > std::fabs(largest) ? least : largest;
+      least[k] = streams.stream(6 + k)[i];
+      largest[k] = streams.stream(9 + k)[i];
     }
-    error[i] = distance_error(normal, streams.stream(12)[i], coordinate);
+    error[i] = distance_error(least, largest, streams.stream(12)[i], coordinate);
   }
   return error;
 }
@@ -102,10 +106,33 @@ std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::s
   return kernel::in_float_environment([&] { return std::make_shared<const kernel::PatchTree>(boxes, planes); });
 }
 
+/// Calls callbacks in the modes of the caller, wherever they are called from.
+class CallersModes {
+ public:
+  template <class Callback>
+  decltype(auto) operator()(const Callback& callback) const {
+    const Restore standard;
+    modes_.set();
+    return callback();
+  }
+
+ private:
+  struct Restore {
+    kernel::FloatState state = kernel::FloatState::now();
+    Restore() = default;
+    Restore(const Restore&) = delete;
+    Restore& operator=(const Restore&) = delete;
+    ~Restore() { state.set(); }
+  };
+
+  kernel::FloatState modes_ = kernel::FloatState::now();
+};
+
 /// What is told of progress, some times a second.
 class ProgressTeller {
  public:
-  ProgressTeller(const VisibilityOptions& options, std::uint64_t total) : options_(options), total_(total) {}
+  ProgressTeller(const VisibilityOptions& options, const CallersModes& modes, std::uint64_t total)
+      : options_(options), modes_(modes), total_(total) {}
 
   /// Throws Cancelled if the user does not want to go on.
   void tell(std::uint64_t done, bool at_once = false) {
@@ -113,7 +140,7 @@ class ProgressTeller {
     const auto now = std::chrono::steady_clock::now();
     if (!at_once && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
-    if (!options_.progress({done, total_})) {
+    if (!modes_([&] { return options_.progress({done, total_}); })) {
       throw Cancelled("the call was cancelled by its progress callback after " + std::to_string(done) + " of " +
                       std::to_string(total_) + " pairs");
     }
@@ -121,6 +148,7 @@ class ProgressTeller {
 
  private:
   const VisibilityOptions& options_;
+  const CallersModes& modes_;
   std::uint64_t total_;
   std::chrono::steady_clock::time_point last_{};
 };
@@ -152,7 +180,7 @@ class Run {
              deliver != nullptr,
              deliver != nullptr || static_cast<bool>(options.resolve),
              options.candidates && (deliver != nullptr || static_cast<bool>(options.resolve))},
-        teller_(options, total_pairs()) {
+        teller_(options, modes_, total_pairs()) {
     if (!options.resolve) return;
     a_place_ = places(a);
     b_place_ = is_of_one_set ? a_place_ : places(b);
@@ -192,6 +220,13 @@ class Run {
     for (std::size_t p = 0; p != place.size(); ++p) place[tree.order()[p]] = static_cast<std::uint32_t>(p);
     return place;
   }
+
+  struct Worker {
+    SightAnswers answers;
+    kernel::Ladder ladder;
+
+    explicit Worker(const SightJob& job) : ladder(job, answers) {}
+  };
 
   static float largest_coordinate(const kernel::PatchTree& a, const kernel::PatchTree& b,
                                   const kernel::BlockerData& blockers) noexcept {
@@ -249,17 +284,18 @@ class Run {
 
   void answer_side_by_side(std::size_t first, std::size_t end) {
     if (first == end) return;
-    std::vector<SightAnswers> answers(slots());
+    while (workers_.size() < slots()) workers_.emplace_back(job_);
     kernel::ordered_pipeline(
         end - first, slots(),
         [&](std::size_t i, std::size_t slot) {
-          answers[slot].clear();
-          kernel::Ladder(job_, answers[slot]).answer(std::move(items_[first + i].task));
-          resolve(answers[slot]);
+          Worker& worker = workers_[slot];
+          worker.answers.clear();
+          worker.ladder.answer(std::move(items_[first + i].task));
+          resolve(worker.answers);
         },
         [&](std::size_t i, std::size_t slot) {
           hand_over(items_[first + i].before);
-          hand_over(answers[slot]);
+          hand_over(workers_[slot].answers);
           teller_.tell(counts_.total());
         });
   }
@@ -283,7 +319,7 @@ class Run {
   void resolve(SightAnswers& answers) const {
     if (!options_.resolve || answers.undecided.empty()) return;
     std::vector<Sight> verdict(answers.undecided.size(), Sight::undecided);
-    options_.resolve(undecided_of(answers), verdict);
+    modes_([&] { options_.resolve(undecided_of(answers), verdict); });
     for (const Sight sight : verdict) {
       if (sight > Sight::facing_away) throw InvalidArgument("resolve() wrote a verdict that is no Sight");
     }
@@ -329,11 +365,12 @@ class Run {
   void hand_over(const SightAnswers& answers) {
     counts_ += answers.counts;
     if (deliver_ == nullptr || (answers.products.empty() && answers.undecided.empty())) return;
-    (*deliver_)({answers.products, undecided_of(answers)});
+    modes_([&] { (*deliver_)({answers.products, undecided_of(answers)}); });
   }
 
   const VisibilityOptions& options_;
   const Deliver* deliver_;
+  CallersModes modes_;
   SightJob job_;
   ProgressTeller teller_;
   std::vector<std::uint32_t> a_place_;  // for resolve
@@ -341,6 +378,7 @@ class Run {
   SightCounts counts_;
   SightAnswers before_;
   std::vector<Item> items_;
+  std::deque<Worker> workers_;  // one a slot
   std::size_t waiting_bytes_ = 0;
 };
 

@@ -17,6 +17,7 @@
 #include "oracle/cases/shafts.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/random.hpp"
+#include "shaftcull/kinds.hpp"
 
 namespace shaftcull {
 namespace {
@@ -30,21 +31,28 @@ struct GridFace {
   double travel;
 };
 
-GridFace face_of(const CompiledShaft& shaft, const GridFrame& frame, std::uint8_t near_stream) {
+/// The first and the last box of a shaft on a grid.
+struct Ends {
+  Box a;
+  Box b;
+};
+
+GridFace face_of(const Ends& shaft, const GridFrame& frame, std::uint8_t near_stream) {
   const bool is_lo = near_stream >= 3;  // the bound's hi corner is near the lo face
   const std::size_t k = near_stream % 3;
   const auto on_grid = [&](const Box& box) {
     const double x = static_cast<double>(is_lo ? box.lo[k] : box.hi[k]) - static_cast<double>(frame.origin[k]);
     return (is_lo ? -x : x) * static_cast<double>(frame.steps[k]);
   };
-  return {0.5 * (on_grid(shaft.a()) + on_grid(shaft.b())), on_grid(shaft.b()) - on_grid(shaft.a())};
+  return {0.5 * (on_grid(shaft.a) + on_grid(shaft.b)), on_grid(shaft.b) - on_grid(shaft.a)};
 }
 
 /// What the kernels compute of a coordinate.
 int product(int coordinate, int scale) { return (coordinate * scale + (1 << 14)) >> 15; }
 
-void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& frame, const GridShaft& grid) {
+void expect_bounds_within_slack(const Ends& shaft, const GridFrame& frame, const GridShaft& grid) {
   constexpr double floats = 0.01;
+  constexpr auto most = static_cast<int>(kernel::grid_top);
   const unsigned moving = 6U - grid.stationary;
   GridFace reference{};
   if (moving != 0) {
@@ -65,7 +73,6 @@ void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& fra
     ASSERT_TRUE(is_stationary || is_upper == (scale < 0));
     ASSERT_TRUE(is_stationary || std::abs(scale) <= 1) << "the reference face moves least";
     // What is cut off, too, stays within 16 bits.
-    constexpr auto most = static_cast<int>(kernel::grid_top);
     for (const int q : {-most, most}) {
       const int computed = is_stationary ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
       ASSERT_LE(std::abs(computed), std::numeric_limits<std::int16_t>::max());
@@ -75,6 +82,7 @@ void expect_bounds_within_slack(const CompiledShaft& shaft, const GridFrame& fra
     const int steps = static_cast<int>(2 * half / step);
     for (int at = 0; at <= steps; ++at) {
       const int q = static_cast<int>(std::floor(face.middle - half + at * step));
+      if (std::abs(q) > most) continue;  // of a shaft that leaves the frame
       const int computed = is_stationary ? grid.shift[i] - q : product(q, grid.scale[i]) + grid.shift[i];
       const double exact = is_stationary ? face.middle + half - q : reference.middle + scale * (q - face.middle);
       const double permissive = is_stationary || is_upper ? computed - exact : exact - computed;
@@ -110,11 +118,57 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlack) {
       kernels.form_shafts(data.data(), data.size(), nullptr, frame, on_grid.data());
       for (std::size_t s = 0; s != shafts.size() && !HasFailure(); ++s) {
         if (!on_grid[s].exists) continue;
-        expect_bounds_within_slack(shafts[s], frame, on_grid[s]);
+        expect_bounds_within_slack({shafts[s].a(), shafts[s].b()}, frame, on_grid[s]);
         ++on_a_grid;
       }
     }
     EXPECT_GT(on_a_grid, 600U) << "of 640";
+  }
+}
+
+TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlackWhereAShaftLeavesTheFrame) {
+  constexpr std::uint64_t seed = 192;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    const kernel::GridKernels& kernels = kernel::active_kernels().grid;
+    if (kernels.frame == nullptr) continue;
+    Random random(seed);
+    std::size_t on_a_grid = 0;
+    for (unsigned group = 0; group != 40; ++group) {
+      std::vector<CompiledShaft> shafts;
+      std::vector<kernel::ClippedEnd> clipped;
+      std::vector<Ends> ends;
+      for (unsigned i = 0; i != 16; ++i) {
+        const Box a = random.box(-5, 5, 0.1F, 1);
+        const float beyond = random.uniform(1, 40);  // it spreads, and of the first axis both faces follow it
+        const float along = random.uniform(-6, 6);
+        const Box b{{along, a.lo[1] - beyond, a.lo[2] - random.uniform(0.1F, 1) * beyond},
+                    {along + 0.5F, a.hi[1] + random.uniform(0.1F, 1) * beyond, a.hi[2] + beyond}};
+        shafts.push_back(swept_without_end(a, {1, 0, 0}));  // its end is what counts here
+        ends.push_back({a, b});
+        kernel::ClippedEnd end{};
+        for (unsigned k = 0; k != 3; ++k) {
+          end.face[k] = b.lo[k];
+          end.face[k + 3] = b.hi[k];
+          end.in_frame[k] = std::clamp(b.lo[k], -7.0F, 7.0F);
+          end.in_frame[k + 3] = std::clamp(b.hi[k], -7.0F, 7.0F);
+        }
+        clipped.push_back(end);
+      }
+      const std::span<const kernel::ShaftData> data = kernel::data_of(std::span<const CompiledShaft>(shafts));
+      const GridFrame frame = kernels.frame(data.data(), data.size(), clipped.data());
+      ASSERT_TRUE(frame.exists());
+      for (const float steps : frame.steps) EXPECT_GE(steps, kernel::grid_edge / 7.5F) << "holds what is far away";
+      std::vector<GridShaft> on_grid(shafts.size());
+      kernels.form_shafts(data.data(), data.size(), clipped.data(), frame, on_grid.data());
+      for (std::size_t s = 0; s != shafts.size() && !HasFailure(); ++s) {
+        if (!on_grid[s].exists) continue;
+        expect_bounds_within_slack(ends[s], frame, on_grid[s]);
+        ++on_a_grid;
+      }
+    }
+    EXPECT_GT(on_a_grid, 550U) << "of 640";
   }
 }
 

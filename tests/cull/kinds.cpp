@@ -494,6 +494,99 @@ TEST(Kinds, ShaftsWithoutEndHaveAPlaceOnTheGrid) {
   }
 }
 
+/// Shadows without end that leave the frame on the grid before they leave the bounds behind, and bounds far beyond the
+/// frame, some in them and some not, but none where shadows are cut off.
+GridCase case_of_wide_shadows(Random& random) {
+  GridCase input(random, 3 * 2048 + 77);
+  input.shafts.clear();
+  for (int s = 0; s != 24; ++s) {
+    const float y = random.uniform(-2, 2);
+    const float half = random.uniform(2, 4);
+    const Box light{{-5, y, 0}, {-5 + 0.1F, y + 0.1F, 0.1F}};
+    input.shafts.push_back(shadow(light, {{-4, y - half, -half}, {-3.5F, y + half, half}}));
+  }
+  for (std::size_t i = 2048; i != 2 * 2048; ++i) {  // the second tile
+    Box& box = input.boxes[i];
+    box = random.box(-5, 5, 0.01F, 0.3F);
+    if (!random.one_in(8)) continue;
+    const float by = random.uniform(-60, 60);
+    const std::size_t k = 1 + random.below(2);
+    box.lo[k] += by;
+    box.hi[k] += by;
+    input.spheres[i] = {box.lo, random.uniform(0, 0.5F)};
+  }
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 2 * 2048; i < input.boxes.size(); i += 9) {  // empty ones, in the other tiles
+    input.boxes[i] = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    input.spheres[i].radius = -1;
+  }
+  return input;
+}
+
+TEST(Kinds, ShadowsThatLeaveTheFrameAnswerWhatEachAnswersAlone) {
+  constexpr std::uint64_t seed = 12;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (int round = 0; round != 6 && !HasFailure(); ++round) {
+    const GridCase input = case_of_wide_shadows(random);
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      expect_same_among_many(input, input.boxes);
+      expect_same_among_many(input, input.spheres);
+    }
+  }
+}
+
+TEST(Kinds, ShadowsThatLeaveTheFrameHaveAPlaceOnTheGrid) {
+  Random random(13);
+  const GridCase input = case_of_wide_shadows(random);
+  const std::vector<Box> near(input.boxes.begin(), input.boxes.begin() + 2048);
+  const auto memory = columns(near);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    const kernel::GridKernels& kernels = kernel::active_kernels().grid;
+    if (kernels.frame == nullptr) continue;
+    const auto data = kernel::data_of(std::span<const CompiledShaft>(input.shafts));
+    for (const bool spheres : {false, true}) {
+      kernel::GroupOnGrid group;
+      group.form(kernels, data, memory.view(), near.size(), spheres);
+      ASSERT_TRUE(group.exists());
+      for (std::size_t s = 0; s != data.size(); ++s) {
+        EXPECT_TRUE(group.shaft[s].exists && group.shaft[s].cut.leaves_frame) << "shaft " << s;
+      }
+    }
+  }
+}
+
+/// The extent of a word of bounds all of whose coordinates are those of `usual`, but for one bound's.
+kernel::TileExtent extent_with(std::int16_t usual, std::size_t bound, const std::vector<std::int16_t>& coordinates) {
+  constexpr std::size_t bounds = 128;
+  alignas(64) std::int16_t memory[6][bounds];
+  const std::int16_t* grid[6];
+  for (std::size_t s = 0; s != 6; ++s) {
+    std::fill_n(memory[s], bounds, usual);
+    memory[s][bound] = coordinates[s];
+    grid[s] = memory[s];
+  }
+  return kernel::active_kernels().grid.extent(grid, bounds / 64);
+}
+
+TEST(Kinds, TheExtentOfATileIsThatOfAllItsBounds) {
+  constexpr auto top = static_cast<std::int16_t>(kernel::grid_top);
+  for (const Isa isa : isas_under_test()) {
+    const UseIsa use(isa);
+    if (kernel::active_kernels().grid.frame == nullptr) continue;
+    for (std::size_t bound = 0; bound != 128; ++bound) {
+      const kernel::TileExtent inner = extent_with(100, bound, {-7, 6, -top, 4, 101, -2});
+      EXPECT_THAT(inner.least, testing::ElementsAre(-7, 6, -top, 4, 100, -2)) << name(isa) << ", bound " << bound;
+      EXPECT_FALSE(inner.any_above) << name(isa) << ", bound " << bound;
+      EXPECT_TRUE(extent_with(100, bound, {1, 2, 3, 4, top, 6}).any_above) << name(isa) << ", bound " << bound;
+      EXPECT_TRUE(extent_with(top, bound, {top, top, top, top, top, 6}).any_above) << name(isa) << ", bound " << bound;
+      EXPECT_FALSE(extent_with(0, bound, {top, top, top, top, top, top}).any_above) << name(isa) << ", bound " << bound;
+    }
+  }
+}
+
 TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();

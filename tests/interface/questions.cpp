@@ -49,6 +49,17 @@ const sc::BoxTree tree = [] {
 }();
 const sc::SphereTree spheres(std::vector<sc::Sphere>{{{0.5F, 0.5F, 6}, 0.25F}});
 const sc::TriangleTree triangles(std::vector<sc::Triangle>{{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}});
+const sc::PatchSet patches(std::vector<sc::Box>{patch, other_patch, {{20, 0, 10}, {21, 1, 10}}});
+const sc::Blockers blockers = [] {
+  sc::Blockers solid;
+  solid.add_solids(walls);
+  return solid;
+}();
+std::uint64_t delivered = 0;
+const auto deliver = [](const sc::SightBatch& batch) {
+  for (const sc::SightProduct& product : batch.products) delivered += product.a.count * product.b.count;
+  delivered += batch.undecided.pairs.size();
+};
 constexpr std::uint32_t me = 0;
 const std::vector<std::uint32_t> indices{1};
 std::vector<float> times(1);
@@ -116,6 +127,8 @@ std::vector<Answer> answers() {
           ANSWER(answer.index == 0 && answer.time > 0.52F && answer.time < 0.53F,
                  sc::first_contact(sc::swept(body, travel), spheres)),
           WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
+          ANSWER(answer.blocked == 1 && delivered == 3, sc::visibility(patches, blockers, deliver)),
+          ANSWER(answer.blocked == 1 && answer.total() == 3, sc::count_visibility(patches, blockers)),
           ANSWER(answer, sc::any(shaft, triangles)),
           ANSWER(answer, sc::any(shaft, triangles, sc::TriangleTest::vertices)),
           ANSWER(answer, sc::any(shaft, tree)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Makes test_cull and test_hull a mutant: the environment variable SHAFTCULL_MUTANT names the fault to put into the
-/// library.
+/// Makes test_cull, test_hull and test_visibility a mutant: the environment variable SHAFTCULL_MUTANT names the fault
+/// to put into the library.
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -20,6 +20,8 @@ float radius_margin_factor = 1.0F;
 float grid_slack_factor = 1.0F;
 float grid_limit_factor = 1.0F;
 float blocking_margin_factor = 1.0F;
+float sibling_margin_factor = 1.0F;
+bool drops_touching_flats = false;
 float triangle_margin_factor = 1.0F;
 float measured_error_factor = 1.0F;
 float hull_margin_factor = 1.0F;
@@ -74,6 +76,10 @@ bool apply(std::string_view fault) {
     kernel::grid_limit_factor = weak;
   } else if (fault == "blocking_margin") {
     kernel::blocking_margin_factor = weak;
+  } else if (fault == "sibling_margin") {
+    kernel::sibling_margin_factor = weak;
+  } else if (fault == "no_touching_flats") {
+    kernel::drops_touching_flats = true;
   } else if (fault == "triangle_margin") {
     kernel::triangle_margin_factor =
         weak * weak;  // which is as many units as errors add up to, by far not the worst ones

@@ -967,6 +967,222 @@ static void callbacks(void) {
   free_asked(&all);
 }
 
+/* What callbacks of visibility count. */
+typedef struct sights_told {
+  uint64_t pairs;
+  uint64_t undecided;
+  int verdict; /* what resolve says */
+  int32_t returns;
+} sights_told;
+
+static int32_t on_sights(const shaftcull_sight_batch* batch, void* user) {
+  sights_told* const told = user;
+  for (uint64_t i = 0; i != batch->product_count; ++i) {
+    CHECK(batch->products[i].sight != SHAFTCULL_SIGHT_UNDECIDED);
+    told->pairs += (uint64_t)batch->products[i].a.count * batch->products[i].b.count;
+  }
+  told->undecided += batch->undecided.count;
+  return told->returns;
+}
+
+static int32_t on_undecided(const shaftcull_undecided_pairs* undecided, uint8_t* verdicts, void* user) {
+  const sights_told* const told = user;
+  CHECK(undecided->first_candidate[undecided->count] >= undecided->count);
+  for (uint64_t i = 0; i != undecided->count; ++i) {
+    CHECK(verdicts[i] == SHAFTCULL_SIGHT_UNDECIDED && undecided->pairs[i].a < 3 && undecided->pairs[i].b < 2);
+    verdicts[i] = (uint8_t)told->verdict;
+  }
+  return told->returns;
+}
+
+static int32_t on_progress(uint64_t done, uint64_t total, void* user) {
+  const sights_told* const told = user;
+  CHECK(done <= total);
+  return told->returns;
+}
+
+static void visibility(void) {
+  /* Three patches on the left and two on the right. The box of a group of triangles stands between the lowest two, a
+     ball's box between the highest two, and a wall between all others. */
+  static const shaftcull_box left[3] = {{{0, 0, 0}, {0, 1, 1}}, {{0, 10, 0}, {0, 11, 1}}, {{0, 20, 0}, {0, 21, 1}}};
+  static const shaftcull_box right[2] = {{{9, 10, 0}, {9, 11, 1}}, {{9, 20, 0}, {9, 21, 1}}};
+  static const shaftcull_plane to_right[3] = {{{1, 0, 0}, 0}, {{1, 0, 0}, 0}, {{1, 0, 0}, 0}};
+  static const shaftcull_plane upwards[2] = {{{0, 1, 0}, 11}, {{-1, 0, 0}, -9}};
+  static const shaftcull_box ball = {{4, 20.4F, 0.4F}, {5, 20.6F, 0.6F}};
+  static const shaftcull_box wall = {{4, 9, -1}, {5, 18, 2}};
+  static const uint64_t first_corner[2] = {0, 8};
+  static const float square[12] = {50, 0, 0, 50, 1, 0, 50, 1, 1, 50, 0, 1};
+  static const uint64_t first_of_square[2] = {0, 4};
+  static const uint64_t two_groups[3] = {0, 1, 2};
+  const shaftcull_source lefts = shaftcull_boxes(left, 3);
+  const shaftcull_source rights = shaftcull_boxes(right, 2);
+  shaftcull_patches* a = NULL;
+  shaftcull_patches* b = NULL;
+  shaftcull_patches* facing = NULL;
+  OK(shaftcull_patches_create(&lefts, to_right, 3, &a));
+  OK(shaftcull_patches_create(&rights, NULL, 0, &b));
+  OK(shaftcull_patches_create(&rights, upwards, 2, &facing));
+  CHECK(shaftcull_patches_count(a) == 3 && shaftcull_patches_count(NULL) == 0);
+  const uint32_t* order = NULL;
+  OK(shaftcull_patches_order(a, &order));
+  CHECK(order[0] + order[1] + order[2] == 3);
+  REFUSED(shaftcull_patches_order(NULL, &order), "patches is NULL");
+  REFUSED(shaftcull_patches_order(a, NULL), "order is NULL");
+  shaftcull_patches* none = NULL;
+  REFUSED(shaftcull_patches_create(&lefts, to_right, 2, &none), "2 planes for 3 patches");
+  REFUSED(shaftcull_patches_create(&lefts, NULL, 3, &none), "planes is NULL");
+  REFUSED(shaftcull_patches_create(NULL, to_right, 3, &none), "boxes is NULL");
+  REFUSED(shaftcull_patches_create(&lefts, to_right, 3, NULL), "patches is NULL");
+  static const shaftcull_box reversed[2] = {{{0, 0, 0}, {0, 1, 1}}, {{1, 1, 1}, {0, 0, 0}}};
+  const shaftcull_source bad = shaftcull_boxes(reversed, 2);
+  FAILS(shaftcull_patches_create(&bad, NULL, 0, &none), SHAFTCULL_BAD_BOUND, "1");
+  CHECK(shaftcull_error_position() == 1 && none == NULL);
+  const shaftcull_source ball_source = shaftcull_spheres(balls, 2);
+  REFUSED(shaftcull_patches_create(&ball_source, NULL, 0, &none), "not of boxes");
+
+  shaftcull_blockers* blockers = NULL;
+  OK(shaftcull_blockers_create(&blockers));
+  REFUSED(shaftcull_blockers_create(NULL), "blockers is NULL");
+  CHECK(shaftcull_blockers_count(blockers) == 0 && shaftcull_blockers_count(NULL) == 0);
+  const shaftcull_source one_ball = shaftcull_boxes(&ball, 1);
+  const shaftcull_source one_wall = shaftcull_boxes(&wall, 1);
+  const shaftcull_source two_faces = shaftcull_triangles(faces, 2);
+  uint64_t first = 9;
+  OK(shaftcull_blockers_add_boxes(blockers, &one_ball, &first));
+  CHECK(first == 0);
+  OK(shaftcull_blockers_add_solids(blockers, &one_wall, &first));
+  CHECK(first == 1);
+  float far_corners[24];
+  for (int i = 0; i != 24; ++i) far_corners[i] = corners[i] + 100;
+  OK(shaftcull_blockers_add_solid_hulls(blockers, far_corners, 8, first_corner, 1, &first));
+  CHECK(first == 2);
+  OK(shaftcull_blockers_add_polygons(blockers, square, 4, first_of_square, 1, &first));
+  CHECK(first == 3);
+  OK(shaftcull_blockers_add_polygons(blockers, NULL, 0, NULL, 0, &first));
+  CHECK(first == 4);
+  OK(shaftcull_blockers_add_triangles(blockers, &two_faces, two_groups, 2, NULL));
+  OK(shaftcull_blockers_add_triangles(blockers, &two_faces, NULL, 0, &first));
+  CHECK(first == 6 && shaftcull_blockers_count(blockers) == 7);
+  shaftcull_box box;
+  OK(shaftcull_blockers_box(blockers, 1, &box));
+  CHECK(memcmp(&box, &wall, sizeof wall) == 0);
+  const uint32_t* triangles = NULL;
+  uint64_t triangle_count = 0;
+  OK(shaftcull_blockers_triangles(blockers, 5, &triangles, &triangle_count));
+  CHECK(triangle_count == 1 && triangles[0] == 1);
+  OK(shaftcull_blockers_triangles(blockers, 0, &triangles, &triangle_count));
+  CHECK(triangle_count == 0 && triangles == NULL);
+  REFUSED(shaftcull_blockers_box(blockers, 7, &box), "blocker = 7");
+  REFUSED(shaftcull_blockers_box(blockers, 0, NULL), "box is NULL");
+  REFUSED(shaftcull_blockers_triangles(blockers, 7, &triangles, &triangle_count), "blocker = 7");
+  REFUSED(shaftcull_blockers_triangles(blockers, 0, NULL, &triangle_count), "triangles is NULL");
+  REFUSED(shaftcull_blockers_triangles(blockers, 0, &triangles, NULL), "count is NULL");
+  REFUSED(shaftcull_blockers_add_boxes(NULL, &one_ball, NULL), "blockers is NULL");
+  REFUSED(shaftcull_blockers_add_boxes(blockers, NULL, NULL), "boxes is NULL");
+  FAILS(shaftcull_blockers_add_solids(blockers, &bad, &first), SHAFTCULL_BAD_BOUND, "1");
+  REFUSED(shaftcull_blockers_add_solid_hulls(blockers, corners, 8, NULL, 1, NULL), "first_corner is NULL");
+  REFUSED(shaftcull_blockers_add_solid_hulls(blockers, corners, 8, NULL, 0, NULL), "first_corner is NULL");
+  REFUSED(shaftcull_blockers_add_solid_hulls(blockers, corners, 8, first_corner, UINT64_MAX, NULL), "first_corner");
+  REFUSED(shaftcull_blockers_add_polygons(blockers, NULL, 4, first_of_square, 1, NULL), "corners is NULL");
+  REFUSED(shaftcull_blockers_add_triangles(blockers, &one_ball, NULL, 0, NULL), "takes triangles");
+  REFUSED(shaftcull_blockers_add_triangles(blockers, &two_faces, NULL, 2, NULL), "first_triangle is NULL");
+  CHECK(shaftcull_blockers_count(blockers) == 7 && first == 6); /* nothing was added */
+
+  shaftcull_visibility_options options = shaftcull_default_visibility_options();
+  CHECK(options.memory == UINT64_C(256) << 20 && options.contact == SHAFTCULL_CONTACT_OPEN);
+  CHECK(options.solids_around_ends == 1 && options.candidates == 1 && options.resolve == NULL);
+  shaftcull_sight_counts counts;
+  OK(shaftcull_count_visibility(a, b, blockers, NULL, &counts));
+  CHECK(counts.blocked == 4 && counts.undecided == 2 && counts.clear == 0 && counts.facing_away == 0);
+  OK(shaftcull_count_visibility(a, NULL, blockers, NULL, &counts));
+  CHECK(counts.facing_away == 3); /* all lie in one plane */
+  OK(shaftcull_count_visibility(a, facing, blockers, NULL, &counts));
+  CHECK(counts.facing_away >= 1 && counts.undecided == 1); /* some that face away are blocked, too */
+  sights_told told = {0, 0, SHAFTCULL_SIGHT_CLEAR, 0};
+  OK(shaftcull_visibility(a, b, blockers, NULL, on_sights, &told, &counts));
+  CHECK(told.pairs == 4 && told.undecided == 2 && counts.undecided == 2);
+  options.resolve = on_undecided;
+  options.progress = on_progress;
+  options.user = &told;
+  told.pairs = told.undecided = 0;
+  OK(shaftcull_visibility(a, b, blockers, &options, on_sights, &told, NULL));
+  CHECK(told.pairs == 6 && told.undecided == 0);
+  told.verdict = 4;
+  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "resolve");
+  told.verdict = SHAFTCULL_SIGHT_BLOCKED;
+  told.returns = -3;
+  FAILS(shaftcull_count_visibility(a, b, blockers, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
+  options.progress = NULL;
+  FAILS(shaftcull_count_visibility(a, b, blockers, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
+  options.resolve = NULL;
+  FAILS(shaftcull_visibility(a, b, blockers, &options, on_sights, &told, &counts), SHAFTCULL_STOPPED, "returned -3");
+
+  shaftcull_sights* sights = NULL;
+  shaftcull_sight_batch all;
+  OK(shaftcull_collect_visibility(a, b, blockers, &options, &sights));
+  OK(shaftcull_sights_all(sights, &all, &counts));
+  CHECK(counts.blocked == 4 && all.undecided.count == 2 && all.product_count != 0);
+  CHECK(all.undecided.first_candidate[0] == 0 && all.undecided.candidates[0] < 7);
+  REFUSED(shaftcull_sights_all(NULL, &all, &counts), "sights is NULL");
+  REFUSED(shaftcull_sights_all(sights, NULL, &counts), "batch is NULL");
+  shaftcull_sights_free(sights);
+  shaftcull_sights_free(NULL);
+  options.candidates = 0;
+  OK(shaftcull_collect_visibility(a, b, blockers, &options, &sights));
+  OK(shaftcull_sights_all(sights, &all, NULL));
+  CHECK(all.undecided.count == 2 && all.undecided.first_candidate == NULL && all.undecided.candidates == NULL);
+  shaftcull_sights_free(sights);
+  uint64_t bits[3] = {7, 7, 7};
+  OK(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 3, &counts));
+  CHECK(bits[0] == 2 && bits[1] == 3 && bits[2] == 1 && counts.blocked == 4);
+  REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 2, NULL), "bits");
+  REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, NULL, 3, NULL), "bits is NULL");
+  REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, 258, bits, 3, NULL), "sight = 258"); /* not cut to a byte */
+
+  REFUSED(shaftcull_count_visibility(NULL, b, blockers, NULL, &counts), "a is NULL");
+  REFUSED(shaftcull_count_visibility(a, b, NULL, NULL, &counts), "blockers is NULL");
+  REFUSED(shaftcull_count_visibility(a, b, blockers, NULL, NULL), "counts is NULL");
+  REFUSED(shaftcull_visibility(a, b, blockers, NULL, NULL, NULL, &counts), "callback is NULL");
+  REFUSED(shaftcull_collect_visibility(a, b, blockers, NULL, NULL), "sights is NULL");
+  options = shaftcull_default_visibility_options();
+  options.memory = 1000;
+  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "1 MB");
+  options = shaftcull_default_visibility_options();
+  options.contact = 2;
+  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "contact = 2");
+  options = shaftcull_default_visibility_options();
+  options.solids_around_ends = 2;
+  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "options.solids_around_ends = 2");
+  options = shaftcull_default_visibility_options();
+  options.reserved = 1;
+  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "options.reserved");
+  CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
+  CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);
+  shaftcull_blockers_free(blockers);
+  shaftcull_blockers_free(NULL);
+  shaftcull_patches_free(a);
+  shaftcull_patches_free(b);
+  shaftcull_patches_free(facing);
+  shaftcull_patches_free(NULL);
+
+  static const shaftcull_box pieces[2] = {{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}};
+  shaftcull_box merged[2];
+  uint64_t merged_count = 0;
+  OK(shaftcull_merged_boxes(pieces, 2, merged, 2, &merged_count));
+  CHECK(merged_count == 1 && merged[0].lo[0] == 0 && merged[0].hi[0] == 2);
+  OK(shaftcull_merged_boxes(pieces, 2, NULL, 0, &merged_count));
+  CHECK(merged_count == 1);
+  FAILS(shaftcull_merged_boxes(reversed, 2, merged, 2, &merged_count), SHAFTCULL_BAD_BOUND, "1");
+  REFUSED(shaftcull_merged_boxes(NULL, 2, merged, 2, &merged_count), "boxes is NULL");
+  REFUSED(shaftcull_merged_boxes(pieces, 2, NULL, 2, &merged_count), "merged is NULL");
+  REFUSED(shaftcull_merged_boxes(pieces, 2, merged, 2, NULL), "merged_count is NULL");
+  OK(shaftcull_inscribed_box(corners, 8, &box));
+  CHECK(box.lo[0] >= 0 && box.hi[0] <= 9 && box.hi[0] - box.lo[0] > 1);
+  REFUSED(shaftcull_inscribed_box(corners, 3, &box), "4");
+  REFUSED(shaftcull_inscribed_box(NULL, 8, &box), "corners is NULL");
+  REFUSED(shaftcull_inscribed_box(corners, 8, NULL), "box is NULL");
+}
+
 static void instruction_sets(void) {
   CHECK(shaftcull_concurrency() >= 1);
   uint64_t count = 0;
@@ -1003,6 +1219,7 @@ int main(void) {
   one_shaft();
   many_shafts();
   callbacks();
+  visibility();
   instruction_sets();
   if (failures != 0) {
     fprintf(stderr, "%d checks failed\n", failures);

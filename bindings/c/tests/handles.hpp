@@ -27,6 +27,9 @@ using ShaftsHandle = std::unique_ptr<shaftcull_shafts, FreeHandle<shaftcull_shaf
 using ShaftHandle = std::unique_ptr<shaftcull_shaft, FreeHandle<shaftcull_shaft_free>>;
 using HullHandle = std::unique_ptr<shaftcull_hull, FreeHandle<shaftcull_hull_free>>;
 using ListsHandle = std::unique_ptr<shaftcull_lists, FreeHandle<shaftcull_lists_free>>;
+using PatchesHandle = std::unique_ptr<shaftcull_patches, FreeHandle<shaftcull_patches_free>>;
+using BlockersHandle = std::unique_ptr<shaftcull_blockers, FreeHandle<shaftcull_blockers_free>>;
+using SightsHandle = std::unique_ptr<shaftcull_sights, FreeHandle<shaftcull_sights_free>>;
 
 /// The call must have succeeded.
 inline void ok(shaftcull_status status) {

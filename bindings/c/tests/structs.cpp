@@ -26,7 +26,8 @@ template <class Struct>
 constexpr bool has_no_padding = std::has_unique_object_representations_v<Struct>;
 static_assert(has_no_padding<shaftcull_index_pair> && has_no_padding<shaftcull_kept_counts> &&
               has_no_padding<shaftcull_leaf_range> && has_no_padding<shaftcull_shaft_options> &&
-              has_no_padding<shaftcull_bounds_info>);
+              has_no_padding<shaftcull_bounds_info> && has_no_padding<shaftcull_sight_product> &&
+              has_no_padding<shaftcull_sight_counts>);
 static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4);  // floats have no unique representation
 static_assert(sizeof(shaftcull_joining_plane) == 16 + 4 + 4);
 static_assert(sizeof(shaftcull_shaft_options) == 8 * 4);
@@ -37,6 +38,9 @@ static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_source> && sizeof(
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 96));
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_tile> && has_no_padding<shaftcull_ranges> &&
                                      has_no_padding<shaftcull_batch_planes>));
+static_assert(sizeof(void*) != 8 ||
+              (has_no_padding<shaftcull_undecided_pairs> && has_no_padding<shaftcull_sight_batch> &&
+               has_no_padding<shaftcull_visibility_options> && sizeof(shaftcull_visibility_options) == 48));
 
 // Enumerators are the same numbers in both languages, where calls rely on it.
 template <class Enum>
@@ -56,6 +60,8 @@ static_assert(same(SHAFTCULL_FORMATION_SEARCH, Formation::search) &&
 static_assert(same(SHAFTCULL_ORDER_UNSORTED, PlaneOrder::unsorted) &&
               same(SHAFTCULL_ORDER_BY_VOLUME, PlaneOrder::by_volume) &&
               same(SHAFTCULL_ORDER_BY_ADDED_VOLUME, PlaneOrder::by_added_volume));
+static_assert(same(SHAFTCULL_SIGHT_UNDECIDED, Sight::undecided) && same(SHAFTCULL_SIGHT_CLEAR, Sight::clear) &&
+              same(SHAFTCULL_SIGHT_BLOCKED, Sight::blocked) && same(SHAFTCULL_SIGHT_FACING_AWAY, Sight::facing_away));
 
 TEST(CStructs, HeaderAndLibraryAreOfOneVersion) {
   EXPECT_EQ(SHAFTCULL_HEADER_VERSION, SHAFTCULL_VERSION);

@@ -7,7 +7,8 @@ set(c_tests ${PROJECT_SOURCE_DIR}/bindings/c/tests)
 shaftcull_test(c
   ${c_tests}/agreement.cpp
   ${c_tests}/errors.cpp
-  ${c_tests}/structs.cpp)
+  ${c_tests}/structs.cpp
+  ${c_tests}/visibility.cpp)
 target_link_libraries(test_c PRIVATE shaftcull_c)
 target_include_directories(test_c PRIVATE ${c_tests} ${PROJECT_SOURCE_DIR}/bindings/c)
 

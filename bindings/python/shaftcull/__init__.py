@@ -8,18 +8,21 @@ shafts, and ask:
     offsets, indices = tree.list(a, b)             # what may stand between a[i] and b[i]
     shafts = shaftcull.Shafts.swept(bodies, displacements)
     indices, times = tree.first(shafts)            # what each body hits first, and when
+    found = shaftcull.visibility(patches, solids=walls, triangles=mesh)    # of all pairs, what sees what
 
 Answers are those of real arithmetic for the float32 given, and the same bits on every machine.
 """
 
 from shaftcull._shaftcull import (
     BadBound,
+    Blockers,
     Boxes,
     BoxStream,
     BoxTree,
     BoxView,
     ConvexHull,
     NeedsRefit,
+    Patches,
     Shafts,
     Spheres,
     SphereStream,
@@ -29,25 +32,32 @@ from shaftcull._shaftcull import (
     TriangleStream,
     TriangleTree,
     TriangleView,
+    Visibility,
     __version__,
     active_isa,
     available_isas,
     concurrency,
+    count_visibility,
+    inscribed_box,
+    merged_boxes,
     points,
     round_outwards,
     round_spheres_outwards,
     select_isa,
     view_planes,
+    visibility,
 )
 
 __all__ = [
     "BadBound",
+    "Blockers",
     "Boxes",
     "BoxStream",
     "BoxTree",
     "BoxView",
     "ConvexHull",
     "NeedsRefit",
+    "Patches",
     "Shafts",
     "Spheres",
     "SphereStream",
@@ -57,13 +67,18 @@ __all__ = [
     "TriangleStream",
     "TriangleTree",
     "TriangleView",
+    "Visibility",
     "__version__",
     "active_isa",
     "available_isas",
     "concurrency",
+    "count_visibility",
+    "inscribed_box",
+    "merged_boxes",
     "points",
     "round_outwards",
     "round_spheres_outwards",
     "select_isa",
     "view_planes",
+    "visibility",
 ]

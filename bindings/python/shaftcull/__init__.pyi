@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-from typing import Any, Literal, Sequence, SupportsIndex, Tuple, Union
+from typing import Any, Callable, Literal, Sequence, SupportsIndex, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,7 @@ _Floats = Any
 _Integers = npt.ArrayLike
 _Contact = Literal["closed", "open"]
 _Depth = Literal["zero_to_one", "minus_one_to_one"]
+_Sight = Literal["undecided", "clear", "blocked", "facing_away"]
 _Test = Literal["exact", "vertices"]
 
 _Bits = npt.NDArray[Any]  # of bool, or uint64 if they stay packed
@@ -419,6 +420,93 @@ class TriangleTree:
     @property
     def memory_bytes(self) -> int: ...
 
+class Patches:
+    def __init__(self, boxes: _Floats, planes: _Floats | None = None) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def has_planes(self) -> bool: ...
+    @property
+    def order(self) -> npt.NDArray[np.uint32]: ...
+
+class Blockers:
+    def __init__(
+        self,
+        boxes: _Floats | None = None,
+        *,
+        solids: _Floats | None = None,
+        hulls: _Floats | None = None,
+        polygons: _Floats | None = None,
+        triangles: _Floats | None = None,
+        faces: _Integers | None = None,
+        groups: _Integers | None = None,
+    ) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def first(self) -> dict[str, int]: ...
+    def box(self, blocker: int) -> npt.NDArray[np.float32]: ...
+    def triangles(self, blocker: int) -> npt.NDArray[np.uint32]: ...
+
+class Visibility:
+    @property
+    def counts(self) -> dict[str, int]: ...
+    @property
+    def products(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def sights(self) -> npt.NDArray[np.uint8]: ...
+    @property
+    def undecided(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def offsets(self) -> npt.NDArray[np.int64] | None: ...
+    @property
+    def candidates(self) -> npt.NDArray[np.uint32] | None: ...
+    @property
+    def order_a(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def order_b(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def blockers(self) -> Blockers: ...
+    def pairs(self, sight: _Sight) -> npt.NDArray[np.uint32]: ...
+    def bits(self, sight: _Sight, *, packed: bool = False) -> _Bits: ...
+
+def visibility(
+    patches: _Floats | Patches,
+    patches_b: _Floats | Patches | None = None,
+    *,
+    planes: _Floats | None = None,
+    planes_b: _Floats | None = None,
+    blockers: _Floats | Blockers | None = None,
+    solids: _Floats | None = None,
+    hulls: _Floats | None = None,
+    polygons: _Floats | None = None,
+    triangles: _Floats | None = None,
+    faces: _Integers | None = None,
+    groups: _Integers | None = None,
+    contact: _Contact = "open",
+    solids_around_ends: bool = True,
+    candidates: bool = True,
+    memory: int = 268435456,
+    progress: Callable[[int, int], object] | None = None,
+) -> Visibility: ...
+def count_visibility(
+    patches: _Floats | Patches,
+    patches_b: _Floats | Patches | None = None,
+    *,
+    planes: _Floats | None = None,
+    planes_b: _Floats | None = None,
+    blockers: _Floats | Blockers | None = None,
+    solids: _Floats | None = None,
+    hulls: _Floats | None = None,
+    polygons: _Floats | None = None,
+    triangles: _Floats | None = None,
+    faces: _Integers | None = None,
+    groups: _Integers | None = None,
+    contact: _Contact = "open",
+    solids_around_ends: bool = True,
+    memory: int = 268435456,
+    progress: Callable[[int, int], object] | None = None,
+) -> dict[str, int]: ...
+def merged_boxes(boxes: _Floats) -> npt.NDArray[np.float32]: ...
+def inscribed_box(corners: _Floats) -> npt.NDArray[np.float32]: ...
 def round_outwards(boxes: Any) -> npt.NDArray[np.float32]: ...
 def round_spheres_outwards(spheres: Any) -> npt.NDArray[np.float32]: ...
 def points(points: _Floats) -> npt.NDArray[np.float32]: ...

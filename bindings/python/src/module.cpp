@@ -14,6 +14,7 @@ PYBIND11_MODULE(_shaftcull, module) {
   add_sphere_streams(module);
   add_sphere_trees(module);
   add_triangles(module);
+  add_visibility(module);
   add_rounding(module);
   add_machine(module);
   module.attr("__name__") = "shaftcull._shaftcull";

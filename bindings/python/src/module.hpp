@@ -19,6 +19,7 @@ void add_box_trees(py::module_& module);
 void add_sphere_streams(py::module_& module);
 void add_sphere_trees(py::module_& module);
 void add_triangles(py::module_& module);
+void add_visibility(py::module_& module);
 void add_rounding(py::module_& module);
 void add_machine(py::module_& module);
 

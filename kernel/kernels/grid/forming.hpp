@@ -46,15 +46,19 @@ struct alignas(64) GridShaft {
   bool exists;         ///< if not, the other members are not written
 
   /// Where a shaft without end was cut off, if any shaft of its group has none: a tile whose coordinates of this stream
-  /// are all at least this has no bounds beyond. Forming leaves it to the caller.
+  /// are all at least this has no bounds beyond. If the shaft leaves the frame before, the tile must have no bounds
+  /// there either (TileExtent::any_above). Forming leaves it to the caller.
   struct {
     std::uint8_t stream;
+    bool leaves_frame;
     std::int16_t least;
   } cut;
 };
 
 inline constexpr float grid_top = 16383.0F;   ///< coordinates are clamped to ± this: sums of two fit into 16 bits
 inline constexpr float grid_edge = 14500.0F;  ///< steps from a frame's origin to its outermost face
+inline constexpr float most_on_grid = 0x1p15F - 4;       ///< what constraints and ends of t compute
+inline constexpr float most_limit = 126;                 ///< GridShaft::limit is compared with signed bytes
 inline constexpr float most_stationary_travel = 100.0F;  ///< faces that move fewer steps are stationary
 
 // What computed values are off by, and by how much they are moved to the permissive side.
@@ -64,10 +68,9 @@ inline constexpr float bound_error = 1.0F + float_slack;  ///< a product and the
 inline constexpr float bound_slack =
     0.5F + float_slack;  ///< less than half a step is left, less than one for two bounds
 
-static_assert(most_stationary_travel + bound_slack + bound_error + 2 * snap_slack <= 126,
-              "GridShaft::limit is compared with signed bytes");
-static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * snap_slack) <= 126,
-              "likewise, for any scale");
+static_assert(most_stationary_travel + bound_slack + bound_error + 2 * snap_slack <= most_limit);
+static_assert(2 * (bound_slack + bound_error + 2 * grid_edge * 0x1p-15F + 2 * snap_slack) <= most_limit,
+              "for any scale, if faces stay in the frame");
 
 /// Where shaft `s` of several ends on a grid; null if it has no place there.
 template <class L>
@@ -97,8 +100,10 @@ template <class L>
   for (float& each : least) each = __builtin_inff();
   float largest_coordinate = 0;
   for (std::size_t s = 0; s < count; ++s) {
-    const float* const end = end_on_grid<L>(shafts, s, clipped);
+    const float* end = end_on_grid<L>(shafts, s, clipped);
     if (end == nullptr) continue;
+    if (shafts[s].is_endless()) [[unlikely]]
+      end = clipped[s].in_frame;
     const float largest = largest_on_grid<L>(shafts[s], end);
     if (largest > fused_regular_limit) continue;
     largest_coordinate = largest > largest_coordinate ? largest : largest_coordinate;
@@ -248,8 +253,10 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* co
     next_lower = L::add(next_lower, L::choose(is_stationary, zero, of_moving(zero, one)));
   }
   limit = L::multiply(L::maximum(L::add(upper_error, lower_error), limit), L::all(grid_limit_factor));
-  const std::uint64_t exist = L::bits(L::both(L::less_equal(L::load(column[2 * faces]), L::all(fused_regular_limit)),
-                                              L::less_equal(largest, L::all(0x1p15F - 4))));
+  largest = L::maximum(L::maximum(L::magnitude(begin), L::magnitude(minus_end)), largest);
+  const std::uint64_t exist =
+      L::bits(L::both(L::less_equal(L::load(column[2 * faces]), L::all(fused_regular_limit)),
+                      L::both(L::less_equal(largest, L::all(most_on_grid)), L::less_equal(limit, L::all(most_limit)))));
 
   enum { begins, minus_ends, counts_of_uppers, counts_of_stationary, limits, numbers };
   alignas(64) float number[numbers][L::width];

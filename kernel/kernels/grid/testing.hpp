@@ -37,6 +37,59 @@ void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t cou
   }
 }
 
+/// The least lane of some vectors.
+template <class S>
+[[nodiscard]] std::int16_t least_lane(const typename S::Vector (&of)[S::vectors]) noexcept {
+  alignas(64) std::int16_t lane[S::width];
+  typename S::Vector all = of[0];
+  for (unsigned v = 1; v < S::vectors; ++v) all = S::minimum(all, of[v]);
+  static_assert(sizeof(all) == sizeof(lane));
+  __builtin_memcpy(lane, &all, sizeof(lane));
+  std::int16_t least = lane[0];
+  for (unsigned i = 1; i < S::width; ++i) least = lane[i] < least ? lane[i] : least;
+  return least;
+}
+
+/// Whether some bound of these words has a coordinate that was cut off above, and another one that was not.
+template <class L>
+[[gnu::noinline, nodiscard]] bool any_partly_above(const std::int16_t* const* grid, std::size_t words) noexcept {
+  constexpr auto top = static_cast<std::int16_t>(grid_top);
+  bool any = false;
+  for (std::size_t i = 0; i < words * word_bits; ++i) {
+    unsigned above = 0;
+    for (unsigned s = 0; s < 6; ++s) above += grid[s][i] == top ? 1 : 0;
+    any |= above != 0 && above != 6;
+  }
+  return any;
+}
+
+/// As GridKernels has it.
+template <class L>
+TileExtent tile_extent(const std::int16_t* const* grid, std::size_t words) noexcept {
+  using S = typename L::Integers16;
+  using Vector = typename S::Vector;
+  constexpr auto top = static_cast<std::int16_t>(grid_top);
+  TileExtent extent{};
+  Vector most[S::vectors];  // of all streams
+  for (Vector& each : most) each = S::all(-top);
+  for (unsigned s = 0; s < 6; ++s) {
+    Vector least[S::vectors];
+    for (Vector& each : least) each = S::all(top);
+    for (std::size_t i = 0; i < words * word_bits; i += word_bits) {
+#pragma GCC unroll 8
+      for (unsigned v = 0; v < S::vectors; ++v) {
+        const Vector x = S::load(grid[s] + i + v * S::width);
+        least[v] = S::minimum(least[v], x);
+        most[v] = S::maximum(most[v], x);
+      }
+    }
+    extent.least[s] = least_lane<S>(least);
+  }
+  for (Vector& each : most) each = S::subtract(S::all(0), each);
+  extent.any_above = least_lane<S>(most) == -top && any_partly_above<L>(grid, words);
+  return extent;
+}
+
 /// Writes the kept bits of `words` words, 0 for bounds that are certainly outside, and lists the words that hold
 /// undecided bounds. Returns how many words it lists.
 template <class L, unsigned uppers, unsigned stationary>

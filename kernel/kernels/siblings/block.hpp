@@ -51,6 +51,19 @@ class SolidInLanes {
            });
   }
 
+  /// Siblings of `asked` that it may block.
+  [[nodiscard]] std::uint64_t may_block(const Siblings& siblings, std::uint64_t asked) const noexcept {
+    std::uint64_t possible = siblings.inexact;
+    for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
+      if ((asked & lanes_of<L>(lane)) == 0) continue;
+      const std::uint64_t across =
+          L::bits(is_flat_ ? reaches_across<true>(siblings, lane) : reaches_across<false>(siblings, lane)) << lane;
+      if ((asked & across) == 0) continue;
+      possible |= across & L::bits(L::less_equal(largest_sum(siblings, lane), L::all(1 + margin()))) << lane;
+    }
+    return possible & asked;
+  }
+
  private:
   static float margin() noexcept { return blocking_margin * sibling_margin_factor; }
 
@@ -133,6 +146,16 @@ std::uint64_t block_siblings(const Siblings& siblings, const BoxRow* solids, con
     asked &= ~SolidInLanes<L>(solids[list[i]]).blocked(siblings, lanes);
   }
   return all & ~asked;
+}
+
+/// As SiblingKernels has it.
+template <class L>
+void may_block_siblings(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
+                        const std::uint64_t* may_block, std::uint64_t asked, std::uint64_t* kept) noexcept {
+  for (std::size_t i = 0; i != count; ++i) {
+    const std::uint64_t lanes = may_block == nullptr ? asked : asked & may_block[i];
+    kept[i] = lanes == 0 ? 0 : SolidInLanes<L>(solids[list[i]]).may_block(siblings, lanes);
+  }
 }
 
 }  // namespace shaftcull::kernel

@@ -77,16 +77,18 @@ typename L::Vector farthest_value(const PlaneStreams& planes, unsigned lane, con
 
 /// As SiblingKernels has it.
 template <class L>
-std::uint64_t behind_planes(const PlaneStreams& planes, unsigned count, const float* box) noexcept {
+std::uint64_t behind_planes(const PlaneStreams& planes, unsigned count, const float* box,
+                            std::uint64_t asked) noexcept {
   std::uint64_t behind = 0;
   std::uint64_t in_front = 0;
   for (unsigned lane = 0; lane < count; lane += L::width) {
+    if ((asked & lanes_of<L>(lane)) == 0) continue;
     const auto value = farthest_value<L, false>(planes, lane, box);
     const auto error = L::load(planes.error + lane);
     behind |= L::bits(L::less_equal(value, L::subtract(L::all(0.0F), error))) << lane;
     in_front |= L::bits(L::less(error, value)) << lane;
   }
-  const std::uint64_t lanes = lanes_up_to<L>(count);
+  const std::uint64_t lanes = lanes_up_to<L>(count) & asked;
   const std::uint64_t undecided = lanes & ~behind & ~in_front;
   behind &= lanes;
   if (undecided == 0) [[likely]]
@@ -136,13 +138,15 @@ std::uint64_t points_behind_planes(const PlaneStreams& planes, unsigned count, c
 
 /// As SiblingKernels has it.
 template <class L>
-std::uint64_t behind_groups(const PlaneStreams& groups, unsigned count, const float* box) noexcept {
+std::uint64_t behind_groups(const PlaneStreams& groups, unsigned count, const float* box,
+                            std::uint64_t asked) noexcept {
   std::uint64_t behind = 0;
   for (unsigned lane = 0; lane < count; lane += L::width) {
+    if ((asked & lanes_of<L>(lane)) == 0) continue;
     const auto value = farthest_value<L, true>(groups, lane, box);
     behind |= L::bits(L::less_equal(value, L::subtract(L::all(0.0F), L::load(groups.error + lane)))) << lane;
   }
-  return behind & lanes_up_to<L>(count);
+  return behind & lanes_up_to<L>(count) & asked;
 }
 
 /// As SiblingKernels has it.

@@ -10,17 +10,18 @@ namespace shaftcull::kernel {
 
 /// As SiblingKernels has it.
 template <class L>
-void form_siblings(const float* fixed, const float* const* other, unsigned count, Siblings& siblings) noexcept {
+void form_siblings(const float* fixed, const float* const* other, unsigned count, std::uint64_t lanes,
+                   Siblings& siblings) noexcept {
   siblings.count = count;
   siblings.fixed = fixed;
   siblings.other = other;
-  siblings.lanes = count == most_siblings ? ~std::uint64_t{0} : first_bits(count);
   const auto none = L::all(0.0F);
   const auto one = L::all(1.0F);
   const auto shortest = L::all(0x1p-126F);  // shorter or longer ones have no reciprocal with all its bits
   const auto longest = L::all(0x1p126F);
   std::uint64_t inexact = 0;
   for (unsigned lane = 0; lane < count; lane += L::width) {
+    if ((lanes & lanes_of<L>(lane)) == 0) continue;
     for (unsigned f = 0; f < 6; ++f) {
       const auto from = L::all(fixed[f]);
       const auto to = L::load(other[f] + lane);
@@ -40,7 +41,7 @@ void form_siblings(const float* fixed, const float* const* other, unsigned count
       L::store(&siblings.backward[f][lane], backward);
     }
   }
-  siblings.inexact = inexact & siblings.lanes;
+  siblings.inexact = inexact & lanes;
 }
 
 /// The other box of a sibling, as exact predicates take it.

@@ -37,12 +37,23 @@ struct Siblings {
   bool solids_around_ends;    ///< whether a solid that reaches into an end may block
   const float* fixed;         ///< six faces
   const float* const* other;  ///< six streams
-  std::uint64_t lanes;        ///< a bit for every sibling
   std::uint64_t inexact;      ///< where floats overflow: exact predicates decide alone
   alignas(64) float outer[6][most_siblings];
   alignas(64) float inner[6][most_siblings];
   alignas(64) float forward[6][most_siblings];
   alignas(64) float backward[6][most_siblings];
+};
+
+/// Boxes of siblings that are left, side by side: a vector may be written behind them.
+struct PackedBoxes {
+  alignas(64) float face[6][most_siblings + 16];
+};
+
+/// Bounds of a list, and which rows and columns of a product may have to do with each.
+struct ListedSides {
+  const std::uint32_t* list;
+  const std::uint64_t* rows;
+  const std::uint64_t* columns;
 };
 
 /// Planes of patches, or of groups of them: bounds of the components of their normals, and of their offsets. Those of a
@@ -64,9 +75,21 @@ struct PlaneRow {
 
 /// Streams must be readable up to the end of the vector in which the last lane is: they are padded.
 struct SiblingKernels {
-  /// Forms the shafts, of `count` ≤ most_siblings. What they are asked about, `contact` and so
-  /// on, is the caller's to set.
-  void (*form)(const float* fixed, const float* const* other, unsigned count, Siblings& siblings) noexcept;
+  /// Copies the boxes of six streams that are in `lanes`. Null if that does not pay.
+  void (*pack)(const float* const* other, unsigned count, std::uint64_t lanes, PackedBoxes& packed) noexcept;
+  /// The lanes in which packed siblings were whose bits are set. Null like pack().
+  std::uint64_t (*spread)(std::uint64_t bits, std::uint64_t lanes) noexcept;
+
+  /// Selects the bounds that one row and some column of `lanes` may have to do with. may[i] are these columns of
+  /// selected[i], by their lanes, or if they are `packed`, by where they are then. Both have room for `count`. Returns
+  /// how many there are.
+  std::size_t (*select)(const ListedSides& listed, std::size_t count, unsigned row, std::uint64_t lanes, bool packed,
+                        std::uint32_t* selected, std::uint64_t* may) noexcept;
+
+  /// Forms the shafts, of `count` ≤ most_siblings, that are in `lanes`: others must not be asked. `contact`,
+  /// `are_groups` and `solids_around_ends` are the caller's to set.
+  void (*form)(const float* fixed, const float* const* other, unsigned count, std::uint64_t lanes,
+               Siblings& siblings) noexcept;
 
   /// The siblings of `asked` that keep some bound of a list; kept[i], unless null, are the siblings that may keep bound
   /// list[i].
@@ -81,18 +104,25 @@ struct SiblingKernels {
   std::uint64_t (*block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
                          const std::uint64_t* may_block, std::uint64_t asked) noexcept;
 
+  /// Writes for every solid of a list which siblings of `asked` it may block. Of a group's box lo and hi are exchanged:
+  /// then what is 0 blocks no patch of one group from one of the other.
+  void (*may_block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
+                    const std::uint64_t* may_block, std::uint64_t asked, std::uint64_t* kept) noexcept;
+
   /// The boxes, of `count` ≤ 64 in six streams, that lie on or behind a patch's plane.
   std::uint64_t (*behind_plane)(const PlaneRow& plane, const float* const* boxes, unsigned count) noexcept;
 
-  /// The patches, of `count` ≤ 64, on or behind whose planes the box lies.
-  std::uint64_t (*behind_planes)(const PlaneStreams& planes, unsigned count, const float* box) noexcept;
+  /// The patches of `asked`, of `count` ≤ 64, on or behind whose planes the box lies.
+  std::uint64_t (*behind_planes)(const PlaneStreams& planes, unsigned count, const float* box,
+                                 std::uint64_t asked) noexcept;
 
-  /// Likewise of points, all of which lie there, for patches of `asked`.
+  /// Likewise of points, all of which lie there.
   std::uint64_t (*points_behind_planes)(const PlaneStreams& planes, unsigned count, const Vec3* points,
                                         std::size_t size, std::uint64_t asked) noexcept;
 
-  /// The groups of patches, of `count` ≤ 64, such that the box lies on or behind every patch's plane. It may say no.
-  std::uint64_t (*behind_groups)(const PlaneStreams& groups, unsigned count, const float* box) noexcept;
+  /// The groups of `asked`, of `count` ≤ 64, such that the box lies on or behind every patch's plane. It may say no.
+  std::uint64_t (*behind_groups)(const PlaneStreams& groups, unsigned count, const float* box,
+                                 std::uint64_t asked) noexcept;
 
   /// The boxes, of `count` ≤ 64 in six streams, that lie on or behind every plane of a group. It may say no.
   std::uint64_t (*behind_group)(const PlaneRow& group, const float* const* boxes, unsigned count) noexcept;

@@ -19,6 +19,10 @@ struct Integers16;
 
 struct Floats : x86::FloatsOf<Set> {
   using Integers16 = avx2::Integers16;
+
+  /// The bits of those in `mask`, side by side; and back.
+  static std::uint64_t packed_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pext_u64(bits, mask); }
+  static std::uint64_t spread_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pdep_u64(bits, mask); }
 };
 
 struct Integers16 {

@@ -94,6 +94,10 @@ struct Floats {
     __m512i from_;
   };
 
+  /// The bits of those in `mask`, side by side; and back.
+  static std::uint64_t packed_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pext_u64(bits, mask); }
+  static std::uint64_t spread_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pdep_u64(bits, mask); }
+
   static Vector all(float a) noexcept { return Vector(a); }
   static Vector add(Vector a, Vector b) noexcept { return a + b; }
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+/// What sees what by the C interface, against the C++ one: all answers, pair by pair.
+#include "shaftcull/visibility.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "handles.hpp"
+#include "oracle/random.hpp"
+#include "shaftcull.h"
+#include "shaftcull/solids.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// A scene with blockers of all sorts, the same in both languages.
+struct Scene {
+  std::vector<Box> boxes;
+  std::vector<Plane> planes;
+  PatchSet cpp;
+  PatchSet others_cpp;
+  Blockers blockers_cpp;
+  PatchesHandle c;
+  PatchesHandle others_c;
+  BlockersHandle blockers_c;
+};
+
+void make_scene(Random& random, Scene& scene) {
+  std::vector<Box> others;
+  for (std::size_t i = 0; i != 40; ++i) {
+    scene.boxes.push_back(random.box(-9, 9, 0.0F, 1.0F));
+    const Vec3 normal = random.vec3(-1, 1);
+    scene.planes.push_back({normal, random.uniform(-9, 1)});
+    others.push_back(random.box(-9, 9, 0.0F, 2.0F));
+  }
+  const std::vector<shaftcull_box> c_boxes = as_c(scene.boxes);
+  const std::vector<shaftcull_box> c_others = as_c(others);
+  const std::vector<shaftcull_plane> c_planes = as_c(scene.planes);
+  const shaftcull_source source = source_of(c_boxes);
+  const shaftcull_source other_source = source_of(c_others);
+  scene.cpp = PatchSet(std::span<const Box>(scene.boxes), scene.planes);
+  scene.others_cpp = PatchSet(std::span<const Box>(others));
+  scene.c = made<PatchesHandle>(shaftcull_patches_create, &source, c_planes.data(), std::uint64_t{c_planes.size()});
+  scene.others_c = made<PatchesHandle>(shaftcull_patches_create, &other_source,
+                                       static_cast<const shaftcull_plane*>(nullptr), std::uint64_t{0});
+  scene.blockers_c = made<BlockersHandle>(shaftcull_blockers_create);
+  shaftcull_blockers* const c = scene.blockers_c.get();
+  Blockers& cpp = scene.blockers_cpp;
+
+  std::vector<Box> some;
+  std::vector<Box> solids;
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> corners;
+  std::vector<std::size_t> first_corner{0};
+  std::vector<std::uint64_t> c_first_corner{0};
+  std::vector<Vec3> squares;
+  for (std::size_t i = 0; i != 5; ++i) {
+    some.push_back(random.box(-9, 9, 0.5F, 2.0F));
+    solids.push_back(random.box(-9, 9, 1.0F, 9.0F));
+    const Vec3 at = random.vec3(-9, 9);
+    triangles.push_back({at, {at[0] + 1, at[1], at[2]}, {at[0], at[1] + 2, at[2] + 1}});
+    for (std::size_t corner = 0; corner != 8; ++corner) {
+      corners.push_back(
+          {at[0] + (corner & 1 ? 3.0F : 0), at[1] + (corner & 2 ? 4.0F : 0), at[2] + (corner & 4 ? 5.0F : 0)});
+    }
+    first_corner.push_back(corners.size());
+    c_first_corner.push_back(corners.size());
+  }
+  for (const Vec3& corner : {Vec3{-9, -9, 1}, Vec3{9, -9, 1}, Vec3{9, 9, 1}, Vec3{-9, 9, 1}}) squares.push_back(corner);
+  const std::vector<std::size_t> first_of_square{0, 4};
+  const std::vector<std::uint64_t> c_first_of_square{0, 4};
+  const std::vector<std::size_t> groups{0, 2, 5};
+  const std::vector<std::uint64_t> c_groups{0, 2, 5};
+  const auto floats_of = [](const std::vector<Vec3>& points) {
+    std::vector<float> floats;
+    for (const Vec3& point : points) floats.insert(floats.end(), point.begin(), point.end());
+    return floats;
+  };
+  const std::vector<shaftcull_box> c_some = as_c(some);
+  const std::vector<shaftcull_box> c_solids = as_c(solids);
+  const std::vector<shaftcull_triangle> c_triangles = as_c(triangles);
+  const shaftcull_source some_source = source_of(c_some);
+  const shaftcull_source solid_source = source_of(c_solids);
+  const shaftcull_source triangle_source = source_of(c_triangles);
+  const TriangleStream stream{std::span<const Triangle>(triangles)};
+  std::uint64_t first = 0;
+  ok(shaftcull_blockers_add_boxes(c, &some_source, &first));
+  EXPECT_EQ(first, cpp.add_boxes(some));
+  ok(shaftcull_blockers_add_solids(c, &solid_source, &first));
+  EXPECT_EQ(first, cpp.add_solids(solids));
+  ok(shaftcull_blockers_add_solid_hulls(c, floats_of(corners).data(), corners.size(), c_first_corner.data(), 5,
+                                        &first));
+  EXPECT_EQ(first, cpp.add_solid_hulls(corners, first_corner));
+  ok(shaftcull_blockers_add_polygons(c, floats_of(squares).data(), 4, c_first_of_square.data(), 1, &first));
+  EXPECT_EQ(first, cpp.add_polygons(squares, first_of_square));
+  ok(shaftcull_blockers_add_triangles(c, &triangle_source, c_groups.data(), 2, &first));
+  EXPECT_EQ(first, cpp.add_triangles(stream.view(), groups));
+  ok(shaftcull_blockers_add_triangles(c, &triangle_source, nullptr, 0, &first));
+  EXPECT_EQ(first, cpp.add_triangles(stream.view()));
+  EXPECT_EQ(shaftcull_blockers_count(c), cpp.size());
+  for (std::size_t i = 0; i != cpp.size(); ++i) {
+    shaftcull_box box;
+    const std::uint32_t* indices = nullptr;
+    std::uint64_t count = 0;
+    ok(shaftcull_blockers_box(c, i, &box));
+    EXPECT_EQ(std::bit_cast<Box>(box), cpp.box(i));
+    ok(shaftcull_blockers_triangles(c, i, &indices, &count));
+    EXPECT_TRUE(std::ranges::equal(std::span(indices, count), cpp.triangles(i)));
+  }
+}
+
+void expect_equal(const shaftcull_sight_counts& c, const SightCounts& cpp) {
+  EXPECT_EQ((SightCounts{c.undecided, c.clear, c.blocked, c.facing_away}), cpp);
+}
+
+void expect_equal(const shaftcull_sight_batch& c, const Visibility& cpp) {
+  ASSERT_EQ(c.product_count, cpp.products.size());
+  for (std::size_t i = 0; i != cpp.products.size(); ++i) {
+    const shaftcull_sight_product& product = c.products[i];
+    EXPECT_EQ(
+        (SightProduct{
+            {product.a.first, product.a.count}, {product.b.first, product.b.count}, static_cast<Sight>(product.sight)}),
+        cpp.products[i]);
+  }
+  ASSERT_EQ(c.undecided.count, cpp.undecided.size());
+  for (std::size_t i = 0; i != cpp.undecided.size(); ++i) {
+    EXPECT_EQ((PatchPair{c.undecided.pairs[i].a, c.undecided.pairs[i].b}), cpp.undecided[i]);
+  }
+  if (cpp.first_candidate.empty()) {
+    EXPECT_EQ(c.undecided.first_candidate, nullptr);
+    EXPECT_EQ(c.undecided.candidates, nullptr);
+    return;
+  }
+  EXPECT_TRUE(std::ranges::equal(std::span(c.undecided.first_candidate, c.undecided.count + 1), cpp.first_candidate));
+  EXPECT_TRUE(std::ranges::equal(std::span(c.undecided.candidates, cpp.candidates.size()), cpp.candidates));
+}
+
+TEST(CVisibility, IsThatOfCpp) {
+  Random random(1801);
+  SightCounts seen;
+  for (int round = 0; round != 6; ++round) {
+    Scene scene;
+    make_scene(random, scene);
+    for (const bool is_of_one_set : {false, true}) {
+      const shaftcull_patches* const other = is_of_one_set ? nullptr : scene.others_c.get();
+      const PatchSet& second = is_of_one_set ? scene.cpp : scene.others_cpp;
+      shaftcull_visibility_options options = shaftcull_default_visibility_options();
+      options.contact = round % 2 == 0 ? SHAFTCULL_CONTACT_OPEN : SHAFTCULL_CONTACT_CLOSED;
+      options.candidates = round % 3 != 2;
+      options.solids_around_ends = round < 3;
+      VisibilityOptions with;
+      with.contact = round % 2 == 0 ? Contact::open : Contact::closed;
+      with.candidates = round % 3 != 2;
+      with.solids_around_ends = round < 3;
+      const Visibility wanted = is_of_one_set ? collect_visibility(scene.cpp, scene.blockers_cpp, with)
+                                              : collect_visibility(scene.cpp, second, scene.blockers_cpp, with);
+      const auto sights =
+          made<SightsHandle>(shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()), other,
+                             static_cast<const shaftcull_blockers*>(scene.blockers_c.get()),
+                             static_cast<const shaftcull_visibility_options*>(&options));
+      shaftcull_sight_batch all;
+      shaftcull_sight_counts counts;
+      ok(shaftcull_sights_all(sights.get(), &all, &counts));
+      expect_equal(all, wanted);
+      expect_equal(counts, wanted.counts);
+      ok(shaftcull_count_visibility(scene.c.get(), other, scene.blockers_c.get(), &options, &counts));
+      expect_equal(counts, wanted.counts);
+
+      const std::uint32_t* order = nullptr;
+      ok(shaftcull_patches_order(scene.c.get(), &order));
+      EXPECT_TRUE(std::ranges::equal(std::span(order, shaftcull_patches_count(scene.c.get())), scene.cpp.order()));
+      const std::size_t words = scene.cpp.size() * words_for(second.size());
+      std::vector<std::uint64_t> bits(words);
+      std::vector<std::uint64_t> wanted_bits(words);
+      for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+        if (is_of_one_set) {
+          visibility_bits(scene.cpp, scene.blockers_cpp, sight, wanted_bits, with);
+        } else {
+          visibility_bits(scene.cpp, second, scene.blockers_cpp, sight, wanted_bits, with);
+        }
+        ok(shaftcull_visibility_bits(scene.c.get(), other, scene.blockers_c.get(), &options,
+                                     static_cast<shaftcull_sight>(sight), bits.data(), words, &counts));
+        EXPECT_EQ(bits, wanted_bits);
+        expect_equal(counts, wanted.counts);
+      }
+      seen.undecided += wanted.counts.undecided;
+      seen.clear += wanted.counts.clear;
+      seen.blocked += wanted.counts.blocked;
+      seen.facing_away += wanted.counts.facing_away;
+    }
+  }
+  // The scenes have enough of all.
+  EXPECT_GT(seen.undecided, 100U);
+  EXPECT_GT(seen.clear, 20U);
+  EXPECT_GT(seen.blocked, 20U);
+  EXPECT_GT(seen.facing_away, 100U);
+}
+
+TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
+  Random random(1802);
+  Scene scene;
+  make_scene(random, scene);
+  // Pairs with one candidate are clear, and those with two blocked.
+  const auto verdict_for = [](std::uint64_t candidates) {
+    return candidates == 1 ? Sight::clear : candidates == 2 ? Sight::blocked : Sight::undecided;
+  };
+  VisibilityOptions with;
+  with.resolve = [&](const UndecidedPairs& undecided, std::span<Sight> verdict) {
+    for (std::size_t i = 0; i != verdict.size(); ++i) {
+      verdict[i] = verdict_for(undecided.first_candidate[i + 1] - undecided.first_candidate[i]);
+    }
+  };
+  const Visibility wanted = collect_visibility(scene.cpp, scene.blockers_cpp, with);
+  const Visibility unresolved = collect_visibility(scene.cpp, scene.blockers_cpp);
+  EXPECT_LT(wanted.counts.undecided, unresolved.counts.undecided);
+
+  shaftcull_visibility_options options = shaftcull_default_visibility_options();
+  options.user = const_cast<void*>(static_cast<const void*>(&verdict_for));
+  options.resolve = [](const shaftcull_undecided_pairs* undecided, std::uint8_t* verdicts, void* user) -> std::int32_t {
+    for (std::size_t i = 0; i != undecided->count; ++i) {
+      const auto candidates = undecided->first_candidate[i + 1] - undecided->first_candidate[i];
+      verdicts[i] = static_cast<std::uint8_t>((*static_cast<decltype(verdict_for)*>(user))(candidates));
+    }
+    return 0;
+  };
+  const auto sights = made<SightsHandle>(
+      shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()),
+      static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_blockers*>(scene.blockers_c.get()),
+      static_cast<const shaftcull_visibility_options*>(&options));
+  shaftcull_sight_batch all;
+  shaftcull_sight_counts counts;
+  ok(shaftcull_sights_all(sights.get(), &all, &counts));
+  expect_equal(all, wanted);
+
+  SightCounts told;
+  ok(shaftcull_visibility(
+      scene.c.get(), nullptr, scene.blockers_c.get(), &options,
+      [](const shaftcull_sight_batch* batch, void* user) -> std::int32_t {
+        auto& sum = *static_cast<SightCounts*>(user);
+        sum.undecided += batch->undecided.count;
+        for (std::size_t i = 0; i != batch->product_count; ++i) {
+          const shaftcull_sight_product& product = batch->products[i];
+          const std::uint64_t pairs = std::uint64_t{product.a.count} * product.b.count;
+          (product.sight == SHAFTCULL_SIGHT_CLEAR     ? sum.clear
+           : product.sight == SHAFTCULL_SIGHT_BLOCKED ? sum.blocked
+                                                      : sum.facing_away) += pairs;
+        }
+        return 0;
+      },
+      &told, &counts));
+  EXPECT_EQ(told, wanted.counts);
+  expect_equal(counts, wanted.counts);
+}
+
+TEST(CVisibility, SolidsAreMergedAndInscribedAsInCpp) {
+  Random random(1803);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i != 30; ++i) {
+    const float x = static_cast<float>(i % 5);
+    const float y = static_cast<float>(i / 5 * (i % 7 == 0 ? 2 : 1));
+    boxes.push_back({{x, y, 0}, {x + 1, y + 1, 3}});
+  }
+  const std::vector<Box> wanted = merged_boxes(boxes);
+  const std::vector<shaftcull_box> c_boxes = as_c(boxes);
+  std::vector<shaftcull_box> merged(wanted.size() + 1);
+  std::uint64_t count = 0;
+  ok(shaftcull_merged_boxes(c_boxes.data(), c_boxes.size(), merged.data(), merged.size(), &count));
+  ASSERT_EQ(count, wanted.size());
+  for (std::size_t i = 0; i != wanted.size(); ++i) EXPECT_EQ(std::bit_cast<Box>(merged[i]), wanted[i]);
+  std::vector<Vec3> corners;
+  std::vector<float> floats;
+  for (int i = 0; i != 12; ++i) {
+    corners.push_back(random.vec3(-5, 5));
+    floats.insert(floats.end(), corners.back().begin(), corners.back().end());
+  }
+  shaftcull_box box;
+  ok(shaftcull_inscribed_box(floats.data(), 12, &box));
+  EXPECT_EQ(std::bit_cast<Box>(box), inscribed_box(corners));
+}
+
+}  // namespace
+}  // namespace shaftcull

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: MIT
+/// What sees what, of all pairs of patches.
+#include "shaftcull/visibility.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shaftcull/solids.hpp"
+#include "sources.hpp"
+#include "status.hpp"
+
+using namespace shaftcull::binding;
+using shaftcull::Blockers;
+using shaftcull::Box;
+using shaftcull::PatchPair;
+using shaftcull::PatchSet;
+using shaftcull::Sight;
+using shaftcull::SightBatch;
+using shaftcull::SightCounts;
+using shaftcull::SightProduct;
+using shaftcull::UndecidedPairs;
+using shaftcull::VisibilityOptions;
+using shaftcull::VisibilityProgress;
+
+struct shaftcull_patches {
+  PatchSet set;
+};
+
+struct shaftcull_blockers {
+  Blockers all;
+};
+
+struct shaftcull_sights {
+  std::vector<shaftcull_sight_product> products;
+  std::vector<shaftcull_index_pair> pairs;
+  std::vector<std::uint64_t> first_candidate;
+  std::vector<std::uint32_t> candidates;
+  bool has_candidates = false;
+  shaftcull_sight_counts counts{};
+};
+
+namespace {
+
+shaftcull_sight_counts from_sights(const SightCounts& counts) noexcept {
+  return {counts.undecided, counts.clear, counts.blocked, counts.facing_away};
+}
+
+shaftcull_sight_product from_product(const SightProduct& product) noexcept {
+  return {{product.a.first, product.a.count},
+          {product.b.first, product.b.count},
+          static_cast<shaftcull_sight>(product.sight)};
+}
+
+shaftcull_index_pair from_pair(const PatchPair& pair) noexcept { return {pair.a, pair.b}; }
+
+/// The same elements in C, behind those that there are.
+template <class Out, class In, class Convert>
+void append(std::vector<Out>& out, std::span<const In> in, Convert&& convert) {
+  out.resize(out.size() + in.size());
+  std::transform(in.begin(), in.end(), out.end() - static_cast<std::ptrdiff_t>(in.size()), convert);
+}
+
+/// Undecided pairs in C's terms, in memory that is used again.
+class UndecidedInC {
+ public:
+  [[nodiscard]] shaftcull_undecided_pairs of(const UndecidedPairs& undecided) {
+    pairs_.clear();
+    first_candidate_.clear();
+    append(pairs_, undecided.pairs, from_pair);
+    append(first_candidate_, undecided.first_candidate, [](std::size_t first) { return std::uint64_t{first}; });
+    shaftcull_undecided_pairs out{};
+    out.pairs = pairs_.data();
+    out.count = pairs_.size();
+    if (!first_candidate_.empty()) {
+      out.first_candidate = first_candidate_.data();
+      out.candidates = undecided.candidates.data();
+    }
+    return out;
+  }
+
+ private:
+  std::vector<shaftcull_index_pair> pairs_;
+  std::vector<std::uint64_t> first_candidate_;
+};
+
+void go_on_if(std::int32_t returned) {
+  if (returned != 0) throw Stopped(returned);
+}
+
+/// Options as those of C++; callbacks that end the call throw Stopped.
+VisibilityOptions as_options(const shaftcull_visibility_options* options) {
+  VisibilityOptions out;
+  if (options == nullptr) return out;
+  if (options->reserved != 0) refuse("options.reserved is not 0");
+  out.memory = as_size(options->memory, "options.memory");
+  out.contact = as_contact(options->contact);
+  out.solids_around_ends = as_bool(options->solids_around_ends, "options.solids_around_ends");
+  out.candidates = as_bool(options->candidates, "options.candidates");
+  if (options->resolve != nullptr) {
+    out.resolve = [resolve = options->resolve, user = options->user](const UndecidedPairs& undecided,
+                                                                     std::span<Sight> verdict) {
+      UndecidedInC memory;  // many threads come here at once
+      const shaftcull_undecided_pairs pairs = memory.of(undecided);
+      std::vector<std::uint8_t> verdicts(verdict.size(), SHAFTCULL_SIGHT_UNDECIDED);
+      go_on_if(resolve(&pairs, verdicts.data(), user));
+      std::transform(verdicts.begin(), verdicts.end(), verdict.begin(),
+                     [](std::uint8_t sight) { return static_cast<Sight>(sight); });  // the library checks them
+    };
+  }
+  if (options->progress != nullptr) {
+    out.progress = [progress = options->progress, user = options->user](const VisibilityProgress& come) {
+      go_on_if(progress(come.done, come.total, user));
+      return true;
+    };
+  }
+  return out;
+}
+
+/// Calls one(set) or two(set, set), as `b` is NULL or not.
+template <class One, class Two>
+auto of_one_or_two(const shaftcull_patches* a, const shaftcull_patches* b, One&& one, Two&& two) {
+  const PatchSet& first = given(a, "a").set;
+  return b == nullptr ? one(first) : two(first, b->set);
+}
+
+template <class Deliver>
+SightCounts deliver_all(const shaftcull_patches* a, const shaftcull_patches* b, const Blockers& blockers,
+                        const VisibilityOptions& options, const Deliver& deliver) {
+  return of_one_or_two(
+      a, b, [&](const PatchSet& set) { return shaftcull::visibility(set, blockers, deliver, options); },
+      [&](const PatchSet& set, const PatchSet& other) {
+        return shaftcull::visibility(set, other, blockers, deliver, options);
+      });
+}
+
+/// Makes streams of the boxes of a source, and adds them.
+template <class Add>
+void add_from(const shaftcull_source* source, std::uint64_t* first, Add&& add) {
+  const BatchBoxes boxes(source, "boxes");
+  const std::size_t number = add(boxes.view());
+  if (first != nullptr) *first = number;
+}
+
+/// Positions at which lists begin: one more than there are lists, or none.
+std::vector<std::size_t> as_offsets(const std::uint64_t* offsets, std::uint64_t count, const char* name) {
+  if (count == 0 && offsets == nullptr) return {};
+  const std::span<const std::uint64_t> from =
+      as_span(offsets, std::uint64_t{as_count(count, sizeof(*offsets), name)} + 1, name);
+  std::vector<std::size_t> to(from.size());
+  std::transform(from.begin(), from.end(), to.begin(), [name](std::uint64_t offset) { return as_size(offset, name); });
+  return to;
+}
+
+template <class Add>
+shaftcull_status add_corners(shaftcull_blockers* blockers, const float* corners, std::uint64_t corner_count,
+                             const std::uint64_t* first_corner, std::uint64_t count, std::uint64_t* first,
+                             Add&& add) noexcept {
+  return guarded([&] {
+    Blockers& all = given(blockers, "blockers").all;
+    const auto points = as_vectors(corners, corner_count, "corners");
+    const auto offsets = as_offsets(first_corner, count, "first_corner");
+    if (offsets.empty() && !points.empty()) refuse("first_corner is NULL; it must say which corners belong together");
+    const std::size_t number = offsets.empty() ? all.size() : add(all, points, offsets);
+    if (first != nullptr) *first = number;
+  });
+}
+
+const Blockers& blocker_of(const shaftcull_blockers* blockers, std::uint64_t blocker) {
+  const Blockers& all = given(blockers, "blockers").all;
+  if (blocker >= all.size()) {
+    refuse("blocker = " + std::to_string(blocker) + " is not below the number of blockers, " +
+           std::to_string(all.size()));
+  }
+  return all;
+}
+
+}  // namespace
+
+extern "C" {
+
+shaftcull_visibility_options shaftcull_default_visibility_options() {
+  const VisibilityOptions options;
+  shaftcull_visibility_options out{};
+  out.memory = options.memory;
+  out.contact = static_cast<shaftcull_contact>(options.contact);
+  out.solids_around_ends = options.solids_around_ends ? 1 : 0;
+  out.candidates = options.candidates ? 1 : 0;
+  return out;
+}
+
+const char* shaftcull_sight_name(shaftcull_sight sight) {
+  return sight > SHAFTCULL_SIGHT_FACING_AWAY ? "unknown" : shaftcull::name(static_cast<Sight>(sight));
+}
+
+shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
+                                          uint64_t plane_count, shaftcull_patches** patches) {
+  return guarded([&] {
+    shaftcull_patches*& out = given(patches, "patches");
+    const BatchBoxes all(boxes, "boxes");
+    out = new shaftcull_patches{PatchSet(all.view(), as_planes(planes, plane_count, "planes"))};
+  });
+}
+
+void shaftcull_patches_free(shaftcull_patches* patches) { delete patches; }
+
+uint64_t shaftcull_patches_count(const shaftcull_patches* patches) {
+  return patches == nullptr ? 0 : patches->set.size();
+}
+
+shaftcull_status shaftcull_patches_order(const shaftcull_patches* patches, const uint32_t** order) {
+  return guarded([&] {
+    const std::span<const uint32_t> all = given(patches, "patches").set.order();
+    given(order, "order") = all.empty() ? nullptr : all.data();
+  });
+}
+
+shaftcull_status shaftcull_blockers_create(shaftcull_blockers** blockers) {
+  return guarded([&] {
+    shaftcull_blockers*& out = given(blockers, "blockers");
+    out = new shaftcull_blockers{};
+  });
+}
+
+void shaftcull_blockers_free(shaftcull_blockers* blockers) { delete blockers; }
+
+uint64_t shaftcull_blockers_count(const shaftcull_blockers* blockers) {
+  return blockers == nullptr ? 0 : blockers->all.size();
+}
+
+shaftcull_status shaftcull_blockers_add_boxes(shaftcull_blockers* blockers, const shaftcull_source* boxes,
+                                              uint64_t* first) {
+  return guarded([&] {
+    Blockers& all = given(blockers, "blockers").all;
+    add_from(boxes, first, [&](const shaftcull::BoxView& view) { return all.add_boxes(view); });
+  });
+}
+
+shaftcull_status shaftcull_blockers_add_solids(shaftcull_blockers* blockers, const shaftcull_source* boxes,
+                                               uint64_t* first) {
+  return guarded([&] {
+    Blockers& all = given(blockers, "blockers").all;
+    add_from(boxes, first, [&](const shaftcull::BoxView& view) { return all.add_solids(view); });
+  });
+}
+
+shaftcull_status shaftcull_blockers_add_solid_hulls(shaftcull_blockers* blockers, const float* corners,
+                                                    uint64_t corner_count, const uint64_t* first_corner,
+                                                    uint64_t hull_count, uint64_t* first) {
+  return add_corners(
+      blockers, corners, corner_count, first_corner, hull_count, first,
+      [](Blockers& all, const auto& points, const auto& offsets) { return all.add_solid_hulls(points, offsets); });
+}
+
+shaftcull_status shaftcull_blockers_add_polygons(shaftcull_blockers* blockers, const float* corners,
+                                                 uint64_t corner_count, const uint64_t* first_corner,
+                                                 uint64_t polygon_count, uint64_t* first) {
+  return add_corners(
+      blockers, corners, corner_count, first_corner, polygon_count, first,
+      [](Blockers& all, const auto& points, const auto& offsets) { return all.add_polygons(points, offsets); });
+}
+
+shaftcull_status shaftcull_blockers_add_triangles(shaftcull_blockers* blockers, const shaftcull_source* triangles,
+                                                  const uint64_t* first_triangle, uint64_t group_count,
+                                                  uint64_t* first) {
+  return guarded([&] {
+    Blockers& all = given(blockers, "blockers").all;
+    const Source source = as_source(triangles, "triangles");
+    const std::vector<std::size_t> groups = as_offsets(first_triangle, group_count, "first_triangle");
+    const auto add = [&](const shaftcull::TriangleView& view) {
+      const std::size_t number = all.add_triangles(view, groups);
+      if (first != nullptr) *first = number;
+    };
+    const bool taken = use_source(
+        source, [&]<class Records>(const Records& records) requires(
+                    std::is_same_v<Records, shaftcull::TriangleView> ||
+                    std::is_constructible_v<shaftcull::TriangleStream, const Records&>) {
+          if constexpr (std::is_same_v<Records, shaftcull::TriangleView>) {
+            add(records);
+          } else {
+            const shaftcull::TriangleStream packed(records);
+            add(packed.view());
+          }
+        });
+    if (!taken) refuse("triangles is a source of other bounds; this call takes triangles");
+  });
+}
+
+shaftcull_status shaftcull_blockers_box(const shaftcull_blockers* blockers, uint64_t blocker, shaftcull_box* box) {
+  return guarded([&] {
+    const Blockers& all = blocker_of(blockers, blocker);
+    given(box, "box") = converted<shaftcull_box>(all.box(static_cast<std::size_t>(blocker)));
+  });
+}
+
+shaftcull_status shaftcull_blockers_triangles(const shaftcull_blockers* blockers, uint64_t blocker,
+                                              const uint32_t** triangles, uint64_t* count) {
+  return guarded([&] {
+    const Blockers& all = blocker_of(blockers, blocker);
+    const uint32_t*& out = given(triangles, "triangles");
+    uint64_t& number = given(count, "count");
+    const std::span<const uint32_t> found = all.triangles(static_cast<std::size_t>(blocker));
+    out = found.empty() ? nullptr : found.data();
+    number = found.size();
+  });
+}
+
+shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                            const shaftcull_blockers* blockers,
+                                            const shaftcull_visibility_options* options,
+                                            shaftcull_sight_counts* counts) {
+  return guarded([&] {
+    const Blockers& all = given(blockers, "blockers").all;
+    const VisibilityOptions with = as_options(options);
+    shaftcull_sight_counts& out = given(counts, "counts");
+    out = from_sights(of_one_or_two(
+        a, b, [&](const PatchSet& set) { return shaftcull::count_visibility(set, all, with); },
+        [&](const PatchSet& set, const PatchSet& other) {
+          return shaftcull::count_visibility(set, other, all, with);
+        }));
+  });
+}
+
+shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                      const shaftcull_blockers* blockers, const shaftcull_visibility_options* options,
+                                      shaftcull_sight_callback callback, void* user, shaftcull_sight_counts* counts) {
+  return guarded([&] {
+    const Blockers& all = given(blockers, "blockers").all;
+    const VisibilityOptions with = as_options(options);
+    if (callback == nullptr) refuse("callback is NULL");
+    std::vector<shaftcull_sight_product> products;
+    UndecidedInC undecided;
+    const SightCounts found = deliver_all(a, b, all, with, [&](const SightBatch& answers) {
+      products.clear();
+      append(products, answers.products, from_product);
+      shaftcull_sight_batch batch{};
+      batch.products = products.data();
+      batch.product_count = products.size();
+      batch.undecided = undecided.of(answers.undecided);
+      go_on_if(callback(&batch, user));
+    });
+    if (counts != nullptr) *counts = from_sights(found);
+  });
+}
+
+shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                              const shaftcull_blockers* blockers,
+                                              const shaftcull_visibility_options* options, shaftcull_sights** sights) {
+  return guarded([&] {
+    const Blockers& all = given(blockers, "blockers").all;
+    const VisibilityOptions with = as_options(options);
+    shaftcull_sights*& out = given(sights, "sights");
+    auto collected = std::make_unique<shaftcull_sights>();
+    collected->has_candidates = with.candidates;
+    collected->first_candidate.push_back(0);
+    collected->counts = from_sights(deliver_all(a, b, all, with, [&](const SightBatch& answers) {
+      const UndecidedPairs& undecided = answers.undecided;
+      append(collected->products, answers.products, from_product);
+      append(collected->pairs, undecided.pairs, from_pair);
+      const std::size_t before = collected->candidates.size();
+      collected->candidates.insert(collected->candidates.end(), undecided.candidates.begin(),
+                                   undecided.candidates.end());
+      if (undecided.pairs.empty() || undecided.first_candidate.empty()) return;
+      append(collected->first_candidate, undecided.first_candidate.subspan(1),
+             [before](std::size_t first) { return std::uint64_t{before + first}; });
+    }));
+    out = collected.release();
+  });
+}
+
+void shaftcull_sights_free(shaftcull_sights* sights) { delete sights; }
+
+shaftcull_status shaftcull_sights_all(const shaftcull_sights* sights, shaftcull_sight_batch* batch,
+                                      shaftcull_sight_counts* counts) {
+  return guarded([&] {
+    const shaftcull_sights& all = given(sights, "sights");
+    shaftcull_sight_batch& out = given(batch, "batch");
+    out = {};
+    out.products = all.products.data();
+    out.product_count = all.products.size();
+    out.undecided.pairs = all.pairs.data();
+    out.undecided.count = all.pairs.size();
+    if (all.has_candidates) {
+      out.undecided.first_candidate = all.first_candidate.data();
+      out.undecided.candidates = all.candidates.data();
+    }
+    if (counts != nullptr) *counts = all.counts;
+  });
+}
+
+shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const shaftcull_patches* b,
+                                           const shaftcull_blockers* blockers,
+                                           const shaftcull_visibility_options* options, shaftcull_sight sight,
+                                           uint64_t* bits, uint64_t words, shaftcull_sight_counts* counts) {
+  return guarded([&] {
+    const Blockers& all = given(blockers, "blockers").all;
+    const VisibilityOptions with = as_options(options);
+    const Sight kind = as_enumerator(sight, Sight::facing_away, "sight",
+                                     "SHAFTCULL_SIGHT_UNDECIDED, SHAFTCULL_SIGHT_CLEAR, SHAFTCULL_SIGHT_BLOCKED and "
+                                     "SHAFTCULL_SIGHT_FACING_AWAY");
+    const std::span<uint64_t> out = as_span(bits, words, "bits");
+    const SightCounts found = of_one_or_two(
+        a, b, [&](const PatchSet& set) { return shaftcull::visibility_bits(set, all, kind, out, with); },
+        [&](const PatchSet& set, const PatchSet& other) {
+          return shaftcull::visibility_bits(set, other, all, kind, out, with);
+        });
+    if (counts != nullptr) *counts = from_sights(found);
+  });
+}
+
+shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes, uint64_t count, shaftcull_box* merged,
+                                        uint64_t room, uint64_t* merged_count) {
+  return guarded([&] {
+    const std::span<shaftcull_box> out = as_span(merged, room, "merged");
+    uint64_t& number = given(merged_count, "merged_count");
+    const std::vector<Box> found = shaftcull::merged_boxes(copied<Box>(boxes, count, "boxes"));
+    const std::size_t written = std::min(found.size(), out.size());
+    std::transform(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(written), out.begin(),
+                   [](const Box& box) { return converted<shaftcull_box>(box); });
+    number = found.size();
+  });
+}
+
+shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box) {
+  return guarded([&] {
+    shaftcull_box& out = given(box, "box");
+    out = converted<shaftcull_box>(shaftcull::inscribed_box(as_vectors(corners, count, "corners")));
+  });
+}
+
+}  // extern "C"

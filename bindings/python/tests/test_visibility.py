@@ -1,0 +1,365 @@
+# SPDX-License-Identifier: MIT
+"""What sees what, against a definition in fractions and the package's own questions of single pairs."""
+
+import itertools
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import threading
+import time
+from fractions import Fraction as F
+
+import numpy as np
+import oracle
+import pytest
+import shaftcull as sc
+from conftest import some_boxes
+
+KINDS = ("undecided", "clear", "blocked", "facing_away")
+EXAMPLES = pathlib.Path(__file__).parents[1] / "examples"
+
+
+def corners(box):
+    return [[F(float(box[i + 3 * (c >> i & 1)])) for i in range(3)] for c in range(8)]
+
+
+def is_behind(box, plane):
+    """Whether all of a box lies on or behind a plane."""
+    n = oracle.exact(plane)
+    return all(sum(x * y for x, y in zip(n, p)) <= n[3] for p in corners(box))
+
+
+def reaches_in(a, b, plane_a, plane_b, blocker, contact):
+    """Whether a blocker's box reaches into the shaft of a pair."""
+    if any(plane is not None and is_behind(blocker, plane) for plane in (plane_a, plane_b)):
+        return False
+    if contact == "closed":
+        return oracle.kept(oracle.between(a, b), blocker)
+    return bool(sc.BoxTree(blocker[None]).any(sc.Shafts.between(a, b, contact="open")))
+
+
+def expectation(a, b, plane_a, plane_b, blockers, hiding, contact="open"):
+    """What may be said of a pair, and its candidates. hiding: boxes, and those that are one together."""
+    candidates = [i for i, box in enumerate(blockers) if reaches_in(a, b, plane_a, plane_b, box, contact)]
+    true = set()
+    if any(p is not None and is_behind(x, p) for x, p in ((b, plane_a), (a, plane_b))):
+        true.add("facing_away")
+    if not candidates:
+        true.add("clear")
+    if len(hiding) and sc.BoxTree(hiding).blocked(sc.Shafts.between(a, b)):
+        true.add("blocked")
+    return (true or {"undecided"}), candidates
+
+
+def check(found, a, b, planes_a, planes_b, blockers, hiding, contact="open"):
+    """Every pair is what the definition says, and in one place only."""
+    said = {}
+    for kind in KINDS:
+        for i, j in found.pairs(kind):
+            assert (i, j) not in said
+            said[i, j] = kind
+    one_set = b is None
+    others, planes_b = (a, planes_a) if one_set else (b, planes_b)
+    every = itertools.combinations(range(len(a)), 2) if one_set else np.ndindex(len(a), len(others))
+    number = 0
+    for i, j in every:
+        if (i, j) not in said:
+            assert one_set
+            i, j = j, i
+        allowed, wanted = expectation(
+            a[i], others[j], planes_a if planes_a is None else planes_a[i], planes_b if planes_b is None else planes_b[j],
+            blockers, hiding, contact,
+        )  # fmt: skip
+        assert said[i, j] in allowed, (i, j, allowed)
+        number += 1
+        if said[i, j] == "undecided":
+            at = np.flatnonzero((found.undecided == (i, j)).all(1))
+            assert len(at) == 1
+            assert list(found.candidates[found.offsets[at[0]] : found.offsets[at[0] + 1]]) == wanted
+    assert len(said) == number == sum(found.counts.values())
+    assert {kind: found.counts[kind] for kind in KINDS} == {kind: list(said.values()).count(kind) for kind in KINDS}
+    return found.counts
+
+
+def planes_of(seed, count):
+    random = np.random.default_rng(seed)
+    planes = random.integers(-2, 3, (count, 4)).astype(np.float32)
+    planes[(planes[:, :3] == 0).all(1), 0] = 1
+    planes[:, 3] *= 2
+    return planes
+
+
+def test_pairs_are_what_the_definition_says():
+    total = dict.fromkeys(KINDS, 0)
+    for seed, contact, with_planes in itertools.product((1, 2), ("open", "closed"), (False, True)):
+        a, b = some_boxes(seed, 14, 12), some_boxes(seed + 10, 12, 12)
+        may, solid = some_boxes(seed + 20, 3, 10), some_boxes(seed + 30, 5, 8)
+        solid[:, 3:] += 3
+        planes_a, planes_b = (planes_of(seed, 14), planes_of(seed + 5, 12)) if with_planes else (None, None)
+        hiding = sc.merged_boxes(solid)
+        blockers = np.vstack([may, solid])
+        options = dict(blockers=may, solids=solid, contact=contact)
+        found = sc.visibility(a, b, planes=planes_a, planes_b=planes_b, **options)
+        counts = check(found, a, b, planes_a, planes_b, blockers, np.vstack([hiding, solid]), contact)
+        assert sc.count_visibility(a, b, planes=planes_a, planes_b=planes_b, **options) == counts
+        for kind in KINDS:
+            total[kind] += counts[kind]
+        found = sc.visibility(a, planes=planes_a, **options)
+        counts = check(found, a, None, planes_a, None, blockers, np.vstack([hiding, solid]), contact)
+        assert sum(counts.values()) == 14 * 13 // 2
+        assert sc.count_visibility(a, planes=planes_a, **options) == counts
+    assert min(total.values()) > 20, total
+
+
+def test_products_orders_and_bits_are_of_the_same_pairs():
+    a, b = some_boxes(1, 70), some_boxes(2, 65)
+    found = sc.visibility(a, b, planes=planes_of(1, 70), blockers=some_boxes(3, 4), solids=some_boxes(4, 6))
+    assert found.products.shape == (len(found.sights), 4) and found.products.dtype == np.uint32
+    assert not found.products.flags.writeable and not found.undecided.flags.writeable
+    assert set(np.unique(found.sights)) <= {1, 2, 3} and found.sights.dtype == np.uint8
+    seen = np.zeros((70, 65), dtype=int)
+    bits = {kind: np.zeros((70, 65), dtype=bool) for kind in KINDS}
+    for (first_a, count_a, first_b, count_b), sight in zip(found.products, found.sights):
+        block = np.ix_(found.order_a[first_a : first_a + count_a], found.order_b[first_b : first_b + count_b])
+        seen[block] += 1
+        bits[KINDS[sight]][block] = True
+    seen[tuple(found.undecided.T)] += 1
+    bits["undecided"][tuple(found.undecided.T)] = True
+    assert (seen == 1).all()
+    for kind in KINDS:
+        np.testing.assert_array_equal(found.bits(kind), bits[kind])
+        words = found.bits(kind, packed=True)
+        assert words.shape == (70, 2) and words.dtype == np.uint64
+        unpacked = np.unpackbits(words.view(np.uint8), axis=1, bitorder="little")[:, :65]
+        np.testing.assert_array_equal(unpacked, bits[kind])
+    one = sc.visibility(a, blockers=some_boxes(3, 4))
+    both = sum(one.bits(kind).astype(int) for kind in KINDS)
+    np.testing.assert_array_equal(both, 1 - np.eye(70, dtype=int))
+    np.testing.assert_array_equal(one.bits("clear"), one.bits("clear").T)
+
+
+def test_answers_outlive_what_they_are_of():
+    found = sc.visibility(some_boxes(1, 70), blockers=some_boxes(3, 9))
+    pairs, wanted = found.undecided, found.undecided.copy()
+    candidates, wanted_candidates = found.candidates, found.candidates.copy()
+    del found
+    sc.visibility(some_boxes(5, 70), blockers=some_boxes(6, 9))
+    np.testing.assert_array_equal(pairs, wanted)
+    np.testing.assert_array_equal(candidates, wanted_candidates)
+    assert len(pairs) > 100
+
+
+def test_blockers_of_all_sorts():
+    """A pair of patches, and each sort of blocker between them in turn."""
+    ends = np.array([[0, 0, 0, 0, 1, 1], [10, 0, 0, 10, 1, 1]], dtype=np.float32)
+    box = np.array([5, -9, -9, 6, 9, 9], dtype=np.float32)
+    square = np.array([[5, -9, -9], [5, 9, -9], [5, 9, 9], [5, -9, 9]], dtype=np.float32)
+    turned = np.array([[5, -40, -40], [9, -40, -40], [5, 40, -40], [9, 40, -40],
+                       [4, -40, 40], [8, -40, 40], [4, 40, 40], [8, 40, 40]], dtype=np.float32)  # fmt: skip
+    triangle = square[:3]
+
+    def said(**blockers):
+        counts = sc.count_visibility(ends, **blockers)
+        return [kind for kind in KINDS if counts[kind]][0]
+
+    assert said() == "clear"
+    assert said(blockers=box) == "undecided"
+    assert said(solids=box) == said(solids=[box]) == "blocked"
+    assert said(solids=[box], solids_around_ends=False) == "blocked"
+    around = np.array([-1, -1, -1, 1, 2, 2], dtype=np.float32)
+    assert said(solids=[around]) == "blocked" and said(solids=[around], solids_around_ends=False) != "blocked"
+    assert said(polygons=[square]) == said(polygons=square[None]) == "blocked"
+    assert said(hulls=[turned]) == said(hulls=turned[None]) == "blocked"
+    assert said(triangles=triangle[None]) == "undecided"
+    assert said(triangles=square, faces=[[0, 1, 2], [0, 2, 3]]) == "undecided"
+    assert said(planes=[1, 0, 0, 20]) == "facing_away"
+    assert said(planes=[[1, 0, 0, 0], [-1, 0, 0, -10]]) == "clear"
+    touching = np.array([0, 1, 0, 10, 2, 1], dtype=np.float32)
+    assert said(blockers=touching) == "clear" and said(blockers=touching, contact="closed") == "undecided"
+
+    blockers = sc.Blockers(box, solids=[box, box], hulls=[turned], polygons=[square], triangles=np.repeat(triangle[None], 5, 0),
+                           groups=[0, 2, 5])  # fmt: skip
+    assert len(blockers) == 7
+    assert blockers.first == {"blockers": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
+    np.testing.assert_array_equal(blockers.box(2), box)
+    np.testing.assert_array_equal(blockers.box(4), [5, -9, -9, 5, 9, 9])
+    assert list(blockers.triangles(6)) == [2, 3, 4] and len(blockers.triangles(0)) == 0
+    found = sc.visibility(ends, blockers=blockers)
+    assert found.counts["blocked"] == 1 and len(found.blockers) == 7
+    assert "Blockers, 7 of them" in repr(blockers) and "1 pairs, 0 undecided" in repr(found)
+    without = sc.visibility(ends, blockers=box, candidates=False)
+    assert without.offsets is None and without.candidates is None and len(without.undecided) == 1
+
+
+def test_patches_are_kept_for_several_calls():
+    boxes, planes = some_boxes(1, 50), planes_of(1, 50)
+    patches = sc.Patches(boxes, planes)
+    assert len(patches) == 50 and patches.has_planes and not sc.Patches(boxes).has_planes
+    assert sorted(patches.order) == list(range(50)) and "50 of them" in repr(patches)
+    solids = some_boxes(2, 6)
+    assert sc.count_visibility(patches, solids=solids) == sc.count_visibility(boxes, planes=planes, solids=solids)
+    assert sum(sc.count_visibility(patches, boxes, solids=solids).values()) == 2500
+    np.testing.assert_array_equal(sc.visibility(patches, solids=solids).order_a, patches.order)
+    none = np.zeros((0, 6), dtype=np.float32)
+    found = sc.visibility(none, boxes)
+    assert sum(found.counts.values()) == 0 and found.products.shape == (0, 4) and found.bits("clear").shape == (0, 50)
+
+
+@pytest.mark.parametrize(
+    "arguments, error, words",
+    [
+        (dict(patches=np.zeros((3, 6))), TypeError, "patches.*float64"),
+        (dict(patches=[0] * 6, blockers=np.zeros((3, 6))), TypeError, "blockers.*float64"),
+        (dict(patches=[0] * 6, polygons=np.zeros((1, 4, 3))), TypeError, "polygons.*float64"),
+        (dict(patches=[[1, 0, 0, 0, 1, 1]]), sc.BadBound, "patches.*lo"),
+        (dict(patches=[0] * 6, solids=[[0] * 6, [1, 0, 0, 0, 1, 1]]), sc.BadBound, "solids.*1"),
+        (dict(patches=[0] * 6, planes=[0, 0, 0, 1]), sc.BadBound, "normal"),
+        (dict(patches=[[0] * 6] * 3, planes=[[1, 0, 0, 1]] * 2), ValueError, r"planes.*\(3, 4\)"),
+        (dict(patches=[0] * 6, planes_b=[1, 0, 0, 1]), ValueError, "no patches_b"),
+        (dict(patches=[0] * 6, contact="half"), ValueError, "half"),
+        (dict(patches=[0] * 6, memory=1000), ValueError, "1 MB"),
+        (dict(patches=[0] * 6, faces=[[0, 1, 2]]), ValueError, "triangles"),
+        (dict(patches=[0] * 6, hulls=[[[0, 0, 0]] * 3]), ValueError, "hulls"),
+        (dict(patches=[0] * 6, polygons=[[[0, 0, 0]] * 2]), ValueError, "polygons"),
+        (dict(patches=[0] * 6, triangles=np.zeros((2, 9), np.float32), groups=[0, 3]), IndexError, "groups"),
+        (dict(patches=[0] * 6, blockers=sc.Blockers(), solids=[0] * 6), ValueError, "already"),
+        (dict(patches=sc.Patches([0] * 6), planes=[1, 0, 0, 0]), ValueError, "already"),
+    ],
+)
+def test_wrong_input_is_refused(arguments, error, words):
+    with pytest.raises(error, match=f"(?s){words}"):
+        sc.visibility(**arguments)
+    with pytest.raises(error, match=f"(?s){words}"):
+        sc.count_visibility(**arguments)
+
+
+def test_wrong_questions_are_refused():
+    found = sc.visibility([[0] * 6] * 3)
+    for ask in (found.pairs, found.bits):
+        with pytest.raises(ValueError, match="'dark'"):
+            ask("dark")
+    for ask in (sc.Blockers().box, sc.Blockers().triangles):
+        with pytest.raises(IndexError):
+            ask(0)
+    with pytest.raises(TypeError, match="float64"):
+        sc.merged_boxes(np.zeros((2, 6)))
+    with pytest.raises(ValueError, match="4"):
+        sc.inscribed_box([[0, 0, 0]] * 3)
+
+
+def test_solid_boxes_are_merged_and_inscribed():
+    pieces = np.array([[i, 0, 0, i + 1, 1, 3] for i in range(9)], dtype=np.float32)
+    np.testing.assert_array_equal(sc.merged_boxes(pieces), [[0, 0, 0, 9, 1, 3]])
+    corners = np.array(list(itertools.product((0, 4), repeat=3)), dtype=np.float32)
+    np.testing.assert_array_equal(sc.inscribed_box(corners), [0, 0, 0, 4, 4, 4])
+
+
+def crowd(count=3000):
+    """So many patches in so much clutter that a call takes long."""
+    random = np.random.default_rng(4)
+    lo = random.random((count, 3), dtype=np.float32) * 20
+    boxes = random.random((4000, 3), dtype=np.float32) * 20
+    return np.hstack([lo, lo + 0.25]), np.hstack([boxes, boxes + 0.25])
+
+
+def test_progress_is_told_and_may_end_the_call():
+    patches, blockers = crowd()
+    told = []
+    counts = sc.count_visibility(patches, blockers=blockers, progress=lambda *at: told.append((at, threading.get_ident())))
+    assert told[-1][0] == (sum(counts.values()),) * 2 == (3000 * 2999 // 2,) * 2
+    assert all(done <= total for (done, total), _ in told) and {thread for _, thread in told} == {threading.get_ident()}
+
+    def enough(done, total):
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        sc.visibility(patches, blockers=blockers, progress=enough)
+
+
+def test_other_threads_go_on():
+    patches, blockers = crowd()
+    counted, done = 0, threading.Event()
+    worker = threading.Thread(target=lambda: (sc.count_visibility(patches, blockers=blockers), done.set()))
+    worker.start()
+    while not done.is_set():
+        counted += 1
+        time.sleep(0.001)
+    worker.join()
+    assert counted > 3
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_ctrl_c_ends_a_call():
+    patches, blockers = crowd(12_000)
+    # Once the call has begun: it tells of progress first.
+    sent = []
+
+    def interrupt(done, total):
+        if not sent:
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        sc.count_visibility(patches, blockers=blockers, progress=interrupt)
+    assert time.monotonic() - sent[0] < 10
+
+
+def test_parts_have_the_answers_of_the_whole():
+    """The example's parts, put together, are the pairs of one call, with the same candidates."""
+    sys.path.insert(0, str(EXAMPLES))
+    import sights_in_parts as parts
+
+    patches, between = parts.scene(400)
+    whole = sc.visibility(patches, **between)
+    check_parts(whole, [parts.answers(patches, sc.Blockers(between["blockers"], solids=between["solids"]), task)
+                        for task in parts.tasks(patches, 5)])  # fmt: skip
+
+
+def check_parts(whole, answers):
+    def by_pair(pairs, counts, candidates):
+        lists = np.split(candidates, np.cumsum(counts)[:-1]) if len(counts) else []
+        return {tuple(sorted(pair)): list(found) for pair, found in zip(pairs.tolist(), lists)}
+
+    merged = {}
+    for pairs, counts, candidates, _ in answers:
+        part = by_pair(pairs, counts, candidates)
+        assert len(part) == len(pairs) and not merged.keys() & part.keys()
+        merged |= part
+    wanted = by_pair(whole.undecided, np.diff(whole.offsets), whole.candidates)
+    assert merged == wanted and len(wanted) > 100
+    # A pair that is clear and blocked both may be told as either; all that is not undecided is decided in both.
+    assert sum(counts.sum() for *_, counts in answers) == sum(whole.counts.values())
+    assert min(whole.counts[kind] for kind in ("clear", "blocked")) > 100
+
+
+def test_two_processes_of_mpi_have_the_answers_of_one(tmp_path):
+    pytest.importorskip("mpi4py", reason="no mpi4py (Debian: python3-mpi4py)")
+    program = tmp_path / "shards.py"
+    program.write_text(f"""
+import sys
+
+sys.path[:0] = [{str(EXAMPLES)!r}, {str(pathlib.Path(__file__).parent)!r}]
+import sights_in_parts as parts
+from mpi4py import MPI
+
+assert MPI.COMM_WORLD.size == 2
+shares = parts.main()
+if MPI.COMM_WORLD.rank == 0:
+    import shaftcull
+    from test_visibility import check_parts
+
+    patches, between = parts.scene()
+    assert len(shares) == 2 and min(len(share) for share in shares) > 10
+    check_parts(shaftcull.visibility(patches, **between), [answers for share in shares for answers in share])
+    print("the same")
+""")
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    mpirun = ["mpirun", "--oversubscribe", "-n", "2"]
+    try:
+        done = subprocess.run([*mpirun, sys.executable, program], capture_output=True, text=True, timeout=300, env=environment)
+    except FileNotFoundError:
+        pytest.skip("no mpirun (Debian: openmpi-bin)")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.endswith("the same\n") and " undecided, " in done.stdout

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+/// Every pair of random scenes is what it is said to be, on every instruction set.
+#include "visibility/agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <string>
+
+#include "instruction_sets.hpp"
+#include "sanitizers.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Of all scenes together, so that a test that only asks for one kind of answer is noticed.
+SightCounts seen;
+
+void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patches, std::uint64_t first_seed = 1) {
+  for (std::uint64_t seed = first_seed; seed != first_seed + seeds; ++seed) {
+    SCOPED_TRACE(std::string("random_sight_scene(") + name(scenery) + ", " + std::to_string(seed) + ", " +
+                 std::to_string(most_patches) + ")");
+    const SightCase of(random_sight_scene(scenery, seed, most_patches));
+    const SightTruths truths(of);
+    Visibility first;
+    bool is_first = true;
+    on_each_instruction_set([&] {
+      const Visibility all = of.collect(of.options);
+      ASSERT_EQ(truths.fault_of(all), "");
+      EXPECT_EQ(of.count(of.options), all.counts);
+      VisibilityOptions small = of.options;
+      small.memory = std::size_t{1} << 20;
+      small.candidates = seed % 2 == 0;
+      ASSERT_EQ(truths.fault_of(of.collect(small), small.candidates), "");
+      if (is_first) {
+        first = all;
+        is_first = false;
+        return;
+      }
+      EXPECT_EQ(all.products, first.products);
+      EXPECT_EQ(all.undecided, first.undecided);
+      EXPECT_EQ(all.candidates, first.candidates);
+    });
+    seen.undecided += first.counts.undecided;
+    seen.clear += first.counts.clear;
+    seen.blocked += first.counts.blocked;
+    seen.facing_away += first.counts.facing_away;
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+/// A scene in one test is small, so that its oracle is quick; larger ones have groups of groups.
+void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t large) {
+  seen = {};
+  expect_right(scenery, random_cases(small), 24);
+  if (testing::Test::HasFailure()) return;
+  expect_right(scenery, random_cases(large), 220, 1000);
+  std::cout << name(scenery) << ": undecided " << seen.undecided << ", clear " << seen.clear << ", blocked "
+            << seen.blocked << ", facing away " << seen.facing_away << "\n";
+  EXPECT_GT(seen.undecided, 100U);
+  EXPECT_GT(seen.clear, 100U);
+  EXPECT_GT(seen.blocked, 20U);
+  EXPECT_GT(seen.facing_away, 100U);
+}
+
+TEST(Visibility, IsWhatItIsInLattices) { expect_all_right(SightScenery::lattice, 120, 8); }
+TEST(Visibility, IsWhatItIsOfPoints) { expect_all_right(SightScenery::points, 80, 5); }
+TEST(Visibility, IsWhatItIsWhereAllIsFlat) { expect_all_right(SightScenery::flat, 120, 8); }
+TEST(Visibility, IsWhatItIsOfBoxesInBoxes) { expect_all_right(SightScenery::nested, 80, 5); }
+TEST(Visibility, IsWhatItIsInRooms) { expect_all_right(SightScenery::room, 120, 8); }
+TEST(Visibility, IsWhatItIsOfRandomFloats) { expect_all_right(SightScenery::uniform, 80, 8); }
+TEST(Visibility, IsWhatItIsOfIntegersAndFloatsBesideThem) { expect_all_right(SightScenery::nudged, 120, 8); }
+TEST(Visibility, IsWhatItIsWhereBlockersTouchShafts) { expect_all_right(SightScenery::near_edges, 150, 10); }
+TEST(Visibility, IsWhatItIsOfAnyMagnitude) { expect_all_right(SightScenery::wild, 100, 1); }
+TEST(Visibility, IsWhatItIsOfDenormals) { expect_all_right(SightScenery::tiny, 100, 4); }
+TEST(Visibility, IsWhatItIsUpToTheLargestFloat) { expect_all_right(SightScenery::huge, 100, 1); }
+
+// Of a group, both a unit normal and a shorter one along the same axis: the shorter one's products round.
+TEST(Visibility, IsNotTakenForFacingAwayWhereAGroupHasNormalsOfSeveralLengths) {
+  SightScene scene{};
+  scene.scenery = SightScenery::lattice;
+  constexpr float shorter = 0x1.8acdap-3F;
+  float x = 0x1.e848p+19F;  // so that the product rounds down
+  while (double{shorter * x} >= double{shorter} * double{x}) x = std::nextafter(x, 2 * x);
+  for (const float length : {1.0F, shorter}) {
+    scene.a.push_back({{0, x, 0}, {0, x, 0}});
+    scene.a_planes.push_back({{0, length, 0}, length == 1 ? 2 * x : shorter * x});
+  }
+  // In front of the second plane, by less than what rounds.
+  for (unsigned i = 0; i != 3; ++i) scene.b.push_back({{static_cast<float>(i), x, 0}, {static_cast<float>(i), x, 1}});
+  const SightCase of(scene);
+  on_each_instruction_set([&] { EXPECT_EQ(SightTruths(of).fault_of(of.collect(of.options)), ""); });
+}
+
+}  // namespace
+}  // namespace shaftcull
