@@ -18,6 +18,8 @@
 #include "moving_scene.hpp"
 #include "number.hpp"
 #include "progress.hpp"
+#include "rooms.hpp"
+#include "sees.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "sphereflake.hpp"
 #include "subcommand.hpp"
@@ -28,7 +30,7 @@ namespace shaftcull::cli {
 namespace {
 
 struct DemoOptions {
-  std::string scene = "both";
+  std::string scene = "all";
   std::size_t bounds = 0;  ///< 0: as many as the scene has
   std::size_t shafts = 64;
   std::size_t frames = 100;
@@ -40,6 +42,8 @@ struct DemoOptions {
 constexpr double frames_per_second = 30;
 /// Each scene is shown with its bounds in streams, which are scanned, in a tree, and in two.
 constexpr int ways = 3;
+/// Rooms whose patches are asked what they see.
+constexpr std::size_t most_demo_rooms = 9;
 /// A median needs a few frames, however slow they are.
 constexpr std::size_t fewest_frames = 3;
 
@@ -232,23 +236,7 @@ void show(MovingScene& scene, const DemoOptions& options, Table& table, Console&
   show_trees(overlapped, "2 trees");
 }
 
-void run(const DemoOptions& options) {
-  options.isa.select();
-  const Workers workers(options.threads);
-  Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame",
-               "kept", "isa", "threads", "bounds in"});
-  Console console;
-  for (const std::string_view name : {"sphereflake", "city"}) {
-    if (options.scene != "both" && options.scene != name) continue;
-    const auto begin = std::chrono::steady_clock::now();
-    const auto scene = make_scene(name, options.bounds);
-    console.progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
-                                           grouped(scene->bounds()), grouped(scene->moving()), options.shafts,
-                                           milliseconds_since(begin) / 1000));
-    workers.run([&] { show(*scene, options, table, console); });
-    if (console.interrupt.signal() != 0) break;
-  }
-  console.progress.milestone("");
+void print_table(const Table& table) {
   fmt::print("{}", table.text());
   fmt::print(
       "\nms/frame and its parts, move (motion, bounds updated in place) and cull (shafts formed, bounds tested): "
@@ -257,21 +245,64 @@ void run(const DemoOptions& options) {
       "bounds in streams are all tested; in a tree, only those near the shafts (and moving refits its nodes).\n"
       "Of 2 trees one is asked while the other moves on to the next frame: both parts of a frame run at the same time, "
       "and answers come one frame later.\n");
+}
+
+/// Tells which patches of some rooms see each other.
+void show_rooms(const DemoOptions& options, const Workers& workers, Console& console) {
+  const std::size_t rooms =
+      options.bounds == 0 ? most_demo_rooms : std::clamp<std::size_t>(options.bounds / 1000, 1, most_demo_rooms);
+  const std::string source = fmt::format("{} room{}", rooms, rooms == 1 ? "" : "s");
+  SeesChoice choice;
+  choice.patch_size = 0.5;
+  choice.solid = {"wall*", "cupboard*", "table*"};
+  const SeesScene scene = make_sees_scene(make_rooms(rooms, 1), choice, source);
+  const PatchSet patches(scene.boxes, scene.planes);
+  SeesReport report{};
+  workers.run([&] { report = run_sees(scene, patches, {}, source, {}, console.progress, console.interrupt); });
+  fmt::print("\nWhat sees what in {}\n", format_report(report, ReportFormat::text));
+  fmt::print(
+      "Walls and furniture are solid. What is clear, blocked or facing away is proven; rays are needed for undecided "
+      "pairs only.\nFor a mesh of yours: shaftcull sees FILE.\n");
+}
+
+void run(const DemoOptions& options) {
+  options.isa.select();
+  const Workers workers(options.threads);
+  Table table({"scene", "frames", "bounds", "shafts", "ms/frame", "worst", "move", "cull", "tests/s", "kept/frame",
+               "kept", "isa", "threads", "bounds in"});
+  Console console;
+  for (const std::string_view name : {"sphereflake", "city"}) {
+    if (options.scene != "all" && options.scene != "both" && options.scene != name) continue;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto scene = make_scene(name, options.bounds);
+    console.progress.milestone(fmt::format("{}: {} bounds, {} of them moving, and {} shafts; made in {:.1f} s", name,
+                                           grouped(scene->bounds()), grouped(scene->moving()), options.shafts,
+                                           milliseconds_since(begin) / 1000));
+    workers.run([&] { show(*scene, options, table, console); });
+    if (console.interrupt.signal() != 0) break;
+  }
+  const bool shows_table = options.scene != "rooms";
+  if (shows_table) {
+    console.progress.milestone("");
+    print_table(table);
+  }
   if (const int signal = console.interrupt.signal(); signal != 0) {
     throw Interrupted(signal, "demo: interrupted; the table holds the frames until then");
   }
+  if (options.scene == "all" || options.scene == "rooms") show_rooms(options, workers, console);
 }
 
 }  // namespace
 
 void add_demo(CLI::App& program) {
   const auto options = std::make_shared<DemoOptions>();
-  CLI::App& demo = *program.add_subcommand("demo", "Move millions of bounds and cull them, frame by frame");
-  demo.add_option("--scene", options->scene, "sphereflake, city or both (default: both)")
-      ->check(CLI::IsMember({"sphereflake", "city", "both"}))
+  CLI::App& demo = *program.add_subcommand(
+      "demo", "Move millions of bounds and cull them, frame by frame; and tell what sees what in some rooms");
+  demo.add_option("--scene", options->scene, "sphereflake, city, both of them, rooms, or all (default: all)")
+      ->check(CLI::IsMember({"sphereflake", "city", "both", "rooms", "all"}))
       ->type_name("SCENE");
   add_number(demo, "--bounds", options->bounds, 1, 100'000'000,
-             "Bounds in a scene (default: 5,380,840 spheres and 1,000,000 boxes)")
+             "Bounds in a scene (default: 5,380,840 spheres and 1,000,000 boxes); one room a thousand, 9 at most")
       ->type_name("N");
   add_number(demo, "--shafts", options->shafts, 1, 100'000, "Shafts (default: 64)")->type_name("N");
   CLI::Option* frames = add_number(demo, "--frames", options->frames, 1, 1'000'000,

@@ -37,13 +37,13 @@ void require_readable(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw InvalidArgument(fmt::format("{}: there is no such file; cull needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: there is no such file; give a mesh file (OBJ, PLY, glTF, …)", path));
   }
   if (std::filesystem::is_directory(status)) {
-    throw InvalidArgument(fmt::format("{}: is a directory; cull needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: is a directory; give a mesh file (OBJ, PLY, glTF, …)", path));
   }
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0 && !error) {
-    throw InvalidArgument(fmt::format("{}: the file is empty; cull needs a mesh file (OBJ, PLY, glTF, …)", path));
+    throw InvalidArgument(fmt::format("{}: the file is empty; give a mesh file (OBJ, PLY, glTF, …)", path));
   }
 }
 
@@ -57,7 +57,7 @@ class Collector {
     split_meshes_ = count_nodes_with_meshes(*file_.mRootNode) == 1;
     visit(*file_.mRootNode, aiMatrix4x4{});
     if (triangles_.empty())
-      throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to cull", path_));
+      throw InvalidArgument(fmt::format("{}: the file has no faces, so there is nothing to ask about", path_));
     scene_.parts = divide_into_parts(triangles_, (triangles_.size() + usual_parts - 1) / usual_parts);
     if (with_triangles_) scene_.triangles = std::move(triangles_);
     return std::move(scene_);

@@ -11,7 +11,7 @@
 namespace shaftcull::cli {
 namespace {
 
-constexpr std::size_t most_names_shown = 6;
+constexpr std::size_t most_names_shown = 7;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

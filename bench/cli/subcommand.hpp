@@ -8,6 +8,7 @@ namespace shaftcull::cli {
 
 void add_demo(CLI::App& program);
 void add_cull(CLI::App& program);
+void add_sees(CLI::App& program);
 void add_stats(CLI::App& program);
 void add_draw(CLI::App& program);
 void add_bench_report(CLI::App& program);

@@ -29,6 +29,10 @@ const std::vector<NumberOption> whole_numbers{
     {{"demo"}, "--threads", "0", "1024"},
     {{"cull", "a.obj"}, "--random", "1", "1000000"},
     {{"cull", "a.obj", "--random", "1"}, "--seed", "0", "18446744073709551615"},
+    {{"sees"}, "--rooms", "1", "10000"},
+    {{"sees", "a.obj"}, "--rays", "1", "1000000"},
+    {{"sees", "a.obj"}, "--memory", "1", "1000000"},
+    {{"sees", "a.obj"}, "--threads", "0", "1024"},
     {{"stats"}, "--shafts", "1", "100000000"},
     {{"stats"}, "--lattice", "1", "1000000"},
     {{"stats"}, "--seed", "0", "18446744073709551615"},
@@ -137,6 +141,7 @@ const std::vector<std::vector<std::string>> writers{{"--help"},
                                                     {"draw", "--svg"},
                                                     {"stats", "--shafts", "1"},
                                                     {"verify", "--cases", "100"},
+                                                    {"sees", "--rooms", "1", "--patches", "4"},
                                                     {"demo", "--bounds", "100", "--frames", "1"}};
 
 TEST(CliOutput, ThatCannotBeWrittenIsAnError) {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+/// Asks what sees what, and hands answers to files and pictures while they come.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sees_scene.hpp"
+#include "shaftcull/visibility.hpp"
+
+namespace shaftcull::cli {
+
+/// How it is asked.
+struct SeesWork {
+  std::uint32_t rays = 0;  ///< of each pair that is undecided
+  std::uint64_t seed = 1;
+  std::size_t memory = std::size_t{256} << 20;
+  /// As VisibilityOptions::progress.
+  std::function<bool(const VisibilityProgress&)> progress;
+  /// Whether to end now, which throws Cancelled; asked by many threads, also while rays are cast.
+  std::function<bool()> stops;
+};
+
+/// How many pairs there are of each kind. The last three are parts of the undecided ones, and 0 without rays.
+struct SeesCounts {
+  SightCounts sights;
+  std::uint64_t visible = 0;  ///< all of their rays arrive
+  std::uint64_t partial = 0;  ///< some do
+  std::uint64_t hidden = 0;   ///< none does
+};
+
+/// Takes answers while they come.
+class SightSink {
+ public:
+  SightSink() = default;
+  SightSink(const SightSink&) = delete;
+  SightSink& operator=(const SightSink&) = delete;
+  virtual ~SightSink() = default;
+
+  /// `seen` has for each undecided pair of the batch how many of its rays arrive; it is empty without rays.
+  virtual void take(const SightBatch& batch, std::span<const std::uint32_t> seen) = 0;
+  /// All answers were taken.
+  virtual void finish() = 0;
+};
+
+/// Asks in the caller's task_arena. Throws Cancelled if the progress callback says so, and what sinks throw.
+[[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const SeesWork& work,
+                                        std::span<SightSink* const> sinks);
+
+/// A sink that writes an .npz file or a CSV file of all pairs, as the end of the name says. `rays` is 0 without.
+/// Throws InvalidArgument for another name, a file that cannot be made, or more pairs than a CSV file can have.
+[[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
+                                                    const PatchSet& patches, std::uint32_t rays);
+
+/// What share of the others each patch sees: of pairs that are clear all, unless they face away as well; of those with
+/// rays the share of the rays that arrive; of others nothing.
+class SeenShares final : public SightSink {
+ public:
+  SeenShares(const SeesScene& scene, const PatchSet& patches, std::uint32_t rays);
+
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override;
+  void finish() override;
+
+  /// One for each patch, from 0 to 1.
+  [[nodiscard]] std::span<const double> shares() const noexcept { return shares_; }
+
+ private:
+  /// Whether some of each is in front of the other's plane.
+  [[nodiscard]] bool face_each_other(std::uint32_t a, std::uint32_t b) const;
+
+  const SeesScene& scene_;
+  const PatchSet& patches_;
+  std::uint32_t rays_;
+  std::vector<double> shares_;  ///< how many others, until all answers were taken
+};
+
+/// An SVG picture of the scene as seen along axis `up`, from where it points: patches that face there, in the colour
+/// of their share.
+[[nodiscard]] std::string svg_of_shares(const SeesScene& scene, std::span<const double> shares, std::size_t up);
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+/// The picture of `shaftcull sees`.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "sees_run.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+constexpr double picture_width = 720;
+constexpr double most_height = 560;
+constexpr double margin = 16;
+constexpr double legend_height = 44;
+constexpr double bar_width = 260;
+constexpr double bar_height = 12;
+constexpr std::size_t shades = 48;
+
+using Rgb = std::array<double, 3>;
+
+/// From dark violet over red and orange to pale yellow: the lighter, the more is seen.
+constexpr std::array<Rgb, 6> ramp{
+    {{28, 16, 68}, {87, 21, 126}, {158, 47, 101}, {221, 81, 58}, {249, 142, 9}, {252, 255, 164}}};
+
+std::string shade(std::size_t number) {
+  const double at = static_cast<double>(number) / (shades - 1) * (ramp.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(at), ramp.size() - 2);
+  const double more = at - static_cast<double>(below);
+  std::array<int, 3> rgb{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    rgb[i] = static_cast<int>(std::lround(ramp[below][i] + more * (ramp[below + 1][i] - ramp[below][i])));
+  }
+  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+}
+
+/// Patches by height: one that is seen from above hides those before it.
+class PatchPicture {
+ public:
+  PatchPicture(const SeesScene& scene, std::span<const double> shares, std::size_t up)
+      : scene_(scene), shares_(shares), across_((up + 1) % 3), along_((up + 2) % 3), up_(up) {
+    for (std::size_t i = 0; i < scene.patches.size(); ++i) {
+      if (faces_up(scene.patches[i])) shown_.push_back(i);
+    }
+    find_frame();
+  }
+
+  std::string text() {
+    const double width = picture_width;
+    const double height = (hi_[1] - lo_[1]) * scale_ + 2 * margin + legend_height;
+    svg_ = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\" "
+        "font-family=\"sans-serif\" font-size=\"13\">\n"
+        "  <title>What share of the other patches each patch sees, {2} to the right, {3} up</title>\n"
+        "  <rect width=\"{0}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
+        width, height, "xyz"[across_], "xyz"[along_]);
+    for (const std::size_t i : shown_) most_ = std::max(most_, shares_[i]);
+    add_patches();
+    add_legend(height - legend_height + 4);
+    return svg_ + "</svg>\n";
+  }
+
+ private:
+  [[nodiscard]] bool faces_up(const MeshPatch& patch) const {
+    const MeshTriangle& triangle = scene_.mesh.triangles[patch.triangle];
+    const double up = normal_of(triangle)[up_];
+    constexpr double edge_on = 1e-3;
+    return up > edge_on || (scene_.planes.empty() && up < -edge_on);
+  }
+
+  [[nodiscard]] double height_of(std::size_t patch) const {
+    const auto& corner = scene_.patches[patch].corner;
+    return (corner[0][up_] + corner[1][up_] + corner[2][up_]) / 3;
+  }
+
+  void find_frame() {
+    lo_ = {0, 0};
+    hi_ = {0, 0};
+    bool is_first = true;
+    for (const Box& box : scene_.mesh.boxes) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t axis = i == 0 ? across_ : along_;
+        lo_[i] = is_first ? box.lo[axis] : std::min(lo_[i], double{box.lo[axis]});
+        hi_[i] = is_first ? box.hi[axis] : std::max(hi_[i], double{box.hi[axis]});
+      }
+      is_first = false;
+    }
+    const double units = std::max((hi_[0] - lo_[0]) / (picture_width - 2 * margin), (hi_[1] - lo_[1]) / most_height);
+    scale_ = units > 0 ? 1 / units : 1;
+    left_ = (picture_width - (hi_[0] - lo_[0]) * scale_) / 2;
+  }
+
+  /// Tenths of a pixel.
+  [[nodiscard]] std::array<long, 2> on_page(const Point3& point) const {
+    return {std::lround(10 * (left_ + (point[across_] - lo_[0]) * scale_)),
+            std::lround(10 * (margin + (hi_[1] - point[along_]) * scale_))};
+  }
+
+  [[nodiscard]] std::size_t shade_of(std::size_t patch) const {
+    return most_ > 0 ? static_cast<std::size_t>(std::lround(shares_[patch] / most_ * (shades - 1))) : 0;
+  }
+
+  void add_patches() {
+    std::vector<double> height(scene_.patches.size());
+    for (const std::size_t i : shown_) height[i] = height_of(i);
+    std::stable_sort(shown_.begin(), shown_.end(), [&](std::size_t p, std::size_t q) { return height[p] < height[q]; });
+    // Strokes close the gaps that smooth edges leave between neighbours.
+    svg_ +=
+        "  <g transform=\"scale(0.1)\" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"5\" "
+        "stroke-linejoin=\"round\">\n";
+    for (std::size_t first = 0; first < shown_.size();) {
+      // Those of one height do not hide each other, so those of one colour become one path.
+      std::size_t end = first + 1;
+      while (end < shown_.size() && height[shown_[end]] == height[shown_[first]]) ++end;
+      add_level(std::span(shown_).subspan(first, end - first));
+      first = end;
+    }
+    svg_ += "  </g>\n";
+  }
+
+  void add_level(std::span<const std::size_t> patches) {
+    std::array<std::string, shades> paths;
+    for (const std::size_t i : patches) {
+      std::string& path = paths[shade_of(i)];
+      std::array<long, 2> before{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::array<long, 2> at = on_page(scene_.patches[i].corner[c]);
+        path += fmt::format("{}{} {}", c == 0 ? "M" : c == 1 ? "l" : " ", at[0] - before[0], at[1] - before[1]);
+        before = at;
+      }
+      path += 'z';
+    }
+    for (std::size_t s = 0; s < shades; ++s) {
+      if (paths[s].empty()) continue;
+      svg_ += fmt::format("    <path color=\"{}\" d=\"{}\"/>\n", shade(s), paths[s]);
+    }
+  }
+
+  void add_legend(double top) {
+    svg_ += "  <defs><linearGradient id=\"shares\">";
+    for (std::size_t i = 0; i < ramp.size(); ++i) {
+      const std::size_t number = i * (shades - 1) / (ramp.size() - 1);
+      svg_ += fmt::format("<stop offset=\"{:.3f}\" stop-color=\"{}\"/>", static_cast<double>(number) / (shades - 1),
+                          shade(number));
+    }
+    const double left = margin + 30;
+    svg_ += fmt::format(
+        "</linearGradient></defs>\n"
+        "  <g fill=\"#495057\">\n"
+        "    <text x=\"{0}\" y=\"{1}\" text-anchor=\"end\">0 %</text>\n"
+        "    <rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"{5}\" rx=\"2\" fill=\"url(#shares)\"/>\n"
+        "    <text x=\"{6}\" y=\"{1}\">{7:.{8}f} % of the other patches are seen</text>\n"
+        "  </g>\n",
+        left - 6, top + 15, left, top + 4, bar_width, bar_height, left + bar_width + 6, 100 * most_,
+        most_ < 0.1 ? 1 : 0);
+  }
+
+  const SeesScene& scene_;
+  std::span<const double> shares_;
+  std::size_t across_;
+  std::size_t along_;
+  std::size_t up_;
+  std::vector<std::size_t> shown_;
+  Point2 lo_{};
+  Point2 hi_{};
+  double scale_ = 1;
+  double left_ = 0;
+  double most_ = 0;
+  std::string svg_;
+};
+
+}  // namespace
+
+std::string svg_of_shares(const SeesScene& scene, std::span<const double> shares, std::size_t up) {
+  return PatchPicture(scene, shares, up).text();
+}
+
+}  // namespace shaftcull::cli

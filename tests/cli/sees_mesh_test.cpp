@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/// `shaftcull sees` of mesh files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace shaftcull::test {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::HasSubstr;
+
+/// Two facets of side 2 that face each other, at x = 0 and 10, then what the test adds.
+class CliSeesMesh : public testing::Test {
+ protected:
+  /// A hexahedron: the bottom counterclockwise as seen from above, then the top likewise.
+  [[nodiscard]] std::string hexahedron(const std::string& name, const std::vector<std::string>& corners) const {
+    std::string obj = "o " + name + '\n';
+    for (const std::string& corner : corners) obj += "v " + corner + '\n';
+    for (const auto& face : {"9 12 11 10", "13 14 15 16", "9 10 14 13", "10 11 15 14", "11 12 16 15", "12 9 13 16"}) {
+      obj += std::string("f ") + face + '\n';
+    }
+    return obj;
+  }
+
+  [[nodiscard]] std::string upright_wall() const {
+    return hexahedron("wall", {"4 -5 -5", "6 -5 -5", "6 5 -5", "4 5 -5", "4 -5 5", "6 -5 5", "6 5 5", "4 5 5"});
+  }
+
+  /// Turned by a fifth of a right angle or so.
+  [[nodiscard]] std::string turned_wall() const {
+    return hexahedron("wall", {"3 -5 -5", "5 -5 -5", "7 5 -5", "5 5 -5", "3 -5 5", "5 -5 5", "7 5 5", "5 5 5"});
+  }
+
+  [[nodiscard]] std::string file(const std::string& wall) const {
+    return folder_.write("scene.obj",
+                         "o left\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nv 0 -1 1\nf 1 2 3 4\n"
+                         "o right\nv 10 -1 -1\nv 10 -1 1\nv 10 1 1\nv 10 1 -1\nf 5 6 7 8\n" +
+                             wall);
+  }
+
+  /// What is said of the four pairs of a triangle on the left and one on the right.
+  [[nodiscard]] std::vector<std::string> across(const std::string& wall, const std::vector<std::string>& more) const {
+    const std::string out = folder_.path("sights.csv");
+    static_cast<void>(output_of(with({"sees", file(wall), "--patches", "100", "--out", out}, more)));
+    std::ifstream csv(out);
+    std::vector<std::string> sights;
+    for (std::string line; std::getline(csv, line);) {
+      for (const char* pair : {"0,2,", "2,0,", "0,3,", "3,0,", "1,2,", "2,1,", "1,3,", "3,1,"}) {
+        if (line.starts_with(pair)) sights.push_back(line.substr(4));
+      }
+    }
+    EXPECT_THAT(sights, testing::SizeIs(4));
+    return sights;
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(CliSeesMesh, NothingBetweenIsClear) { EXPECT_THAT(across("", {}), Each("clear")); }
+
+TEST_F(CliSeesMesh, AWallIsUndecidedAndRaysMeetIt) {
+  EXPECT_THAT(across(upright_wall(), {}), Each("undecided"));
+  EXPECT_THAT(across(upright_wall(), {"--rays", "16"}), Each("undecided,0"));
+}
+
+TEST_F(CliSeesMesh, RaysPassBesideAPost) {
+  const std::string post =
+      hexahedron("post", {"4 0 -9", "6 0 -9", "6 9 -9", "4 9 -9", "4 0 9", "6 0 9", "6 9 9", "4 9 9"});
+  for (const std::string& sight : across(post, {"--rays", "400"})) {
+    ASSERT_THAT(sight, testing::StartsWith("undecided,"));
+    const int seen = std::stoi(sight.substr(10));
+    EXPECT_TRUE(seen > 0 && seen < 400) << sight;
+  }
+}
+
+TEST_F(CliSeesMesh, ASolidWallBlocks) {
+  EXPECT_THAT(across(upright_wall(), {"--solid", "wall"}), Each("blocked"));
+  EXPECT_THAT(across(upright_wall(), {"--solid", "w*"}), Each("blocked"));
+}
+
+TEST_F(CliSeesMesh, ATurnedSolidWallIsTaken) {
+  const std::string out = output_of({"sees", file(turned_wall()), "--solid", "wall", "--format", "json"});
+  EXPECT_EQ(nlohmann::json::parse(out)["solids"], 1);
+  EXPECT_THAT(across(turned_wall(), {"--rays", "16", "--solid", "wall"}),
+              Each(testing::AnyOf("undecided,0", "blocked,")));
+}
+
+TEST_F(CliSeesMesh, FacetsThatTurnAwayFaceAwayUnlessTheyHaveTwoSides) {
+  const std::string away = folder_.write("away.obj",
+                                         "o left\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nf 3 2 1\n"
+                                         "o right\nv 9 -1 -1\nv 9 1 -1\nv 9 1 1\nf 4 5 6\n");
+  const auto pairs = [&](const std::vector<std::string>& more) {
+    return nlohmann::json::parse(output_of(with({"sees", away, "--patches", "9", "--format", "json"}, more)))["pairs"];
+  };
+  EXPECT_EQ(pairs({})["facing_away"], 1);
+  EXPECT_EQ(pairs({"--two-sided"})["facing_away"], 0);
+  EXPECT_EQ(pairs({"--two-sided"})["clear"], 1);
+}
+
+TEST_F(CliSeesMesh, ADentIsNotSolid) {
+  std::string dented = upright_wall();
+  dented.replace(dented.find("v 4 5 5"), 7, "v 5 1 1");
+  EXPECT_THAT(refusal_of({"sees", file(dented), "--solid", "wall"}),
+              HasSubstr("'wall' cannot be solid: it is not convex"));
+}
+
+TEST_F(CliSeesMesh, FilesThatAreNotThereAreNamed) {
+  EXPECT_THAT(refusal_of({"sees", folder_.path("none.obj")}),
+              AllOf(HasSubstr("none.obj: there is no such file"), HasSubstr("OBJ")));
+}
+
+TEST_F(CliSeesMesh, TrianglesWithoutAnAreaGiveNoPatches) {
+  const std::string line = folder_.write("line.obj", "o a\nv 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n");
+  EXPECT_THAT(refusal_of({"sees", line}), HasSubstr("no triangle has an area"));
+}
+
+}  // namespace
+}  // namespace shaftcull::test

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+/// `shaftcull sees`, from outside: counts, files, refusals and signals. Its scene is made by the program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/program.hpp"
+
+namespace shaftcull::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+const std::vector<std::string> one_room{"sees",    "--rooms", "1",          "--patches", "1.5",
+                                        "--solid", "wall*",   "cupboard 1", "--format",  "json"};
+
+std::string bytes_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::size_t files_in(const std::string& folder) {
+  const std::filesystem::directory_iterator files(folder);
+  return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+TEST(CliSees, KindsOfPairsAddUpToAll) {
+  const Json report = Json::parse(output_of(one_room));
+  const Json& pairs = report["pairs"];
+  const std::uint64_t patches = report["patches"];
+  EXPECT_EQ(pairs["all"], patches * (patches - 1) / 2);
+  std::uint64_t sum = 0;
+  for (const char* kind : {"clear", "blocked", "facing_away", "undecided"}) {
+    EXPECT_GT(pairs[kind], 0) << kind;
+    sum += pairs[kind].get<std::uint64_t>();
+  }
+  EXPECT_EQ(pairs["all"], sum);
+  EXPECT_FALSE(pairs.contains("rays_visible"));
+  EXPECT_EQ(report["objects"], 8);  // a floor, four walls, three pieces of furniture
+  EXPECT_EQ(report["solids"], 5);
+}
+
+TEST(CliSees, RaysTellOfUndecidedPairsHowMuchIsSeen) {
+  const Json without = Json::parse(output_of(one_room))["pairs"];
+  const Json pairs = Json::parse(output_of(with(one_room, {"--rays", "9"})))["pairs"];
+  for (const char* kind : {"clear", "blocked", "facing_away", "undecided"}) EXPECT_EQ(pairs[kind], without[kind]);
+  std::uint64_t sum = 0;
+  for (const char* kind : {"rays_visible", "rays_partly", "rays_hidden"}) {
+    EXPECT_GT(pairs[kind], 0) << kind;
+    sum += pairs[kind].get<std::uint64_t>();
+  }
+  EXPECT_EQ(pairs["undecided"], sum);
+}
+
+TEST(CliSees, TableAndCsvHaveTheNumbersOfJson) {
+  const Json pairs = Json::parse(output_of(with(one_room, {"--rays", "4"})))["pairs"];
+  std::vector<std::string> arguments = with(one_room, {"--rays", "4"});
+  arguments[9] = "csv";
+  const std::vector<std::string> csv = lines(output_of(arguments));
+  EXPECT_EQ(csv[0], "kind,pairs,share");
+  for (std::size_t i = 1; i < csv.size(); ++i) {
+    const std::string kind = csv[i].substr(0, csv[i].find(','));
+    EXPECT_THAT(csv[i], testing::StartsWith(kind + ',' + std::to_string(pairs[kind].get<std::uint64_t>()) + ','));
+  }
+  EXPECT_THAT(csv, testing::SizeIs(8));
+  arguments[9] = "text";
+  std::string table = output_of(arguments);
+  std::erase(table, ',');
+  EXPECT_EQ(words_after(table, "blocked").at(0), std::to_string(pairs["blocked"].get<std::uint64_t>()));
+  EXPECT_EQ(words_after(table, "  by rays partly").at(0), std::to_string(pairs["rays_partly"].get<std::uint64_t>()));
+  EXPECT_THAT(table, AllOf(HasSubstr("1 room: 8 objects"), HasSubstr("pairs/s"), HasSubstr("MB of memory")));
+}
+
+TEST(CliSees, CsvFileHasEachPairOnceAndTheCountsThatArePrinted) {
+  const ScratchFolder folder;
+  const std::string path = folder.path("sights.csv");
+  const Json report = Json::parse(output_of(with(one_room, {"--rays", "4", "--out", path})));
+  const std::vector<std::string> rows = lines(bytes_of(path));
+  ASSERT_EQ(rows[0], "a,b,sight,seen");
+  std::map<std::string, std::uint64_t> counts;
+  std::set<std::pair<int, int>> pairs;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    std::istringstream row(rows[i]);
+    std::string cell[4];
+    for (std::string& each : cell) std::getline(row, each, ',');
+    pairs.insert(std::minmax(std::stoi(cell[0]), std::stoi(cell[1])));
+    ++counts[cell[2]];
+    if (cell[2] != "undecided") {
+      EXPECT_EQ(cell[3], "");
+      continue;
+    }
+    ++counts[cell[3] == "0" ? "rays_hidden" : cell[3] == "4" ? "rays_visible" : "rays_partly"];
+  }
+  counts["all"] = rows.size() - 1;
+  EXPECT_EQ(Json(counts), report["pairs"]);
+  EXPECT_EQ(pairs.size(), rows.size() - 1);
+  EXPECT_LT(pairs.rbegin()->second, report["patches"].get<int>());
+}
+
+TEST(CliSees, FilesAreTheSameForAnyNumberOfThreadsAndInstructionSet) {
+  const ScratchFolder folder;
+  const auto file = [&](const std::string& name, const std::vector<std::string>& more) {
+    static_cast<void>(output_of(with(with(one_room, {"--rays", "4", "--out", folder.path(name)}), more)));
+    return bytes_of(folder.path(name));
+  };
+  const std::string one = file("one.csv", {"--threads", "1"});
+  EXPECT_EQ(one, file("many.csv", {"--threads", "0", "--isa", "scalar"}));
+  EXPECT_NE(one, file("other.csv", {"--seed", "2"}));
+  EXPECT_EQ(file("one.npz", {"--threads", "1"}), file("many.npz", {"--threads", "0"}));
+}
+
+// Reads a file as docs/program.md says, checks that its arrays fit together, and prints how many pairs there are of
+// each kind.
+constexpr const char* reader = R"(
+import json, sys, zipfile
+import numpy
+assert zipfile.ZipFile(sys.argv[1]).testzip() is None
+z = numpy.load(sys.argv[1])
+order, products, undecided = z['order'], z['products'], z['undecided']
+first, candidates, seen, rays = z['first_candidate'], z['candidates'], z['seen'], z['rays'][0]
+patches, blockers = len(z['patch_boxes']), len(z['blocker_boxes'])
+assert sorted(order) == list(range(patches))
+dense = numpy.zeros((patches, patches), int)
+answer = numpy.zeros((patches, patches), int)
+for a, count_a, b, count_b, sight in products:
+    rows, columns = order[a:a + count_a], order[b:b + count_b]
+    dense[numpy.ix_(rows, columns)] += 1
+    answer[numpy.ix_(rows, columns)] = sight
+    if (a, count_a) != (b, count_b):
+        dense[numpy.ix_(columns, rows)] += 1
+        answer[numpy.ix_(columns, rows)] = sight
+for a, b in undecided:
+    dense[a, b] += 1
+    dense[b, a] += 1
+numpy.fill_diagonal(dense, 1)
+assert (dense == 1).all()
+numpy.fill_diagonal(answer, 9)
+assert first[0] == 0 and first[-1] == len(candidates) and (first[1:] > first[:-1]).all()
+assert len(first) == len(undecided) + 1 and len(seen) == len(undecided)
+assert candidates.max() < blockers and seen.max() <= rays
+assert z['patch_planes'].shape == (patches, 4) and z['patch_objects'].max() == z['blocker_objects'].max()
+corners, boxes = z['patch_corners'], z['patch_boxes']
+assert (corners.min(axis=1) >= boxes[:, 0]).all() and (corners.max(axis=1) <= boxes[:, 1]).all()
+print(json.dumps({'all': patches * (patches - 1) // 2, 'clear': int((answer == 1).sum() // 2),
+                  'blocked': int((answer == 2).sum() // 2), 'facing_away': int((answer == 3).sum() // 2),
+                  'undecided': len(undecided), 'rays_visible': int((seen == rays).sum()),
+                  'rays_partly': int(((seen > 0) & (seen < rays)).sum()), 'rays_hidden': int((seen == 0).sum())}))
+)";
+
+std::string output_of_command(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return "";
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+  return pclose(pipe) == 0 ? text : "failed: " + text;
+}
+
+TEST(CliSees, NumPyReadsWhatWasPrinted) {
+  if (std::system("/usr/bin/python3 -c 'import numpy' >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no NumPy";
+  const ScratchFolder folder;
+  const std::string path = folder.path("sights.npz");
+  const Json report = Json::parse(output_of(with(one_room, {"--rays", "4", "--out", path})));
+  const std::string script = folder.write("reader.py", reader);
+  const std::string counts = output_of_command("/usr/bin/python3 '" + script + "' '" + path + "' 2>&1");
+  ASSERT_THAT(counts, testing::StartsWith("{"));
+  EXPECT_EQ(Json::parse(counts), report["pairs"]);
+}
+
+TEST(CliSees, PictureShowsPatchesFromAbove) {
+  const ScratchFolder folder;
+  const auto picture = [&](const std::string& up) {
+    const std::string path = folder.path(up + ".svg");
+    static_cast<void>(output_of(with(one_room, {"--svg", path, "--up", up})));
+    return bytes_of(path);
+  };
+  const std::string from_above = picture("z");
+  EXPECT_THAT(from_above, AllOf(testing::StartsWith("<svg "), HasSubstr("x to the right, y up</title>"),
+                                HasSubstr("<path color=\"#"), HasSubstr("% of the other patches are seen"),
+                                testing::EndsWith("</svg>\n")));
+  EXPECT_THAT(picture("y"), HasSubstr("z to the right, x up</title>"));
+}
+
+TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
+  const std::string docs = SHAFTCULL_DOCS;
+  const std::string page = bytes_of(docs + "/program.md");
+  const std::size_t begin = page.find("    shaftcull sees --rooms 6 ");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string command = page.substr(begin, page.find('\n', begin) - begin);
+  std::istringstream words(command);
+  std::vector<std::string> arguments;
+  std::string word;
+  for (words >> word; words >> word;) {
+    std::erase(word, '\'');
+    arguments.push_back(word);
+  }
+  ASSERT_EQ(arguments.back(), "docs/sees.svg");
+  const ScratchFolder folder;
+  arguments.back() = folder.path("sees.svg");
+  static_cast<void>(output_of(arguments));
+  EXPECT_EQ(bytes_of(arguments.back()), bytes_of(docs + "/sees.svg"));
+}
+
+TEST(CliSees, AsksForAFile) {
+  EXPECT_THAT(refusal_of({"sees"}), AllOf(HasSubstr("in what file?"), HasSubstr("--rooms 6")));
+  static_cast<void>(refusal_of({"sees", "room.obj", "--rooms", "1"}));
+}
+
+TEST(CliSees, PatchesHaveASizeAboveZero) {
+  for (const char* size : {"0", "-1", "-inf"}) {
+    EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--patches", size}),
+                HasSubstr(std::string("--patches ") + size + ": too small"));
+  }
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--patches", "nan"}), HasSubstr("--patches nan: not a number"));
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--patches", "small"}), HasSubstr("not a number"));
+}
+
+TEST(CliSees, TooManyPatchesAreRefused) {
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--patches", "1e-4"}),
+              HasSubstr("--patches 0.0001: there would be more than 4,000,000 patches"));
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "6", "--patches", "0.5", "--out", "sights.csv"}),
+              AllOf(HasSubstr("--out sights.csv: "), HasSubstr("a CSV file may have 100,000,000")));
+}
+
+TEST(CliSees, ObjectsThatAreNotThereAreNamed) {
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--solid", "walls"}),
+              AllOf(HasSubstr("--solid walls: 1 room has no object of that name"), HasSubstr("'wall 1'")));
+  static_cast<void>(refusal_of({"sees", "--rooms", "1", "--solid", "wall*", "door*"}));
+}
+
+TEST(CliSees, ObjectsThatAreNotSolidAreRefused) {
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--solid", "floor"}),
+              HasSubstr("--solid: 'floor' cannot be solid: it is not closed"));
+  EXPECT_THAT(refusal_of({"sees", "--rooms", "1", "--solid", "ball 1"}),
+              HasSubstr("'ball 1' cannot be solid: it has 66 corners, and a solid has 32 at most"));
+}
+
+TEST(CliSees, FilesThatCannotBeMadeAreRefused) {
+  const ScratchFolder folder;
+  for (const std::string& name : {folder.path("none/sights.npz"), folder.path("none/sights.csv")}) {
+    EXPECT_THAT(refusal_of(with(one_room, {"--out", name})), HasSubstr(name + ": cannot be written: No such file"));
+  }
+  EXPECT_THAT(refusal_of(with(one_room, {"--svg", folder.path("none/a.svg")})), HasSubstr("cannot be written"));
+  EXPECT_THAT(refusal_of(with(one_room, {"--out", folder.path("sights.txt")})),
+              HasSubstr("Give a name that ends in .npz or .csv"));
+  std::filesystem::create_directory(folder.path("folder.npz"));
+  EXPECT_THAT(refusal_of(with(one_room, {"--out", folder.path("folder.npz")})), HasSubstr("it is a directory"));
+  EXPECT_EQ(files_in(folder.path("")), 1);
+}
+
+TEST(CliSees, AFullDiskIsAnErrorThatLeavesNoFile) {
+  const ScratchFolder folder;
+  for (const char* name : {"sights.npz", "sights.csv", "picture.svg"}) {
+    const std::string path = folder.path(name);
+    const std::string option = path.ends_with(".svg") ? "--svg" : "--out";
+    const Outcome outcome = run_program(with(one_room, {option, path}), "trap '' XFSZ; ulimit -f 8;");
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
+    EXPECT_THAT(outcome.error, HasSubstr("shaftcull: " + path + ": cannot be written: "));
+    EXPECT_EQ(files_in(folder.path("")), 0) << path;
+  }
+}
+
+TEST(CliSees, AnInterruptLeavesNoFile) {
+  const ScratchFolder folder;
+  for (const char* rays : {"1", "100000"}) {
+    RunningProgram program({"sees", "--rooms", "16", "--patches", "0.3", "--rays", rays, "--out",
+                            folder.path("sights.npz"), "--svg", folder.path("picture.svg")});
+    ASSERT_TRUE(program.wait_for(" pairs\n"));
+    program.send(SIGINT);
+    const Outcome outcome = program.finish();
+    EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.error;
+    EXPECT_THAT(outcome.error, HasSubstr("shaftcull: sees: interrupted after "));
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(files_in(folder.path("")), 0);
+  }
+}
+
+}  // namespace
+}  // namespace shaftcull::test
