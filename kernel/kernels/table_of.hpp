@@ -326,11 +326,12 @@ constexpr GridKernels grid_kernels() noexcept {
 /// The functions that pack siblings, where a set has what that takes.
 template <class L>
 constexpr SiblingKernels sibling_packing() noexcept {
+  SiblingKernels kernels{};
   if constexpr (MovesBits<L>) {
-    return {.pack = pack_siblings<L>, .spread = spread_siblings<L>};
-  } else {
-    return {};
+    kernels.pack = pack_siblings<L>;
+    kernels.spread = spread_siblings<L>;
   }
+  return kernels;
 }
 
 /// Tests run on vectors of `L`, formation on vectors of `FormationLanes`.
