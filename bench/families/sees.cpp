@@ -191,14 +191,14 @@ void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& 
 float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays,
                  std::span<const std::uint32_t> candidates) {
   const PatchScene& scene = sees.scene();
-  if (candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
   static TraceCandidates* const trace = trace_candidates(available_isas().back());
-  std::array<bool, most_rays> maybe;
+  if (trace == nullptr || candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
+  std::array<std::uint64_t, most_rays / 64> maybe;
   const RayEnds ends{scene.patches[pair.a], scene.patches[pair.b], scene.patch_planes[pair.a],
                      scene.patch_planes[pair.b]};
   const CandidateCounts counts = trace(ends, rays, sees.ray_boxes(), candidates, maybe.data());
   unsigned clear = counts.clear;
-  if (counts.maybe != 0) clear += sees.embree().count_clear(pair, rays, std::span(maybe).first(rays.count));
+  if (counts.maybe != 0) clear += sees.embree().count_clear(pair, rays, maybe);
   return counts.traced == 0 ? 0.0F : static_cast<float>(clear) / static_cast<float>(counts.traced);
 }
 
