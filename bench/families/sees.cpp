@@ -3,9 +3,10 @@
 ///
 /// sees/SCENE/PAIRS/S answers what part of S shadow rays is clear, for pairs of patches that face each other:
 /// visibility() first, then Embree's rays for what is undecided. sees/SCENE/PAIRS/S/embree traces the same rays for all
-/// of them. Pairs are those of a cluster of up to 64 patches with eight others: `near` in the same room or closer than
-/// 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers are compared
-/// before anything is timed: of a pair that is clear no ray may meet anything, of one that is blocked every ray must.
+/// of them. Pairs are those of a cluster of up to 64 patches with up to 32 others: `near` in the same room or closer
+/// than 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers are
+/// compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is blocked every
+/// ray must.
 ///
 /// sees/SCENE/all counts answers for all pairs of a scene, from boxes and triangles on; `finer` does so for four times
 /// the patches on the same surfaces. An item is a pair.
@@ -75,13 +76,15 @@ std::string shares_text(const SightCounts& counts) {
 
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
 
-constexpr std::size_t partners = 8;          // clusters that a cluster is asked about
+constexpr std::size_t partners = 32;         // clusters that a cluster is asked about
 constexpr std::size_t most_candidates = 32;  // of a pair whose rays are tested with them one by one
 constexpr unsigned most_rays = 256;          // a pair
 constexpr float near_in_city = 60;           // metres
 
 /// Products for so many rays a pair, so that all take about as long.
-constexpr std::size_t products_for(unsigned rays, bool quick) { return (quick ? 20 : 160) * 16 / rays + 4; }
+constexpr std::size_t products_for(unsigned rays, bool quick) {
+  return quick ? 22 * 16 / rays + 2 : 40 * 16 / rays + 4;
+}
 
 struct Product {
   PatchProduct patches;
@@ -157,6 +160,8 @@ float share_of(RayCounts counts) {
 PatchSet set_of(const PatchScene& scene, std::span<const std::uint32_t> patches) {
   std::vector<Box> boxes;
   std::vector<Plane> planes;
+  boxes.reserve(patches.size());
+  planes.reserve(patches.size());
   for (const std::uint32_t patch : patches) {
     boxes.push_back(scene.patch_boxes[patch]);
     planes.push_back(scene.patch_planes[patch]);
