@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// sees/…: which patches of a scene see each other, on one thread, against shadow rays by Embree.
+/// sees/…: which patches of a scene see each other, on one thread, against shadow rays by Embree. On the instruction
+/// set that SHAFTCULL_ISA names, or the best one.
 ///
 /// sees/SCENE/PAIRS/S answers what part of S shadow rays is clear, for pairs of patches that face each other:
 /// visibility() first, then Embree's rays for what is undecided. sees/SCENE/PAIRS/S/embree traces the same rays for all
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,6 +44,14 @@
 
 namespace shaftcull::bench {
 namespace {
+
+/// The instruction set that SHAFTCULL_ISA names, or the best one that the machine runs.
+Isa measured_isa() {
+  const std::vector<Isa> available = available_isas();
+  const std::optional<Isa> asked = isa_from_name(isa_choice().asked);
+  const bool runs = asked && std::find(available.begin(), available.end(), *asked) != available.end();
+  return runs ? *asked : available.back();
+}
 
 /// Everything of a scene that may hide something: what is solid as such, meshes object by object.
 Blockers blockers_of(const PatchScene& scene) {
@@ -196,7 +206,7 @@ void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& 
 float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays,
                  std::span<const std::uint32_t> candidates) {
   const PatchScene& scene = sees.scene();
-  static TraceCandidates* const trace = trace_candidates(available_isas().back());
+  static TraceCandidates* const trace = trace_candidates(measured_isa());
   if (trace == nullptr || candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
   std::array<std::uint64_t, most_rays / 64> maybe;
   const RayEnds ends{scene.patches[pair.a], scene.patches[pair.b], scene.patch_planes[pair.a],
@@ -318,7 +328,7 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
   };
   suite.add(row, "",
             [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
-              select_isa(available_isas().back());
+              select_isa(measured_isa());
               const ShadowRays shadow_rays(rays);
               if (!*checked) {
                 const Check checked_pairs = check(*sees, products_of(), shadow_rays);
@@ -375,7 +385,7 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
     suite.add(
         name, "",
         [=, &suite, noted = std::make_shared<bool>(options.threads != 1)](benchmark::State& state) {
-          select_isa(available_isas().back());
+          select_isa(measured_isa());
           const PatchScene& scene = finer ? sees->finer() : sees->scene();
           SightCounts counts;
           for (auto _ : state) {
@@ -417,7 +427,7 @@ void declare_sees(Suite& suite, const Workload& /*workload*/) {
     return city_blocks({city_blocks_patch, finer});
   });
   // Targets are set for AVX-512.
-  const double share = available_isas().back() == Isa::avx512 ? 1 : 0.7;
+  const double share = measured_isa() == Isa::avx512 ? 1 : 0.7;
   declare_all(suite, inside, 150e6 * share);
   declare_all(suite, outside, 100e6 * share);
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
