@@ -133,7 +133,9 @@ std::array<double, 3> largest_half_extent(std::span<const HullPlane> planes, con
   };
   std::array<double, 3> best{1, 1, 1};
   double most = volume(best);
-  for (double step = 4; step > 1.005; step = std::sqrt(step)) {
+  constexpr std::size_t steps = 9;
+  double step = 4;  // then its square root, and so on: the last one is 1.005
+  for (std::size_t i = 0; i != steps; ++i, step = std::sqrt(step)) {
     for (bool has_gained = true; has_gained;) {
       has_gained = false;
       for (std::size_t k = 0; k != 3; ++k) {
@@ -176,7 +178,10 @@ Box box_inside(std::span<const Vec3> corners) {
   if (planes.empty()) return point;
   const std::array<double, 3> half = largest_half_extent(planes, middle);
   // In doubles it fits but for rounding: so make it smaller until the exact predicate says so.
-  for (double by = 1 - 0x1p-20; by > 0; by = 1 - 4 * (1 - by)) {
+  constexpr std::size_t tries = 10;
+  double less = 0x1p-20;
+  for (std::size_t i = 0; i != tries; ++i, less *= 4) {
+    const double by = 1 - less;
     Box box{};
     bool is_box = true;
     for (std::size_t k = 0; k != 3; ++k) {
