@@ -9,8 +9,9 @@
 /// compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is blocked every
 /// ray must.
 ///
-/// sees/SCENE/all counts answers for all pairs of a scene, from boxes and triangles on; `finer` does so for four times
-/// the patches on the same surfaces. An item is a pair.
+/// sees/SCENE/blockers prepares what may hide something, as the peer's tree is prepared; an item is a blocker. It is in
+/// no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `finer` does so for four
+/// times the patches on the same surfaces. An item is a pair.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -116,10 +117,10 @@ class SeesScene {
   const PatchScene& finer() {
     return finer_.get([&] { return make_(2); });
   }
-#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const Blockers& blockers() {
     return blockers_.get([&] { return blockers_of(scene()); });
   }
+#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const std::vector<RayBox>& ray_boxes() {
     return ray_boxes_.get([&] { return ray_boxes_of(scene()); });
   }
@@ -151,8 +152,8 @@ class SeesScene {
   Make* make_;
   Lazy<PatchScene> scene_;
   Lazy<PatchScene> finer_;
-#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<Blockers> blockers_;
+#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<std::vector<RayBox>> ray_boxes_;
   std::unique_ptr<EmbreeScene> embree_;
   Lazy<std::vector<Product>> near_;
@@ -387,10 +388,11 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
         [=, &suite, noted = std::make_shared<bool>(options.threads != 1)](benchmark::State& state) {
           select_isa(measured_isa());
           const PatchScene& scene = finer ? sees->finer() : sees->scene();
+          const Blockers& blockers = sees->blockers();  // whatever the patches, surfaces are the same
           SightCounts counts;
           for (auto _ : state) {
             const PatchSet patches(scene.patch_boxes, scene.patch_planes);
-            counts = count_visibility(patches, blockers_of(scene), {.candidates = false});
+            counts = count_visibility(patches, blockers, {.candidates = false});
           }
           const std::uint64_t pairs = scene.patches.size() * (scene.patches.size() - 1) / 2;
           if (counts.total() != pairs) {
@@ -405,6 +407,14 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
         },
         options);
   };
+  suite.add(fmt::format("sees/{}/blockers", sees->name), "",
+            [=](benchmark::State& state) {
+              select_isa(measured_isa());
+              const PatchScene& scene = sees->scene();
+              for (auto _ : state) benchmark::DoNotOptimize(blockers_of(scene).size());
+              state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.objects.size() - 1));
+            },
+            {.brief = true});
   add(row, false, {});
   suite.add_time_target(row, 1e9 / pairs_per_second);
   if (all_threads() > 1) {
