@@ -94,7 +94,7 @@ constexpr float near_in_city = 60;           // metres
 
 /// Products for so many rays a pair, so that all take about as long.
 constexpr std::size_t products_for(unsigned rays, bool quick) {
-  return quick ? 22 * 16 / rays + 2 : 40 * 16 / rays + 4;
+  return quick ? 10 * 16 / rays + 1 : 40 * 16 / rays + 4;
 }
 
 struct Product {
@@ -319,6 +319,7 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
 
 void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool near, unsigned rays, double target) {
   const std::size_t count = products_for(rays, suite.quick());
+  const RunOptions options{.brief = !suite.quick(), .once = suite.quick()};
   const std::string kind = fmt::format("sees/{}/{}", sees->name, near ? "near" : "anywhere");
   const std::string row = fmt::format("{}/{}", kind, rays);
   const auto products_of = [=] { return std::span<const Product>(sees->products(near)).first(count); };
@@ -327,53 +328,55 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
     for (const Product& product : products_of()) pairs += static_cast<std::int64_t>(product.facing.size());
     state.SetItemsProcessed(state.iterations() * pairs);
   };
-  suite.add(row, "",
-            [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
-              select_isa(measured_isa());
-              const ShadowRays shadow_rays(rays);
-              if (!*checked) {
-                const Check checked_pairs = check(*sees, products_of(), shadow_rays);
-                if (checked_pairs.wrong != 0) {
-                  state.SkipWithError(
-                      fmt::format("{} answers are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
-                  return;
-                }
-                suite.note(
-                    fmt::format("{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair; {} of "
-                                "{} rays differ; of {} clear pairs rays graze the surface",
-                                row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
-                                static_cast<double>(checked_pairs.candidates) /
-                                    static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1)),
-                                checked_pairs.differ, checked_pairs.rays, checked_pairs.grazed));
-                *checked = true;
-              }
-              std::vector<float> shares;
-              for (auto _ : state) {
-                for (const Product& product : products_of()) {
-                  answer(*sees, shadow_rays, product.patches, shares);
-                  benchmark::DoNotOptimize(shares.data());
-                }
-              }
-              set_items(state);
-            },
-            {.brief = true});
-  suite.add(row + "/embree", "",
-            [=](benchmark::State& state) {
-              const EmbreeScene& embree = sees->embree();
-              const ShadowRays shadow_rays(rays);
-              std::vector<float> shares;
-              for (auto _ : state) {
-                for (const Product& product : products_of()) {
-                  shares.resize(product.facing.size());
-                  for (std::size_t i = 0; i != shares.size(); ++i) {
-                    shares[i] = share_of(embree.trace(product.facing[i], shadow_rays));
-                  }
-                  benchmark::DoNotOptimize(shares.data());
-                }
-              }
-              set_items(state);
-            },
-            {.brief = true});
+  suite.add(
+      row, "",
+      [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
+        select_isa(measured_isa());
+        const ShadowRays shadow_rays(rays);
+        if (!*checked) {
+          const Check checked_pairs = check(*sees, products_of(), shadow_rays);
+          if (checked_pairs.wrong != 0) {
+            state.SkipWithError(
+                fmt::format("{} answers are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
+            return;
+          }
+          suite.note(
+              fmt::format("{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair; {} of "
+                          "{} rays differ; of {} clear pairs rays graze the surface",
+                          row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
+                          static_cast<double>(checked_pairs.candidates) /
+                              static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1)),
+                          checked_pairs.differ, checked_pairs.rays, checked_pairs.grazed));
+          *checked = true;
+        }
+        std::vector<float> shares;
+        for (auto _ : state) {
+          for (const Product& product : products_of()) {
+            answer(*sees, shadow_rays, product.patches, shares);
+            benchmark::DoNotOptimize(shares.data());
+          }
+        }
+        set_items(state);
+      },
+      options);
+  suite.add(
+      row + "/embree", "",
+      [=](benchmark::State& state) {
+        const EmbreeScene& embree = sees->embree();
+        const ShadowRays shadow_rays(rays);
+        std::vector<float> shares;
+        for (auto _ : state) {
+          for (const Product& product : products_of()) {
+            shares.resize(product.facing.size());
+            for (std::size_t i = 0; i != shares.size(); ++i) {
+              shares[i] = share_of(embree.trace(product.facing[i], shadow_rays));
+            }
+            benchmark::DoNotOptimize(shares.data());
+          }
+        }
+        set_items(state);
+      },
+      options);
   suite.add_target(row, row + "/embree", target);
 }
 
@@ -414,7 +417,7 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
               for (auto _ : state) benchmark::DoNotOptimize(blockers_of(scene).size());
               state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.objects.size() - 1));
             },
-            {.brief = true});
+            {.brief = !suite.quick(), .once = suite.quick()});
   add(row, false, {});
   suite.add_time_target(row, 1e9 / pairs_per_second);
   if (all_threads() > 1) {
