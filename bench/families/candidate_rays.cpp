@@ -5,12 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "families/candidate_rays_lanes.hpp"
-
 namespace shaftcull::bench {
 namespace {
-
-struct Lowest;
 
 RayBox straight(const Box& box, bool solid) {
   RayBox result{1, 0, {}, {}, solid};
@@ -70,7 +66,7 @@ TraceCandidates* trace_candidates([[maybe_unused]] Isa isa) noexcept {
 #ifdef SHAFTCULL_BENCH_WITH_AVX2
   if (isa == Isa::avx2) return avx2_trace_candidates;
 #endif
-  return CandidateRays<Lowest>::trace;
+  return nullptr;
 }
 
 }  // namespace shaftcull::bench

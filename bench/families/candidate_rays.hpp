@@ -43,9 +43,9 @@ struct CandidateCounts {
 /// Tests the rays, a multiple of 16, with those boxes whose numbers are in `candidates`, and writes for each ray
 /// whether it is one of those that may be clear.
 using TraceCandidates = CandidateCounts(const RayEnds& ends, const ShadowRays& rays, std::span<const RayBox> boxes,
-                                        std::span<const std::uint32_t> candidates, bool* maybe) noexcept;
+                                        std::span<const std::uint32_t> candidates, std::uint64_t* maybe) noexcept;
 
-/// As it is compiled for `isa`, or for the lowest instruction set if there is none for that one.
+/// As it is compiled for `isa`, or null: for avx2 and avx512 alone, where this build has them.
 [[nodiscard]] TraceCandidates* trace_candidates(Isa isa) noexcept;
 
 }  // namespace shaftcull::bench

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-/// sees/…: which patches of a scene see each other, on one thread, against shadow rays by Embree.
+/// sees/…: which patches of a scene see each other, on one thread, against shadow rays by Embree. On the instruction
+/// set that SHAFTCULL_ISA names, or the best one.
 ///
 /// sees/SCENE/PAIRS/S answers what part of S shadow rays is clear, for pairs of patches that face each other:
 /// visibility() first, then Embree's rays for what is undecided. sees/SCENE/PAIRS/S/embree traces the same rays for all
-/// of them. Pairs are those of a cluster of up to 64 patches with eight others: `near` in the same room or closer than
-/// 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers are compared
-/// before anything is timed: of a pair that is clear no ray may meet anything, of one that is blocked every ray must.
+/// of them. Pairs are those of a cluster of up to 64 patches with up to 32 others: `near` in the same room or closer
+/// than 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers are
+/// compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is blocked every
+/// ray must.
 ///
-/// sees/SCENE/all counts answers for all pairs of a scene, from boxes and triangles on; `finer` does so for four times
-/// the patches on the same surfaces. An item is a pair.
+/// sees/SCENE/blockers prepares what may hide something, as the peer's tree is prepared; an item is a blocker. It is in
+/// no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `finer` does so for four
+/// times the patches on the same surfaces. An item is a pair.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -41,6 +45,14 @@
 
 namespace shaftcull::bench {
 namespace {
+
+/// The instruction set that SHAFTCULL_ISA names, or the best one that the machine runs.
+Isa measured_isa() {
+  const std::vector<Isa> available = available_isas();
+  const std::optional<Isa> asked = isa_from_name(isa_choice().asked);
+  const bool runs = asked && std::find(available.begin(), available.end(), *asked) != available.end();
+  return runs ? *asked : available.back();
+}
 
 /// Everything of a scene that may hide something: what is solid as such, meshes object by object.
 Blockers blockers_of(const PatchScene& scene) {
@@ -75,13 +87,15 @@ std::string shares_text(const SightCounts& counts) {
 
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
 
-constexpr std::size_t partners = 8;          // clusters that a cluster is asked about
+constexpr std::size_t partners = 32;         // clusters that a cluster is asked about
 constexpr std::size_t most_candidates = 32;  // of a pair whose rays are tested with them one by one
 constexpr unsigned most_rays = 256;          // a pair
 constexpr float near_in_city = 60;           // metres
 
 /// Products for so many rays a pair, so that all take about as long.
-constexpr std::size_t products_for(unsigned rays, bool quick) { return (quick ? 20 : 160) * 16 / rays + 4; }
+constexpr std::size_t products_for(unsigned rays, bool quick) {
+  return quick ? 10 * 16 / rays + 1 : 40 * 16 / rays + 4;
+}
 
 struct Product {
   PatchProduct patches;
@@ -103,10 +117,10 @@ class SeesScene {
   const PatchScene& finer() {
     return finer_.get([&] { return make_(2); });
   }
-#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const Blockers& blockers() {
     return blockers_.get([&] { return blockers_of(scene()); });
   }
+#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const std::vector<RayBox>& ray_boxes() {
     return ray_boxes_.get([&] { return ray_boxes_of(scene()); });
   }
@@ -138,8 +152,8 @@ class SeesScene {
   Make* make_;
   Lazy<PatchScene> scene_;
   Lazy<PatchScene> finer_;
-#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<Blockers> blockers_;
+#ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<std::vector<RayBox>> ray_boxes_;
   std::unique_ptr<EmbreeScene> embree_;
   Lazy<std::vector<Product>> near_;
@@ -157,6 +171,8 @@ float share_of(RayCounts counts) {
 PatchSet set_of(const PatchScene& scene, std::span<const std::uint32_t> patches) {
   std::vector<Box> boxes;
   std::vector<Plane> planes;
+  boxes.reserve(patches.size());
+  planes.reserve(patches.size());
   for (const std::uint32_t patch : patches) {
     boxes.push_back(scene.patch_boxes[patch]);
     planes.push_back(scene.patch_planes[patch]);
@@ -191,14 +207,14 @@ void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& 
 float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays,
                  std::span<const std::uint32_t> candidates) {
   const PatchScene& scene = sees.scene();
-  if (candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
-  static TraceCandidates* const trace = trace_candidates(available_isas().back());
-  std::array<bool, most_rays> maybe;
+  static TraceCandidates* const trace = trace_candidates(measured_isa());
+  if (trace == nullptr || candidates.size() > most_candidates) return share_of(sees.embree().trace(pair, rays));
+  std::array<std::uint64_t, most_rays / 64> maybe;
   const RayEnds ends{scene.patches[pair.a], scene.patches[pair.b], scene.patch_planes[pair.a],
                      scene.patch_planes[pair.b]};
   const CandidateCounts counts = trace(ends, rays, sees.ray_boxes(), candidates, maybe.data());
   unsigned clear = counts.clear;
-  if (counts.maybe != 0) clear += sees.embree().count_clear(pair, rays, std::span(maybe).first(rays.count));
+  if (counts.maybe != 0) clear += sees.embree().count_clear(pair, rays, maybe);
   return counts.traced == 0 ? 0.0F : static_cast<float>(clear) / static_cast<float>(counts.traced);
 }
 
@@ -303,6 +319,7 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
 
 void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool near, unsigned rays, double target) {
   const std::size_t count = products_for(rays, suite.quick());
+  const RunOptions options{.brief = !suite.quick(), .once = suite.quick()};
   const std::string kind = fmt::format("sees/{}/{}", sees->name, near ? "near" : "anywhere");
   const std::string row = fmt::format("{}/{}", kind, rays);
   const auto products_of = [=] { return std::span<const Product>(sees->products(near)).first(count); };
@@ -311,53 +328,55 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
     for (const Product& product : products_of()) pairs += static_cast<std::int64_t>(product.facing.size());
     state.SetItemsProcessed(state.iterations() * pairs);
   };
-  suite.add(row, "",
-            [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
-              select_isa(available_isas().back());
-              const ShadowRays shadow_rays(rays);
-              if (!*checked) {
-                const Check checked_pairs = check(*sees, products_of(), shadow_rays);
-                if (checked_pairs.wrong != 0) {
-                  state.SkipWithError(
-                      fmt::format("{} answers are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
-                  return;
-                }
-                suite.note(
-                    fmt::format("{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair; {} of "
-                                "{} rays differ; of {} clear pairs rays graze the surface",
-                                row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
-                                static_cast<double>(checked_pairs.candidates) /
-                                    static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1)),
-                                checked_pairs.differ, checked_pairs.rays, checked_pairs.grazed));
-                *checked = true;
-              }
-              std::vector<float> shares;
-              for (auto _ : state) {
-                for (const Product& product : products_of()) {
-                  answer(*sees, shadow_rays, product.patches, shares);
-                  benchmark::DoNotOptimize(shares.data());
-                }
-              }
-              set_items(state);
-            },
-            {.brief = true});
-  suite.add(row + "/embree", "",
-            [=](benchmark::State& state) {
-              const EmbreeScene& embree = sees->embree();
-              const ShadowRays shadow_rays(rays);
-              std::vector<float> shares;
-              for (auto _ : state) {
-                for (const Product& product : products_of()) {
-                  shares.resize(product.facing.size());
-                  for (std::size_t i = 0; i != shares.size(); ++i) {
-                    shares[i] = share_of(embree.trace(product.facing[i], shadow_rays));
-                  }
-                  benchmark::DoNotOptimize(shares.data());
-                }
-              }
-              set_items(state);
-            },
-            {.brief = true});
+  suite.add(
+      row, "",
+      [=, &suite, checked = std::make_shared<bool>(false)](benchmark::State& state) {
+        select_isa(measured_isa());
+        const ShadowRays shadow_rays(rays);
+        if (!*checked) {
+          const Check checked_pairs = check(*sees, products_of(), shadow_rays);
+          if (checked_pairs.wrong != 0) {
+            state.SkipWithError(
+                fmt::format("{} answers are wrong; {}", checked_pairs.wrong, checked_pairs.first_wrong).c_str());
+            return;
+          }
+          suite.note(
+              fmt::format("{}: {} of {} pairs that face each other; {:.1f} candidates an undecided pair; {} of "
+                          "{} rays differ; of {} clear pairs rays graze the surface",
+                          row, shares_text(checked_pairs.counts), checked_pairs.counts.total(),
+                          static_cast<double>(checked_pairs.candidates) /
+                              static_cast<double>(std::max<std::uint64_t>(checked_pairs.counts.undecided, 1)),
+                          checked_pairs.differ, checked_pairs.rays, checked_pairs.grazed));
+          *checked = true;
+        }
+        std::vector<float> shares;
+        for (auto _ : state) {
+          for (const Product& product : products_of()) {
+            answer(*sees, shadow_rays, product.patches, shares);
+            benchmark::DoNotOptimize(shares.data());
+          }
+        }
+        set_items(state);
+      },
+      options);
+  suite.add(
+      row + "/embree", "",
+      [=](benchmark::State& state) {
+        const EmbreeScene& embree = sees->embree();
+        const ShadowRays shadow_rays(rays);
+        std::vector<float> shares;
+        for (auto _ : state) {
+          for (const Product& product : products_of()) {
+            shares.resize(product.facing.size());
+            for (std::size_t i = 0; i != shares.size(); ++i) {
+              shares[i] = share_of(embree.trace(product.facing[i], shadow_rays));
+            }
+            benchmark::DoNotOptimize(shares.data());
+          }
+        }
+        set_items(state);
+      },
+      options);
   suite.add_target(row, row + "/embree", target);
 }
 
@@ -370,12 +389,13 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
     suite.add(
         name, "",
         [=, &suite, noted = std::make_shared<bool>(options.threads != 1)](benchmark::State& state) {
-          select_isa(available_isas().back());
+          select_isa(measured_isa());
           const PatchScene& scene = finer ? sees->finer() : sees->scene();
+          const Blockers& blockers = sees->blockers();  // whatever the patches, surfaces are the same
           SightCounts counts;
           for (auto _ : state) {
             const PatchSet patches(scene.patch_boxes, scene.patch_planes);
-            counts = count_visibility(patches, blockers_of(scene), {.candidates = false});
+            counts = count_visibility(patches, blockers, {.candidates = false});
           }
           const std::uint64_t pairs = scene.patches.size() * (scene.patches.size() - 1) / 2;
           if (counts.total() != pairs) {
@@ -390,6 +410,14 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
         },
         options);
   };
+  suite.add(fmt::format("sees/{}/blockers", sees->name), "",
+            [=](benchmark::State& state) {
+              select_isa(measured_isa());
+              const PatchScene& scene = sees->scene();
+              for (auto _ : state) benchmark::DoNotOptimize(blockers_of(scene).size());
+              state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.objects.size() - 1));
+            },
+            {.brief = !suite.quick(), .once = suite.quick()});
   add(row, false, {});
   suite.add_time_target(row, 1e9 / pairs_per_second);
   if (all_threads() > 1) {
@@ -412,7 +440,7 @@ void declare_sees(Suite& suite, const Workload& /*workload*/) {
     return city_blocks({city_blocks_patch, finer});
   });
   // Targets are set for AVX-512.
-  const double share = available_isas().back() == Isa::avx512 ? 1 : 0.7;
+  const double share = measured_isa() == Isa::avx512 ? 1 : 0.7;
   declare_all(suite, inside, 150e6 * share);
   declare_all(suite, outside, 100e6 * share);
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE

@@ -4,7 +4,6 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -54,7 +53,7 @@ void place(const Patch& patch, std::size_t axis, const float* u, const float* v,
 
 template <unsigned width>
 RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair& pair, const ShadowRays& rays,
-                     float least_height, const bool* wanted) {
+                     float least_height, const std::uint64_t* wanted) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -71,7 +70,8 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
   alignas(64) float end[3][width];
   alignas(64) int valid[width];
   for (unsigned first = 0; first < rays.count; first += width) {
-    if (wanted != nullptr && std::none_of(wanted + first, wanted + first + width, std::identity())) continue;
+    const std::uint64_t wanted_here = wanted == nullptr ? 0 : wanted[first / 64] >> first % 64;
+    if (wanted != nullptr && wanted_here % (std::uint64_t{1} << width) == 0) continue;
     float* const origins[3] = {packet.org_x, packet.org_y, packet.org_z};
     float* const directions[3] = {packet.dir_x, packet.dir_y, packet.dir_z};
     for (std::size_t k = 0; k != 3; ++k) {
@@ -97,7 +97,7 @@ RayCounts trace_pair(RTCScene embree, const PatchScene& scene, const FacingPair&
         const float before_b = plane_b.normal[0] * origins[0][i] + plane_b.normal[1] * origins[1][i] +
                                plane_b.normal[2] * origins[2][i] - plane_b.offset;
         const bool is_wanted =
-            wanted == nullptr ? before_a > least_height && before_b > least_height : wanted[first + i];
+            wanted == nullptr ? before_a > least_height && before_b > least_height : (wanted_here >> i & 1U) != 0;
         valid[i] = is_wanted ? -1 : 0;
         traced += is_wanted ? 1 : 0;
       }
@@ -168,12 +168,13 @@ RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, flo
   return trace(pair, rays, least_height, nullptr);
 }
 
-unsigned EmbreeScene::count_clear(const FacingPair& pair, const ShadowRays& rays, std::span<const bool> wanted) const {
+unsigned EmbreeScene::count_clear(const FacingPair& pair, const ShadowRays& rays,
+                                  std::span<const std::uint64_t> wanted) const {
   return trace(pair, rays, 0, wanted.data()).clear;
 }
 
 RayCounts EmbreeScene::trace(const FacingPair& pair, const ShadowRays& rays, float least_height,
-                             const bool* wanted) const {
+                             const std::uint64_t* wanted) const {
   switch (std::min(handles_->packet, rays.count)) {
     case 16:
       return trace_pair<16>(handles_->scene, scene_, pair, rays, least_height, wanted);
