@@ -56,7 +56,7 @@ void run(const SeesOptions& options) {
     sinks.push_back(file.get());
   }
   std::unique_ptr<OutputFile> picture;
-  SeenShares shares(scene, patches, options.rays);
+  SeenShares shares(patches, options.rays);
   if (!options.svg.empty()) {
     picture = std::make_unique<OutputFile>(options.svg);
     sinks.push_back(&shares);

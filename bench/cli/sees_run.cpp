@@ -93,21 +93,8 @@ SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const
   return counts;
 }
 
-SeenShares::SeenShares(const SeesScene& scene, const PatchSet& patches, std::uint32_t rays)
-    : scene_(scene), patches_(patches), rays_(rays), shares_(patches.size()) {}
-
-bool SeenShares::face_each_other(std::uint32_t a, std::uint32_t b) const {
-  if (scene_.planes.empty()) return true;
-  const auto is_in_front = [&](std::uint32_t patch, std::uint32_t of) {
-    const Point3 normal = in_doubles(scene_.planes[of].normal);
-    const double offset = scene_.planes[of].offset;
-    const auto& corners = scene_.patches[patch].corner;
-    return std::any_of(corners.begin(), corners.end(), [&](const Point3& corner) {
-      return normal[0] * corner[0] + normal[1] * corner[1] + normal[2] * corner[2] > offset;
-    });
-  };
-  return is_in_front(a, b) && is_in_front(b, a);
-}
+SeenShares::SeenShares(const PatchSet& patches, std::uint32_t rays)
+    : patches_(patches), rays_(rays), shares_(patches.size()) {}
 
 void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
   const auto order = patches_.order();
@@ -117,7 +104,6 @@ void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> se
       const std::uint32_t a = order[product.a.first + i];
       const std::uint32_t first = product.a == product.b ? i + 1 : 0;  // each two patches once
       for (const std::uint32_t b : order.subspan(product.b.first + first, product.b.count - first)) {
-        if (!face_each_other(a, b)) continue;
         ++shares_[a];
         ++shares_[b];
       }

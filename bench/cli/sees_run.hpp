@@ -56,11 +56,11 @@ class SightSink {
 [[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
                                                     const PatchSet& patches, std::uint32_t rays);
 
-/// What share of the others each patch sees: of pairs that are clear all, unless they face away as well; of those with
-/// rays the share of the rays that arrive; of others nothing.
+/// What share of the others each patch sees: of pairs that are clear all; of those with rays the share of the rays that
+/// arrive; of others nothing.
 class SeenShares final : public SightSink {
  public:
-  SeenShares(const SeesScene& scene, const PatchSet& patches, std::uint32_t rays);
+  SeenShares(const PatchSet& patches, std::uint32_t rays);
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override;
   void finish() override;
@@ -69,10 +69,6 @@ class SeenShares final : public SightSink {
   [[nodiscard]] std::span<const double> shares() const noexcept { return shares_; }
 
  private:
-  /// Whether some of each is in front of the other's plane.
-  [[nodiscard]] bool face_each_other(std::uint32_t a, std::uint32_t b) const;
-
-  const SeesScene& scene_;
   const PatchSet& patches_;
   std::uint32_t rays_;
   std::vector<double> shares_;  ///< how many others, until all answers were taken

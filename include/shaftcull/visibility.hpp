@@ -13,8 +13,8 @@
 ///   only.
 ///
 /// All are exact for the floats given: which pairs are undecided, and their candidates, follow from these definitions
-/// alone. Of a pair for which more than one of the other three is true, one of them is told: the same one on every
-/// instruction set and for any number of threads.
+/// alone. A pair that is told to be clear does not face away. One that faces away and is blocked, too, is told either:
+/// the same on every instruction set and for any number of threads.
 ///
 /// A blocker reaches into the shaft if its box does, as cull() with open contact says (Contact in shaft.hpp), and if
 /// not all of its corners lie on or behind one of the two planes. Of triangles, groups of neighbours are one blocker.
@@ -147,8 +147,8 @@ struct PatchRun {
 
 /// One answer for all pairs of a patch of one run and a patch of another.
 struct SightProduct {
-  PatchRun a;
-  PatchRun b;
+  PatchRun a;   ///< of the first set
+  PatchRun b;   ///< of the second set
   Sight sight;  ///< never undecided
   friend bool operator==(const SightProduct&, const SightProduct&) = default;
 };
@@ -156,17 +156,17 @@ struct SightProduct {
 /// Two patches, by the user's indices: the first of set a, the second of set b. Of one set with itself, the one that is
 /// first in its order comes first.
 struct PatchPair {
-  std::uint32_t a;
-  std::uint32_t b;
+  std::uint32_t a;  ///< of the first set
+  std::uint32_t b;  ///< of the second set
   friend bool operator==(const PatchPair&, const PatchPair&) = default;
 };
 
 /// Pairs that are undecided. Candidates of pair i are candidates[first_candidate[i]] to before first_candidate[i + 1],
 /// in ascending order; both are empty if they were not asked for.
 struct UndecidedPairs {
-  std::span<const PatchPair> pairs;
-  std::span<const std::size_t> first_candidate;
-  std::span<const std::uint32_t> candidates;
+  std::span<const PatchPair> pairs;              ///< each once
+  std::span<const std::size_t> first_candidate;  ///< where those of each pair begin, and where the last ones end
+  std::span<const std::uint32_t> candidates;     ///< numbers of blockers
 };
 
 /// Some answers. Memory is the library's, and valid during the call only.
@@ -177,10 +177,11 @@ struct SightBatch {
 
 /// How many pairs there are of each kind.
 struct SightCounts {
-  std::uint64_t undecided = 0;
-  std::uint64_t clear = 0;
-  std::uint64_t blocked = 0;
-  std::uint64_t facing_away = 0;
+  std::uint64_t undecided = 0;    ///< Sight::undecided
+  std::uint64_t clear = 0;        ///< Sight::clear
+  std::uint64_t blocked = 0;      ///< Sight::blocked
+  std::uint64_t facing_away = 0;  ///< Sight::facing_away
+  /// Of all kinds.
   [[nodiscard]] std::uint64_t total() const noexcept { return undecided + clear + blocked + facing_away; }
   friend bool operator==(const SightCounts&, const SightCounts&) = default;
 };
@@ -238,11 +239,11 @@ SightCounts visibility(const PatchSet& patches, const Blockers& blockers, Functi
 
 /// All answers, in memory.
 struct Visibility {
-  std::vector<SightProduct> products;
-  std::vector<PatchPair> undecided;
-  std::vector<std::size_t> first_candidate;  ///< as UndecidedPairs has them
-  std::vector<std::uint32_t> candidates;
-  SightCounts counts;
+  std::vector<SightProduct> products;        ///< what is decided
+  std::vector<PatchPair> undecided;          ///< as UndecidedPairs has them, with their candidates
+  std::vector<std::size_t> first_candidate;  ///< likewise
+  std::vector<std::uint32_t> candidates;     ///< likewise
+  SightCounts counts;                        ///< of each kind
 };
 
 /// Collects what visibility() delivers. It may take much memory: 20 bytes a product, and there are some 0.1 to 0.2 as

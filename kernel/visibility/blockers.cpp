@@ -75,8 +75,8 @@ class Addition {
   void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
   void add_polygon() { data_.polygons.push_back({static_cast<std::uint32_t>(data_.boxes.size() - 1)}); }
   void add_solids(std::span<const Box> solids) {
-    data_.solids.insert(data_.solids.end(), solids.begin(), solids.end());
-    data_.solids = merged_boxes(data_.solids);
+    data_.given_solids.insert(data_.given_solids.end(), solids.begin(), solids.end());
+    data_.solids = merged_boxes(data_.given_solids);
     data_.solid_rows.clear();
     for (const Box& solid : data_.solids) {
       data_.solid_rows.push_back(

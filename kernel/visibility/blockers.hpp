@@ -29,7 +29,9 @@ struct BlockerData {
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> first_triangle{0};
 
-  /// Boxes that make pairs blocked, those given made as large as they are together.
+  /// Boxes that are solid, as they were given or found in hulls, and as large as they are together: those make pairs
+  /// blocked.
+  std::vector<Box> given_solids;
   std::vector<Box> solids;
   std::vector<BoxRow> solid_rows;
   std::vector<PolygonBlocker> polygons;

@@ -205,6 +205,10 @@ void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
   walk(a, b, depth);
 }
 
+/// Whether patches may face away from each other. Then groups are not told to be clear: some pairs of them may face
+/// away, and are to be told so.
+bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || job_.b.tree.has_planes(); }
+
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
   const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
   SightCounts& counts = answers_.counts;
@@ -328,7 +332,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
   std::uint64_t any = keep(blockers.boxes, lists.candidates, kept);
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
-  answer(left & ~any, Sight::clear);
+  if (!has_planes()) answer(left & ~any, Sight::clear);
   if (left == 0) return 0;
   if (!lists.polygons.empty()) {
     keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
@@ -454,9 +458,11 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
                         lanes, selection.kept.data());
   };
   const std::uint64_t undecided = keep(candidates);
-  decide(rows, row, columns, lanes & ~undecided, Sight::clear);
-  lanes = undecided;
-  if (lanes == 0) return;
+  if (!has_planes()) {
+    decide(rows, row, columns, lanes & ~undecided, Sight::clear);
+    lanes = undecided;
+    if (lanes == 0) return;
+  }
 
   keep(polygons);
   if (solids.count != 0) {
@@ -501,6 +507,9 @@ void Ladder::select(const std::vector<std::uint32_t>& list, const std::vector<st
 
 /// Answers a patch with those of the other side that are in `lanes`: the innermost loop.
 void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  if (here.lists.candidates.empty() && here.lists.solids.empty() && here.lists.polygons.empty()) {
+    return decide(rows, row, columns, lanes, Sight::clear);
+  }
   const SiblingKernels& kernels = job_.kernels;
   const BlockerData& blockers = job_.blockers;
   // Side by side, fewer vectors hold those that are left.

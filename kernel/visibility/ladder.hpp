@@ -126,6 +126,7 @@ class Ladder {
                                                   const std::uint64_t* may_block, std::uint64_t asked) const;
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
+  [[nodiscard]] bool has_planes() const noexcept;
   void write(const PatchRun& a, const PatchRun& b, Sight sight);
 
   const SightJob& job_;

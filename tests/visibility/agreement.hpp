@@ -146,7 +146,7 @@ class SightTruths {
         const bool is_right = *entry.sight == Sight::facing_away ? truth.is_facing_away
                               : *entry.sight == Sight::blocked   ? truth.is_blocked
                               : *entry.sight == Sight::clear
-                                  ? truth.is_clear()
+                                  ? truth.is_clear() && !truth.is_facing_away
                                   : !truth.is_facing_away && !truth.is_blocked && !truth.is_clear();
         if (!is_right ||
             (with_candidates && *entry.sight == Sight::undecided && entry.candidates != truth.candidates)) {
