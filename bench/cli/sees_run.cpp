@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sees_run.hpp"
 
-#include <algorithm>
 #include <map>
 #include <mutex>
 #include <utility>
