@@ -47,7 +47,7 @@ endif()
 
 # What is thrown has its type here; bindings/c/tests/symbols.cmake checks that another library has none of its own.
 execute_process(COMMAND ${NM} --dynamic --defined-only --extern-only ${LIBRARY} OUTPUT_VARIABLE mangled)
-foreach(error 15InvalidArgument 8BadBound 10NeedsRefit)
+foreach(error 15InvalidArgument 8BadBound 10NeedsRefit 9Cancelled)
   if(NOT mangled MATCHES " [DV] _ZTIN9shaftcull${error}E\n")
     message(FATAL_ERROR "${LIBRARY} does not export the typeinfo of shaftcull::${error}")
   endif()

@@ -44,12 +44,13 @@
 #include "shaftcull/streams.hpp"
 #include "shaftcull/triangles.hpp"
 
-namespace SHAFTCULL_INTERFACE shaftcull {
-
-namespace kernel {
+// The library's own: not of the interface.
+namespace shaftcull::kernel {
 class PatchTree;
 struct BlockerData;
-}  // namespace kernel
+}  // namespace shaftcull::kernel
+
+namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// What is said of a pair of patches.
 enum class Sight : std::uint8_t {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -168,8 +169,8 @@ Ladder::Ladder(const SightJob& job, SightAnswers& answers) : job_(job), answers_
 Ladder::~Ladder() = default;
 
 Ladder::Level& Ladder::level(std::size_t depth) {
-  while (levels_.size() <= depth) levels_.emplace_back();
-  return levels_[depth];
+  while (levels_.size() <= depth) levels_.push_back(std::make_unique<Level>());
+  return *levels_[depth];
 }
 
 void Ladder::enter(SightProductTask&& task) {

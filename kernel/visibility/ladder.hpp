@@ -9,7 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <vector>
 
 #include "kernels/table.hpp"
@@ -131,7 +131,7 @@ class Ladder {
 
   const SightJob& job_;
   SightAnswers& answers_;
-  std::deque<Level> levels_;
+  std::vector<std::unique_ptr<Level>> levels_;
   Siblings siblings_;
   PackedBoxes packed_;
   const float* packed_box_[6];
