@@ -202,8 +202,8 @@ struct VisibilityOptions {
   bool solids_around_ends = true;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
-  /// Bytes that answers under way may take, and what they are found with. The sets and blockers come on top, and what a
-  /// callback keeps.
+  /// Bytes that answers under way may take, and what they are found with. On top come the sets and blockers, some 2 MB
+  /// a thread, and what a callback keeps.
   std::size_t memory = std::size_t{256} << 20;
   /// Gets undecided pairs and may give the final word on each, by rays for instance: verdict[i] is of pair i, and
   /// undecided to begin with. Called by many threads at once. What it answers is deterministic if it is.

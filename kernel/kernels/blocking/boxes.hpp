@@ -8,6 +8,7 @@
 
 #include "exact/blocking.hpp"
 #include "kernels/boxes/slab.hpp"
+#include "kernels/shared/two_axes.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
 #include "kernels/tree/listed_words.hpp"
@@ -159,10 +160,7 @@ class BlockingConstraints {
       since[k] = L::maximum(L::multiply(lo, since_[k]), L::maximum(L::multiply(hi, since_[k + 3]), none));
       until[k] = L::maximum(L::multiply(lo, until_[k]), L::maximum(L::multiply(hi, until_[k + 3]), none));
     }
-    const Vector x = L::add(since[0], L::maximum(until[1], until[2]));
-    const Vector y = L::add(since[1], L::maximum(until[2], until[0]));
-    const Vector z = L::add(since[2], L::maximum(until[0], until[1]));
-    return L::maximum(x, L::maximum(y, z));
+    return largest_sum_of_two_axes<L>(since, until);
   }
 
   const ShaftData& shaft_;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "exact/pair.hpp"
+#include "kernels/shared/two_axes.hpp"
 #include "kernels/siblings/form.hpp"
 
 namespace shaftcull::kernel {
@@ -87,10 +88,7 @@ class BoundInLanes {
       until[k] = L::maximum(L::multiply(lo, L::load(&siblings.forward[k][lane])),
                             L::maximum(L::multiply(hi, L::load(&siblings.backward[k + 3][lane])), none));
     }
-    const Vector x = L::add(since[0], L::maximum(until[1], until[2]));
-    const Vector y = L::add(since[1], L::maximum(until[2], until[0]));
-    const Vector z = L::add(since[2], L::maximum(until[0], until[1]));
-    return L::maximum(x, L::maximum(y, z));
+    return largest_sum_of_two_axes<L>(since, until);
   }
 
   const BoxRow& bound_;
