@@ -81,6 +81,7 @@ Digits digits_of(const SightQuestion& question) {
   for (const std::vector<Vec3>& polygon : question.polygons) {
     for (const Vec3& corner : polygon) digits.add(corner);
   }
+  if (digits.first > digits.end) digits.add(1.0F);  // every number is 0
   return digits;
 }
 
