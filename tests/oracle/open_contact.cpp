@@ -103,23 +103,25 @@ OpenHull::OpenHull(const ShaftInput& input) : between_(std::in_place, input.a, i
 
 OpenHull::OpenHull(const MovingInput& input) : moving_(std::in_place, input) {
   const Corners start = corners(input.box);
-  const Corners light = corners(input.light);
-  Corners end = start;
   Corners way;
-  for (std::size_t k = 0; k != 3; ++k) {
-    if (input.is_shadow()) {  // the points l + s (o − l), s from 1 to the reach: o + (s − 1) (o − l)
+  if (input.is_shadow()) {  // the points l + s (o − l), s from 1 to the reach: o + (s − 1) (o − l)
+    const Corners light = corners(input.light);
+    for (std::size_t k = 0; k != 3; ++k) {
       way[0][k] = start[0][k] - light[1][k];
       way[1][k] = start[1][k] - light[0][k];
-    } else {
-      way[0][k] = way[1][k] = mpq_class(input.displacement[k]);
     }
-    const mpq_class times = input.is_shadow() ? mpq_class(input.reach) - 1 : mpq_class(1);
-    for (std::size_t side = 0; side != 2; ++side) end[side][k] += times * way[side][k];
+  } else {
+    for (std::size_t k = 0; k != 3; ++k) way[0][k] = way[1][k] = mpq_class(input.displacement[k]);
   }
   boxes_ = {start};
   if (input.is_endless()) {
     ways_ = {way};
   } else {
+    const mpq_class times = input.is_shadow() ? mpq_class(input.reach) - 1 : mpq_class(1);
+    Corners end = start;
+    for (std::size_t side = 0; side != 2; ++side) {
+      for (std::size_t k = 0; k != 3; ++k) end[side][k] += times * way[side][k];
+    }
     boxes_.push_back(end);
   }
   add_planes(input.added);
