@@ -207,7 +207,8 @@ class HullFormation {
       const unsigned k = outward.axis[i];
       const auto inward = static_cast<float>(outward.component[i] * scale);
       plane.inward[i] = inward;
-      plane.near[i] = static_cast<std::uint8_t>(inward < 0 ? k : k + 3);
+      // By the sign of the component itself: as a float it may be 0.
+      plane.near[i] = static_cast<std::uint8_t>(sign * outward.component[i] > 0 ? k : k + 3);
       const double magnitude = std::fabs(static_cast<double>(inward));
       hull_.suits_floats = hull_.suits_floats && magnitude >= smallest_component;
       const double term = static_cast<double>(inward) * hull_.vertex[vertices[0]][k];

@@ -144,6 +144,22 @@ TEST(Hull, OfAnyMagnitude) {
   }
 }
 
+TEST(Hull, OfAllMagnitudesAtOnce) {
+  // A normal's small component is 0 as a float, beside a large one; its sign still says which corner is near.
+  Random random(5);
+  for (std::uint64_t i = 0; i != random_cases(150); ++i) {
+    const auto coordinate = [&] { return random.wild(-149, 127); };
+    const HullInput input = hull_of(random, 7, coordinate);
+    std::vector<Box> boxes;
+    for (unsigned b = 0; b != 66; ++b) {
+      const auto corner = [&] { return Vec3{coordinate(), coordinate(), coordinate()}; };
+      boxes.push_back(Random::sorted(corner(), corner()));
+    }
+    expect_exact(input, boxes);
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(Hull, UnboundedAndEmptyBoxes) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Random random(5);
