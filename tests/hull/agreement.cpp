@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,35 @@ TEST(Hull, OfAllMagnitudesAtOnce) {
       boxes.push_back(Random::sorted(corner(), corner()));
     }
     expect_exact(input, boxes);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Hull, WithoutEndAndBoundsWhereFloatsEnd) {
+  // What a plane's terms amount to overflows there, with either sign.
+  Random random(6);
+  constexpr float largest = std::numeric_limits<float>::max();
+  const auto far = [&] {
+    const float x = random.one_in(2) ? largest : random.wild(120, 127);
+    return random.one_in(2) ? x : -x;
+  };
+  for (std::uint64_t i = 0; i != random_cases(300); ++i) {
+    const int high = static_cast<int>(random.integer(-10, 58));
+    HullInput input;
+    while (input.directions.empty()) {
+      input = hull_of(random, 7, [&] { return random.wild(high - 6, high); });
+    }
+    std::vector<Box> boxes;
+    std::vector<Sphere> spheres;
+    for (unsigned b = 0; b != 66; ++b) {
+      const auto coordinate = [&] { return random.one_in(4) ? random.wild(high - 6, high) : far(); };
+      const Vec3 corner = {coordinate(), coordinate(), coordinate()};
+      boxes.push_back(random.one_in(2) ? Box{corner, corner}
+                                       : Random::sorted(corner, {coordinate(), coordinate(), coordinate()}));
+      spheres.push_back({corner, random.one_in(2) ? 0 : std::fabs(coordinate())});
+    }
+    expect_exact(input, boxes);
+    expect_sound(input, spheres);
     if (HasFatalFailure()) return;
   }
 }

@@ -23,7 +23,7 @@ inline constexpr float hull_radius_slack = 26 * 0x1p-24F;
 
 /// The smallest depth of some vectors of bounds below planes of a hull: what it is at most, and at least.
 ///
-/// most < 0: beyond a plane for certain. least > 0: behind all for certain. A depth that is not a number says nothing.
+/// most < 0: beyond a plane for certain. least > 0: behind all for certain. Of a depth that is not a number neither is.
 template <class L, unsigned vectors, bool bounded>
 struct HullDepths {
   using Vector = typename L::Vector;
@@ -50,7 +50,7 @@ struct HullDepths {
         } else {
           const Vector margin = L::multiply(plane.terms(x, v), L::all(unbounded_hull_margin * open_hull_margin_factor));
           most[v] = L::minimum(L::add(depth, margin), most[v]);
-          least[v] = L::minimum(L::subtract(depth, margin), least[v]);
+          least[v] = L::minimum(or_unknown(L::subtract(depth, margin)), least[v]);
         }
       }
     }
@@ -79,12 +79,17 @@ struct HullDepths {
           below = L::subtract(depth, margin);
         }
         most[v] = L::minimum(L::multiply_add(radius_for_most[v], length, above), most[v]);
-        least[v] = L::minimum(L::multiply_add(radius_for_least[v], length, below), least[v]);
+        const Vector lower = L::multiply_add(radius_for_least[v], length, below);
+        least[v] = L::minimum(bounded ? lower : or_unknown(lower), least[v]);
       }
     }
   }
 
  private:
+  /// The least that a depth can be: −∞ if that is not a number, as terms overflowed. minimum() and maximum() pass over
+  /// a NaN in their first argument.
+  [[nodiscard]] static Vector or_unknown(Vector lower) noexcept { return L::maximum(lower, L::all(-__builtin_inff())); }
+
   /// A plane's coefficients in whole vectors.
   template <unsigned coordinates>
   struct Coefficients {
