@@ -556,13 +556,21 @@ void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, 
   const std::uint32_t a = rows.set.tree.order()[rows.first + row];
   for_each_lane(lanes, [&](unsigned lane) {
     answers_.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
-    if (!job_.wants_candidates) return;
-    const Selection& candidates = here.candidates_of_row;
-    for (std::size_t i = 0; i != candidates.count; ++i) {
-      if ((candidates.kept[i] & bit(lane)) != 0) answers_.candidates.push_back(candidates.list[i]);
-    }
-    answers_.first_candidate.push_back(answers_.candidates.size());
   });
+  if (job_.wants_candidates) {
+    const Selection& candidates = here.candidates_of_row;
+    std::vector<std::uint32_t>& all = answers_.candidates;
+    std::size_t size = all.size();
+    all.resize(size + candidates.count * static_cast<std::size_t>(std::popcount(lanes)));  // at most
+    for_each_lane(lanes, [&](unsigned lane) {
+      for (std::size_t i = 0; i != candidates.count; ++i) {  // without branches, which would be mispredicted
+        all[size] = candidates.list[i];
+        size += candidates.kept[i] >> lane & 1U;
+      }
+      answers_.first_candidate.push_back(size);
+    });
+    all.resize(size);
+  }
   if (full_ != nullptr && answers_.memory_bytes() >= most_bytes_) (*full_)();
 }
 

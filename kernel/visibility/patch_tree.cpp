@@ -10,6 +10,7 @@
 #include <new>
 
 #include "support/exact_floats.hpp"
+#include "support/float_environment.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -17,28 +18,36 @@ namespace {
 /// What a patch is sorted by: the middle of its box, and its unit normal.
 constexpr std::size_t keys = 6;
 
-/// A box in up to six dimensions: three of space, three of normals.
-struct Extent {
-  std::array<float, keys> lo;
-  std::array<float, keys> hi;
+/// A box in six dimensions, three of space and three of normals. Its lo is stored with the opposite sign, so that to
+/// join two boxes is to take sixteen maxima, which compilers make a few vector operations of. The last two of each
+/// eight mean nothing.
+class alignas(64) Extent {
+ public:
+  Extent() noexcept { farthest_.fill(-std::numeric_limits<float>::infinity()); }
 
-  Extent() noexcept {
-    lo.fill(std::numeric_limits<float>::infinity());
-    hi.fill(-std::numeric_limits<float>::infinity());
+  void set(std::size_t k, float lo, float hi) noexcept {
+    farthest_[k] = -lo;
+    farthest_[k + 8] = hi;
   }
   void join(const Extent& other) noexcept {
-    for (std::size_t k = 0; k != keys; ++k) {
-      lo[k] = std::min(lo[k], other.lo[k]);
-      hi[k] = std::max(hi[k], other.hi[k]);
-    }
+    // Copies, so that compilers see that nothing is read after it was written.
+    const std::array<float, 16> mine = farthest_;
+    const std::array<float, 16> theirs = other.farthest_;
+    for (std::size_t i = 0; i != 16; ++i) farthest_[i] = mine[i] > theirs[i] ? mine[i] : theirs[i];
   }
-  [[nodiscard]] double length(std::size_t k) const noexcept { return hi[k] >= lo[k] ? double{hi[k]} - lo[k] : 0; }
+  [[nodiscard]] double length(std::size_t k) const noexcept {
+    const double lo = -double{farthest_[k]};
+    return farthest_[k + 8] >= lo ? farthest_[k + 8] - lo : 0;
+  }
+
+ private:
+  std::array<float, 16> farthest_;
 };
 
 /// A patch on its way to its group.
 struct Item {
-  std::array<float, keys> key;
   Extent extent;
+  std::array<float, keys> key;
   std::uint32_t index;
 };
 
@@ -55,58 +64,93 @@ double cost(const Extent& extent) noexcept {
   return (x * y + y * z + z * x + of_length * (x + y + z) * (x + y + z)) * (of_flatness + spread);
 }
 
-constexpr std::size_t bins = 32;
+/// Which bin of equally long parts a key is in.
+struct Binning {
+  double lo;
+  double per_length;
+  std::size_t last;
 
-/// Halves items where it costs least. Returns how many are in the first half: never none or all.
-std::size_t halve(std::span<Item> items, std::size_t most_keys) {
-  Extent centres;
-  for (const Item& item : items) {
-    for (std::size_t k = 0; k != most_keys; ++k) {
-      centres.lo[k] = std::min(centres.lo[k], item.key[k]);
-      centres.hi[k] = std::max(centres.hi[k], item.key[k]);
-    }
+  [[nodiscard]] std::size_t bin(float key) const noexcept {
+    return std::min(static_cast<std::size_t>((double{key} - lo) * per_length), last);
   }
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t best_key = keys;
-  std::size_t best_bin = 0;
-  const auto bin_of = [&](const Item& item, std::size_t k) {
-    const double at = (double{item.key[k]} - centres.lo[k]) / centres.length(k) * bins;
-    return std::min(static_cast<std::size_t>(at), bins - 1);
-  };
-  for (std::size_t k = 0; k != most_keys; ++k) {
-    if (!(centres.length(k) > 0)) continue;
-    std::array<Extent, bins> extent;
-    std::array<std::size_t, bins> count{};
-    for (const Item& item : items) {
-      const std::size_t b = bin_of(item, k);
-      extent[b].join(item.extent);
-      ++count[b];
-    }
-    std::array<double, bins> behind{};
+};
+
+/// Where a set of items is cut in two: behind the bins up to `last_before`, by a key.
+struct Cut {
+  double cost = std::numeric_limits<double>::infinity();
+  std::size_t key = keys;
+  std::size_t last_before = 0;
+};
+
+constexpr std::size_t most_bins = 32;
+constexpr std::size_t few_items = 256;  // for which half as many bins do as well
+
+/// What is in each bin of a key.
+struct Bins {
+  std::array<Extent, most_bins> extent;
+  std::array<std::size_t, most_bins> count{};
+
+  void fill(std::span<const Item> items, std::size_t key, const Binning& binning) noexcept {
+    behind_a_call([&] {  // inlined, compilers make no vectors of it
+      for (const Item& item : items) {
+        const std::size_t b = binning.bin(item.key[key]);
+        extent[b].join(item.extent);
+        ++count[b];
+      }
+    });
+  }
+
+  /// The best cut between two bins, if it is better than what is known.
+  void improve(Cut& best, std::size_t key, std::size_t bins, std::size_t items) const noexcept {
+    std::array<double, most_bins> behind{};  // the cost of what is behind each bin
     Extent joined;
     std::size_t joined_count = 0;
     for (std::size_t b = bins; b-- > 1;) {
+      behind[b - 1] = behind[b];
+      if (count[b] == 0) continue;
       joined.join(extent[b]);
       joined_count += count[b];
-      behind[b] = joined_count == 0 ? 0 : cost(joined) * static_cast<double>(joined_count);
+      behind[b - 1] = cost(joined) * static_cast<double>(joined_count);
     }
     joined = Extent();
     joined_count = 0;
-    for (std::size_t b = 1; b != bins; ++b) {
-      joined.join(extent[b - 1]);
-      joined_count += count[b - 1];
-      if (joined_count == 0 || joined_count == items.size()) continue;
+    for (std::size_t b = 0; b + 1 != bins; ++b) {
+      if (count[b] == 0) continue;  // as the cut before it
+      joined.join(extent[b]);
+      joined_count += count[b];
+      if (joined_count == items) break;
       const double total = cost(joined) * static_cast<double>(joined_count) + behind[b];
-      if (total < least) {
-        least = total;
-        best_key = k;
-        best_bin = b;
-      }
+      if (total < best.cost) best = {total, key, b};
     }
   }
-  if (best_key == keys) return items.size() / 2;  // all alike
-  const auto middle = std::stable_partition(items.begin(), items.end(),
-                                            [&](const Item& item) { return bin_of(item, best_key) < best_bin; });
+};
+
+/// Halves items where it costs least. Returns how many are in the first half: never none or all.
+std::size_t halve(std::span<Item> items, std::size_t most_keys) {
+  const std::size_t bins = items.size() < few_items ? most_bins / 2 : most_bins;
+  std::array<float, keys> lo;
+  std::array<float, keys> hi;
+  lo.fill(std::numeric_limits<float>::infinity());
+  hi.fill(-std::numeric_limits<float>::infinity());
+  for (const Item& item : items) {
+    for (std::size_t k = 0; k != keys; ++k) {
+      lo[k] = std::min(lo[k], item.key[k]);
+      hi[k] = std::max(hi[k], item.key[k]);
+    }
+  }
+  Cut best;
+  std::array<Binning, keys> binning{};
+  for (std::size_t k = 0; k != most_keys; ++k) {
+    if (!(hi[k] > lo[k])) continue;
+    binning[k] = {lo[k], static_cast<double>(bins) / (double{hi[k]} - lo[k]), bins - 1};
+    Bins in;
+    in.fill(items, k, binning[k]);
+    in.improve(best, k, bins, items.size());
+  }
+  if (best.key == keys) return items.size() / 2;  // all alike
+  const auto middle = std::stable_partition(items.begin(), items.end(), [&](const Item& item) {
+    return binning[best.key].bin(item.key[best.key]) <= best.last_before;
+  });
   return static_cast<std::size_t>(middle - items.begin());
 }
 
@@ -165,17 +209,17 @@ PatchTree::PatchTree(const BoxView& boxes, std::span<const Plane> planes) {
     item.index = static_cast<std::uint32_t>(i);
     const Box box = boxes[i];
     for (std::size_t k = 0; k != 3; ++k) {
-      item.extent.lo[k] = box.lo[k];
-      item.extent.hi[k] = box.hi[k];
+      item.extent.set(k, box.lo[k], box.hi[k]);
       item.key[k] = 0.5F * box.lo[k] + 0.5F * box.hi[k];
       largest_coordinate_ = std::max({largest_coordinate_, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
-      item.key[k + 3] = item.extent.lo[k + 3] = item.extent.hi[k + 3] = 0;
+      item.key[k + 3] = 0;
     }
     if (!has_planes) continue;
     const Vec3& n = planes[i].normal;
     const double length = std::sqrt(double{n[0]} * n[0] + double{n[1]} * n[1] + double{n[2]} * n[2]);
     for (std::size_t k = 0; k != 3; ++k) {
-      item.key[k + 3] = item.extent.lo[k + 3] = item.extent.hi[k + 3] = static_cast<float>(n[k] / length);
+      item.key[k + 3] = static_cast<float>(n[k] / length);
+      item.extent.set(k + 3, item.key[k + 3], item.key[k + 3]);
     }
   }
 
