@@ -23,9 +23,10 @@
 /// them. So time grows with what is undecided, and memory stays below a bound however many pairs there are.
 /// E. Haines and J. Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity", 1991, had shafts between groups first.
 ///
-/// Calls run in parallel on oneTBB, in the caller's task_arena. Callbacks are called one at a time, in an order that
-/// does not depend on the number of threads, but for `VisibilityOptions::resolve`. Floating-point modes and flags are
-/// as many.hpp says. Everything const is safe to call from many threads.
+/// Calls run in parallel on oneTBB, in the caller's task_arena. Callbacks are called one at a time, but for
+/// `VisibilityOptions::resolve`. Answers come in an order that depends neither on the number of threads nor on
+/// `VisibilityOptions::memory`; where one batch of them ends and the next one begins does. Floating-point modes and
+/// flags are as many.hpp says. Everything const is safe to call from many threads.
 #pragma once
 
 #include <cstddef>
@@ -202,8 +203,10 @@ struct VisibilityOptions {
   bool solids_around_ends = true;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
-  /// Bytes that answers under way may take, and what they are found with. On top come the sets and blockers, some 2 MB
-  /// a thread, and what a callback keeps.
+  /// Bytes that answers under way may take, and the products of groups that wait for theirs. On top come the sets and
+  /// blockers, for each thread some 2 MB and 200 bytes a blocker, and what a callback keeps. One pair and its
+  /// candidates are kept however long they are. With little memory for many threads, products are answered in smaller
+  /// parts, and where even those have no room, on one thread.
   std::size_t memory = std::size_t{256} << 20;
   /// Gets undecided pairs and may give the final word on each, by rays for instance: verdict[i] is of pair i, and
   /// undecided to begin with. Called by many threads at once. What it answers is deterministic if it is.

@@ -69,11 +69,23 @@ void SightAnswers::clear() noexcept {
   undecided.clear();
   first_candidate.resize(1);
   candidates.clear();
+  places.clear();
 }
 
 std::size_t SightAnswers::memory_bytes() const noexcept {
   return products.size() * sizeof(products[0]) + undecided.size() * sizeof(undecided[0]) +
-         first_candidate.size() * sizeof(first_candidate[0]) + candidates.size() * sizeof(candidates[0]);
+         first_candidate.size() * sizeof(first_candidate[0]) + candidates.size() * sizeof(candidates[0]) +
+         places.size() * sizeof(places[0]);
+}
+
+std::size_t SightAnswers::held_bytes() const noexcept {
+  return products.capacity() * sizeof(products[0]) + undecided.capacity() * sizeof(undecided[0]) +
+         first_candidate.capacity() * sizeof(first_candidate[0]) + candidates.capacity() * sizeof(candidates[0]) +
+         places.capacity() * sizeof(places[0]);
+}
+
+std::size_t SightLists::held_bytes() const noexcept {
+  return (candidates.capacity() + solids.capacity() + polygons.capacity()) * sizeof(candidates[0]);
 }
 
 /// Groups or patches side by side, at most 64: children of a group, or a group alone.
@@ -163,7 +175,7 @@ struct Ladder::Level {
   Selection polygons_of_row;
 };
 
-Ladder::Ladder(const SightJob& job, SightAnswers& answers) : job_(job), answers_(answers) {
+Ladder::Ladder(const SightJob& job) : job_(job) {
   for (unsigned f = 0; f != 6; ++f) packed_box_[f] = packed_.face[f];
 }
 Ladder::~Ladder() = default;
@@ -173,34 +185,26 @@ Ladder::Level& Ladder::level(std::size_t depth) {
   return *levels_[depth];
 }
 
-void Ladder::enter(SightProductTask&& task) {
-  level(0).lists = std::move(task.lists);
+void Ladder::enter(const SightProductTask& task, const To& to) {
+  to_ = &to;
+  level(0).lists = task.lists;
   descend(task.a, task.b, 0);
 }
 
-void Ladder::answer(SightProductTask&& task) {
+void Ladder::answer(const SightProductTask& task, const To& to) {
   leave_ = nullptr;
-  full_ = nullptr;
-  enter(std::move(task));
+  enter(task, to);
 }
 
-void Ladder::answer_in_parts(SightProductTask&& task, std::size_t most_bytes, const Full& full) {
-  leave_ = nullptr;
-  full_ = &full;
-  most_bytes_ = most_bytes;
-  enter(std::move(task));
-}
-
-void Ladder::split(SightProductTask&& task, std::uint64_t most_pairs, const Leave& leave) {
-  full_ = nullptr;
+void Ladder::split(const SightProductTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to) {
   leave_ = &leave;
-  most_pairs_ = most_pairs;
-  enter(std::move(task));
+  most_pairs_ = &most_pairs;
+  enter(task, to);
 }
 
 /// Answers a product whose lists are those of a level, or leaves it.
 void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
-  if (leave_ != nullptr && job_.pairs(a, b) <= most_pairs_) {
+  if (leave_ != nullptr && job_.pairs(a, b) <= *most_pairs_) {
     return (*leave_)(SightProductTask{a, b, level(depth).lists});
   }
   walk(a, b, depth);
@@ -212,16 +216,22 @@ bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || jo
 
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
   const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
-  SightCounts& counts = answers_.counts;
+  SightCounts& counts = to_->answers.counts;
   (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
-  if (job_.wants_products) answers_.products.push_back({a, b, sight});
+  if (!job_.wants_products) return;
+  to_->answers.products.push_back({a, b, sight});
+  tell_if_full();
+}
+
+void Ladder::tell_if_full() const {
+  if (to_->answers.memory_bytes() >= to_->most_bytes) to_->full();
 }
 
 void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
   if (which == 0) return;
   if (!job_.wants_products && rows.are_patches && columns.are_patches) {
     const auto pairs = static_cast<std::uint64_t>(std::popcount(which));
-    SightCounts& counts = answers_.counts;
+    SightCounts& counts = to_->answers.counts;
     (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
     return;
   }
@@ -551,19 +561,25 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
 /// Pairs of patches that are undecided, with what level `here` keeps.
 void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns,
                              std::uint64_t lanes) {
-  answers_.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
-  if (!job_.wants_undecided) return;
+  SightAnswers& answers = to_->answers;
+  if (!job_.wants_undecided) {
+    answers.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
+    return;
+  }
   const std::uint32_t a = rows.set.tree.order()[rows.first + row];
   for_each_lane(lanes, [&](unsigned lane) {
-    answers_.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
-    if (!job_.wants_candidates) return;
-    const Selection& candidates = here.candidates_of_row;
-    for (std::size_t i = 0; i != candidates.count; ++i) {
-      if ((candidates.kept[i] & bit(lane)) != 0) answers_.candidates.push_back(candidates.list[i]);
+    ++answers.counts.undecided;
+    if (job_.wants_places) answers.places.push_back(answers.products.size());
+    answers.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
+    if (job_.wants_candidates) {
+      const Selection& candidates = here.candidates_of_row;
+      for (std::size_t i = 0; i != candidates.count; ++i) {
+        if ((candidates.kept[i] & bit(lane)) != 0) answers.candidates.push_back(candidates.list[i]);
+      }
+      answers.first_candidate.push_back(answers.candidates.size());
     }
-    answers_.first_candidate.push_back(answers_.candidates.size());
+    tell_if_full();
   });
-  if (full_ != nullptr && answers_.memory_bytes() >= most_bytes_) (*full_)();
 }
 
 }  // namespace shaftcull::kernel

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -99,7 +102,7 @@ TEST(VisibilityBatches, HaveTheSameAnswersWhateverTheMemory) {
     for (const std::size_t memory : {least_memory, 3 * least_memory + 7, std::size_t{1} << 40}) {
       VisibilityOptions options = of.options;
       options.memory = memory;
-      for (const int threads : {1, 3}) {
+      for (const int threads : {1, 3, 16}) {
         with_threads(threads, [&] { expect_same(of.collect(options), all); });
       }
       EXPECT_EQ(of.count(options), all.counts);
@@ -170,6 +173,7 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
     const Visibility all = of.collect(of.options);
     const SightTable before(of, all);
     for (const bool with_candidates : {true, false}) {
+      Visibility one;
       for (const std::size_t memory : {least_memory, std::size_t{256} << 20}) {
         std::atomic<std::uint64_t> asked = 0;
         std::atomic<bool> is_wrong = false;
@@ -209,7 +213,11 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
             ASSERT_EQ(entry.candidates, before.at(pair.a, pair.b).candidates);
           }
         }
-        with_threads(1, [&] { expect_same(of.collect(options), after); });
+        for (const int threads : {1, 16}) {
+          with_threads(threads, [&] { expect_same(of.collect(options), after); });
+        }
+        if (one.products.empty()) one = after;
+        expect_same(after, one);  // whatever the memory
         EXPECT_EQ(of.count(options), after.counts);
         std::vector<std::uint64_t> bits(of.a.size() * words_for(of.b.size()));
         EXPECT_EQ(of.bits(Sight::blocked, bits, options), after.counts);
@@ -217,6 +225,81 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
     }
   }
 }
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+/// Where two threads meet.
+class Meeting {
+ public:
+  /// Waits for another thread, the first time; returns whether one came. If none does within a minute, none will.
+  bool meet() {
+    std::unique_lock lock(mutex_);
+    ++came_;
+    changed_.notify_all();
+    return changed_.wait_for(lock, std::chrono::minutes(1), [&] { return came_ >= 2 || is_over_; }) ? came_ >= 2
+                                                                                                    : give_up();
+  }
+
+ private:
+  bool give_up() {
+    is_over_ = true;
+    changed_.notify_all();
+    return false;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  unsigned came_ = 0;
+  bool is_over_ = false;
+};
+
+/// Patches on two walls that face each other, `side` times `side` on each, and some small boxes between them: few pairs
+/// are undecided, and every one could be.
+struct TwoWalls {
+  PatchSet left;
+  PatchSet right;
+  Blockers blockers;
+
+  TwoWalls(unsigned side, unsigned between) {
+    for (const bool is_left : {true, false}) {
+      std::vector<Box> boxes;
+      for (unsigned i = 0; i != side * side; ++i) {
+        const float x = is_left ? -3.0F : 3.0F;
+        const auto y = static_cast<float>(i / side);
+        const auto z = static_cast<float>(i % side);
+        boxes.push_back({{x, y, z}, {x, y + 1, z + 1}});
+      }
+      (is_left ? left : right) = PatchSet(std::span<const Box>(boxes));
+    }
+    Random random(17);
+    std::vector<Box> boxes;
+    const auto end = static_cast<float>(side);
+    for (unsigned i = 0; i != between; ++i) {
+      const Vec3 at{random.uniform(-1, 1), random.uniform(0, end), random.uniform(0, end)};
+      boxes.push_back({at, {at[0] + 0.01F, at[1] + 0.01F, at[2] + 0.01F}});
+    }
+    blockers.add_boxes(std::span<const Box>(boxes));
+  }
+};
+
+// Few answers fit, however many there could be: then threads need not wait for each other.
+TEST(VisibilityBatches, AreFoundSideBySideWhereMemoryIsSmall) {
+  const TwoWalls walls(32, 30);
+  VisibilityOptions options;
+  options.memory = least_memory;
+  Meeting meeting;
+  std::atomic<bool> has_met = true;
+  options.resolve = [&](const UndecidedPairs&, std::span<Sight>) {
+    if (!meeting.meet()) has_met = false;
+  };
+  with_threads(2, [&] {
+    const SightCounts counts = visibility(
+        walls.left, walls.right, walls.blockers, [](const SightBatch&) {}, options);
+    EXPECT_GT(counts.undecided, 10'000U);
+    EXPECT_GT(counts.clear, 10 * counts.undecided);
+  });
+  EXPECT_TRUE(has_met) << "resolve() was called by one thread only";
+}
+#endif
 
 TEST(VisibilityBatches, VerdictsMustBeSights) {
   const SightCase of = large_case(false, 100);

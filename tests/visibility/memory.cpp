@@ -18,13 +18,14 @@
 namespace shaftcull {
 namespace {
 
-/// Two sides of a gap full of blockers: all pairs are undecided, with most of the blockers as candidates.
+/// Two sides of a gap full of blockers: all pairs are undecided, with most of the blockers as candidates. Many of them
+/// are small and solid, and some hundreds are candidates of a pair.
 struct Gap {
   PatchSet left;
   PatchSet right;
   Blockers blockers;
 
-  Gap(std::size_t patches, std::size_t between) {
+  Gap(std::size_t patches, std::size_t between, bool are_solid = false) {
     Random random(5);
     std::vector<Box> boxes[2];
     for (std::size_t i = 0; i != 2 * patches; ++i) {
@@ -35,10 +36,71 @@ struct Gap {
     left = PatchSet(std::span<const Box>(boxes[0]));
     right = PatchSet(std::span<const Box>(boxes[1]));
     std::vector<Box> all;
-    for (std::size_t i = 0; i != between; ++i) all.push_back(random.box(-0.8F, 0.8F, 0.2F, 0.7F));
-    blockers.add_boxes(std::span<const Box>(all));
+    for (std::size_t i = 0; i != between; ++i) {
+      all.push_back(are_solid ? random.box(-1, 1, 0.01F, 0.05F) : random.box(-0.8F, 0.8F, 0.2F, 0.7F));
+    }
+    if (are_solid) {
+      blockers.add_solids(std::span<const Box>(all));
+    } else {
+      blockers.add_boxes(std::span<const Box>(all));
+    }
   }
 };
+
+/// Points on both sides of a gap, and posts in it: pairs are clear or blocked, and neighbours often are not alike.
+struct Fence {
+  PatchSet left;
+  PatchSet right;
+  Blockers blockers;
+
+  Fence(std::size_t patches, std::size_t posts) {
+    Random random(6);
+    std::vector<Box> boxes[2];
+    for (std::size_t i = 0; i != 2 * patches; ++i) {
+      const Vec3 at{i % 2 == 0 ? -3.0F : 3.0F, random.uniform(-1, 1), random.uniform(-1, 1)};
+      boxes[i % 2].push_back({at, at});
+    }
+    left = PatchSet(std::span<const Box>(boxes[0]));
+    right = PatchSet(std::span<const Box>(boxes[1]));
+    std::vector<Box> all;
+    for (std::size_t i = 0; i != posts; ++i) {
+      const Vec3 at{random.uniform(-1, 1), random.uniform(-1, 1), -1};
+      all.push_back({at, {at[0] + 0.01F, at[1] + 0.01F, 1}});
+    }
+    blockers.add_solids(std::span<const Box>(all));
+  }
+};
+
+/// What a call takes that delivers all answers, at most, and how much it delivers.
+struct Taken {
+  std::size_t peak = 0;
+  std::size_t largest = 0;  ///< of a batch
+  std::uint64_t bytes = 0;  ///< of all batches
+};
+
+Taken taken_by(int threads, const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+               const VisibilityOptions& options) {
+  Taken taken;
+  with_threads(threads, [&] {
+    const auto note = [&](const SightBatch& batch) {
+      const UndecidedPairs& undecided = batch.undecided;
+      const std::size_t bytes = batch.products.size_bytes() + undecided.pairs.size_bytes() +
+                                undecided.first_candidate.size_bytes() + undecided.candidates.size_bytes();
+      taken.bytes += bytes;
+      taken.largest = std::max(taken.largest, bytes);
+    };
+    const std::size_t before = live_bytes();
+    forget_peak();
+    visibility(a, b, blockers, note, options);
+    taken.peak = peak_bytes() - before;
+  });
+  return taken;
+}
+
+/// What each thread walks with.
+std::size_t walks(int threads, const Blockers& blockers) {
+  return static_cast<std::size_t>(threads + 1) * 100 * blockers.size();
+}
 
 TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreUndecided) {
   const Gap gap(has_shadow_memory ? 300 : 1200, 60);
@@ -46,27 +108,58 @@ TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreUndecided) {
     for (const std::size_t memory : {std::size_t{1} << 20, std::size_t{8} << 20}) {
       VisibilityOptions options;
       options.memory = memory;
-      std::uint64_t candidates = 0;
-      std::uint64_t pairs = 0;
-      std::size_t largest = 0;
-      std::size_t peak = 0;
-      with_threads(threads, [&] {
-        const std::size_t before = live_bytes();
-        forget_peak();
-        visibility(
-            gap.left, gap.right, gap.blockers,
-            [&](const SightBatch& batch) {
-              pairs += batch.undecided.pairs.size();
-              candidates += batch.undecided.candidates.size();
-              largest = std::max(largest, batch.undecided.candidates.size_bytes());
-            },
-            options);
-        peak = peak_bytes() - before;
-      });
-      ASSERT_GT(pairs, gap.left.size() * gap.right.size() / 2);
-      ASSERT_GT(candidates, 20 * pairs);  // far more than the bound
-      EXPECT_LE(peak, memory) << threads << " threads, " << memory << " bytes, batches of up to " << largest;
-      EXPECT_LE(largest, memory);
+      const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+      ASSERT_GT(taken.bytes, 80 * gap.left.size() * gap.right.size() / 2);  // far more than the bound
+      EXPECT_LE(taken.peak, memory) << threads << " threads, " << memory << " bytes, batches of up to "
+                                    << taken.largest;
+      EXPECT_LE(taken.largest, memory);
+    }
+  }
+}
+
+TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreDecided) {
+  const Fence fence(has_shadow_memory ? 600 : 2400, 60);
+  for (const int threads : {1, 2}) {
+    for (const bool has_resolve : {false, true}) {
+      VisibilityOptions options;
+      options.memory = std::size_t{1} << 20;
+      if (has_resolve) {
+        options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
+          std::fill(verdict.begin(), verdict.end(), Sight::clear);
+        };
+      }
+      const Taken taken = taken_by(threads, fence.left, fence.right, fence.blockers, options);
+      ASSERT_GT(taken.bytes, 4 * options.memory);
+      EXPECT_LE(taken.peak, options.memory) << threads << " threads, batches of up to " << taken.largest;
+    }
+  }
+}
+
+// Lists of solids wait as those of candidates do, and a row of pairs may have more candidates than there is memory for.
+TEST(VisibilityMemory, StaysBelowItsBoundHoweverManySolidsThereAre) {
+  const Gap gap(has_shadow_memory ? 100 : 300, 4000, true);
+  for (const int threads : {1, 2}) {
+    VisibilityOptions options;
+    options.memory = std::size_t{1} << 20;
+    const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+    ASSERT_GT(taken.bytes, 4 * options.memory);
+    EXPECT_LE(taken.peak, options.memory + walks(threads, gap.blockers)) << threads << " threads";
+  }
+}
+
+TEST(VisibilityMemory, StaysBelowItsBoundWhereEveryPairIsResolved) {
+  const Gap gap(has_shadow_memory ? 300 : 1200, 8);
+  for (const int threads : {1, 2}) {
+    for (const bool with_candidates : {false, true}) {
+      VisibilityOptions options;
+      options.memory = std::size_t{1} << 20;
+      options.candidates = with_candidates;
+      options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
+        std::fill(verdict.begin(), verdict.end(), Sight::clear);
+      };
+      const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+      ASSERT_GT(taken.bytes, 20 * gap.left.size() * gap.right.size() / 2);
+      EXPECT_LE(taken.peak, options.memory) << threads << " threads, batches of up to " << taken.largest;
     }
   }
 }
