@@ -330,7 +330,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   form(group, 0, lanes, left);
   const SightLists& lists = level.lists;
   const BlockerData& blockers = job_.blockers;
-  answer(kernels.block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
+  answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
          Sight::blocked);
   answer(blocked_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::blocked);
   if (left == 0) return 0;
@@ -352,7 +352,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
     form_exchanged(group, 0, lanes, left);
     std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
     may.resize(lists.solids.size());
-    kernels.may_block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
+    kernels.may_block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
                       may.data());
   }
   return left;
@@ -417,7 +417,7 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
   const SiblingKernels& kernels = job_.kernels;
   const SightLists& lists = level(depth).lists;
   SightLists& below = level(depth + 1).lists;
-  const auto pass_on = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
+  const auto pass_on = [&](std::span<const BoxRow> boxes, const std::vector<std::uint32_t>& list,
                            std::vector<std::uint32_t>& to, bool may_block) {
     std::vector<std::uint64_t> kept(list.size());
     if (may_block) {
@@ -434,7 +434,7 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
   pass_on(job_.blockers.boxes, lists.candidates, below.candidates, false);
   pass_on(job_.blockers.boxes, lists.polygons, below.polygons, false);
   form_exchanged(rows, row, rows, bit(row));
-  pass_on(job_.blockers.solid_rows, lists.solids, below.solids, true);
+  pass_on(job_.solids, lists.solids, below.solids, true);
   descend(rows.first + row, rows.first + row, depth + 1);
 }
 
@@ -478,7 +478,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   keep(polygons);
   if (solids.count != 0) {
     form_exchanged(rows, row, columns, lanes);
-    kernels.may_block(siblings_, blockers.solid_rows.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
+    kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
                       solids.kept.data());
   }
   for_each_lane(lanes, [&](unsigned lane) {
@@ -498,8 +498,8 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
 
 /// Siblings of `asked` that a solid or a polygon blocks.
 std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked) {
-  const std::uint64_t blocked = job_.kernels.block(siblings_, job_.blockers.solid_rows.data(), solids.list.data(),
-                                                   solids.count, solids.may.data(), asked);
+  const std::uint64_t blocked =
+      job_.kernels.block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), asked);
   return blocked | blocked_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~blocked);
 }
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "kernels/table.hpp"
@@ -33,6 +34,7 @@ struct SightJob {
   SightSet b;
   bool is_of_one_set;
   const BlockerData& blockers;
+  std::span<const BoxRow> solids;
   const SiblingKernels& kernels;
   Contact contact;
   bool solids_around_ends;
@@ -45,7 +47,7 @@ struct SightJob {
   [[nodiscard]] std::uint64_t pairs(std::uint32_t a_group, std::uint32_t b_group) const noexcept;
 };
 
-/// What may stand between two groups, by numbers that ascend.
+/// What may stand between two groups, by numbers that ascend: of blockers, or of merged solids.
 struct SightLists {
   std::vector<std::uint32_t> candidates;
   std::vector<std::uint32_t> solids;

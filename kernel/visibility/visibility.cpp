@@ -180,10 +180,12 @@ class Run {
       const VisibilityOptions& options, const Deliver* deliver)
       : options_(options),
         deliver_(deliver),
+        solids_(blockers.merged_solids.of(blockers.solids)),
         job_{sight_set(a, largest_coordinate(a, b, blockers)),
              sight_set(b, largest_coordinate(a, b, blockers)),
              is_of_one_set,
              blockers,
+             *solids_,
              kernel::active_kernels().siblings,
              options.contact,
              options.solids_around_ends,
@@ -211,7 +213,7 @@ class Run {
       for (std::size_t i = 0; i != count; ++i) list[i] = static_cast<std::uint32_t>(i);
     };
     number(all.lists.candidates, job_.blockers.size());
-    number(all.lists.solids, job_.blockers.solids.size());
+    number(all.lists.solids, job_.solids.size());
     for (const kernel::PolygonBlocker& polygon : job_.blockers.polygons) all.lists.polygons.push_back(polygon.blocker);
 
     const auto leave = [&](SightProductTask&& task) { add(std::move(task)); };
@@ -444,6 +446,7 @@ class Run {
   const VisibilityOptions& options_;
   const Deliver* deliver_;
   CallersModes modes_;
+  kernel::MergedSolids::Rows solids_;
   SightJob job_;
   ProgressTeller teller_;
   std::vector<std::uint32_t> a_place_;  // for resolve

@@ -14,6 +14,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "float_modes.hpp"
@@ -437,6 +438,38 @@ TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
   }
 }
 #endif
+
+// What calls need besides is made by the first of them, whichever that is.
+TEST(VisibilityBatches, TheFirstCallsMayBeManyAtOnce) {
+  const SightCase of = large_case(false, 100);
+  const SightCounts right = of.count(of.options);
+  for (unsigned round = 0; round != 5; ++round) {
+    const Blockers blockers = blockers_of(of.scene);
+    std::vector<SightCounts> counts(4);
+    std::vector<std::thread> threads;
+    for (SightCounts& of_thread : counts) {
+      threads.emplace_back([&] { of_thread = count_visibility(of.a, of.b, blockers, of.options); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const SightCounts& of_thread : counts) EXPECT_EQ(of_thread, right);
+  }
+}
+
+TEST(VisibilityBatches, SolidsThatAreAddedBetweenCallsBlockToo) {
+  const Box points[] = {{{0.5F, 0.5F, -9}, {0.5F, 0.5F, -9}}, {{0.25F, 0.5F, 9}, {0.75F, 0.5F, 9}}};
+  const PatchSet patches{std::span<const Box>(points)};
+  Blockers blockers;
+  EXPECT_EQ(count_visibility(patches, blockers).clear, 1U);
+  const Box first{{0, 0, 0}, {0.5F, 1, 1}};
+  blockers.add_solids(std::span<const Box>(&first, 1));
+  EXPECT_EQ(count_visibility(patches, blockers).undecided, 1U);
+  const Blockers half = blockers;
+  const Box second{{0.5F, 0, 0}, {1, 1, 1}};  // one box with the first
+  blockers.add_solids(std::span<const Box>(&second, 1));
+  EXPECT_EQ(count_visibility(patches, blockers).blocked, 1U);
+  EXPECT_EQ(count_visibility(patches, half).undecided, 1U);
+  EXPECT_EQ(count_visibility(patches, Blockers(blockers)).blocked, 1U);
+}
 
 TEST(VisibilityBatches, BlockersAreValuesAndNumberedAsTheyAreAdded) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};

@@ -217,6 +217,7 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, blockers, options)); });
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, blockers, options)); });
     expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, blockers, options)); });
+    expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, blockers_of(scene), options)); });
     options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
       for (std::size_t i = 0; i < verdict.size(); i += 2) verdict[i] = Sight::blocked;
     };
@@ -224,25 +225,120 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
   });
 }
 
+/// A way to add blockers: one of each kind.
+struct Adding {
+  const char* name;
+  std::size_t (*add)(Blockers& to, float x);
+};
+
+/// A blocker of unit size at x. Those of x and x + 1 touch.
+constexpr Adding addings[] = {
+    {"boxes",
+     [](Blockers& to, float x) {
+       const Box box{{x, 0, 0}, {x + 1, 1, 1}};
+       return to.add_boxes(std::span<const Box>(&box, 1));
+     }},
+    {"solids",
+     [](Blockers& to, float x) {
+       const Box box{{x, 0, 0}, {x + 1, 1, 1}};
+       return to.add_solids(std::span<const Box>(&box, 1));
+     }},
+    {"hulls",
+     [](Blockers& to, float x) {
+       const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
+       const std::size_t first[] = {0, 4};
+       return to.add_solid_hulls(corners, first);
+     }},
+    {"polygons",
+     [](Blockers& to, float x) {
+       const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
+       const std::size_t first[] = {0, 3};
+       return to.add_polygons(corners, first);
+     }},
+    {"groups",
+     [](Blockers& to, float x) {
+       const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
+       const std::size_t first[] = {0, 1};
+       return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view(), first);
+     }},
+    {"triangles",
+     [](Blockers& to, float x) {
+       const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
+       return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view());
+     }},
+};
+
+void expect_same(const Blockers& a, const Blockers& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i != a.size(); ++i) {
+    EXPECT_EQ(a.box(i), b.box(i));
+    EXPECT_TRUE(std::equal(a.triangles(i).begin(), a.triangles(i).end(), b.triangles(i).begin(), b.triangles(i).end()));
+  }
+  // Points on both sides of them.
+  std::vector<Box> points;
+  for (unsigned i = 0; i != 40; ++i) {
+    const Vec3 at{static_cast<float>(i % 20) / 2, 0.25F, i % 2 == 0 ? -1.0F : 2.0F};
+    points.push_back({at, at});
+  }
+  const PatchSet patches{std::span<const Box>(points)};
+  const Visibility of_a = collect_visibility(patches, a);
+  const Visibility of_b = collect_visibility(patches, b);
+  EXPECT_EQ(of_a.counts, of_b.counts);
+  EXPECT_EQ(of_a.undecided, of_b.undecided);
+  EXPECT_EQ(of_a.candidates, of_b.candidates);
+}
+
 TEST(VisibilityMemory, BlockersAreWhatTheyWereWhereMemoryRunsOut) {
-  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}};
-  for (std::size_t n = 1;; ++n) {
-    Blockers blockers;
-    blockers.add_solids(std::span<const Box>(boxes));
-    bool has_failed = false;
-    {
-      const FailingMemory memory(n, Failing::only_one);
-      try {
-        blockers.add_solids(std::span<const Box>(boxes));
-      } catch (const std::bad_alloc&) {
-        EXPECT_EQ(blockers.size(), 2U);
+  Blockers right;
+  for (unsigned i = 0; i != 2; ++i) {
+    for (const Adding& adding : addings) adding.add(right, static_cast<float>(right.size()));
+  }
+  for (const Adding& adding : addings) {
+    SCOPED_TRACE(adding.name);
+    Blockers more = right;
+    EXPECT_EQ(adding.add(more, 20), right.size());
+    for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
+      for (std::size_t n = 1;; ++n) {
+        SCOPED_TRACE(n);
+        Blockers blockers = right;  // no vector has room for more
+        bool has_failed = false;
+        bool was_thrown = false;
+        {
+          const FailingMemory memory(n, failing);
+          try {
+            adding.add(blockers, 20);
+          } catch (const std::bad_alloc&) {
+            was_thrown = true;
+          }
+          has_failed = memory.has_failed();
+        }
+        if (was_thrown) {
+          expect_same(blockers, right);
+          adding.add(blockers, 20);
+        }
+        expect_same(blockers, more);
+        EXPECT_TRUE(has_failed || !was_thrown);
+        if (!has_failed) {
+          EXPECT_GT(n, 1U);
+          break;
+        }
+        if (HasFailure()) return;
       }
-      has_failed = memory.has_failed();
     }
-    EXPECT_EQ(blockers.box(1), boxes[1]);
-    if (!has_failed) break;
-    blockers.add_solids(std::span<const Box>(boxes));
-    EXPECT_EQ(blockers.size(), 4U);
+  }
+}
+
+TEST(VisibilityMemory, BlockersThatAreAddedOneByOneTakeNoMoreThanInProportion) {
+  const auto bytes_of = [](const Adding& adding, std::size_t count) {
+    Blockers blockers;
+    const std::size_t before = allocated_bytes();
+    for (std::size_t i = 0; i != count; ++i) adding.add(blockers, static_cast<float>(i));
+    return allocated_bytes() - before;
+  };
+  for (const Adding& adding : addings) {
+    const std::size_t few = bytes_of(adding, 300);
+    EXPECT_GT(few, 300 * sizeof(Box)) << adding.name;
+    EXPECT_LT(bytes_of(adding, 4800), 32 * few) << adding.name;  // 16 times as many; quadratic would be 256
   }
 }
 
