@@ -13,8 +13,8 @@
 ///   only.
 ///
 /// All are exact for the floats given: which pairs are undecided, and their candidates, follow from these definitions
-/// alone. A pair that is told to be clear does not face away. One that faces away and is blocked, too, is told either:
-/// the same on every instruction set and for any number of threads.
+/// alone. A pair that faces away or is blocked is never told to be clear. One that faces away and is blocked, too, is
+/// told either: the same on every instruction set and for any number of threads.
 ///
 /// A blocker reaches into the shaft if its box does, as cull() with open contact says (Contact in shaft.hpp), and if
 /// not all of its corners lie on or behind one of the two planes. Of triangles, groups of neighbours are one blocker.

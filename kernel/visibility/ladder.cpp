@@ -39,6 +39,13 @@ constexpr std::size_t few_points = 64;
 
 std::uint64_t bit(unsigned lane) noexcept { return std::uint64_t{1} << lane; }
 
+/// Lanes of some of these words.
+std::uint64_t any_of(const std::uint64_t* words, std::size_t count) noexcept {
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i != count; ++i) any |= words[i];
+  return any;
+}
+
 /// Takes off a list what no row or no column that is left has to do with.
 void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
                  std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
@@ -211,7 +218,8 @@ void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
 }
 
 /// Whether patches may face away from each other. Then groups are not told to be clear: some pairs of them may face
-/// away, and are to be told so.
+/// away, and are to be told so. Nor are they where a solid may block some of their pairs: one that is several boxes
+/// together blocks in their seams, where none of these reaches into a flat shaft.
 bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || job_.b.tree.has_planes(); }
 
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
@@ -343,7 +351,8 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
   std::uint64_t any = keep(blockers.boxes, lists.candidates, kept);
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
-  if (!has_planes()) answer(left & ~any, Sight::clear);
+  std::uint64_t clear = has_planes() ? 0 : left & ~any;
+  if (lists.solids.empty()) answer(std::exchange(clear, 0), Sight::clear);
   if (left == 0) return 0;
   if (!lists.polygons.empty()) {
     keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
@@ -354,6 +363,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
     may.resize(lists.solids.size());
     kernels.may_block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
                       may.data());
+    if (clear != 0) answer(clear & ~any_of(may.data(), may.size()), Sight::clear);
   }
   return left;
 }
@@ -469,17 +479,20 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
                         lanes, selection.kept.data());
   };
   const std::uint64_t undecided = keep(candidates);
-  if (!has_planes()) {
-    decide(rows, row, columns, lanes & ~undecided, Sight::clear);
-    lanes = undecided;
-    if (lanes == 0) return;
-  }
+  std::uint64_t clear = has_planes() ? 0 : lanes & ~undecided;
+  const auto tell_clear = [&](std::uint64_t which) {
+    decide(rows, row, columns, which, Sight::clear);
+    lanes &= ~which;
+  };
+  if (solids.count == 0) tell_clear(std::exchange(clear, 0));
+  if (lanes == 0) return;
 
   keep(polygons);
   if (solids.count != 0) {
     form_exchanged(rows, row, columns, lanes);
     kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
                       solids.kept.data());
+    if (clear != 0) tell_clear(clear & ~any_of(solids.kept.data(), solids.count));
   }
   for_each_lane(lanes, [&](unsigned lane) {
     SightLists& below = level(depth + 1).lists;
