@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
 std::atomic<std::size_t> calls = 0;
+std::atomic<std::size_t> asked = 0;
 std::atomic<std::size_t> first_failing = never;  // calls are counted from 1
 std::atomic<std::size_t> last_failing = never;
 std::atomic<bool> any_failed = false;
@@ -61,6 +62,7 @@ void* allocate(std::size_t bytes, std::size_t alignment, const void* caller) noe
       return nullptr;
     }
   }
+  asked += bytes;
   // aligned_alloc() wants a multiple of the alignment.
   return counted(std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment));
 }
@@ -82,6 +84,7 @@ constexpr std::size_t usual = alignof(std::max_align_t);
 }  // namespace
 
 std::size_t allocations() noexcept { return calls; }
+std::size_t allocated_bytes() noexcept { return asked; }
 std::size_t live_bytes() noexcept { return live; }
 std::size_t peak_bytes() noexcept { return peak; }
 void forget_peak() noexcept { peak = live.load(); }

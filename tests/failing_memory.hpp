@@ -13,6 +13,9 @@ namespace shaftcull {
 /// Calls of operator new so far, in all threads.
 [[nodiscard]] std::size_t allocations() noexcept;
 
+/// Bytes that operator new was asked for so far, in all threads.
+[[nodiscard]] std::size_t allocated_bytes() noexcept;
+
 /// Bytes that operator new has given and that are not deleted yet, and the most there were since forget_peak(). 0 where
 /// the C library does not say how large a piece of memory is.
 [[nodiscard]] std::size_t live_bytes() noexcept;

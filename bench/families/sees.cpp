@@ -11,12 +11,14 @@
 ///
 /// sees/SCENE/blockers prepares what may hide something, as the peer's tree is prepared; an item is a blocker. It is in
 /// no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `finer` does so for four
-/// times the patches on the same surfaces. An item is a pair.
+/// times the patches on the same surfaces. sees/SCENE/all/deliver has them delivered, with candidates, to a callback
+/// that reads them all. An item is a pair.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,6 +26,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <fmt/format.h>
 
@@ -54,7 +60,8 @@ Isa measured_isa() {
   return runs ? *asked : available.back();
 }
 
-/// Everything of a scene that may hide something: what is solid as such, meshes object by object.
+/// Everything of a scene that may hide something: what is solid as such, meshes object by object. Ready for use: the
+/// first call finds which solids are one.
 Blockers blockers_of(const PatchScene& scene) {
   Blockers blockers;
   blockers.add_solids(scene.boxes);
@@ -72,6 +79,8 @@ Blockers blockers_of(const PatchScene& scene) {
     first_triangle.push_back(scene.objects[i] - first);
   }
   blockers.add_triangles(meshes, first_triangle);
+  const Box somewhere{};
+  benchmark::DoNotOptimize(count_visibility(PatchSet(std::span(&somewhere, 1)), blockers));
   return blockers;
 }
 
@@ -382,6 +391,83 @@ void declare_rays(Suite& suite, const std::shared_ptr<SeesScene>& sees, bool nea
 
 #endif
 
+/// What Linux says of this process in /proc/self/status; 0 elsewhere.
+std::size_t status_bytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::size_t kilobytes = 0;
+    if (word == key && status >> kilobytes) return kilobytes << 10;
+  }
+  return 0;
+}
+
+/// From now on "VmHWM:" is the most memory since now, where Linux lets a process say so. What the C library keeps of
+/// earlier calls is given back first.
+void forget_peak_of_process() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+/// What is made of answers that are delivered, so that all of them are read.
+struct DeliveredSum {
+  std::uint64_t pairs = 0;
+  std::uint64_t products = 0;
+  std::uint64_t undecided = 0;
+  std::uint64_t candidates = 0;
+  std::uint64_t numbers = 0;  ///< sum of the candidates' numbers and of the pairs' patches
+
+  void add(const SightBatch& batch) {
+    for (const SightProduct& product : batch.products) pairs += std::uint64_t{product.a.count} * product.b.count;
+    for (const PatchPair& pair : batch.undecided.pairs) numbers += std::uint64_t{pair.a} + pair.b;
+    for (const std::uint32_t candidate : batch.undecided.candidates) numbers += candidate;
+    products += batch.products.size();
+    pairs += batch.undecided.pairs.size();
+    undecided += batch.undecided.pairs.size();
+    candidates += batch.undecided.candidates.size();
+  }
+};
+
+/// The call that delivers answers, of all pairs of a scene.
+void declare_delivery(Suite& suite, const std::shared_ptr<SeesScene>& sees, const std::string& name,
+                      RunOptions options) {
+  (suite.quick() ? options.once : options.brief) = true;
+  suite.add(
+      name, "",
+      [=, &suite, noted = std::make_shared<bool>(false)](benchmark::State& state) {
+        select_isa(measured_isa());
+        const PatchScene& scene = sees->scene();
+        const Blockers& blockers = sees->blockers();
+        DeliveredSum sum;
+        forget_peak_of_process();
+        const std::size_t before = status_bytes("VmRSS:");
+        for (auto _ : state) {
+          sum = {};
+          const PatchSet patches(scene.patch_boxes, scene.patch_planes);
+          visibility(patches, blockers, [&](const SightBatch& batch) { sum.add(batch); });
+          benchmark::DoNotOptimize(sum.numbers);
+        }
+        const std::uint64_t pairs = scene.patches.size() * (scene.patches.size() - 1) / 2;
+        if (sum.pairs != pairs) {
+          state.SkipWithError(fmt::format("{} of {} pairs were delivered", sum.pairs, pairs).c_str());
+          return;
+        }
+        state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
+        if (std::exchange(*noted, true)) return;
+        std::string memory;
+        if (const std::size_t peak = status_bytes("VmHWM:"); peak > before) {
+          memory = fmt::format("; at most {} MB more than before", (peak - before) >> 20);
+        }
+        suite.note(fmt::format(
+            "{}: {:.1f} M products, {:.1f} M undecided pairs with {:.1f} candidates each{}", name,
+            static_cast<double>(sum.products) / 1e6, static_cast<double>(sum.undecided) / 1e6,
+            static_cast<double>(sum.candidates) / static_cast<double>(std::max<std::uint64_t>(sum.undecided, 1)),
+            memory));
+      },
+      options);
+}
+
 void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pairs_per_second) {
   const std::string row = fmt::format("sees/{}/all", sees->name);
   const auto add = [&](const std::string& name, bool finer, RunOptions options) {
@@ -420,9 +506,12 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
             {.brief = !suite.quick(), .once = suite.quick()});
   add(row, false, {});
   suite.add_time_target(row, 1e9 / pairs_per_second);
+  declare_delivery(suite, sees, row + "/deliver", {});
   if (all_threads() > 1) {
     add(row + "/2threads", false, {.threads = 2, .wall_clock = true});
     suite.add_target(row + "/2threads", row, 1.85);
+    declare_delivery(suite, sees, row + "/deliver/2threads", {.threads = 2, .wall_clock = true});
+    suite.add_target(row + "/deliver/2threads", row + "/deliver", 1.7);
   }
   if (!suite.quick()) {
     add(row + "/finer", true, {});

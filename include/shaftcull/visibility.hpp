@@ -13,8 +13,8 @@
 ///   only.
 ///
 /// All are exact for the floats given: which pairs are undecided, and their candidates, follow from these definitions
-/// alone. A pair that is told to be clear does not face away. One that faces away and is blocked, too, is told either:
-/// the same on every instruction set and for any number of threads.
+/// alone. A pair that faces away or is blocked is never told to be clear. One that faces away and is blocked, too, is
+/// told either: the same on every instruction set and for any number of threads.
 ///
 /// A blocker reaches into the shaft if its box does, as cull() with open contact says (Contact in shaft.hpp), and if
 /// not all of its corners lie on or behind one of the two planes. Of triangles, groups of neighbours are one blocker.
@@ -23,9 +23,10 @@
 /// them. So time grows with what is undecided, and memory stays below a bound however many pairs there are.
 /// E. Haines and J. Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity", 1991, had shafts between groups first.
 ///
-/// Calls run in parallel on oneTBB, in the caller's task_arena. Callbacks are called one at a time, in an order that
-/// does not depend on the number of threads, but for `VisibilityOptions::resolve`. Floating-point modes and flags are
-/// as many.hpp says. Everything const is safe to call from many threads.
+/// Calls run in parallel on oneTBB, in the caller's task_arena. Callbacks are called one at a time, but for
+/// `VisibilityOptions::resolve`. Answers come in an order that depends neither on the number of threads nor on
+/// `VisibilityOptions::memory`; where one batch of them ends and the next one begins does. Floating-point modes and
+/// flags are as many.hpp says. Everything const is safe to call from many threads.
 #pragma once
 
 #include <cstddef>
@@ -95,8 +96,14 @@ class PatchSet {
 /// are deep.
 ///
 /// Members that add throw BadBound for a value that is not finite, or a box with lo > hi, by its position, and
-/// InvalidArgument for what each of them says; then nothing was added. They return the number of the first blocker
-/// that they added.
+/// InvalidArgument for what each of them says; then nothing was added, as where memory runs out. They return the number
+/// of the first blocker that they added. Each takes time and memory in proportion to what it adds, amortised: adding
+/// one at a time costs no more. It allocates some 50 bytes a blocker, 24 more for a solid, 12 a corner of a hull, a
+/// polygon or a group, and 4 a triangle.
+///
+/// Solids that are one larger box together are found by the first call of visibility() and the like that gets blockers
+/// after some were added: some O(n log n) of all solids, on one thread, and 32 bytes for each box that is found. Copies
+/// made after that share them.
 class Blockers {
  public:
   Blockers();
@@ -114,15 +121,15 @@ class Blockers {
   std::size_t add_solids(std::span<const Box> boxes);
   /// The convex hull of some points, solid: a cupboard or a building that is turned. `corners` are those of all hulls,
   /// one behind the other, and hull i has those from first_corner[i] to before first_corner[i + 1]; 4 to 32 each. It
-  /// makes pairs `blocked` by the largest box that is found inside it (inscribed_box() in solids.hpp). One blocker a
-  /// hull.
+  /// makes pairs `blocked` by the largest box that is found inside it (inscribed_box() in solids.hpp), which is looked
+  /// for at once. One blocker a hull.
   std::size_t add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Flat convex polygons, by their corners in order: walls without thickness. They make pairs `blocked`. As hulls,
   /// with 3 corners or more each. One blocker a polygon.
   std::size_t add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Triangles, in groups. Group i has the triangles from first_triangle[i] to before first_triangle[i + 1]: whole
-  /// objects are good groups. If there is no such list, the library makes groups of at most 32 neighbours. They make no
-  /// pair `blocked`. One blocker a group.
+  /// objects are good groups. If there is no such list, the library makes groups of at most 32 neighbours, O(n log n).
+  /// They make no pair `blocked`. One blocker a group.
   std::size_t add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle = {});
 
   /// How many blockers.
@@ -202,8 +209,10 @@ struct VisibilityOptions {
   bool solids_around_ends = true;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
-  /// Bytes that answers under way may take, and what they are found with. On top come the sets and blockers, some 2 MB
-  /// a thread, and what a callback keeps.
+  /// Bytes that answers under way may take, and the products of groups that wait for theirs. On top come the sets and
+  /// blockers, for each thread some 2 MB and 200 bytes a blocker, and what a callback keeps. One pair and its
+  /// candidates are kept however long they are. With little memory for many threads, products are answered in smaller
+  /// parts, and where even those have no room, on one thread.
   std::size_t memory = std::size_t{256} << 20;
   /// Gets undecided pairs and may give the final word on each, by rays for instance: verdict[i] is of pair i, and
   /// undecided to begin with. Called by many threads at once. What it answers is deterministic if it is.

@@ -51,10 +51,30 @@ bool is_finite(const Vec3& point) noexcept {
   return std::all_of(point.begin(), point.end(), [](float x) { return std::isfinite(x); });
 }
 
-/// What is to be added, until all of it was checked: then it is added as a whole.
+/// What is added; nothing of it stays unless it is kept at the end.
 class Addition {
  public:
-  explicit Addition(const kernel::BlockerData& data) : data_(data) {}
+  explicit Addition(kernel::BlockerData& data)
+      : data_(data),
+        size_(data.size()),
+        points_(data.points.size()),
+        triangles_(data.triangles.size()),
+        solids_(data.solids.size()),
+        polygons_(data.polygons.size()),
+        largest_coordinate_(data.largest_coordinate) {}
+  Addition(const Addition&) = delete;
+  Addition& operator=(const Addition&) = delete;
+  ~Addition() {
+    if (is_kept_) return;
+    shorten(data_.boxes, size_);
+    shorten(data_.first_point, size_ + 1);
+    shorten(data_.first_triangle, size_ + 1);
+    shorten(data_.points, points_);
+    shorten(data_.triangles, triangles_);
+    shorten(data_.solids, solids_);
+    shorten(data_.polygons, polygons_);
+    data_.largest_coordinate = largest_coordinate_;
+  }
 
   /// A blocker; its points and triangles were added before.
   void add(const Box& box) {
@@ -74,25 +94,29 @@ class Addition {
   void add_point(const Vec3& point) { data_.points.push_back(point); }
   void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
   void add_polygon() { data_.polygons.push_back({static_cast<std::uint32_t>(data_.boxes.size() - 1)}); }
-  void add_solids(std::span<const Box> solids) {
-    data_.given_solids.insert(data_.given_solids.end(), solids.begin(), solids.end());
-    data_.solids = merged_boxes(data_.given_solids);
-    data_.solid_rows.clear();
-    for (const Box& solid : data_.solids) {
-      data_.solid_rows.push_back(
-          {{solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2], 0, 0}});
-    }
-  }
+  void add_solid(const Box& solid) { data_.solids.push_back(solid); }
 
   /// Returns the number of the first one that was added.
-  std::size_t commit(kernel::BlockerData& to) {
-    const std::size_t first = to.size();
-    std::swap(to, data_);
-    return first;
+  std::size_t keep() noexcept {
+    is_kept_ = true;
+    if (data_.solids.size() != solids_) data_.merged_solids.forget();
+    return size_;
   }
 
  private:
-  kernel::BlockerData data_;
+  template <class T>
+  static void shorten(std::vector<T>& list, std::size_t size) noexcept {
+    if (size < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
+  }
+
+  kernel::BlockerData& data_;
+  std::size_t size_;
+  std::size_t points_;
+  std::size_t triangles_;
+  std::size_t solids_;
+  std::size_t polygons_;
+  float largest_coordinate_;
+  bool is_kept_ = false;
 };
 
 /// The boxes of a view, all of which are usable.
@@ -184,6 +208,17 @@ std::vector<std::uint32_t> in_tree_order(const TriangleView& triangles) {
 
 }  // namespace
 
+kernel::MergedSolids::Rows kernel::MergedSolids::of(std::span<const Box> solids) const {
+  const std::lock_guard lock(mutex_);
+  if (rows_ != nullptr) return rows_;
+  std::vector<BoxRow> rows;
+  for (const Box& solid : merged_boxes(solids)) {
+    rows.push_back({{solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2], 0, 0}});
+  }
+  rows_ = std::make_shared<const std::vector<BoxRow>>(std::move(rows));
+  return rows_;
+}
+
 Blockers::Blockers() : data_(std::make_unique<kernel::BlockerData>()) {}
 Blockers::Blockers(const Blockers& other) : data_(std::make_unique<kernel::BlockerData>(other.data())) {}
 Blockers::Blockers(Blockers&& other) noexcept = default;
@@ -197,9 +232,9 @@ Blockers::~Blockers() = default;
 
 std::size_t Blockers::add_boxes(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
-    Addition addition(data());
+    Addition addition(*data_);
     for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
-    return addition.commit(*data_);
+    return addition.keep();
   });
 }
 
@@ -209,11 +244,12 @@ std::size_t Blockers::add_boxes(const BoxView& boxes) {
 
 std::size_t Blockers::add_solids(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
-    Addition addition(data());
-    const std::vector<Box> solids = usable_boxes(boxes, "solid");
-    for (const Box& solid : solids) addition.add(solid);
-    addition.add_solids(solids);
-    return addition.commit(*data_);
+    Addition addition(*data_);
+    for (const Box& solid : usable_boxes(boxes, "solid")) {
+      addition.add(solid);
+      addition.add_solid(solid);
+    }
+    return addition.keep();
   });
 }
 
@@ -223,21 +259,19 @@ std::size_t Blockers::add_solids(const BoxView& boxes) {
 
 std::size_t Blockers::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
-    Addition addition(data());
-    std::vector<Box> inside;
+    Addition addition(*data_);
     add_parts(addition, corners, first_corner, "hull", 4, 32,
-              [&](std::span<const Vec3> hull) { inside.push_back(inscribed_box(hull)); });
-    addition.add_solids(inside);
-    return addition.commit(*data_);
+              [&](std::span<const Vec3> hull) { addition.add_solid(inscribed_box(hull)); });
+    return addition.keep();
   });
 }
 
 std::size_t Blockers::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
-    Addition addition(data());
+    Addition addition(*data_);
     add_parts(addition, corners, first_corner, "polygon", 3, any_number,
               [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
-    return addition.commit(*data_);
+    return addition.keep();
   });
 }
 
@@ -253,7 +287,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
         if (!is_finite(vertex)) refuse("triangle", i, "is not finite");
       }
     }
-    Addition addition(data());
+    Addition addition(*data_);
     const bool has_groups = !first_triangle.empty();
     if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
     std::vector<std::uint32_t> order;
@@ -287,7 +321,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
         add_group(i, std::min(order.size(), i + group_triangles));
       }
     }
-    return addition.commit(*data_);
+    return addition.keep();
   });
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,34 @@ struct PolygonBlocker {
   std::uint32_t blocker;  ///< its number, whose points are its corners
 };
 
+/// The boxes that make pairs blocked: solids as large as they are together. They are made when they are first asked
+/// for, by one thread while others wait. Copies share them.
+class MergedSolids {
+ public:
+  using Rows = std::shared_ptr<const std::vector<BoxRow>>;
+
+  MergedSolids() = default;
+  MergedSolids(const MergedSolids& other) : rows_(other.made()) {}
+  MergedSolids(MergedSolids&&) = delete;
+  MergedSolids& operator=(const MergedSolids&) = delete;
+  MergedSolids& operator=(MergedSolids&&) = delete;
+  ~MergedSolids() = default;
+
+  /// Of these solids, which must be the same from one call to the next but for forget().
+  [[nodiscard]] Rows of(std::span<const Box> solids) const;
+  /// Others were added. Nobody else may be asking.
+  void forget() noexcept { rows_.reset(); }
+
+ private:
+  [[nodiscard]] Rows made() const {
+    const std::lock_guard lock(mutex_);
+    return rows_;
+  }
+
+  mutable std::mutex mutex_;
+  mutable Rows rows_;
+};
+
 struct BlockerData {
   /// Of each blocker, the box around it.
   std::vector<BoxRow> boxes;
@@ -29,11 +59,9 @@ struct BlockerData {
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> first_triangle{0};
 
-  /// Boxes that are solid, as they were given or found in hulls, and as large as they are together: those make pairs
-  /// blocked.
-  std::vector<Box> given_solids;
+  /// Boxes that are solid, as they were given or found in hulls.
   std::vector<Box> solids;
-  std::vector<BoxRow> solid_rows;
+  MergedSolids merged_solids;
   std::vector<PolygonBlocker> polygons;
   float largest_coordinate = 0;
 

@@ -39,6 +39,13 @@ constexpr std::size_t few_points = 64;
 
 std::uint64_t bit(unsigned lane) noexcept { return std::uint64_t{1} << lane; }
 
+/// Lanes of some of these words.
+std::uint64_t any_of(const std::uint64_t* words, std::size_t count) noexcept {
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i != count; ++i) any |= words[i];
+  return any;
+}
+
 /// Takes off a list what no row or no column that is left has to do with.
 void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
                  std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
@@ -69,11 +76,23 @@ void SightAnswers::clear() noexcept {
   undecided.clear();
   first_candidate.resize(1);
   candidates.clear();
+  places.clear();
 }
 
 std::size_t SightAnswers::memory_bytes() const noexcept {
   return products.size() * sizeof(products[0]) + undecided.size() * sizeof(undecided[0]) +
-         first_candidate.size() * sizeof(first_candidate[0]) + candidates.size() * sizeof(candidates[0]);
+         first_candidate.size() * sizeof(first_candidate[0]) + candidates.size() * sizeof(candidates[0]) +
+         places.size() * sizeof(places[0]);
+}
+
+std::size_t SightAnswers::held_bytes() const noexcept {
+  return products.capacity() * sizeof(products[0]) + undecided.capacity() * sizeof(undecided[0]) +
+         first_candidate.capacity() * sizeof(first_candidate[0]) + candidates.capacity() * sizeof(candidates[0]) +
+         places.capacity() * sizeof(places[0]);
+}
+
+std::size_t SightLists::held_bytes() const noexcept {
+  return (candidates.capacity() + solids.capacity() + polygons.capacity()) * sizeof(candidates[0]);
 }
 
 /// Groups or patches side by side, at most 64: children of a group, or a group alone.
@@ -163,7 +182,7 @@ struct Ladder::Level {
   Selection polygons_of_row;
 };
 
-Ladder::Ladder(const SightJob& job, SightAnswers& answers) : job_(job), answers_(answers) {
+Ladder::Ladder(const SightJob& job) : job_(job) {
   for (unsigned f = 0; f != 6; ++f) packed_box_[f] = packed_.face[f];
 }
 Ladder::~Ladder() = default;
@@ -173,55 +192,54 @@ Ladder::Level& Ladder::level(std::size_t depth) {
   return *levels_[depth];
 }
 
-void Ladder::enter(SightProductTask&& task) {
-  level(0).lists = std::move(task.lists);
+void Ladder::enter(const SightProductTask& task, const To& to) {
+  to_ = &to;
+  level(0).lists = task.lists;
   descend(task.a, task.b, 0);
 }
 
-void Ladder::answer(SightProductTask&& task) {
+void Ladder::answer(const SightProductTask& task, const To& to) {
   leave_ = nullptr;
-  full_ = nullptr;
-  enter(std::move(task));
+  enter(task, to);
 }
 
-void Ladder::answer_in_parts(SightProductTask&& task, std::size_t most_bytes, const Full& full) {
-  leave_ = nullptr;
-  full_ = &full;
-  most_bytes_ = most_bytes;
-  enter(std::move(task));
-}
-
-void Ladder::split(SightProductTask&& task, std::uint64_t most_pairs, const Leave& leave) {
-  full_ = nullptr;
+void Ladder::split(const SightProductTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to) {
   leave_ = &leave;
-  most_pairs_ = most_pairs;
-  enter(std::move(task));
+  most_pairs_ = &most_pairs;
+  enter(task, to);
 }
 
 /// Answers a product whose lists are those of a level, or leaves it.
 void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
-  if (leave_ != nullptr && job_.pairs(a, b) <= most_pairs_) {
+  if (leave_ != nullptr && job_.pairs(a, b) <= *most_pairs_) {
     return (*leave_)(SightProductTask{a, b, level(depth).lists});
   }
   walk(a, b, depth);
 }
 
 /// Whether patches may face away from each other. Then groups are not told to be clear: some pairs of them may face
-/// away, and are to be told so.
+/// away, and are to be told so. Nor are they where a solid may block some of their pairs: one that is several boxes
+/// together blocks in their seams, where none of these reaches into a flat shaft.
 bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || job_.b.tree.has_planes(); }
 
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
   const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
-  SightCounts& counts = answers_.counts;
+  SightCounts& counts = to_->answers.counts;
   (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
-  if (job_.wants_products) answers_.products.push_back({a, b, sight});
+  if (!job_.wants_products) return;
+  to_->answers.products.push_back({a, b, sight});
+  tell_if_full();
+}
+
+void Ladder::tell_if_full() const {
+  if (to_->answers.memory_bytes() >= to_->most_bytes) to_->full();
 }
 
 void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
   if (which == 0) return;
   if (!job_.wants_products && rows.are_patches && columns.are_patches) {
     const auto pairs = static_cast<std::uint64_t>(std::popcount(which));
-    SightCounts& counts = answers_.counts;
+    SightCounts& counts = to_->answers.counts;
     (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
     return;
   }
@@ -320,7 +338,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   form(group, 0, lanes, left);
   const SightLists& lists = level.lists;
   const BlockerData& blockers = job_.blockers;
-  answer(kernels.block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
+  answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
          Sight::blocked);
   answer(blocked_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::blocked);
   if (left == 0) return 0;
@@ -333,7 +351,8 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
   std::uint64_t any = keep(blockers.boxes, lists.candidates, kept);
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
-  if (!has_planes()) answer(left & ~any, Sight::clear);
+  std::uint64_t clear = has_planes() ? 0 : left & ~any;
+  if (lists.solids.empty()) answer(std::exchange(clear, 0), Sight::clear);
   if (left == 0) return 0;
   if (!lists.polygons.empty()) {
     keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
@@ -342,8 +361,9 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
     form_exchanged(group, 0, lanes, left);
     std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
     may.resize(lists.solids.size());
-    kernels.may_block(siblings_, blockers.solid_rows.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
+    kernels.may_block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
                       may.data());
+    if (clear != 0) answer(clear & ~any_of(may.data(), may.size()), Sight::clear);
   }
   return left;
 }
@@ -407,7 +427,7 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
   const SiblingKernels& kernels = job_.kernels;
   const SightLists& lists = level(depth).lists;
   SightLists& below = level(depth + 1).lists;
-  const auto pass_on = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
+  const auto pass_on = [&](std::span<const BoxRow> boxes, const std::vector<std::uint32_t>& list,
                            std::vector<std::uint32_t>& to, bool may_block) {
     std::vector<std::uint64_t> kept(list.size());
     if (may_block) {
@@ -424,7 +444,7 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
   pass_on(job_.blockers.boxes, lists.candidates, below.candidates, false);
   pass_on(job_.blockers.boxes, lists.polygons, below.polygons, false);
   form_exchanged(rows, row, rows, bit(row));
-  pass_on(job_.blockers.solid_rows, lists.solids, below.solids, true);
+  pass_on(job_.solids, lists.solids, below.solids, true);
   descend(rows.first + row, rows.first + row, depth + 1);
 }
 
@@ -459,17 +479,20 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
                         lanes, selection.kept.data());
   };
   const std::uint64_t undecided = keep(candidates);
-  if (!has_planes()) {
-    decide(rows, row, columns, lanes & ~undecided, Sight::clear);
-    lanes = undecided;
-    if (lanes == 0) return;
-  }
+  std::uint64_t clear = has_planes() ? 0 : lanes & ~undecided;
+  const auto tell_clear = [&](std::uint64_t which) {
+    decide(rows, row, columns, which, Sight::clear);
+    lanes &= ~which;
+  };
+  if (solids.count == 0) tell_clear(std::exchange(clear, 0));
+  if (lanes == 0) return;
 
   keep(polygons);
   if (solids.count != 0) {
     form_exchanged(rows, row, columns, lanes);
-    kernels.may_block(siblings_, blockers.solid_rows.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
+    kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
                       solids.kept.data());
+    if (clear != 0) tell_clear(clear & ~any_of(solids.kept.data(), solids.count));
   }
   for_each_lane(lanes, [&](unsigned lane) {
     SightLists& below = level(depth + 1).lists;
@@ -488,8 +511,8 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
 
 /// Siblings of `asked` that a solid or a polygon blocks.
 std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked) {
-  const std::uint64_t blocked = job_.kernels.block(siblings_, job_.blockers.solid_rows.data(), solids.list.data(),
-                                                   solids.count, solids.may.data(), asked);
+  const std::uint64_t blocked =
+      job_.kernels.block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), asked);
   return blocked | blocked_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~blocked);
 }
 
@@ -551,27 +574,30 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
 /// Pairs of patches that are undecided, with what level `here` keeps.
 void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns,
                              std::uint64_t lanes) {
-  answers_.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
-  if (!job_.wants_undecided) return;
+  SightAnswers& answers = to_->answers;
+  if (!job_.wants_undecided) {
+    answers.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
+    return;
+  }
   const std::uint32_t a = rows.set.tree.order()[rows.first + row];
   for_each_lane(lanes, [&](unsigned lane) {
-    answers_.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
-  });
-  if (job_.wants_candidates) {
-    const Selection& candidates = here.candidates_of_row;
-    std::vector<std::uint32_t>& all = answers_.candidates;
-    std::size_t size = all.size();
-    all.resize(size + candidates.count * static_cast<std::size_t>(std::popcount(lanes)));  // at most
-    for_each_lane(lanes, [&](unsigned lane) {
+    ++answers.counts.undecided;
+    if (job_.wants_places) answers.places.push_back(answers.products.size());
+    answers.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
+    if (job_.wants_candidates) {
+      const Selection& candidates = here.candidates_of_row;
+      std::vector<std::uint32_t>& all = answers.candidates;
+      std::size_t size = all.size();
+      all.resize(size + candidates.count);                   // at most
       for (std::size_t i = 0; i != candidates.count; ++i) {  // without branches, which would be mispredicted
         all[size] = candidates.list[i];
         size += candidates.kept[i] >> lane & 1U;
       }
-      answers_.first_candidate.push_back(size);
-    });
-    all.resize(size);
-  }
-  if (full_ != nullptr && answers_.memory_bytes() >= most_bytes_) (*full_)();
+      all.resize(size);
+      answers.first_candidate.push_back(size);
+    }
+    tell_if_full();
+  });
 }
 
 }  // namespace shaftcull::kernel

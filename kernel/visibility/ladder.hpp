@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "kernels/table.hpp"
@@ -33,22 +34,26 @@ struct SightJob {
   SightSet b;
   bool is_of_one_set;
   const BlockerData& blockers;
+  std::span<const BoxRow> solids;
   const SiblingKernels& kernels;
   Contact contact;
   bool solids_around_ends;
   bool wants_products;    ///< else decided pairs are counted only
   bool wants_undecided;   ///< likewise
   bool wants_candidates;  ///< of undecided pairs
+  bool wants_places;      ///< of undecided pairs among products
 
   /// How many pairs the product of two groups has.
   [[nodiscard]] std::uint64_t pairs(std::uint32_t a_group, std::uint32_t b_group) const noexcept;
 };
 
-/// What may stand between two groups, by numbers that ascend.
+/// What may stand between two groups, by numbers that ascend: of blockers, or of merged solids.
 struct SightLists {
   std::vector<std::uint32_t> candidates;
   std::vector<std::uint32_t> solids;
   std::vector<std::uint32_t> polygons;
+
+  [[nodiscard]] std::size_t held_bytes() const noexcept;
 };
 
 /// Two groups, and what may stand between them.
@@ -65,9 +70,13 @@ struct SightAnswers {
   std::vector<PatchPair> undecided;
   std::vector<std::size_t> first_candidate{0};
   std::vector<std::uint32_t> candidates;
+  std::vector<std::size_t> places;  ///< of each undecided pair, how many products were found before it
 
   void clear() noexcept;
+  /// Bytes of what was found.
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
+  /// Bytes that are held for it, and for more.
+  [[nodiscard]] std::size_t held_bytes() const noexcept;
 };
 
 /// A walk through products, of one thread. Memory is kept from one to the next.
@@ -75,21 +84,25 @@ class Ladder {
  public:
   /// What is done with a product that is left to others; it may take its lists.
   using Leave = FunctionRef<void(SightProductTask&&)>;
-  /// What is done when there are answers enough; it may take and clear them.
+  /// What is done when there are answers enough; it may take and clear them, or end the walk by an exception.
   using Full = FunctionRef<void()>;
+  /// Where answers go to. full() is called whenever they take `most_bytes` or more.
+  struct To {
+    SightAnswers& answers;
+    std::size_t most_bytes;
+    const Full& full;
+  };
 
-  Ladder(const SightJob& job, SightAnswers& answers);
+  explicit Ladder(const SightJob& job);
   Ladder(const Ladder&) = delete;
   Ladder& operator=(const Ladder&) = delete;
   ~Ladder();
 
   /// Answers all pairs of a product.
-  void answer(SightProductTask&& task);
-  /// Likewise, but calls full() between rows of pairs when the answers take `most_bytes` or more.
-  void answer_in_parts(SightProductTask&& task, std::size_t most_bytes, const Full& full);
+  void answer(const SightProductTask& task, const To& to);
   /// Answers those of its products that have more than `most_pairs` pairs as far as groups do, and leaves the others in
-  /// order: leave() is called after everything before them was answered.
-  void split(SightProductTask&& task, std::uint64_t most_pairs, const Leave& leave);
+  /// order: leave() is called after everything before them was answered. It may change `most_pairs`.
+  void split(const SightProductTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to);
 
  private:
   struct Side;
@@ -104,7 +117,7 @@ class Ladder {
   };
 
   Level& level(std::size_t depth);
-  void enter(SightProductTask&& task);
+  void enter(const SightProductTask& task, const To& to);
   void descend(std::uint32_t a, std::uint32_t b, std::size_t depth);
   void walk(std::uint32_t a, std::uint32_t b, std::size_t depth);
   std::uint64_t compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
@@ -128,9 +141,10 @@ class Ladder {
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
   [[nodiscard]] bool has_planes() const noexcept;
   void write(const PatchRun& a, const PatchRun& b, Sight sight);
+  void tell_if_full() const;
 
   const SightJob& job_;
-  SightAnswers& answers_;
+  const To* to_ = nullptr;
   std::vector<std::unique_ptr<Level>> levels_;
   Siblings siblings_;
   PackedBoxes packed_;
@@ -139,10 +153,8 @@ class Ladder {
   float exchanged_[6] = {};  // likewise of form_exchanged()
   std::vector<PointsBehind> points_behind_;
   const Side* rows_ = nullptr;  // of the product at hand
-  std::uint64_t most_pairs_ = 0;
+  const std::uint64_t* most_pairs_ = nullptr;
   const Leave* leave_ = nullptr;
-  std::size_t most_bytes_ = 0;
-  const Full* full_ = nullptr;
 };
 
 }  // namespace shaftcull::kernel

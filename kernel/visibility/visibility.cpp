@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <deque>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,7 @@ using kernel::SightJob;
 using kernel::SightProductTask;
 
 constexpr std::size_t least_memory = std::size_t{1} << 20;
+constexpr std::uint64_t least_product = 4096;  ///< pairs of two groups of patches
 
 /// Errors of computed normal·p − offset, for coordinates of at most `coordinate`: three products, three sums and a
 /// difference round, each by 2⁻²⁴ of what is at most |n|·|p| + |offset| in sum; underflow adds less than 2⁻¹⁴⁰. NaN
@@ -178,17 +180,25 @@ class Run {
       const VisibilityOptions& options, const Deliver* deliver)
       : options_(options),
         deliver_(deliver),
+        solids_(blockers.merged_solids.of(blockers.solids)),
         job_{sight_set(a, largest_coordinate(a, b, blockers)),
              sight_set(b, largest_coordinate(a, b, blockers)),
              is_of_one_set,
              blockers,
+             *solids_,
              kernel::active_kernels().siblings,
              options.contact,
              options.solids_around_ends,
              deliver != nullptr,
              deliver != nullptr || static_cast<bool>(options.resolve),
-             options.candidates && (deliver != nullptr || static_cast<bool>(options.resolve))},
-        teller_(options, modes_, total_pairs()) {
+             options.candidates && (deliver != nullptr || static_cast<bool>(options.resolve)),
+             deliver != nullptr && static_cast<bool>(options.resolve)},
+        teller_(options, modes_, total_pairs()),
+        slot_count_(2 * static_cast<std::size_t>(std::max(concurrency(), 1))),
+        room_(options.memory / 8 * 5 / slots()),
+        most_answers_(room_ / (options.resolve ? 10 : 6)),
+        most_pairs_(largest_product()),
+        most_items_(writes() ? slots() : most_items()) {
     if (!options.resolve) return;
     a_place_ = places(a);
     b_place_ = is_of_one_set ? a_place_ : places(b);
@@ -203,12 +213,19 @@ class Run {
       for (std::size_t i = 0; i != count; ++i) list[i] = static_cast<std::uint32_t>(i);
     };
     number(all.lists.candidates, job_.blockers.size());
-    number(all.lists.solids, job_.blockers.solids.size());
+    number(all.lists.solids, job_.solids.size());
     for (const kernel::PolygonBlocker& polygon : job_.blockers.polygons) all.lists.polygons.push_back(polygon.blocker);
 
-    kernel::Ladder top(job_, before_);
     const auto leave = [&](SightProductTask&& task) { add(std::move(task)); };
-    kernel::in_float_environment([&] { top.split(std::move(all), pairs_at_once(), leave); });
+    const auto is_full = [&] {
+      flush();
+      hand_over(before_);
+      before_.clear();
+    };
+    const kernel::Ladder::Full full = is_full;
+    kernel::in_float_environment([&] {
+      kernel::Ladder(job_).split(all, most_pairs_, leave, {before_, options_.memory / 32, full});
+    });
     flush();
     hand_over(before_);
     teller_.tell(counts_.total(), true);
@@ -229,11 +246,39 @@ class Run {
     return place;
   }
 
-  struct Worker {
+  /// Answers to one of the products that are under way.
+  struct Slot {
     SightAnswers answers;
-    kernel::Ladder ladder;
+    bool has_all = false;  ///< else they were more than it has room for
+  };
 
-    explicit Worker(const SightJob& job) : ladder(job, answers) {}
+  /// Ends the walk through a product to which there are too many answers.
+  struct TooMany {};
+
+  /// A ladder that is some thread's until it is given back.
+  class BorrowedLadder {
+   public:
+    explicit BorrowedLadder(Run& run) : run_(run) {
+      const std::lock_guard lock(run.ladders_mutex_);
+      if (run.ladders_.empty()) {
+        run.ladders_.reserve(++run.made_ladders_);  // so that giving back allocates nothing
+        ladder_ = std::make_unique<kernel::Ladder>(run.job_);
+      } else {
+        ladder_ = std::move(run.ladders_.back());
+        run.ladders_.pop_back();
+      }
+    }
+    BorrowedLadder(const BorrowedLadder&) = delete;
+    BorrowedLadder& operator=(const BorrowedLadder&) = delete;
+    ~BorrowedLadder() {
+      const std::lock_guard lock(run_.ladders_mutex_);
+      run_.ladders_.push_back(std::move(ladder_));
+    }
+    kernel::Ladder* operator->() const noexcept { return ladder_.get(); }
+
+   private:
+    Run& run_;
+    std::unique_ptr<kernel::Ladder> ladder_;
   };
 
   static float largest_coordinate(const kernel::PatchTree& a, const kernel::PatchTree& b,
@@ -246,81 +291,92 @@ class Run {
   }
 
   [[nodiscard]] bool writes() const noexcept { return job_.wants_undecided; }
-  [[nodiscard]] std::size_t slots() const noexcept { return 2 * static_cast<std::size_t>(std::max(concurrency(), 1)); }
+  [[nodiscard]] std::size_t slots() const noexcept { return slot_count_; }
 
-  /// Pairs of a product that one thread answers: enough that handing them out costs nothing.
-  [[nodiscard]] std::uint64_t pairs_at_once() const noexcept {
-    return writes() ? std::uint64_t{1} << 18 : std::uint64_t{1} << 20;
+  /// The most pairs of a product that one thread answers: enough that handing them out costs nothing, and so few that
+  /// their answers have room, at 8 bytes a pair.
+  [[nodiscard]] std::uint64_t largest_product() const noexcept {
+    if (!writes()) return std::uint64_t{1} << 20;
+    return std::clamp<std::uint64_t>(most_answers_ / 8, least_product, std::uint64_t{1} << 18);
   }
-
-  /// The most bytes that answers to a product can take.
-  [[nodiscard]] std::size_t most_bytes(const SightProductTask& task) const noexcept {
-    if (!writes()) return 0;
-    const std::size_t pair =
-        std::max(sizeof(SightProduct), sizeof(PatchPair) + sizeof(std::size_t) +
-                                           (job_.wants_candidates ? task.lists.candidates.size() * 4 : 0));
-    return static_cast<std::size_t>(job_.pairs(task.a, task.b)) * pair;
-  }
+  /// The most products that wait: so few that progress is told.
+  [[nodiscard]] std::size_t most_items() const noexcept { return 64 * slots(); }
 
   void add(SightProductTask&& task) {
-    waiting_bytes_ += task.lists.candidates.size() * sizeof(std::uint32_t) + before_.memory_bytes();
+    waiting_bytes_ += sizeof(Item) + task.lists.held_bytes() + before_.held_bytes();
     SightAnswers before;
     std::swap(before, before_);
     items_.push_back({std::move(before), std::move(task)});
-    // Bounded by memory, and short enough that progress is told.
-    if (items_.size() >= 64 * slots() || waiting_bytes_ > options_.memory / 4) flush();
+    if (items_.size() >= most_items_ || waiting_bytes_ > options_.memory / 8) flush();
   }
 
-  /// Answers the products that wait, and hands all over in order.
+  /// Answers the products that wait side by side, and hands all over in order. A product to which there are more
+  /// answers than there is room for is answered again when it is its turn, in parts.
   void flush() {
-    const std::size_t room = options_.memory / 2 / slots();
-    std::size_t first = 0;
-    while (first != items_.size()) {
-      // Products whose answers fit are answered side by side, others alone and in parts.
-      std::size_t end = first;
-      while (end != items_.size() && most_bytes(items_[end].task) <= room) ++end;
-      answer_side_by_side(first, end);
-      if (end != items_.size()) {
-        answer_in_parts(items_[end]);
-        ++end;
-      }
-      first = end;
-    }
-    items_.clear();
-    waiting_bytes_ = 0;
-  }
-
-  void answer_side_by_side(std::size_t first, std::size_t end) {
-    if (first == end) return;
-    while (workers_.size() < slots()) workers_.emplace_back(job_);
+    if (items_.empty()) return;
+    if (slots_.size() < std::min(slots(), items_.size())) slots_.resize(std::min(slots(), items_.size()));
+    bool had_too_many = false;
+    std::size_t most_bytes = 0;
     kernel::ordered_pipeline(
-        end - first, slots(),
+        items_.size(), slots(), [&](std::size_t i, std::size_t slot) { answer(items_[i].task, slots_[slot]); },
         [&](std::size_t i, std::size_t slot) {
-          Worker& worker = workers_[slot];
-          worker.answers.clear();
-          worker.ladder.answer(std::move(items_[first + i].task));
-          resolve(worker.answers);
-        },
-        [&](std::size_t i, std::size_t slot) {
-          hand_over(items_[first + i].before);
-          hand_over(workers_[slot].answers);
+          hand_over(items_[i].before);
+          most_bytes = std::max(most_bytes, slots_[slot].answers.memory_bytes());
+          if (!slots_[slot].has_all) {
+            had_too_many = true;
+            answer_in_parts(items_[i].task, slots_[slot].answers);
+          }
+          hand_over(slots_[slot].answers);
           teller_.tell(counts_.total());
         });
+    items_.clear();
+    waiting_bytes_ = 0;
+    if (writes()) fit_products(had_too_many, most_bytes);
   }
 
-  void answer_in_parts(Item& item) {
-    hand_over(item.before);
-    SightAnswers answers;
+  /// Products become smaller where answers to some of them had no room, and larger again where all had plenty.
+  void fit_products(bool had_too_many, std::size_t most_bytes) noexcept {
+    if (had_too_many) {
+      most_pairs_ = std::max(least_product, most_pairs_ / 4);
+      most_items_ = slots();
+      return;
+    }
+    most_items_ = std::min(most_items(), 2 * most_items_);
+    if (most_bytes < most_answers_ / 8) most_pairs_ = std::min(largest_product(), 2 * most_pairs_);
+  }
+
+  /// Answers a product, or gives up when there are too many answers.
+  void answer(const SightProductTask& task, Slot& slot) {
+    SightAnswers& answers = slot.answers;
+    answers.clear();
+    // What is kept of earlier ones must leave room for these, which grow by doubling.
+    if (answers.held_bytes() > room_ / 2) answers = {};
+    const auto give_up = [] { throw TooMany(); };
+    const kernel::Ladder::Full full = give_up;
+    try {
+      BorrowedLadder(*this)->answer(task, {answers, most_answers_, full});
+      slot.has_all = true;
+    } catch (const TooMany&) {
+      slot.has_all = false;
+      return;
+    }
+    resolve(answers);
+  }
+
+  /// Answers a product whatever there is to say, and hands all over but the last part.
+  void answer_in_parts(const SightProductTask& task, SightAnswers& answers) {
+    answers.clear();
     const auto hand_over_part = [&] {
       resolve(answers);
       hand_over(answers);
       answers.clear();
       teller_.tell(counts_.total());
     };
-    kernel::in_float_environment([&] {
-      kernel::Ladder(job_, answers).answer_in_parts(std::move(item.task), options_.memory / 4, hand_over_part);
-    });
-    hand_over_part();
+    const kernel::Ladder::Full full = hand_over_part;
+    // Of many slots each has little room, and parts should not be too small.
+    const std::size_t most_bytes = std::max(most_answers_, options_.memory / 128);
+    kernel::in_float_environment([&] { BorrowedLadder(*this)->answer(task, {answers, most_bytes, full}); });
+    resolve(answers);
   }
 
   /// Asks the user about what is undecided.
@@ -339,8 +395,17 @@ class Run {
     return {answers.undecided, answers.first_candidate, answers.candidates};
   }
 
-  /// Makes products of pairs that have an answer now.
+  /// Makes products of pairs that have an answer now: where they were found, so that it does not matter where a part
+  /// of the answers ends.
   void apply(std::span<const Sight> verdict, SightAnswers& answers) const {
+    std::vector<SightProduct> products;
+    if (job_.wants_products) products.reserve(answers.products.size() + verdict.size());
+    std::size_t taken = 0;
+    const auto take = [&](std::size_t end) {
+      const auto at = [&](std::size_t i) { return answers.products.begin() + static_cast<std::ptrdiff_t>(i); };
+      products.insert(products.end(), at(taken), at(end));
+      taken = end;
+    };
     std::size_t left = 0;
     std::size_t candidates = 0;
     for (std::size_t i = 0; i != verdict.size(); ++i) {
@@ -359,10 +424,12 @@ class Run {
       ++(verdict[i] == Sight::clear     ? counts.clear
          : verdict[i] == Sight::blocked ? counts.blocked
                                         : counts.facing_away);
-      if (job_.wants_products) {
-        answers.products.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});
-      }
+      if (!job_.wants_products) continue;
+      take(answers.places[i]);
+      products.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});
     }
+    take(answers.products.size());
+    answers.products = std::move(products);
     answers.undecided.resize(left);
     if (!job_.wants_candidates) return;
     answers.first_candidate.resize(left + 1);
@@ -379,15 +446,24 @@ class Run {
   const VisibilityOptions& options_;
   const Deliver* deliver_;
   CallersModes modes_;
+  kernel::MergedSolids::Rows solids_;
   SightJob job_;
   ProgressTeller teller_;
   std::vector<std::uint32_t> a_place_;  // for resolve
   std::vector<std::uint32_t> b_place_;
   SightCounts counts_;
   SightAnswers before_;
+  std::size_t slot_count_;    // products under way
+  std::size_t room_;          // bytes of each slot
+  std::size_t most_answers_;  // bytes of answers that fit there, while their memory grows, and what is kept of it
+  std::uint64_t most_pairs_;  // of a product
+  std::size_t most_items_;    // that wait
   std::vector<Item> items_;
-  std::deque<Worker> workers_;  // one a slot
   std::size_t waiting_bytes_ = 0;
+  std::vector<Slot> slots_;
+  std::mutex ladders_mutex_;
+  std::vector<std::unique_ptr<kernel::Ladder>> ladders_;
+  std::size_t made_ladders_ = 0;
 };
 
 void require_options(const VisibilityOptions& options) {

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "instruction_sets.hpp"
 #include "sanitizers.hpp"
@@ -75,6 +78,51 @@ TEST(Visibility, IsWhatItIsWhereBlockersTouchShafts) { expect_all_right(SightSce
 TEST(Visibility, IsWhatItIsOfAnyMagnitude) { expect_all_right(SightScenery::wild, 70, 1); }
 TEST(Visibility, IsWhatItIsOfDenormals) { expect_all_right(SightScenery::tiny, 80, 2); }
 TEST(Visibility, IsWhatItIsUpToTheLargestFloat) { expect_all_right(SightScenery::huge, 100, 1); }
+
+// Two solids are one box, whose middle hides some points from others; each of the two only touches what lies flat in
+// their seam. So some groups of points have no blocker between them, and yet pairs that are blocked.
+TEST(Visibility, IsBlockedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
+  constexpr Box solids[] = {{{-1, -1, 0}, {1, 0, 10}}, {{-1, 0, 0}, {1, 1, 10}}};
+  Blockers blockers;
+  blockers.add_solids(std::span<const Box>(solids));
+  for (const int count : {1, 2, 65, 1000}) {
+    SCOPED_TRACE(std::to_string(count) + " points on each side");
+    std::vector<Box> left;
+    std::vector<Box> right;
+    const auto z_of = [&](int i) { return 5 + (i % 2 == 0 ? i : -i) / 2; };
+    for (int i = 0; i != count; ++i) {
+      const auto z = static_cast<float>(z_of(i));
+      left.push_back({{-3, 0, z}, {-3, 0, z}});
+      right.push_back({{3, 0, z}, {3, 0, z}});
+    }
+    SightCounts expected;
+    for (int i = 0; i != count; ++i) {
+      for (int j = 0; j != count; ++j) {
+        // Three times z where the segment enters and leaves -1 < x < 1.
+        const int in = 2 * z_of(i) + z_of(j);
+        const int out = z_of(i) + 2 * z_of(j);
+        ++(std::max(in, out) > 0 && std::min(in, out) < 30 ? expected.blocked : expected.clear);
+      }
+    }
+    ASSERT_EQ(expected.clear == 0, count <= 2);
+    std::vector<Box> both = left;
+    both.insert(both.end(), right.begin(), right.end());
+    const PatchSet a{std::span<const Box>(left)};
+    const PatchSet b{std::span<const Box>(right)};
+    const PatchSet all{std::span<const Box>(both)};
+    SightCounts of_all = expected;
+    of_all.clear += static_cast<std::uint64_t>(count) * static_cast<std::uint64_t>(count - 1);  // on either side
+    on_each_instruction_set([&] {
+      for (const bool solids_around_ends : {true, false}) {
+        VisibilityOptions options;
+        options.solids_around_ends = solids_around_ends;
+        EXPECT_EQ(count_visibility(a, b, blockers, options), expected);
+        EXPECT_EQ(count_visibility(b, a, blockers, options), expected);
+        EXPECT_EQ(count_visibility(all, blockers, options), of_all);
+      }
+    });
+  }
+}
 
 // Of a group, both a unit normal and a shorter one along the same axis: the shorter one's products round.
 TEST(Visibility, IsNotTakenForFacingAwayWhereAGroupHasNormalsOfSeveralLengths) {

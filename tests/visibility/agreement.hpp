@@ -115,7 +115,6 @@ class SightTruths {
  public:
   explicit SightTruths(const SightCase& of) : of_(of), columns_(of.b.size()) {
     const oracle::SightQuestion question = question_of(of.scene, of.blockers);
-    blockers_ = question.blockers.size();
     const oracle::SightOracle oracle(question);
     truths_.resize(of.a.size() * columns_);
     for (std::size_t i = 0; i != of.a.size(); ++i) {
@@ -146,7 +145,7 @@ class SightTruths {
         const bool is_right = *entry.sight == Sight::facing_away ? truth.is_facing_away
                               : *entry.sight == Sight::blocked   ? truth.is_blocked
                               : *entry.sight == Sight::clear
-                                  ? truth.is_clear() && !truth.is_facing_away
+                                  ? truth.is_clear() && !truth.is_facing_away && !truth.is_blocked
                                   : !truth.is_facing_away && !truth.is_blocked && !truth.is_clear();
         if (!is_right ||
             (with_candidates && *entry.sight == Sight::undecided && entry.candidates != truth.candidates)) {
@@ -178,7 +177,6 @@ class SightTruths {
 
   const SightCase& of_;
   std::size_t columns_;
-  std::size_t blockers_ = 0;
   std::vector<oracle::SightTruth> truths_;
 };
 

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "float_modes.hpp"
@@ -99,7 +103,7 @@ TEST(VisibilityBatches, HaveTheSameAnswersWhateverTheMemory) {
     for (const std::size_t memory : {least_memory, 3 * least_memory + 7, std::size_t{1} << 40}) {
       VisibilityOptions options = of.options;
       options.memory = memory;
-      for (const int threads : {1, 3}) {
+      for (const int threads : {1, 3, 16}) {
         with_threads(threads, [&] { expect_same(of.collect(options), all); });
       }
       EXPECT_EQ(of.count(options), all.counts);
@@ -170,6 +174,7 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
     const Visibility all = of.collect(of.options);
     const SightTable before(of, all);
     for (const bool with_candidates : {true, false}) {
+      Visibility one;
       for (const std::size_t memory : {least_memory, std::size_t{256} << 20}) {
         std::atomic<std::uint64_t> asked = 0;
         std::atomic<bool> is_wrong = false;
@@ -209,7 +214,11 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
             ASSERT_EQ(entry.candidates, before.at(pair.a, pair.b).candidates);
           }
         }
-        with_threads(1, [&] { expect_same(of.collect(options), after); });
+        for (const int threads : {1, 16}) {
+          with_threads(threads, [&] { expect_same(of.collect(options), after); });
+        }
+        if (one.products.empty()) one = after;
+        expect_same(after, one);  // whatever the memory
         EXPECT_EQ(of.count(options), after.counts);
         std::vector<std::uint64_t> bits(of.a.size() * words_for(of.b.size()));
         EXPECT_EQ(of.bits(Sight::blocked, bits, options), after.counts);
@@ -217,6 +226,81 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
     }
   }
 }
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+/// Where two threads meet.
+class Meeting {
+ public:
+  /// Waits for another thread, the first time; returns whether one came. If none does within a minute, none will.
+  bool meet() {
+    std::unique_lock lock(mutex_);
+    ++came_;
+    changed_.notify_all();
+    return changed_.wait_for(lock, std::chrono::minutes(1), [&] { return came_ >= 2 || is_over_; }) ? came_ >= 2
+                                                                                                    : give_up();
+  }
+
+ private:
+  bool give_up() {
+    is_over_ = true;
+    changed_.notify_all();
+    return false;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  unsigned came_ = 0;
+  bool is_over_ = false;
+};
+
+/// Patches on two walls that face each other, `side` times `side` on each, and some small boxes between them: few pairs
+/// are undecided, and every one could be.
+struct TwoWalls {
+  PatchSet left;
+  PatchSet right;
+  Blockers blockers;
+
+  TwoWalls(unsigned side, unsigned between) {
+    for (const bool is_left : {true, false}) {
+      std::vector<Box> boxes;
+      for (unsigned i = 0; i != side * side; ++i) {
+        const float x = is_left ? -3.0F : 3.0F;
+        const auto y = static_cast<float>(i / side);
+        const auto z = static_cast<float>(i % side);
+        boxes.push_back({{x, y, z}, {x, y + 1, z + 1}});
+      }
+      (is_left ? left : right) = PatchSet(std::span<const Box>(boxes));
+    }
+    Random random(17);
+    std::vector<Box> boxes;
+    const auto end = static_cast<float>(side);
+    for (unsigned i = 0; i != between; ++i) {
+      const Vec3 at{random.uniform(-1, 1), random.uniform(0, end), random.uniform(0, end)};
+      boxes.push_back({at, {at[0] + 0.01F, at[1] + 0.01F, at[2] + 0.01F}});
+    }
+    blockers.add_boxes(std::span<const Box>(boxes));
+  }
+};
+
+// Few answers fit, however many there could be: then threads need not wait for each other.
+TEST(VisibilityBatches, AreFoundSideBySideWhereMemoryIsSmall) {
+  const TwoWalls walls(32, 30);
+  VisibilityOptions options;
+  options.memory = least_memory;
+  Meeting meeting;
+  std::atomic<bool> has_met = true;
+  options.resolve = [&](const UndecidedPairs&, std::span<Sight>) {
+    if (!meeting.meet()) has_met = false;
+  };
+  with_threads(2, [&] {
+    const SightCounts counts = visibility(
+        walls.left, walls.right, walls.blockers, [](const SightBatch&) {}, options);
+    EXPECT_GT(counts.undecided, 10'000U);
+    EXPECT_GT(counts.clear, 10 * counts.undecided);
+  });
+  EXPECT_TRUE(has_met) << "resolve() was called by one thread only";
+}
+#endif
 
 TEST(VisibilityBatches, VerdictsMustBeSights) {
   const SightCase of = large_case(false, 100);
@@ -354,6 +438,38 @@ TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
   }
 }
 #endif
+
+// What calls need besides is made by the first of them, whichever that is.
+TEST(VisibilityBatches, TheFirstCallsMayBeManyAtOnce) {
+  const SightCase of = large_case(false, 100);
+  const SightCounts right = of.count(of.options);
+  for (unsigned round = 0; round != 5; ++round) {
+    const Blockers blockers = blockers_of(of.scene);
+    std::vector<SightCounts> counts(4);
+    std::vector<std::thread> threads;
+    for (SightCounts& of_thread : counts) {
+      threads.emplace_back([&] { of_thread = count_visibility(of.a, of.b, blockers, of.options); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const SightCounts& of_thread : counts) EXPECT_EQ(of_thread, right);
+  }
+}
+
+TEST(VisibilityBatches, SolidsThatAreAddedBetweenCallsBlockToo) {
+  const Box points[] = {{{0.5F, 0.5F, -9}, {0.5F, 0.5F, -9}}, {{0.25F, 0.5F, 9}, {0.75F, 0.5F, 9}}};
+  const PatchSet patches{std::span<const Box>(points)};
+  Blockers blockers;
+  EXPECT_EQ(count_visibility(patches, blockers).clear, 1U);
+  const Box first{{0, 0, 0}, {0.5F, 1, 1}};
+  blockers.add_solids(std::span<const Box>(&first, 1));
+  EXPECT_EQ(count_visibility(patches, blockers).undecided, 1U);
+  const Blockers half = blockers;
+  const Box second{{0.5F, 0, 0}, {1, 1, 1}};  // one box with the first
+  blockers.add_solids(std::span<const Box>(&second, 1));
+  EXPECT_EQ(count_visibility(patches, blockers).blocked, 1U);
+  EXPECT_EQ(count_visibility(patches, half).undecided, 1U);
+  EXPECT_EQ(count_visibility(patches, Blockers(blockers)).blocked, 1U);
+}
 
 TEST(VisibilityBatches, BlockersAreValuesAndNumberedAsTheyAreAdded) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};

@@ -18,13 +18,14 @@
 namespace shaftcull {
 namespace {
 
-/// Two sides of a gap full of blockers: all pairs are undecided, with most of the blockers as candidates.
+/// Two sides of a gap full of blockers: all pairs are undecided, with most of the blockers as candidates. Many of them
+/// are small and solid, and some hundreds are candidates of a pair.
 struct Gap {
   PatchSet left;
   PatchSet right;
   Blockers blockers;
 
-  Gap(std::size_t patches, std::size_t between) {
+  Gap(std::size_t patches, std::size_t between, bool are_solid = false) {
     Random random(5);
     std::vector<Box> boxes[2];
     for (std::size_t i = 0; i != 2 * patches; ++i) {
@@ -35,10 +36,71 @@ struct Gap {
     left = PatchSet(std::span<const Box>(boxes[0]));
     right = PatchSet(std::span<const Box>(boxes[1]));
     std::vector<Box> all;
-    for (std::size_t i = 0; i != between; ++i) all.push_back(random.box(-0.8F, 0.8F, 0.2F, 0.7F));
-    blockers.add_boxes(std::span<const Box>(all));
+    for (std::size_t i = 0; i != between; ++i) {
+      all.push_back(are_solid ? random.box(-1, 1, 0.01F, 0.05F) : random.box(-0.8F, 0.8F, 0.2F, 0.7F));
+    }
+    if (are_solid) {
+      blockers.add_solids(std::span<const Box>(all));
+    } else {
+      blockers.add_boxes(std::span<const Box>(all));
+    }
   }
 };
+
+/// Points on both sides of a gap, and posts in it: pairs are clear or blocked, and neighbours often are not alike.
+struct Fence {
+  PatchSet left;
+  PatchSet right;
+  Blockers blockers;
+
+  Fence(std::size_t patches, std::size_t posts) {
+    Random random(6);
+    std::vector<Box> boxes[2];
+    for (std::size_t i = 0; i != 2 * patches; ++i) {
+      const Vec3 at{i % 2 == 0 ? -3.0F : 3.0F, random.uniform(-1, 1), random.uniform(-1, 1)};
+      boxes[i % 2].push_back({at, at});
+    }
+    left = PatchSet(std::span<const Box>(boxes[0]));
+    right = PatchSet(std::span<const Box>(boxes[1]));
+    std::vector<Box> all;
+    for (std::size_t i = 0; i != posts; ++i) {
+      const Vec3 at{random.uniform(-1, 1), random.uniform(-1, 1), -1};
+      all.push_back({at, {at[0] + 0.01F, at[1] + 0.01F, 1}});
+    }
+    blockers.add_solids(std::span<const Box>(all));
+  }
+};
+
+/// What a call takes that delivers all answers, at most, and how much it delivers.
+struct Taken {
+  std::size_t peak = 0;
+  std::size_t largest = 0;  ///< of a batch
+  std::uint64_t bytes = 0;  ///< of all batches
+};
+
+Taken taken_by(int threads, const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+               const VisibilityOptions& options) {
+  Taken taken;
+  with_threads(threads, [&] {
+    const auto note = [&](const SightBatch& batch) {
+      const UndecidedPairs& undecided = batch.undecided;
+      const std::size_t bytes = batch.products.size_bytes() + undecided.pairs.size_bytes() +
+                                undecided.first_candidate.size_bytes() + undecided.candidates.size_bytes();
+      taken.bytes += bytes;
+      taken.largest = std::max(taken.largest, bytes);
+    };
+    const std::size_t before = live_bytes();
+    forget_peak();
+    visibility(a, b, blockers, note, options);
+    taken.peak = peak_bytes() - before;
+  });
+  return taken;
+}
+
+/// What each thread walks with.
+std::size_t walks(int threads, const Blockers& blockers) {
+  return static_cast<std::size_t>(threads + 1) * 100 * blockers.size();
+}
 
 TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreUndecided) {
   const Gap gap(has_shadow_memory ? 300 : 1200, 60);
@@ -46,27 +108,58 @@ TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreUndecided) {
     for (const std::size_t memory : {std::size_t{1} << 20, std::size_t{8} << 20}) {
       VisibilityOptions options;
       options.memory = memory;
-      std::uint64_t candidates = 0;
-      std::uint64_t pairs = 0;
-      std::size_t largest = 0;
-      std::size_t peak = 0;
-      with_threads(threads, [&] {
-        const std::size_t before = live_bytes();
-        forget_peak();
-        visibility(
-            gap.left, gap.right, gap.blockers,
-            [&](const SightBatch& batch) {
-              pairs += batch.undecided.pairs.size();
-              candidates += batch.undecided.candidates.size();
-              largest = std::max(largest, batch.undecided.candidates.size_bytes());
-            },
-            options);
-        peak = peak_bytes() - before;
-      });
-      ASSERT_GT(pairs, gap.left.size() * gap.right.size() / 2);
-      ASSERT_GT(candidates, 20 * pairs);  // far more than the bound
-      EXPECT_LE(peak, memory) << threads << " threads, " << memory << " bytes, batches of up to " << largest;
-      EXPECT_LE(largest, memory);
+      const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+      ASSERT_GT(taken.bytes, 80 * gap.left.size() * gap.right.size() / 2);  // far more than the bound
+      EXPECT_LE(taken.peak, memory) << threads << " threads, " << memory << " bytes, batches of up to "
+                                    << taken.largest;
+      EXPECT_LE(taken.largest, memory);
+    }
+  }
+}
+
+TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreDecided) {
+  const Fence fence(has_shadow_memory ? 600 : 2400, 60);
+  for (const int threads : {1, 2}) {
+    for (const bool has_resolve : {false, true}) {
+      VisibilityOptions options;
+      options.memory = std::size_t{1} << 20;
+      if (has_resolve) {
+        options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
+          std::fill(verdict.begin(), verdict.end(), Sight::clear);
+        };
+      }
+      const Taken taken = taken_by(threads, fence.left, fence.right, fence.blockers, options);
+      ASSERT_GT(taken.bytes, 4 * options.memory);
+      EXPECT_LE(taken.peak, options.memory) << threads << " threads, batches of up to " << taken.largest;
+    }
+  }
+}
+
+// Lists of solids wait as those of candidates do, and a row of pairs may have more candidates than there is memory for.
+TEST(VisibilityMemory, StaysBelowItsBoundHoweverManySolidsThereAre) {
+  const Gap gap(has_shadow_memory ? 100 : 300, 4000, true);
+  for (const int threads : {1, 2}) {
+    VisibilityOptions options;
+    options.memory = std::size_t{1} << 20;
+    const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+    ASSERT_GT(taken.bytes, 4 * options.memory);
+    EXPECT_LE(taken.peak, options.memory + walks(threads, gap.blockers)) << threads << " threads";
+  }
+}
+
+TEST(VisibilityMemory, StaysBelowItsBoundWhereEveryPairIsResolved) {
+  const Gap gap(has_shadow_memory ? 300 : 1200, 8);
+  for (const int threads : {1, 2}) {
+    for (const bool with_candidates : {false, true}) {
+      VisibilityOptions options;
+      options.memory = std::size_t{1} << 20;
+      options.candidates = with_candidates;
+      options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
+        std::fill(verdict.begin(), verdict.end(), Sight::clear);
+      };
+      const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+      ASSERT_GT(taken.bytes, 20 * gap.left.size() * gap.right.size() / 2);
+      EXPECT_LE(taken.peak, options.memory) << threads << " threads, batches of up to " << taken.largest;
     }
   }
 }
@@ -124,6 +217,7 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, blockers, options)); });
     expect_nothing_left([&] { static_cast<void>(count_visibility(a, blockers, options)); });
     expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, blockers, options)); });
+    expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, blockers_of(scene), options)); });
     options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
       for (std::size_t i = 0; i < verdict.size(); i += 2) verdict[i] = Sight::blocked;
     };
@@ -131,25 +225,120 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
   });
 }
 
+/// A way to add blockers: one of each kind.
+struct Adding {
+  const char* name;
+  std::size_t (*add)(Blockers& to, float x);
+};
+
+/// A blocker of unit size at x. Those of x and x + 1 touch.
+constexpr Adding addings[] = {
+    {"boxes",
+     [](Blockers& to, float x) {
+       const Box box{{x, 0, 0}, {x + 1, 1, 1}};
+       return to.add_boxes(std::span<const Box>(&box, 1));
+     }},
+    {"solids",
+     [](Blockers& to, float x) {
+       const Box box{{x, 0, 0}, {x + 1, 1, 1}};
+       return to.add_solids(std::span<const Box>(&box, 1));
+     }},
+    {"hulls",
+     [](Blockers& to, float x) {
+       const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
+       const std::size_t first[] = {0, 4};
+       return to.add_solid_hulls(corners, first);
+     }},
+    {"polygons",
+     [](Blockers& to, float x) {
+       const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
+       const std::size_t first[] = {0, 3};
+       return to.add_polygons(corners, first);
+     }},
+    {"groups",
+     [](Blockers& to, float x) {
+       const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
+       const std::size_t first[] = {0, 1};
+       return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view(), first);
+     }},
+    {"triangles",
+     [](Blockers& to, float x) {
+       const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
+       return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view());
+     }},
+};
+
+void expect_same(const Blockers& a, const Blockers& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i != a.size(); ++i) {
+    EXPECT_EQ(a.box(i), b.box(i));
+    EXPECT_TRUE(std::equal(a.triangles(i).begin(), a.triangles(i).end(), b.triangles(i).begin(), b.triangles(i).end()));
+  }
+  // Points on both sides of them.
+  std::vector<Box> points;
+  for (unsigned i = 0; i != 40; ++i) {
+    const Vec3 at{static_cast<float>(i % 20) / 2, 0.25F, i % 2 == 0 ? -1.0F : 2.0F};
+    points.push_back({at, at});
+  }
+  const PatchSet patches{std::span<const Box>(points)};
+  const Visibility of_a = collect_visibility(patches, a);
+  const Visibility of_b = collect_visibility(patches, b);
+  EXPECT_EQ(of_a.counts, of_b.counts);
+  EXPECT_EQ(of_a.undecided, of_b.undecided);
+  EXPECT_EQ(of_a.candidates, of_b.candidates);
+}
+
 TEST(VisibilityMemory, BlockersAreWhatTheyWereWhereMemoryRunsOut) {
-  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}};
-  for (std::size_t n = 1;; ++n) {
-    Blockers blockers;
-    blockers.add_solids(std::span<const Box>(boxes));
-    bool has_failed = false;
-    {
-      const FailingMemory memory(n, Failing::only_one);
-      try {
-        blockers.add_solids(std::span<const Box>(boxes));
-      } catch (const std::bad_alloc&) {
-        EXPECT_EQ(blockers.size(), 2U);
+  Blockers right;
+  for (unsigned i = 0; i != 2; ++i) {
+    for (const Adding& adding : addings) adding.add(right, static_cast<float>(right.size()));
+  }
+  for (const Adding& adding : addings) {
+    SCOPED_TRACE(adding.name);
+    Blockers more = right;
+    EXPECT_EQ(adding.add(more, 20), right.size());
+    for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
+      for (std::size_t n = 1;; ++n) {
+        SCOPED_TRACE(n);
+        Blockers blockers = right;  // no vector has room for more
+        bool has_failed = false;
+        bool was_thrown = false;
+        {
+          const FailingMemory memory(n, failing);
+          try {
+            adding.add(blockers, 20);
+          } catch (const std::bad_alloc&) {
+            was_thrown = true;
+          }
+          has_failed = memory.has_failed();
+        }
+        if (was_thrown) {
+          expect_same(blockers, right);
+          adding.add(blockers, 20);
+        }
+        expect_same(blockers, more);
+        EXPECT_TRUE(has_failed || !was_thrown);
+        if (!has_failed) {
+          EXPECT_GT(n, 1U);
+          break;
+        }
+        if (HasFailure()) return;
       }
-      has_failed = memory.has_failed();
     }
-    EXPECT_EQ(blockers.box(1), boxes[1]);
-    if (!has_failed) break;
-    blockers.add_solids(std::span<const Box>(boxes));
-    EXPECT_EQ(blockers.size(), 4U);
+  }
+}
+
+TEST(VisibilityMemory, BlockersThatAreAddedOneByOneTakeNoMoreThanInProportion) {
+  const auto bytes_of = [](const Adding& adding, std::size_t count) {
+    Blockers blockers;
+    const std::size_t before = allocated_bytes();
+    for (std::size_t i = 0; i != count; ++i) adding.add(blockers, static_cast<float>(i));
+    return allocated_bytes() - before;
+  };
+  for (const Adding& adding : addings) {
+    const std::size_t few = bytes_of(adding, 300);
+    EXPECT_GT(few, 300 * sizeof(Box)) << adding.name;
+    EXPECT_LT(bytes_of(adding, 4800), 32 * few) << adding.name;  // 16 times as many; quadratic would be 256
   }
 }
 
