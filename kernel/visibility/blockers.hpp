@@ -20,11 +20,18 @@ struct PolygonBlocker {
   std::uint32_t blocker;  ///< its number, whose points are its corners
 };
 
-/// The boxes that make pairs blocked: solids as large as they are together. They are made when they are first asked
-/// for, by one thread while others wait. Copies share them.
+/// The boxes that make pairs blocked: solids, and what they are together.
+struct SolidRows {
+  std::vector<BoxRow> rows;
+  /// So many of them, the first ones, block what all do. If solids that hold a part of an end are to block nothing,
+  /// the others are asked as well: the larger box around one may hold an end that the smaller one does not.
+  std::size_t largest = 0;
+};
+
+/// These boxes, made when they are first asked for, by one thread while others wait. Copies share them.
 class MergedSolids {
  public:
-  using Rows = std::shared_ptr<const std::vector<BoxRow>>;
+  using Rows = std::shared_ptr<const SolidRows>;
 
   MergedSolids() = default;
   MergedSolids(const MergedSolids& other) : rows_(other.made()) {}

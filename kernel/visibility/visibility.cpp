@@ -185,7 +185,7 @@ class Run {
              sight_set(b, largest_coordinate(a, b, blockers)),
              is_of_one_set,
              blockers,
-             *solids_,
+             std::span(solids_->rows).first(options.solids_around_ends ? solids_->largest : solids_->rows.size()),
              kernel::active_kernels().siblings,
              options.contact,
              options.solids_around_ends,

@@ -103,7 +103,6 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Blockers
   };
   for (const Box& box : scene.boxes) question.blockers.push_back({box, {}});
   for (const Box& box : scene.solids) question.blockers.push_back({box, {}});
-  question.solids = merged_boxes(scene.solids);
   const auto for_each_part = [](const std::vector<Vec3>& corners, const std::vector<std::size_t>& first,
                                 const auto& visit) {
     for (std::size_t i = 0; i + 1 < first.size(); ++i) {
@@ -111,12 +110,14 @@ inline oracle::SightQuestion question_of(const SightScene& scene, const Blockers
                               corners.begin() + static_cast<std::ptrdiff_t>(first[i + 1])));
     }
   };
-  std::vector<Box> all = question.solids;
+  question.solids = scene.solids;
   for_each_part(scene.hull_corners, scene.first_hull, [&](const std::vector<Vec3>& hull) {
     question.blockers.push_back({around(hull), hull});
-    all.push_back(inscribed_box(hull));
+    question.solids.push_back(inscribed_box(hull));
   });
-  question.solids = merged_boxes(all);
+  // Each alone, and what they are together.
+  const std::vector<Box> together = merged_boxes(question.solids);
+  question.solids.insert(question.solids.end(), together.begin(), together.end());
   for_each_part(scene.polygon_corners, scene.first_polygon, [&](const std::vector<Vec3>& polygon) {
     question.blockers.push_back({around(polygon), polygon});
     question.polygons.push_back(polygon);
