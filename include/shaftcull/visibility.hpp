@@ -64,11 +64,16 @@ enum class Sight : std::uint8_t {
 /// Its name: "undecided", "clear", "blocked", "facing away".
 [[nodiscard]] const char* name(Sight sight) noexcept;
 
-/// Patches, in a tree. It holds copies of what it is made of; copies of it share them.
+/// Patches, in a tree. It holds copies of what it is made of; copies of it share them. One that was moved from has no
+/// patches.
 class PatchSet {
  public:
   /// No patches.
   PatchSet() noexcept;
+  PatchSet(const PatchSet&) noexcept = default;
+  PatchSet(PatchSet&& other) noexcept;
+  PatchSet& operator=(PatchSet other) noexcept;
+  ~PatchSet() = default;
   /// `planes` is empty, or has one for each box: the patch faces where its normal points, and sees what is in front,
   /// normal·p > offset. Throws InvalidArgument if their number is another, or if there are 2³² − 1 patches or more;
   /// BadBound for a box that is not finite with lo ≤ hi, or a plane that is not finite or whose normal is zero, by its
@@ -93,7 +98,7 @@ class PatchSet {
 };
 
 /// What stands between patches. Blockers are numbered in the order in which they are added, from 0 on. A value: copies
-/// are deep.
+/// are deep, and one that was moved from has no blockers.
 ///
 /// Members that add throw BadBound for a value that is not finite, or a box with lo > hi, by its position, and
 /// InvalidArgument for what each of them says; then nothing was added, as where memory runs out. They return the number
@@ -140,10 +145,12 @@ class Blockers {
   [[nodiscard]] std::span<const std::uint32_t> triangles(std::size_t i) const noexcept;
 
   /// The library's own.
-  [[nodiscard]] const kernel::BlockerData& data() const noexcept { return *data_; }
+  [[nodiscard]] const kernel::BlockerData& data() const noexcept;
 
  private:
-  std::unique_ptr<kernel::BlockerData> data_;
+  [[nodiscard]] kernel::BlockerData& own();
+
+  std::unique_ptr<kernel::BlockerData> data_;  ///< none in one that was moved from
 };
 
 /// Some patches side by side in PatchSet::order().

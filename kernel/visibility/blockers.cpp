@@ -275,11 +275,21 @@ Blockers& Blockers::operator=(Blockers other) noexcept {
 }
 Blockers::~Blockers() = default;
 
+const kernel::BlockerData& Blockers::data() const noexcept {
+  static const kernel::BlockerData none;
+  return data_ ? *data_ : none;
+}
+
+kernel::BlockerData& Blockers::own() {
+  if (!data_) data_ = std::make_unique<kernel::BlockerData>();
+  return *data_;
+}
+
 // Boxes are compared and joined in modes in which denormals are what they are.
 
 std::size_t Blockers::add_boxes(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
-    Addition addition(*data_);
+    Addition addition(own());
     for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
     return addition.keep();
   });
@@ -291,7 +301,7 @@ std::size_t Blockers::add_boxes(const BoxView& boxes) {
 
 std::size_t Blockers::add_solids(std::span<const Box> boxes) {
   return kernel::in_float_environment([&] {
-    Addition addition(*data_);
+    Addition addition(own());
     for (const Box& solid : usable_boxes(boxes, "solid")) {
       addition.add(solid);
       addition.add_solid(solid);
@@ -306,7 +316,7 @@ std::size_t Blockers::add_solids(const BoxView& boxes) {
 
 std::size_t Blockers::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
-    Addition addition(*data_);
+    Addition addition(own());
     add_parts(addition, corners, first_corner, "hull", 4, 32,
               [&](std::span<const Vec3> hull) { addition.add_solid(inscribed_box(hull)); });
     return addition.keep();
@@ -315,7 +325,7 @@ std::size_t Blockers::add_solid_hulls(std::span<const Vec3> corners, std::span<c
 
 std::size_t Blockers::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
   return kernel::in_float_environment([&] {
-    Addition addition(*data_);
+    Addition addition(own());
     add_parts(addition, corners, first_corner, "polygon", 3, any_number,
               [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
     return addition.keep();
@@ -334,7 +344,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
         if (!is_finite(vertex)) refuse("triangle", i, "is not finite");
       }
     }
-    Addition addition(*data_);
+    Addition addition(own());
     const bool has_groups = !first_triangle.empty();
     if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
     std::vector<std::uint32_t> order;
@@ -372,15 +382,16 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
   });
 }
 
-std::size_t Blockers::size() const noexcept { return data_->size(); }
+std::size_t Blockers::size() const noexcept { return data().size(); }
 
 Box Blockers::box(std::size_t i) const noexcept {
-  const float(&face)[8] = data_->boxes[i].face;
+  const float(&face)[8] = data().boxes[i].face;
   return {{face[0], face[1], face[2]}, {face[3], face[4], face[5]}};
 }
 
 std::span<const std::uint32_t> Blockers::triangles(std::size_t i) const noexcept {
-  return {data_->triangles.data() + data_->first_triangle[i], data_->first_triangle[i + 1] - data_->first_triangle[i]};
+  const kernel::BlockerData& all = data();
+  return {all.triangles.data() + all.first_triangle[i], all.first_triangle[i + 1] - all.first_triangle[i]};
 }
 
 }  // namespace shaftcull

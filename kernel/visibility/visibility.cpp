@@ -550,6 +550,11 @@ const char* name(Sight sight) noexcept {
 Cancelled::~Cancelled() = default;
 
 PatchSet::PatchSet() noexcept : PatchSet(no_patches()) {}
+PatchSet::PatchSet(PatchSet&& other) noexcept : tree_(std::exchange(other.tree_, no_patches())) {}
+PatchSet& PatchSet::operator=(PatchSet other) noexcept {
+  std::swap(tree_, other.tree_);
+  return *this;
+}
 
 PatchSet::PatchSet(const BoxView& boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
 

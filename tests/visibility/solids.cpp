@@ -9,11 +9,14 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "oracle/convex_hull.hpp"
 #include "oracle/random.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/visibility.hpp"
 
 namespace shaftcull {
 namespace {
@@ -141,6 +144,81 @@ TEST(MergedBoxes, MakeThousandsOfPiecesOne) {
     pieces.push_back({{x, y, z}, {x + 1, y + 1, z + 1}});
   }
   EXPECT_EQ(merged_boxes(pieces), (std::vector<Box>{{{0, 0, 0}, {16, 16, 16}}}));
+}
+
+/// What is said of two boxes between which these are solid.
+Sight sight_past(const Box& a, const Box& b, const std::vector<Box>& solids, bool solids_around_ends) {
+  Blockers blockers;
+  blockers.add_solids(solids);
+  const SightCounts counts =
+      count_visibility(PatchSet(std::span<const Box>(&a, 1)), PatchSet(std::span<const Box>(&b, 1)), blockers,
+                       {.solids_around_ends = solids_around_ends});
+  return counts.blocked != 0 ? Sight::blocked : counts.clear != 0 ? Sight::clear : Sight::undecided;
+}
+
+TEST(Solids, BlockAloneWhatTheyDoWhateverElseIsSolid) {
+  struct Case {
+    const char* what;
+    Box a;
+    Box b;
+    Box blocks;  ///< alone
+    Box other;
+    bool solids_around_ends;
+  };
+  const Box near{{0, 0.4F, 0.4F}, {0.1F, 0.6F, 0.6F}};
+  const Box far{{9, 0.4F, 0.4F}, {9.5F, 0.6F, 0.6F}};
+  const Box flat{{0, 0, 0}, {0, 1, 0}};
+  const Box flat_far{{9, 0, 0}, {9, 1, 0}};
+  const Box corner{{1, 1, 1}, {1, 1, 1}};
+  for (const Case& it : {
+           Case{"a wall within a thicker one that holds an end",
+                near,
+                far,
+                {{1, 0, 0}, {2, 1, 1}},
+                {{-1, -1, -1}, {3, 2, 2}},
+                false},
+           Case{"a piece of a wall whose other piece holds an end",
+                near,
+                far,
+                {{1, 0, 0}, {2, 1, 1}},
+                {{-1, 0, 0}, {1, 1, 1}},
+                false},
+           Case{"a flat solid in the face of a thick one",
+                flat,
+                flat_far,
+                {{4, -1, 0}, {5, 2, 0}},
+                {{4, -1, 0}, {5, 2, 3}},
+                true},
+           Case{"a point in the corner of a thick one", corner, corner, corner, {{1, 1, 1}, {2, 2, 2}}, true},
+       }) {
+    SCOPED_TRACE(it.what);
+    EXPECT_EQ(sight_past(it.a, it.b, {it.blocks}, it.solids_around_ends), Sight::blocked);
+    EXPECT_NE(sight_past(it.a, it.b, {it.other}, it.solids_around_ends), Sight::blocked);
+    EXPECT_EQ(sight_past(it.a, it.b, {it.blocks, it.other}, it.solids_around_ends), Sight::blocked);
+    EXPECT_EQ(sight_past(it.a, it.b, {it.other, it.blocks}, it.solids_around_ends), Sight::blocked);
+  }
+}
+
+TEST(Solids, AndPatchesThatWereMovedFromAreNone) {
+  const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{4, 0, 0}, {5, 1, 1}}};
+  Blockers from;
+  from.add_solids(boxes);
+  const Blockers to = std::move(from);
+  EXPECT_EQ(to.size(), 2U);
+  EXPECT_EQ(from.size(), 0U);  // NOLINT(bugprone-use-after-move): that is what is tested
+  const Blockers copy = from;
+  EXPECT_EQ(copy.size(), 0U);
+  PatchSet patches(boxes);
+  const PatchSet taken = std::move(patches);
+  EXPECT_EQ(taken.size(), 2U);
+  EXPECT_EQ(patches.size(), 0U);  // NOLINT(bugprone-use-after-move)
+  EXPECT_FALSE(patches.has_planes());
+  EXPECT_EQ(count_visibility(patches, from), SightCounts{});
+  EXPECT_EQ(count_visibility(taken, from), (SightCounts{.clear = 1}));
+  EXPECT_EQ(from.add_solids(boxes), 0U);
+  EXPECT_EQ(from.size(), 2U);
+  patches = taken;
+  EXPECT_EQ(patches.size(), 2U);
 }
 
 double volume(const Box& box) {
