@@ -40,7 +40,20 @@ struct SeesOptions {
   InstructionSet isa;
 };
 
+/// Whether one of the files is standard output. The report goes elsewhere then.
+bool writes_to_standard_output(const SeesOptions& options) {
+  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
+  const bool out = is_output(options.out);
+  const bool svg = is_output(options.svg);
+  if ((out && svg) || (!options.out.empty() && options.out == options.svg)) {
+    throw InvalidArgument(
+        fmt::format("--out {} --svg {}: one cannot be both; give two files", options.out, options.svg));
+  }
+  return out || svg;
+}
+
 void run(const SeesOptions& options) {
+  const bool is_output_taken = writes_to_standard_output(options);
   options.isa.select();
   const std::string source =
       options.rooms != 0 ? fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s") : options.path;
@@ -77,7 +90,7 @@ void run(const SeesOptions& options) {
   const ReportFormat format = options.format == "json"  ? ReportFormat::json
                               : options.format == "csv" ? ReportFormat::csv
                                                         : ReportFormat::text;
-  std::fputs(format_report(report, format).c_str(), stdout);
+  std::fputs(format_report(report, format).c_str(), is_output_taken ? stderr : stdout);
 }
 
 }  // namespace
@@ -152,9 +165,13 @@ void add_sees(CLI::App& program) {
              "Decide undecided pairs by so many rays each, against what shafts keep of the mesh")
       ->type_name("S");
   add_number(sees, "--seed", options->seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")->type_name("S");
-  sees.add_option("--out", options->out, "Write all answers to a file: .npz, for NumPy, or .csv")->type_name("FILE");
+  sees.add_option("--out", options->out,
+                  "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
+      ->type_name("FILE");
   CLI::Option* svg =
-      sees.add_option("--svg", options->svg, "Draw patches from above, coloured by what share of the others they see")
+      sees.add_option("--svg", options->svg,
+                      "Draw patches from above, coloured by what share of the others they see; - is standard "
+                      "output")
           ->type_name("FILE");
   sees.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
