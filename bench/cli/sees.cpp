@@ -151,8 +151,7 @@ void add_sees(CLI::App& program) {
       sees.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
   CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
                                   "Instead of a file: so many rooms with doors and furniture, made from --seed")
-                           ->type_name("N")
-                           ->excludes(scene);
+                           ->type_name("N");
   add_number(sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
              "Triangles are split until no edge is longer (default: a 32nd of the scene)")
       ->type_name("SIZE");
@@ -195,6 +194,10 @@ void add_sees(CLI::App& program) {
   sees.callback([options, scene, rooms] {
     if (scene->count() == 0 && rooms->count() == 0) {
       throw InvalidArgument("sees: in what file? Give shaftcull sees FILE, or shaftcull sees --rooms 6");
+    }
+    if (scene->count() != 0 && rooms->count() != 0) {
+      throw InvalidArgument(fmt::format("sees: the file {} and --rooms {} do not go together; give one of them",
+                                        options->path, options->rooms));
     }
     run(*options);
   });
