@@ -138,8 +138,8 @@ std::string directory_of(const std::vector<ZipEntry>& entries, std::uint64_t beg
 
 }  // namespace
 
-NpyArray::NpyArray(const std::string& path, std::string name, std::string type, std::vector<std::size_t> columns)
-    : name_(std::move(name)), type_(std::move(type)), columns_(std::move(columns)), spool_(path) {}
+NpyArray::NpyArray(const OutputFile& file, std::string name, std::string type, std::vector<std::size_t> columns)
+    : name_(std::move(name)), type_(std::move(type)), columns_(std::move(columns)), spool_(file) {}
 
 std::string NpyArray::header() const {
   std::uint64_t row = static_cast<std::uint64_t>(type_.back() - '0');
@@ -163,7 +163,7 @@ std::string NpyArray::header() const {
 NpzFile::NpzFile(const std::string& path) : file_(path) {}
 
 NpyArray& NpzFile::add(std::string name, std::string type, std::vector<std::size_t> columns) {
-  arrays_.push_back(std::make_unique<NpyArray>(file_.path(), std::move(name), std::move(type), std::move(columns)));
+  arrays_.push_back(std::make_unique<NpyArray>(file_, std::move(name), std::move(type), std::move(columns)));
   return *arrays_.back();
 }
 

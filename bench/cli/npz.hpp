@@ -19,7 +19,7 @@ namespace shaftcull::cli {
 class NpyArray {
  public:
   /// `type` is as NumPy spells it: "<u4". A row has `columns` numbers; an array of one axis has none said.
-  NpyArray(const std::string& path, std::string name, std::string type, std::vector<std::size_t> columns);
+  NpyArray(const OutputFile& file, std::string name, std::string type, std::vector<std::size_t> columns);
 
   template <class T>
   void append(std::span<const T> values) {

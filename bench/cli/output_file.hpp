@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Files that the program writes: whole, or not at all.
+/// Files that the program writes: whole, or not at all. What is no file, a device or a pipe, it writes into.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,22 @@ struct CloseFile {
   void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
 };
 
-/// A file under another name, path and ".part", until it is finished; if it never is, it is removed.
+/// Whether output to `path` goes to standard output: "-", /dev/stdout.
+[[nodiscard]] bool is_standard_output(const std::string& path);
+
+/// Whether output to `path` is written straight into what is there: standard output, /dev/fd/5, a device, a pipe.
+[[nodiscard]] bool is_stream(const std::string& path);
+
+/// What is written to a path.
+///
+/// A file is written under another name in the same folder until it is finished, then renamed; if it never is, it is
+/// removed. It has the permissions of the file that it replaces, if there is one, or else the usual ones. A symbolic
+/// link stays, and the file that it leads to is replaced. A stream is written into; from then on the program ignores
+/// SIGPIPE, so that a pipe that nobody reads is an error as others are.
 class OutputFile {
  public:
-  /// Throws InvalidArgument, which names the file and the reason, if it cannot be made.
+  /// Opening a pipe with a name waits for its reader. Throws InvalidArgument, which names the file and the reason, if
+  /// it cannot be made.
   explicit OutputFile(std::string path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -26,21 +38,26 @@ class OutputFile {
 
   /// Both throw std::runtime_error, which names the file and the reason, if it cannot be written.
   void write(std::string_view bytes);
+  /// All was written. If it throws, a file that was to be replaced is as it was.
   void finish();
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  /// Where bytes that will be part of it may be kept: beside it, or if it is a stream where temporary files are.
+  [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
 
  private:
   std::string path_;
-  std::string part_;
+  std::string folder_;
+  std::string part_;   ///< the name until it is finished; empty if there is none to remove
+  std::string final_;  ///< the name that it gets: the path behind all symbolic links
   std::unique_ptr<std::FILE, CloseFile> file_;
 };
 
 /// Bytes that are kept on disk, beside the file that they will be part of, and have no name there.
 class Spool {
  public:
-  /// Throws InvalidArgument if there can be none beside `path`.
-  explicit Spool(const std::string& path);
+  /// Throws InvalidArgument if there can be none.
+  explicit Spool(const OutputFile& whole);
 
   /// Throws std::runtime_error if it cannot be written.
   void write(std::string_view bytes);

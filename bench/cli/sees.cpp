@@ -40,7 +40,20 @@ struct SeesOptions {
   InstructionSet isa;
 };
 
+/// Whether one of the files is standard output. The report goes elsewhere then.
+bool writes_to_standard_output(const SeesOptions& options) {
+  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
+  const bool out = is_output(options.out);
+  const bool svg = is_output(options.svg);
+  if ((out && svg) || (!options.out.empty() && options.out == options.svg)) {
+    throw InvalidArgument(
+        fmt::format("--out {} --svg {}: one cannot be both; give two files", options.out, options.svg));
+  }
+  return out || svg;
+}
+
 void run(const SeesOptions& options) {
+  const bool is_output_taken = writes_to_standard_output(options);
   options.isa.select();
   const std::string source =
       options.rooms != 0 ? fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s") : options.path;
@@ -77,7 +90,7 @@ void run(const SeesOptions& options) {
   const ReportFormat format = options.format == "json"  ? ReportFormat::json
                               : options.format == "csv" ? ReportFormat::csv
                                                         : ReportFormat::text;
-  std::fputs(format_report(report, format).c_str(), stdout);
+  std::fputs(format_report(report, format).c_str(), is_output_taken ? stderr : stdout);
 }
 
 }  // namespace
@@ -138,8 +151,7 @@ void add_sees(CLI::App& program) {
       sees.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
   CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
                                   "Instead of a file: so many rooms with doors and furniture, made from --seed")
-                           ->type_name("N")
-                           ->excludes(scene);
+                           ->type_name("N");
   add_number(sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
              "Triangles are split until no edge is longer (default: a 32nd of the scene)")
       ->type_name("SIZE");
@@ -152,9 +164,13 @@ void add_sees(CLI::App& program) {
              "Decide undecided pairs by so many rays each, against what shafts keep of the mesh")
       ->type_name("S");
   add_number(sees, "--seed", options->seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")->type_name("S");
-  sees.add_option("--out", options->out, "Write all answers to a file: .npz, for NumPy, or .csv")->type_name("FILE");
+  sees.add_option("--out", options->out,
+                  "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
+      ->type_name("FILE");
   CLI::Option* svg =
-      sees.add_option("--svg", options->svg, "Draw patches from above, coloured by what share of the others they see")
+      sees.add_option("--svg", options->svg,
+                      "Draw patches from above, coloured by what share of the others they see; - is standard "
+                      "output")
           ->type_name("FILE");
   sees.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
       ->check(CLI::IsMember({"x", "y", "z"}))
@@ -178,6 +194,10 @@ void add_sees(CLI::App& program) {
   sees.callback([options, scene, rooms] {
     if (scene->count() == 0 && rooms->count() == 0) {
       throw InvalidArgument("sees: in what file? Give shaftcull sees FILE, or shaftcull sees --rooms 6");
+    }
+    if (scene->count() != 0 && rooms->count() != 0) {
+      throw InvalidArgument(fmt::format("sees: the file {} and --rooms {} do not go together; give one of them",
+                                        options->path, options->rooms));
     }
     run(*options);
   });

@@ -158,7 +158,7 @@ class CsvSights final : public SightSink {
 std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene, const PatchSet& patches,
                                       std::uint32_t rays) {
   if (path.ends_with(".npz")) return std::make_unique<NpzSights>(path, scene, patches, rays);
-  if (path.ends_with(".csv")) return std::make_unique<CsvSights>(path, patches, rays);
+  if (path.ends_with(".csv") || is_stream(path)) return std::make_unique<CsvSights>(path, patches, rays);
   throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
 }
 

@@ -51,7 +51,8 @@ class SightSink {
 [[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const SeesWork& work,
                                         std::span<SightSink* const> sinks);
 
-/// A sink that writes an .npz file or a CSV file of all pairs, as the end of the name says. `rays` is 0 without.
+/// A sink that writes an .npz file or a CSV file of all pairs, as the end of the name says; CSV to a stream
+/// (output_file.hpp) whose name does not say. `rays` is 0 without.
 /// Throws InvalidArgument for another name, a file that cannot be made, or more pairs than a CSV file can have.
 [[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
                                                     const PatchSet& patches, std::uint32_t rays);

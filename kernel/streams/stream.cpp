@@ -60,7 +60,7 @@ BoxStream::BoxStream(NotWritten, std::size_t count)
 
 BoxStream::BoxStream(std::size_t count) : BoxStream(NotWritten(), count) { fill_from(*this, 0, kernel::padding_box); }
 
-BoxStream::BoxStream(std::span<const Box> boxes) : BoxStream(records(boxes)) {}
+BoxStream::BoxStream(std::span<const Box> boxes) : BoxStream(kernel::required_records(boxes, "boxes")) {}
 
 BoxStream::BoxStream(const MinMaxRecords& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
 
@@ -81,7 +81,9 @@ BoxStream& BoxStream::operator=(BoxStream other) noexcept {
   return *this;
 }
 
-void BoxStream::update(std::size_t first, std::span<const Box> boxes) { update(first, records(boxes)); }
+void BoxStream::update(std::size_t first, std::span<const Box> boxes) {
+  update(first, kernel::required_records(boxes, "boxes"));
+}
 
 void BoxStream::update(std::size_t first, const MinMaxRecords& boxes) { kernel::pack(boxes, first, *this); }
 
@@ -100,7 +102,8 @@ SphereStream::SphereStream(std::size_t count) : SphereStream(NotWritten(), count
   fill_from(*this, 0, kernel::padding_sphere);
 }
 
-SphereStream::SphereStream(std::span<const Sphere> spheres) : SphereStream(records(spheres)) {}
+SphereStream::SphereStream(std::span<const Sphere> spheres)
+    : SphereStream(kernel::required_records(spheres, "spheres")) {}
 
 SphereStream::SphereStream(const SphereRecords& spheres) : SphereStream(NotWritten(), spheres.count) {
   update(0, spheres);
@@ -123,7 +126,9 @@ SphereStream& SphereStream::operator=(SphereStream other) noexcept {
   return *this;
 }
 
-void SphereStream::update(std::size_t first, std::span<const Sphere> spheres) { update(first, records(spheres)); }
+void SphereStream::update(std::size_t first, std::span<const Sphere> spheres) {
+  update(first, kernel::required_records(spheres, "spheres"));
+}
 
 void SphereStream::update(std::size_t first, const SphereRecords& spheres) { kernel::pack(spheres, first, *this); }
 

@@ -44,6 +44,13 @@ void require_memory(const char* what, std::span<T> span, const char* noun) {
     refuse_null(what, span.size(), noun);
 }
 
+/// The records of the user's own bounds, called `noun` in the plural, which are not null unless there are none.
+template <class Bound>
+auto required_records(std::span<const Bound> bounds, const char* noun) {
+  require_memory(noun, bounds, noun);
+  return records(bounds);
+}
+
 /// What messages call the bounds of a view, by how many streams it has.
 template <class View>
 inline constexpr const char* bounds_noun = std::tuple_size_v<decltype(View::stream)> == 4   ? "spheres"

@@ -67,7 +67,8 @@ template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
     : parts_(built_from<Parts, Bound, Index>(kernel::RecordSource<Bound>(within_capacity<Index>(bounds)))) {}
 template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(records(bounds)) {}
+BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds)
+    : BoundsTree(kernel::required_records(bounds, "bounds")) {}
 template <class Bound, BoundIndex Index>
 BoundsTree<Bound, Index>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>
     : parts_([&] {
@@ -128,7 +129,7 @@ void BoundsTree<Bound, Index>::update(const Records& all) {
 }
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
-  update(records(all));
+  update(kernel::required_records(all, "bounds"));
 }
 
 template <class Bound, BoundIndex Index>
@@ -148,7 +149,7 @@ void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const Reco
 }
 template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<const Bound> bounds) {
-  update(indices, records(bounds));
+  update(indices, kernel::required_records(bounds, "bounds"));
 }
 
 template <class Bound, BoundIndex Index>

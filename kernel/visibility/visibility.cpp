@@ -80,24 +80,28 @@ const std::shared_ptr<const kernel::PatchTree>& no_patches() noexcept {
   return none;
 }
 
-std::shared_ptr<const kernel::PatchTree> checked_patch_tree(const BoxView& boxes, std::span<const Plane> planes) {
-  kernel::require_view(boxes);
+/// Checks patches before anything is made of them. `boxes` has `count` boxes: a view or a span.
+template <class Boxes>
+void require_patches(const Boxes& boxes, std::size_t count, std::span<const Plane> planes) {
   kernel::require_memory("planes", planes, "planes");
-  if (!planes.empty() && planes.size() != boxes.count) {
-    throw InvalidArgument(kernel::counted(planes.size(), "plane") + " for " + std::to_string(boxes.count) +
+  if (!planes.empty() && planes.size() != count) {
+    throw InvalidArgument(kernel::counted(planes.size(), "plane") + " for " + std::to_string(count) +
                           " patches; there must be one for each, or none");
   }
-  if (boxes.count >= std::numeric_limits<std::uint32_t>::max()) {
-    throw InvalidArgument(std::to_string(boxes.count) + " patches; there may be at most 2^32 - 2");
+  if (count >= std::numeric_limits<std::uint32_t>::max()) {
+    throw InvalidArgument(std::to_string(count) + " patches; there may be at most 2^32 - 2");
   }
-  const auto refuse = [](std::size_t i, const char* why) {
+  const auto refuse = [](std::size_t i, const std::string& why) {
     throw BadBound(i, "patch " + std::to_string(i) + " " + why);
   };
-  for (std::size_t i = 0; i != boxes.count; ++i) {
+  for (std::size_t i = 0; i != count; ++i) {
     const Box box = boxes[i];
     for (std::size_t k = 0; k != 3; ++k) {
       if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) refuse(i, "is not finite");
-      if (box.lo[k] > box.hi[k]) refuse(i, "has lo > hi");
+      if (box.lo[k] <= box.hi[k]) continue;
+      const std::string axis(1, "xyz"[k]);
+      refuse(i, "has lo > hi: lo." + axis + " = " + kernel::text(box.lo[k]) + " is above hi." + axis + " = " +
+                    kernel::text(box.hi[k]));
     }
     if (planes.empty()) continue;
     bool is_zero = true;
@@ -108,12 +112,29 @@ std::shared_ptr<const kernel::PatchTree> checked_patch_tree(const BoxView& boxes
     if (!std::isfinite(planes[i].offset)) refuse(i, "has a plane that is not finite");
     if (is_zero) refuse(i, "has a plane whose normal is zero");
   }
-  return std::make_shared<const kernel::PatchTree>(boxes, planes);
 }
 
-/// What is checked are comparisons, of denormals, too, which the caller's modes may take for 0.
+// What is checked are comparisons, of denormals, too, which the caller's modes may take for 0.
 std::shared_ptr<const kernel::PatchTree> patch_tree(const BoxView& boxes, std::span<const Plane> planes) {
-  return kernel::in_float_environment([&] { return checked_patch_tree(boxes, planes); });
+  kernel::require_view(boxes);
+  return kernel::in_float_environment([&] {
+    require_patches(boxes, boxes.count, planes);
+    return std::make_shared<const kernel::PatchTree>(boxes, planes);
+  });
+}
+
+std::shared_ptr<const kernel::PatchTree> patch_tree(std::span<const Box> boxes, std::span<const Plane> planes) {
+  kernel::require_memory("boxes", boxes, "boxes");
+  return kernel::in_float_environment([&] {
+    require_patches(boxes, boxes.size(), planes);  // before the stream, which also takes empty boxes
+    return std::make_shared<const kernel::PatchTree>(BoxStream(boxes).view(), planes);
+  });
+}
+
+/// `what` says where the value is, and `whose` of what pair.
+[[noreturn]] void refuse_sight(const std::string& what, Sight sight, const std::string& whose = "") {
+  throw InvalidArgument(what + " = " + std::to_string(static_cast<unsigned>(sight)) + whose +
+                        " is none of Sight::undecided, Sight::clear, Sight::blocked and Sight::facing_away");
 }
 
 /// Calls callbacks in the modes of the caller, wherever they are called from.
@@ -384,10 +405,15 @@ class Run {
     if (!options_.resolve || answers.undecided.empty()) return;
     std::vector<Sight> verdict(answers.undecided.size(), Sight::undecided);
     modes_([&] { options_.resolve(undecided_of(answers), verdict); });
-    for (const Sight sight : verdict) {
-      if (sight > Sight::facing_away) throw InvalidArgument("resolve() wrote a verdict that is no Sight");
+    for (std::size_t i = 0; i != verdict.size(); ++i) {
+      if (verdict[i] > Sight::facing_away) refuse_verdict(i, answers.undecided[i], verdict[i]);
     }
     apply(verdict, answers);
+  }
+
+  [[noreturn]] static void refuse_verdict(std::size_t i, const PatchPair& pair, Sight verdict) {
+    refuse_sight("verdict[" + std::to_string(i) + "]", verdict,
+                 ", of patches " + std::to_string(pair.a) + " and " + std::to_string(pair.b) + ",");
   }
 
   [[nodiscard]] UndecidedPairs undecided_of(const SightAnswers& answers) const noexcept {
@@ -473,6 +499,20 @@ void require_options(const VisibilityOptions& options) {
   }
 }
 
+/// `bits` has one row for each of `a` patches, of a bit for each of `b`.
+void require_rows(std::span<const std::uint64_t> bits, std::size_t a, std::size_t b) {
+  const std::size_t words = words_for(b);
+  // No product of such numbers overflows where there are 64-bit sizes; elsewhere no span has so many words.
+  const std::uint64_t needed = std::uint64_t{a} * words;
+  if (bits.size() != needed) {
+    throw InvalidArgument("bits has " + kernel::counted(bits.size(), "word") + "; " + kernel::counted(a, "row") +
+                          ", one for each patch of a, of words_for(" + std::to_string(b) +
+                          ") = " + kernel::counted(words, "word") + ", a bit for each patch of b, take " +
+                          std::to_string(needed));
+  }
+  kernel::require_memory("bits", bits, "words");
+}
+
 void require_callback(const FunctionRef<void(const SightBatch&)>& deliver) {
   if (!deliver) throw InvalidArgument("deliver is empty; it is called with the answers");
 }
@@ -506,9 +546,9 @@ Visibility collect(const PatchSet& a, const PatchSet& b, bool is_of_one_set, con
 
 SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers, Sight sight,
                        std::span<std::uint64_t> bits, const VisibilityOptions& options) {
-  if (sight > Sight::facing_away) throw InvalidArgument("sight is no enumerator of Sight");
+  if (sight > Sight::facing_away) refuse_sight("sight", sight);
   const std::size_t words = words_for(b.size());
-  kernel::require_rows("bits", bits, a.size(), words);
+  require_rows(bits, a.size(), b.size());
   std::fill(bits.begin(), bits.end(), 0);
   const auto set = [&](std::size_t i, std::size_t j) { bits[i * words + j / 64] |= std::uint64_t{1} << j % 64; };
   const auto set_pair = [&](std::size_t i, std::size_t j) {
@@ -558,8 +598,7 @@ PatchSet& PatchSet::operator=(PatchSet other) noexcept {
 
 PatchSet::PatchSet(const BoxView& boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
 
-PatchSet::PatchSet(std::span<const Box> boxes, std::span<const Plane> planes)
-    : PatchSet(BoxStream(boxes).view(), planes) {}
+PatchSet::PatchSet(std::span<const Box> boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
 
 std::size_t PatchSet::size() const noexcept { return tree_->order().size(); }
 bool PatchSet::has_planes() const noexcept { return tree_->has_planes(); }

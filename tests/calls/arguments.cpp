@@ -275,9 +275,9 @@ TEST_F(Arguments, NullInputsAreRefused) {
               }),
               AllOf(HasSubstr("CentreExtentRecords::centre is null"), HasSubstr("5 records")));
   EXPECT_THAT(message_of([&] { BoxStream{std::span<const Box>(static_cast<const Box*>(nullptr), 5)}; }),
-              AllOf(HasSubstr("MinMaxRecords::lo is null"), HasSubstr("5 records")));
+              HasSubstr("boxes is null; it must point to the first of 5 boxes"));
   EXPECT_THAT(message_of([&] { SphereStream{std::span<const Sphere>(static_cast<const Sphere*>(nullptr), 5)}; }),
-              HasSubstr("SphereRecords::centre is null"));
+              HasSubstr("spheres is null; it must point to the first of 5 spheres"));
 }
 
 TEST_F(Arguments, AContactThatIsNoneIsRefused) {

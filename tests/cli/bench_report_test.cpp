@@ -345,7 +345,27 @@ TEST_F(BenchReportPage, IsRefusedWhereItCannotBeWritten) {
                                        scratch.write("file", "") + "/report.html"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(lines(outcome.error), SizeIs(1)) << outcome.error;
-  EXPECT_THAT(outcome.error, HasSubstr("--out"));
+  EXPECT_THAT(outcome.error, HasSubstr(scratch.path("file/report.html: cannot be written: Not a directory")));
+}
+
+TEST_F(BenchReportPage, GoesToStandardOutputAloneForAMinus) {
+  const ScratchFolder scratch;
+  const std::string in = scratch.write("in.json", stored());
+  const Outcome outcome = run_program({"bench-report", "--in", in, "--out", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(outcome.out, page_of(stored()));
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
+TEST_F(BenchReportPage, IsWrittenIntoADevice) {
+  const ScratchFolder scratch;
+  const std::string in = scratch.write("in.json", stored());
+  const std::string full = scratch.path("full.html");
+  std::filesystem::create_symlink("/dev/full", full);
+  const Outcome outcome = run_program({"bench-report", "--in", in, "--out", full});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.error, HasSubstr(full + ": cannot be written: No space left on device"));
+  EXPECT_TRUE(std::filesystem::is_character_file(full));
 }
 
 }  // namespace

@@ -216,7 +216,11 @@ TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
 
 TEST(CliSees, AsksForAFile) {
   EXPECT_THAT(refusal_of({"sees"}), AllOf(HasSubstr("in what file?"), HasSubstr("--rooms 6")));
-  static_cast<void>(refusal_of({"sees", "room.obj", "--rooms", "1"}));
+  for (const std::vector<std::string>& both : std::vector<std::vector<std::string>>{
+           {"sees", "room.obj", "--rooms", "2"}, {"sees", "--rooms", "2", "--scene", "room.obj"}}) {
+    EXPECT_THAT(refusal_of(both), AllOf(HasSubstr("sees: the file room.obj and --rooms 2 do not go together; give one"),
+                                        testing::Not(HasSubstr("--scene"))));
+  }
 }
 
 TEST(CliSees, PatchesHaveASizeAboveZero) {

@@ -305,9 +305,23 @@ TEST(VisibilityBatches, AreFoundSideBySideWhereMemoryIsSmall) {
 TEST(VisibilityBatches, VerdictsMustBeSights) {
   const SightCase of = large_case(false, 100);
   VisibilityOptions options = of.options;
-  options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) { verdict.back() = static_cast<Sight>(4); };
-  EXPECT_EQ(message_of([&] { static_cast<void>(of.collect(options)); }), "resolve() wrote a verdict that is no Sight");
-  EXPECT_EQ(message_of([&] { static_cast<void>(of.count(options)); }), "resolve() wrote a verdict that is no Sight");
+  const PatchPair bad = of.collect(options).undecided.front();
+  std::atomic<std::size_t> position = 0;
+  options.resolve = [&](const UndecidedPairs& undecided, std::span<Sight> verdict) {
+    const auto at = std::find(undecided.pairs.begin(), undecided.pairs.end(), bad);
+    if (at == undecided.pairs.end()) return;
+    position = static_cast<std::size_t>(at - undecided.pairs.begin());
+    verdict[position] = static_cast<Sight>(4);
+  };
+  const auto why = [&] {
+    return "verdict[" + std::to_string(position) + "] = 4, of patches " + std::to_string(bad.a) + " and " +
+           std::to_string(bad.b) + ", is none of Sight::undecided, Sight::clear, Sight::blocked and " +
+           "Sight::facing_away";
+  };
+  const std::string collecting = message_of([&] { static_cast<void>(of.collect(options)); });
+  EXPECT_EQ(collecting, why());
+  const std::string counting = message_of([&] { static_cast<void>(of.count(options)); });
+  EXPECT_EQ(counting, why());
 }
 
 TEST(VisibilityBatches, ExceptionsOfCallbacksArriveAsTheyAre) {

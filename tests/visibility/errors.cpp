@@ -52,10 +52,13 @@ TEST(VisibilityErrors, PatchesAreFiniteAndHaveAnInside) {
       EXPECT_THROW(PatchSet(std::span<const Box>(boxes_with(box))), BadBound);
     }
   }
-  const Box empty{{0, 2, 0}, {1, 1, 1}};
-  EXPECT_EQ(bad_bound([&] { PatchSet(columns(boxes_with(empty)).view()); }), "2: patch 2 has lo > hi");
-  EXPECT_THROW(PatchSet(std::span<const Box>(boxes_with(empty))), BadBound);
-  EXPECT_THROW(PatchSet(none_at_all<Box>()), InvalidArgument);
+  const Box upside_down{{0, 2, 0}, {1, 1, 1}};
+  const std::string why = "2: patch 2 has lo > hi: lo.y = 2 is above hi.y = 1";
+  EXPECT_EQ(bad_bound([&] { PatchSet(columns(boxes_with(upside_down)).view()); }), why);
+  EXPECT_EQ(bad_bound([&] { PatchSet(std::span<const Box>(boxes_with(upside_down))); }), why);
+  const Box empty{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  EXPECT_EQ(bad_bound([&] { PatchSet(std::span<const Box>(boxes_with(empty))); }), "2: patch 2 is not finite");
+  EXPECT_EQ(message_of([] { PatchSet(none_at_all<Box>()); }), "boxes is null; it must point to the first of 3 boxes");
   BoxView view;
   view.count = 1;
   EXPECT_THROW(PatchSet{view}, InvalidArgument);
@@ -232,11 +235,15 @@ TEST(VisibilityErrors, OptionsAndCallbacksAreChecked) {
             "deliver is empty; it is called with the answers");
   std::vector<std::uint64_t> bits(3);
   EXPECT_EQ(message_of([&] { visibility_bits(patches, blockers, static_cast<Sight>(4), bits); }),
-            "sight is no enumerator of Sight");
+            "sight = 4 is none of Sight::undecided, Sight::clear, Sight::blocked and Sight::facing_away");
   for (const std::size_t words : {0U, 2U, 4U}) {
     bits.assign(words, 7);
-    EXPECT_THROW(visibility_bits(patches, blockers, Sight::clear, bits), InvalidArgument);
-    EXPECT_THROW(visibility_bits(patches, patches, blockers, Sight::clear, bits), InvalidArgument);
+    const std::string why =
+        "bits has " + std::to_string(words) +
+        " words; 3 rows, one for each patch of a, of words_for(3) = 1 word, a bit for each patch of b, "
+        "take 3";
+    EXPECT_EQ(message_of([&] { visibility_bits(patches, blockers, Sight::clear, bits); }), why);
+    EXPECT_EQ(message_of([&] { visibility_bits(patches, patches, blockers, Sight::clear, bits); }), why);
     EXPECT_EQ(bits, std::vector<std::uint64_t>(words, 7));
   }
   EXPECT_THROW(visibility_bits(patches, blockers, Sight::clear, {static_cast<std::uint64_t*>(nullptr), 3}),
