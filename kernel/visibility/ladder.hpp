@@ -87,18 +87,19 @@ class Ladder {
   void answer(SightProductTask&& task);
   /// Likewise, but calls full() between rows of pairs when the answers take `most_bytes` or more.
   void answer_in_parts(SightProductTask&& task, std::size_t most_bytes, const Full& full);
-  /// Answers those of its products that have more than `most_pairs` pairs as far as groups do, and leaves the others in
-  /// order: leave() is called after everything before them was answered.
+  /// Compares groups while a product has more than `most_pairs` pairs. Products that are smaller, and are not answered
+  /// by then, are passed to leave(), in order: all answers before one are written when it is passed.
   void split(SightProductTask&& task, std::uint64_t most_pairs, const Leave& leave);
 
  private:
   struct Side;
   struct Level;
   struct Selection;
-  /// Of a group of patches, and a blocker with points: on or behind whose planes all points are.
+  /// A group of patches and a blocker that has points. Bit i of `lanes` says that all points lie on or behind the plane
+  /// of patch i of the group.
   struct PointsBehind {
     const PatchTree* tree = nullptr;
-    std::uint32_t first = 0;  ///< patch of the group
+    std::uint32_t first = 0;  ///< position of the first patch of the group
     std::uint32_t blocker = 0;
     std::uint64_t lanes = 0;
   };
