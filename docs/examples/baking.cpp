@@ -276,8 +276,7 @@ class Bake {
   void add(const sc::SightProduct& product) {
     const auto order = scene_.patches.order();
     for (std::size_t p = 0; p != product.a.count; ++p) {
-      // A run with itself has each two patches once.
-      for (std::size_t q = product.a == product.b ? p + 1 : 0; q != product.b.count; ++q)
+      for (std::size_t q = 0; q != product.b.count; ++q)
         add(order[product.a.first + p], order[product.b.first + q], 1, 1);
     }
   }
@@ -379,7 +378,7 @@ template <class Visit>
 void for_each_pair(const Scene& scene, const sc::SightProduct& product, const Visit& visit) {
   const auto order = scene.patches.order();
   for (std::size_t p = 0; p != product.a.count; ++p) {
-    for (std::size_t q = product.a == product.b ? p + 1 : 0; q != product.b.count; ++q)
+    for (std::size_t q = 0; q != product.b.count; ++q)
       visit(order[product.a.first + p], order[product.b.first + q]);
   }
 }
