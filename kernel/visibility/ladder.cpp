@@ -39,7 +39,7 @@ constexpr std::size_t few_points = 64;
 
 std::uint64_t bit(unsigned lane) noexcept { return std::uint64_t{1} << lane; }
 
-/// Removes what concerns no row of `rows_left`, or no column of `columns_left`.
+/// Takes off a list what no row or no column that is left has to do with.
 void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
                  std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
   std::size_t count = 0;

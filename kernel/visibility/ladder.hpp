@@ -87,8 +87,8 @@ class Ladder {
   void answer(SightProductTask&& task);
   /// Likewise, but calls full() between rows of pairs when the answers take `most_bytes` or more.
   void answer_in_parts(SightProductTask&& task, std::size_t most_bytes, const Full& full);
-  /// Compares groups while a product has more than `most_pairs` pairs. Products that are smaller, and are not answered
-  /// by then, are passed to leave(), in order: all answers before one are written when it is passed.
+  /// Answers those of its products that have more than `most_pairs` pairs as far as groups do, and leaves the others in
+  /// order: leave() is called after everything before them was answered.
   void split(SightProductTask&& task, std::uint64_t most_pairs, const Leave& leave);
 
  private:
