@@ -1036,7 +1036,7 @@ enum {
   SHAFTCULL_SIGHT_FACING_AWAY = 3 /* One is on or behind the plane of the other. */
 };
 
-/// Patches, in a tree: boxes, each perhaps with the plane that it faces away from. It never changes.
+/// Patches, in a tree: boxes, each perhaps with a plane; the patch faces where its normal points. It never changes.
 typedef struct shaftcull_patches shaftcull_patches;
 
 /// What stands between patches. Blockers are numbered in the order in which they are added, from 0 on.
@@ -1086,8 +1086,9 @@ typedef struct shaftcull_sight_counts {
 /// any thread, one call at a time. It must return: no exception and no longjmp may leave it.
 typedef int32_t (*shaftcull_sight_callback)(const shaftcull_sight_batch* batch, void* user);
 
-/// May give the final word on undecided pairs, by rays for instance: verdicts[i] is a shaftcull_sight of pair i, and
-/// undecided to begin with. Many threads call it at once; it returns as shaftcull_sight_callback does.
+/// May give the final word on undecided pairs, by rays for instance. verdicts[i] is one byte for pair i: a value of
+/// shaftcull_sight, SHAFTCULL_SIGHT_UNDECIDED to begin with. Many threads call it at once, each before its pairs are
+/// delivered. It returns as shaftcull_sight_callback does.
 typedef int32_t (*shaftcull_resolve_callback)(const shaftcull_undecided_pairs* undecided, uint8_t* verdicts,
                                               void* user);
 

@@ -46,11 +46,6 @@ struct CullOptions {
 /// A file with fewer objects has too few pairs of them to draw from.
 constexpr std::size_t fewest_objects = 4;
 
-ReportFormat format_of(const CullOptions& options) {
-  if (options.format == "json") return ReportFormat::json;
-  return options.format == "csv" ? ReportFormat::csv : ReportFormat::text;
-}
-
 ShaftEnd object_end(const MeshScene& scene, std::uint32_t object) {
   return {scene.boxes[object], scene.names[object], object};
 }
@@ -320,7 +315,7 @@ void run(const CullOptions& options) {
   if (options.solid) {
     for (PairResult& pair : report.pairs) find_blockers(options, report, pair);
   }
-  std::fputs(format_report(report, format_of(options)).c_str(), stdout);
+  std::fputs(format_report(report, report_format(options.format)).c_str(), stdout);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh.hpp"
+#include "report_format.hpp"
 #include "shaft_choice.hpp"
 #include "shaftcull/bounds.hpp"
 
@@ -69,8 +70,6 @@ struct CullReport {
   ShaftChoice choice;
   std::string triangles;  ///< how triangles are tested, vertices or exact; empty if boxes around them are
 };
-
-enum class ReportFormat : std::uint8_t { text, json, csv };
 
 /// The whole report, ended by a newline. Text spells control characters of names out; JSON is one object; CSV is
 /// RFC 4180 with a header line.

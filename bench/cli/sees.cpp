@@ -15,6 +15,7 @@
 #include "isolated_mesh.hpp"
 #include "number.hpp"
 #include "output_file.hpp"
+#include "peak_memory.hpp"
 #include "printable.hpp"
 #include "rooms.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -87,10 +88,7 @@ void run(const SeesOptions& options) {
     picture->write(svg_of_shares(scene, shares.shares(), static_cast<std::size_t>(options.up[0] - 'x')));
     picture->finish();
   }
-  const ReportFormat format = options.format == "json"  ? ReportFormat::json
-                              : options.format == "csv" ? ReportFormat::csv
-                                                        : ReportFormat::text;
-  std::fputs(format_report(report, format).c_str(), is_output_taken ? stderr : stdout);
+  std::fputs(format_report(report, report_format(options.format)).c_str(), is_output_taken ? stderr : stdout);
 }
 
 }  // namespace
@@ -98,7 +96,7 @@ void run(const SeesOptions& options) {
 std::string progress_text(const VisibilityProgress& progress, double seconds) {
   const double share =
       static_cast<double>(progress.done) / static_cast<double>(std::max<std::uint64_t>(progress.total, 1));
-  std::string text = fmt::format("{:3.0f} %  {} pairs decided, {} left", 100 * share, grouped(progress.done),
+  std::string text = fmt::format("{:3.0f} %  {} pairs answered, {} left", 100 * share, grouped(progress.done),
                                  grouped(progress.total - progress.done));
   if (progress.done == 0 || seconds <= 0) return text;
   return text + fmt::format(", {}pairs/s, {:.0f} s left", prefixed(static_cast<double>(progress.done) / seconds),
@@ -161,7 +159,7 @@ void add_sees(CLI::App& program) {
                   "Objects that are solid, by name or pattern ('wall*'): convex, with 32 corners at most")
       ->type_name("NAME");
   add_number(sees, "--rays", options->rays, 1, 1'000'000,
-             "Decide undecided pairs by so many rays each, against what shafts keep of the mesh")
+             "Decide undecided pairs by so many rays each; solids then hide nothing of what lies inside them")
       ->type_name("S");
   add_number(sees, "--seed", options->seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")->type_name("S");
   sees.add_option("--out", options->out,

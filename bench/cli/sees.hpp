@@ -8,7 +8,7 @@
 
 namespace shaftcull::cli {
 
-/// How far a run is, in a line: pairs decided, pairs left, and how long these may take.
+/// How far a run is, in a line: pairs answered, pairs left, and how long these may take.
 [[nodiscard]] std::string progress_text(const VisibilityProgress& progress, double seconds);
 
 /// Asks about a scene with the caller's threads and reports; `work` has no progress callback yet. Throws Interrupted if

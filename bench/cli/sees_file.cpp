@@ -86,20 +86,6 @@ class NpzSights final : public SightSink {
 static_assert(sizeof(Box) == 6 * sizeof(float) && sizeof(Plane) == 4 * sizeof(float), "they are rows of arrays");
 static_assert(sizeof(PatchPair) == 2 * sizeof(std::uint32_t), "it is a row of an array");
 
-const char* word_of(Sight sight) {
-  switch (sight) {
-    case Sight::clear:
-      return "clear";
-    case Sight::blocked:
-      return "blocked";
-    case Sight::facing_away:
-      return "facing_away";
-    case Sight::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 class CsvSights final : public SightSink {
  public:
   CsvSights(const std::string& path, const PatchSet& patches, std::uint32_t rays)
@@ -111,7 +97,7 @@ class CsvSights final : public SightSink {
     text_.clear();
     const auto order = patches_.order();
     for (const SightProduct& product : batch.products) {
-      const char* const word = word_of(product.sight);
+      const char* const word = name(product.sight);
       for (std::uint32_t i = 0; i < product.a.count; ++i) {
         const std::uint32_t first = product.a == product.b ? i + 1 : 0;  // each two patches once
         for (std::uint32_t j = first; j < product.b.count; ++j) {
@@ -123,7 +109,7 @@ class CsvSights final : public SightSink {
     }
     for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
       const PatchPair& pair = batch.undecided.pairs[i];
-      fmt::format_to(std::back_inserter(text_), "{},{},undecided{}\n", pair.a, pair.b,
+      fmt::format_to(std::back_inserter(text_), "{},{},{}{}\n", pair.a, pair.b, name(Sight::undecided),
                      has_rays_ ? fmt::format(",{}", seen[i]) : "");
     }
     write_out(0);

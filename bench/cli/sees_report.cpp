@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sees_report.hpp"
 
-#include <sys/resource.h>
-
 #include <utility>
 #include <vector>
 
@@ -24,10 +22,10 @@ struct PairKind {
 
 std::vector<PairKind> kinds_of(const SeesReport& report) {
   const SeesCounts& counts = report.counts;
-  std::vector<PairKind> kinds{{"clear", "clear", counts.sights.clear},
-                              {"blocked", "blocked", counts.sights.blocked},
-                              {"facing away", "facing_away", counts.sights.facing_away},
-                              {"undecided", "undecided", counts.sights.undecided}};
+  const auto kind = [](Sight sight, std::uint64_t pairs) { return PairKind{name(sight), name(sight), pairs}; };
+  std::vector<PairKind> kinds{kind(Sight::clear, counts.sights.clear), kind(Sight::blocked, counts.sights.blocked),
+                              kind(Sight::facing_away, counts.sights.facing_away),
+                              kind(Sight::undecided, counts.sights.undecided)};
   if (report.rays != 0) {
     kinds.push_back({"  by rays visible", "rays_visible", counts.visible});
     kinds.push_back({"  by rays partly", "rays_partly", counts.partial});
@@ -107,12 +105,6 @@ std::string format_report(const SeesReport& report, ReportFormat format) {
       break;
   }
   return text_of(report);
-}
-
-std::uint64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
 }  // namespace shaftcull::cli

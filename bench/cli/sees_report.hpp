@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cull_report.hpp"
+#include "report_format.hpp"
 #include "sees_run.hpp"
 
 namespace shaftcull::cli {
@@ -27,8 +27,5 @@ struct SeesReport {
 
 /// The whole report, ended by a newline.
 [[nodiscard]] std::string format_report(const SeesReport& report, ReportFormat format);
-
-/// How many bytes of memory the program has had at most.
-[[nodiscard]] std::uint64_t peak_memory();
 
 }  // namespace shaftcull::cli

@@ -73,6 +73,8 @@ SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const
   VisibilityOptions options;
   options.memory = work.memory;
   options.progress = work.progress;
+  // Proofs and rays are of one scene: a ray that starts inside a solid does not meet its front.
+  options.solids_around_ends = work.rays == 0;
   SeesCounts counts;
   if (work.rays == 0 && sinks.empty()) {
     counts.sights = count_visibility(patches, scene.blockers, options);

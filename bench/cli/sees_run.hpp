@@ -16,7 +16,7 @@ namespace shaftcull::cli {
 
 /// How it is asked.
 struct SeesWork {
-  std::uint32_t rays = 0;  ///< of each pair that is undecided
+  std::uint32_t rays = 0;  ///< of each pair that is undecided; then no solid blocks pairs of a patch that it holds
   std::uint64_t seed = 1;
   std::size_t memory = std::size_t{256} << 20;
   /// As VisibilityOptions::progress.

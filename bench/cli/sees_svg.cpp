@@ -150,9 +150,9 @@ class PatchPicture {
     svg_ += fmt::format(
         "</linearGradient></defs>\n"
         "  <g fill=\"#495057\">\n"
-        "    <text x=\"{0}\" y=\"{1}\" text-anchor=\"end\">0 %</text>\n"
-        "    <rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"{5}\" rx=\"2\" fill=\"url(#shares)\"/>\n"
-        "    <text x=\"{6}\" y=\"{1}\">{7:.{8}f} % of the other patches are seen</text>\n"
+        "    <text x=\"{0}\" y=\"{1:.2f}\" text-anchor=\"end\">0 %</text>\n"
+        "    <rect x=\"{2}\" y=\"{3:.2f}\" width=\"{4}\" height=\"{5}\" rx=\"2\" fill=\"url(#shares)\"/>\n"
+        "    <text x=\"{6}\" y=\"{1:.2f}\">{7:.{8}f} % of the other patches are seen</text>\n"
         "  </g>\n",
         left - 6, top + 15, left, top + 4, bar_width, bar_height, left + bar_width + 6, 100 * most_,
         most_ < 0.1 ? 1 : 0);

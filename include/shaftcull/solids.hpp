@@ -10,16 +10,22 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Boxes that cover nothing but what the given ones cover, as large as touching and overlapping ones make them: pieces
-/// of a wall that share a face become one box. A box that lies in another one of the result is left out. A wall that
-/// crosses another one is made whole as well as that one, so boxes of the result may overlap. Two boxes with
-/// a face in common to the last bit are joined; nothing is rounded. Throws BadBound for a box that is not finite with
-/// lo ≤ hi, by its position. Some O(n log n) in practice.
+/// Larger boxes, which cover what the given ones cover and nothing else. Two boxes are joined if they agree to the bit
+/// on two axes and touch or overlap on the third: pieces of a wall become one box. Nothing is rounded. Where two walls
+/// cross, each becomes whole, so boxes of the result may overlap. A box that lies in another one is left out. The order
+/// is not that of `boxes`.
+///
+/// O(n log n) for the walls of a building. A grid of many small boxes takes longer, and more memory on the way, since
+/// there are many ways to join them. Allocates the result and O(n) on the way. Throws BadBound for a box that is not
+/// finite with lo ≤ hi, by its position; InvalidArgument for a null span; std::bad_alloc.
 [[nodiscard]] std::vector<Box> merged_boxes(std::span<const Box> boxes);
 
-/// A large box inside the convex hull of some points, 4 to 32 of them. It lies in the hull exactly: no coordinate is
-/// rounded outwards. Where the hull is flat or too thin for floats, the box is a point of it that is one of `corners`.
-/// Throws InvalidArgument for another number of points or one that is not finite.
+/// A large box inside the convex hull of 4 to 32 points. A search finds it, so there may be a larger one; the same is
+/// found for the same points on every machine. It lies in the hull exactly: no coordinate is rounded outwards. If the
+/// hull is flat, or too thin for floats, the result is one of `corners`, as a box.
+///
+/// O(n³): some 20 µs for 8 points, 2 ms for 32. Allocates memory on the way. Throws InvalidArgument for another number
+/// of points, or one that is not finite; std::bad_alloc.
 [[nodiscard]] Box inscribed_box(std::span<const Vec3> corners);
 
 }  // namespace shaftcull

@@ -5,12 +5,14 @@
 /// *Patches* are boxes: of a facet of a wall, of a point, of a cell of a volume that receives. Each may have a plane,
 /// as facets do. *Blockers* are what stands between them. Of every pair one of four things is said:
 ///
-/// * `facing_away`: one of the two lies wholly on or behind the plane of the other.
-/// * `blocked`: a solid alone hides them. Every segment from the one box to the other passes through its interior.
-/// * `clear`: nothing hides any part. No blocker reaches into the shaft between both boxes and in front of both planes.
-/// * `undecided`: none of the three. Its *candidates* are the blockers that do reach in: rays need to be tested with
-/// them
-///   only.
+/// * `facing_away`: one box lies wholly on or behind the plane of the other patch.
+/// * `blocked`: one solid hides each box from the other. Every segment between them passes through its interior.
+/// * `clear`: no blocker reaches into the shaft between the two boxes, in front of both planes.
+/// * `undecided`: none of the three. Its *candidates* are the blockers that reach in: rays need no others.
+///
+/// One solid is a solid box; the box inside a solid hull that inscribed_box() finds, so a hull may hide more than is
+/// told; or a larger box that some of these make together, as merged_boxes() finds it (both in solids.hpp). A polygon
+/// has no interior: segments pass from the one side of its plane to the other, within its edges.
 ///
 /// All are exact for the floats given: which pairs are undecided, and their candidates, follow from these definitions
 /// alone. A pair that faces away or is blocked is never told to be clear. One that faces away and is blocked, too, is
@@ -48,7 +50,7 @@
 #include "shaftcull/streams.hpp"
 #include "shaftcull/triangles.hpp"
 
-// The library's own: not of the interface.
+// Types of the library that are not of the interface.
 namespace shaftcull::kernel {
 class PatchTree;
 struct BlockerData;
@@ -58,13 +60,13 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// What is said of a pair of patches.
 enum class Sight : std::uint8_t {
-  undecided,    ///< some blockers stand between them, none of which hides all
-  clear,        ///< nothing stands between them
+  undecided,    ///< blockers reach between them, and no solid hides all
+  clear,        ///< no blocker reaches between them
   blocked,      ///< one solid hides all
   facing_away,  ///< one is on or behind the plane of the other
 };
 
-/// Its name: "undecided", "clear", "blocked", "facing away".
+/// Its name, as in files and in Python: "undecided", "clear", "blocked", "facing_away".
 [[nodiscard]] const char* name(Sight sight) noexcept;
 
 /// Patches, in a tree. It holds copies of what it is made of; copies of it share them. One that was moved from has no
@@ -77,7 +79,7 @@ class PatchSet {
   PatchSet(PatchSet&& other) noexcept;
   PatchSet& operator=(PatchSet other) noexcept;
   ~PatchSet() = default;
-  /// `planes` is empty, or has one for each box: the patch faces where its normal points, and sees what is in front,
+  /// `planes` is empty, or has one for each box. A patch faces where its normal points, and sees what is in front:
   /// normal·p > offset. Throws InvalidArgument if their number is another, or if there are 2³² − 1 patches or more;
   /// BadBound for a box that is not finite with lo ≤ hi, or a plane that is not finite or whose normal is zero, by its
   /// position. O(n log n); allocates some 100 bytes a patch.
@@ -91,7 +93,7 @@ class PatchSet {
   /// The patches in the order of the tree: a PatchRun is a part of it. A permutation of 0 … size() − 1.
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
 
-  /// The library's own.
+  /// What the library reads. No use to others: the type is not of the interface.
   [[nodiscard]] const kernel::PatchTree& tree() const noexcept { return *tree_; }
 
  private:
@@ -147,7 +149,7 @@ class Blockers {
   /// The triangles of blocker i, by their positions in the view that it was added from; empty if it has none.
   [[nodiscard]] std::span<const std::uint32_t> triangles(std::size_t i) const noexcept;
 
-  /// The library's own.
+  /// What the library reads. No use to others: the type is not of the interface.
   [[nodiscard]] const kernel::BlockerData& data() const noexcept;
 
  private:
@@ -163,7 +165,8 @@ struct PatchRun {
   friend bool operator==(const PatchRun&, const PatchRun&) = default;
 };
 
-/// One answer for all pairs of a patch of one run and a patch of another.
+/// One answer for all pairs of a patch of one run and a patch of another. Of one set with itself, the two runs have no
+/// patch in common.
 struct SightProduct {
   PatchRun a;   ///< of the first set
   PatchRun b;   ///< of the second set
@@ -212,10 +215,11 @@ struct VisibilityProgress {
 
 /// How it is done.
 struct VisibilityOptions {
-  /// Whether what only touches a shaft reaches into it. Blocked is always open: what only touches hides nothing.
+  /// Whether a blocker that only touches a shaft reaches into it: with closed contact it does. A solid that only
+  /// touches blocks nothing, whatever the contact.
   Contact contact = Contact::open;
-  /// Whether a solid makes a pair `blocked` if an end reaches into its interior; if it is flat, if an end touches
-  /// it. No ray that starts inside a solid meets its front: set it to false where answers are to be those of rays.
+  /// Whether a solid may make a pair `blocked` though a box of the pair reaches into it (a flat solid: touches it).
+  /// Rays that start inside a solid do not meet its front. Set it to false where answers must be those of rays.
   bool solids_around_ends = true;
   /// Whether undecided pairs come with candidates.
   bool candidates = true;
@@ -224,11 +228,14 @@ struct VisibilityOptions {
   /// candidates are kept however long they are. With little memory for many threads, products are answered in smaller
   /// parts, and where even those have no room, on one thread.
   std::size_t memory = std::size_t{256} << 20;
-  /// Gets undecided pairs and may give the final word on each, by rays for instance: verdict[i] is of pair i, and
-  /// undecided to begin with. Called by many threads at once. What it answers is deterministic if it is.
+  /// Gets undecided pairs before they are delivered, and may give the final word on each, by rays for instance.
+  /// verdict[i] is that of pair i, `undecided` to begin with. Many threads call it at once. Answers do not depend on
+  /// the number of threads if its verdicts do not. An exception that it throws ends the call and reaches the caller, as
+  /// does InvalidArgument for a verdict that is no enumerator.
   std::function<void(const UndecidedPairs& undecided, std::span<Sight> verdict)> resolve = {};
-  /// Is told how far the call has come, some times a second; returns whether to go on. If it says no, the call ends as
-  /// soon as it can and throws Cancelled.
+  /// Is told how far the call has come, some times a second; returns whether to go on. If it says no, the call throws
+  /// Cancelled once calls of `resolve` that have begun have returned: a long one delays that. So does an exception that
+  /// it throws.
   std::function<bool(const VisibilityProgress& progress)> progress = {};
 };
 
@@ -242,8 +249,11 @@ class Cancelled : public std::runtime_error {
 };
 
 /// How many pairs of a patch of `a` and a patch of `b` there are of each kind. Nothing is written for any pair.
-/// Throws InvalidArgument for options that are no enumerator or for memory of less than 1 MB, std::bad_alloc,
-/// Cancelled, and what callbacks throw.
+///
+/// O(pairs · blockers) at worst. Groups that are answered as a whole cost one answer, so some nanoseconds a pair are
+/// usual. Allocates what VisibilityOptions::memory says. If there is a `resolve`, its verdicts are counted. Throws
+/// InvalidArgument for options that are no enumerator or for memory of less than 1 MB, std::bad_alloc, Cancelled, and
+/// what callbacks throw.
 [[nodiscard]] SightCounts count_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
                                            const VisibilityOptions& options = {});
 /// Of one set with itself: of each two patches once.
@@ -251,7 +261,10 @@ class Cancelled : public std::runtime_error {
                                            const VisibilityOptions& options = {});
 
 /// Calls deliver(batch) again and again until every pair was in one batch, once: in one of its products, or undecided.
-/// Returns how many there were of each kind, as they were delivered. Otherwise as count_visibility().
+/// Returns how many there were of each kind, as they were delivered. `resolve` runs before: a pair with a verdict of
+/// its own is delivered in a product of one pair. If `resolve` or deliver() throws, what was delivered stays so, and
+/// nothing more is. Costs, memory and errors are those of count_visibility(), and 20 bytes are written a product, 16
+/// and 4 for each candidate an undecided pair. Throws InvalidArgument for an empty deliver, too.
 SightCounts visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
                        FunctionRef<void(const SightBatch&)> deliver, const VisibilityOptions& options = {});
 SightCounts visibility(const PatchSet& patches, const Blockers& blockers, FunctionRef<void(const SightBatch&)> deliver,
@@ -266,8 +279,9 @@ struct Visibility {
   SightCounts counts;                        ///< of each kind
 };
 
-/// Collects what visibility() delivers. It may take much memory: 20 bytes a product, and there are some 0.1 to 0.2 as
-/// many as pairs.
+/// Collects what visibility() delivers. Memory is not bounded: 20 bytes a product, of which there may be a tenth to a
+/// fifth as many as pairs; 16 bytes an undecided pair and 4 a candidate; while a vector grows, up to three times that.
+/// Use visibility() where that is too much. Costs and errors are those of visibility().
 [[nodiscard]] Visibility collect_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
                                             const VisibilityOptions& options = {});
 [[nodiscard]] Visibility collect_visibility(const PatchSet& patches, const Blockers& blockers,
@@ -275,7 +289,9 @@ struct Visibility {
 
 /// Writes a bit for every pair: rows of words_for(b.size()) words, one for each patch of `a`. Bit j of row i says
 /// whether patches i and j are of that kind. Of one set with itself both bits of a pair are written, and the diagonal
-/// is 0. Throws InvalidArgument if `bits` has not exactly a.size() rows. Otherwise as count_visibility().
+/// is 0. If there is a `resolve`, its verdicts are written. If the call throws for something else than its arguments,
+/// bits hold anything. Throws InvalidArgument if `bits` has not exactly a.size() rows, or if `sight` is no enumerator.
+/// Otherwise as visibility(); costs O(pairs of the kind) more.
 SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Blockers& blockers, Sight sight,
                             std::span<std::uint64_t> bits, const VisibilityOptions& options = {});
 SightCounts visibility_bits(const PatchSet& patches, const Blockers& blockers, Sight sight,

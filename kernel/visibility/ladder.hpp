@@ -108,10 +108,11 @@ class Ladder {
   struct Side;
   struct Level;
   struct Selection;
-  /// Of a group of patches, and a blocker with points: on or behind whose planes all points are.
+  /// A group of patches and a blocker that has points. Bit i of `lanes` says that all points lie on or behind the plane
+  /// of patch i of the group.
   struct PointsBehind {
     const PatchTree* tree = nullptr;
-    std::uint32_t first = 0;  ///< patch of the group
+    std::uint32_t first = 0;  ///< position of the first patch of the group
     std::uint32_t blocker = 0;
     std::uint64_t lanes = 0;
   };

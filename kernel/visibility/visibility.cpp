@@ -582,7 +582,7 @@ const char* name(Sight sight) noexcept {
     case Sight::blocked:
       return "blocked";
     case Sight::facing_away:
-      return "facing away";
+      return "facing_away";
   }
   return "unknown";
 }

@@ -87,6 +87,13 @@ TEST_F(CliSeesMesh, ASolidWallBlocks) {
   EXPECT_THAT(across(upright_wall(), {"--solid", "w*"}), Each("blocked"));
 }
 
+TEST_F(CliSeesMesh, ASolidAroundAPatchBlocksUnlessThereAreRays) {
+  const std::string around_left =
+      hexahedron("wall", {"-1 -5 -5", "1 -5 -5", "1 5 -5", "-1 5 -5", "-1 -5 5", "1 -5 5", "1 5 5", "-1 5 5"});
+  EXPECT_THAT(across(around_left, {"--solid", "wall"}), Each("blocked"));
+  EXPECT_THAT(across(around_left, {"--solid", "wall", "--rays", "4"}), Each(testing::StartsWith("undecided,")));
+}
+
 TEST_F(CliSeesMesh, ATurnedSolidWallIsTaken) {
   const std::string out = output_of({"sees", file(turned_wall()), "--solid", "wall", "--format", "json"});
   EXPECT_EQ(nlohmann::json::parse(out)["solids"], 1);

@@ -214,6 +214,20 @@ TEST(CliSees, ThePageHasThePictureThatItsCommandMakes) {
   EXPECT_EQ(bytes_of(arguments.back()), bytes_of(docs + "/sees.svg"));
 }
 
+TEST(CliSees, CoordinatesOfPicturesAreShort) {
+  const ScratchFolder folder;
+  static_cast<void>(output_of(with(one_room, {"--svg", folder.path("room.svg")})));
+  const std::string svg = bytes_of(folder.path("room.svg"));
+  for (std::size_t at = svg.find('.'); at != std::string::npos; at = svg.find('.', at + 1)) {
+    const std::size_t end = svg.find_first_not_of("0123456789", at + 1);
+    EXPECT_LE(end - at - 1, 3) << svg.substr(at - 9, 40);
+  }
+}
+
+TEST(CliSees, AFileIsTakenByOptionToo) {
+  EXPECT_THAT(refusal_of({"sees", "--scene", "none.obj"}), HasSubstr("none.obj: there is no such file"));
+}
+
 TEST(CliSees, AsksForAFile) {
   EXPECT_THAT(refusal_of({"sees"}), AllOf(HasSubstr("in what file?"), HasSubstr("--rooms 6")));
   for (const std::vector<std::string>& both : std::vector<std::vector<std::string>>{

@@ -69,7 +69,7 @@ void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t l
 
 TEST(Visibility, IsWhatItIsInLattices) { expect_all_right(SightScenery::lattice, 120, 5); }
 TEST(Visibility, IsWhatItIsOfPoints) { expect_all_right(SightScenery::points, 80, 5); }
-TEST(Visibility, IsWhatItIsWhereAllIsFlat) { expect_all_right(SightScenery::flat, 120, 8); }
+TEST(Visibility, AnswersAreRightWhereAllIsFlat) { expect_all_right(SightScenery::flat, 120, 8); }
 TEST(Visibility, IsWhatItIsOfBoxesInBoxes) { expect_all_right(SightScenery::nested, 60, 2); }
 TEST(Visibility, IsWhatItIsInRooms) { expect_all_right(SightScenery::room, 120, 8); }
 TEST(Visibility, IsWhatItIsOfRandomFloats) { expect_all_right(SightScenery::uniform, 80, 8); }

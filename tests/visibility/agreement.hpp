@@ -164,7 +164,7 @@ class SightTruths {
                                 const oracle::SightTruth& truth) const {
     std::ostringstream text;
     text << "on " << name(active_isa()) << ", form visibility; pair " << i << ", " << j << " is "
-         << (truth.is_facing_away ? "facing away"
+         << (truth.is_facing_away ? "facing_away"
              : truth.is_blocked   ? "blocked"
              : truth.is_clear()   ? "clear"
                                   : "undecided")

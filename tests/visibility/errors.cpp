@@ -267,7 +267,7 @@ TEST(VisibilityErrors, SightsHaveNames) {
   EXPECT_STREQ(name(Sight::undecided), "undecided");
   EXPECT_STREQ(name(Sight::clear), "clear");
   EXPECT_STREQ(name(Sight::blocked), "blocked");
-  EXPECT_STREQ(name(Sight::facing_away), "facing away");
+  EXPECT_STREQ(name(Sight::facing_away), "facing_away");
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ void expect_exact(const Word& word, Random& random) {
   }
 }
 
-TEST(Siblings, AreWhatTheyAreOnEveryInstructionSet) {
+TEST(Siblings, AnswersAreTheSameOnEveryInstructionSet) {
   constexpr SightScenery sceneries[] = {SightScenery::lattice, SightScenery::flat,       SightScenery::uniform,
                                         SightScenery::nudged,  SightScenery::near_edges, SightScenery::near_edges,
                                         SightScenery::wild,    SightScenery::tiny,       SightScenery::huge};

@@ -1157,6 +1157,7 @@ static void visibility(void) {
   options.reserved = 1;
   REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "options.reserved");
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
+  CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_FACING_AWAY), "facing_away") == 0);
   CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);
   shaftcull_blockers_free(blockers);
   shaftcull_blockers_free(NULL);

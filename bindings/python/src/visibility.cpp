@@ -28,13 +28,11 @@ namespace shaftcull::python {
 
 namespace {
 
-constexpr std::array<const char*, 4> sight_names = {"undecided", "clear", "blocked", "facing_away"};
-
-Sight sight_in(const std::string& sight) {
-  for (std::size_t i = 0; i != sight_names.size(); ++i) {
-    if (sight == sight_names[i]) return static_cast<Sight>(i);
+Sight sight_in(const std::string& text) {
+  for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+    if (text == name(sight)) return sight;
   }
-  throw py::value_error("sight is '" + sight + "'; it must be 'undecided', 'clear', 'blocked' or 'facing_away'");
+  throw py::value_error("sight is '" + text + "'; it must be 'undecided', 'clear', 'blocked' or 'facing_away'");
 }
 
 /// Boxes of an argument in streams. Errors name the argument.
@@ -276,10 +274,10 @@ auto while_hearing(VisibilityOptions options, const py::object& progress, Call&&
 
 py::dict counts_of(const SightCounts& counts) {
   py::dict dict;
-  dict["undecided"] = counts.undecided;
-  dict["clear"] = counts.clear;
-  dict["blocked"] = counts.blocked;
-  dict["facing_away"] = counts.facing_away;
+  dict[name(Sight::undecided)] = counts.undecided;
+  dict[name(Sight::clear)] = counts.clear;
+  dict[name(Sight::blocked)] = counts.blocked;
+  dict[name(Sight::facing_away)] = counts.facing_away;
   return dict;
 }
 
@@ -414,10 +412,9 @@ groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. Wit
       });
 }
 
-void add_answers(py::module_& module) {
-  using py::arg;
-  py::class_<Sights>(module, "Visibility", R"(
-What visibility() found, of every pair. Arrays that it gives are read-only, and keep it alive.)")
+/// What is decided, of many pairs at once.
+void add_decided(py::class_<Sights>& answers) {
+  answers
       .def_property_readonly(
           "counts", [](const Sights& self) { return counts_of(self.all.counts); },
           "How many pairs are 'undecided', 'clear', 'blocked' and 'facing_away': a dict.")
@@ -441,7 +438,12 @@ order_a[first_a:first_a + count_a] and all of order_b[first_b:first_b + count_b]
                            products.empty() ? nullptr : reinterpret_cast<const std::uint8_t*>(&products.data()->sight),
                            {static_cast<py::ssize_t>(products.size())}, {stride});
           },
-          "What is said of each product: uint8 (p,): 1 clear, 2 blocked, 3 facing away.")
+          "What is said of each product: uint8 (p,): 1 clear, 2 blocked, 3 facing_away.");
+}
+
+/// What is not, pair by pair.
+void add_undecided(py::class_<Sights>& answers) {
+  answers
       .def_property_readonly(
           "undecided",
           [](const py::object& self) {
@@ -472,7 +474,16 @@ order_a[first_a:first_a + count_a] and all of order_b[first_b:first_b + count_b]
             return seen_in(self, candidates.empty() ? nullptr : candidates.data(),
                            {static_cast<py::ssize_t>(candidates.size())}, {4});
           },
-          "Numbers of blockers, ascending for each pair: uint32, or None.")
+          "Numbers of blockers, ascending for each pair: uint32, or None.");
+}
+
+void add_answers(py::module_& module) {
+  using py::arg;
+  py::class_<Sights> answers(module, "Visibility", R"(
+What visibility() found, of every pair. Arrays that it gives are read-only, and keep it alive.)");
+  add_decided(answers);
+  add_undecided(answers);
+  answers
       .def_property_readonly(
           "order_a", [](const Sights& self) { return order_of(self.a); },
           "The order that products refer to: uint32 (a,), indices of patches. A copy.")
@@ -497,13 +508,9 @@ sight: 'undecided', 'clear', 'blocked' or 'facing_away'.)")
       });
 }
 
-}  // namespace
-
-void add_visibility(py::module_& module) {
+void add_patches(py::module_& module) {
   using py::arg;
   const py::object none = py::none();
-  const std::size_t memory = VisibilityOptions().memory;
-
   py::class_<PatchSet>(module, "Patches", R"(
 Patches for several calls of visibility(), in a tree. They never change.
 
@@ -520,10 +527,10 @@ planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where 
           "uint32 (n,): the indices of the patches in the order of the tree, neighbours in space together. A copy.")
       .def("__repr__",
            [](const PatchSet& self) { return "<shaftcull.Patches, " + std::to_string(self.size()) + " of them>"; });
-  add_blockers(module);
-  add_answers(module);
+}
 
-  const std::string arguments = R"(
+/// Of all calls that ask of pairs.
+constexpr const char* asked_arguments = R"(
 
 patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, of each two of the patches once.
 planes, planes_b: of patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
@@ -533,6 +540,10 @@ contact: 'open' leaves out what only touches a shaft, so a patch may lie on a bl
 solids_around_ends: whether a solid that reaches around a patch makes its pairs 'blocked'.
 memory: bytes that answers under way may take, 1 MB or more.
 progress: is called as progress(done, total) some times a second, on this thread; if it raises, the call ends.)";
+
+void add_collecting(py::module_& module) {
+  using py::arg;
+  const py::object none = py::none();
   module.def(
       "visibility",
       [](const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
@@ -553,14 +564,20 @@ progress: is called as progress(done, total) some times a second, on this thread
       arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
       arg("blockers") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
       arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("contact") = "open",
-      arg("solids_around_ends") = true, arg("candidates") = true, arg("memory") = memory, arg("progress") = none,
-      (R"(
+      arg("solids_around_ends") = true, arg("candidates") = true, arg("memory") = VisibilityOptions().memory,
+      arg("progress") = none,
+      (std::string(R"(
 What sees what: of every pair of patches, whether nothing stands between ('clear'), one solid hides all ('blocked'), one
 lies behind the plane of the other ('facing_away'), or none of these ('undecided'): those come with their candidates,
-the blockers that reach between. All are exact for the float32 given. Returns a Visibility.)" +
-       arguments + R"(
+the blockers that reach between. All are exact for the float32 given. Returns a Visibility.)") +
+       asked_arguments + R"(
 candidates: whether undecided pairs come with candidates.)")
           .c_str());
+}
+
+void add_counting(py::module_& module) {
+  using py::arg;
+  const py::object none = py::none();
   module.def(
       "count_visibility",
       [](const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
@@ -578,12 +595,16 @@ candidates: whether undecided pairs come with candidates.)")
       arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
       arg("blockers") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
       arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("contact") = "open",
-      arg("solids_around_ends") = true, arg("memory") = memory, arg("progress") = none,
-      (R"(
+      arg("solids_around_ends") = true, arg("memory") = VisibilityOptions().memory, arg("progress") = none,
+      (std::string(R"(
 How many pairs are 'undecided', 'clear', 'blocked' and 'facing_away': a dict, as the counts of visibility(). It keeps
-nothing of any pair.)" +
-       arguments)
+nothing of any pair.)") +
+       asked_arguments)
           .c_str());
+}
+
+void add_solid_boxes(py::module_& module) {
+  using py::arg;
   module.def(
       "merged_boxes",
       [](const py::object& boxes) {
@@ -614,6 +635,17 @@ float32 (m, 6); they may overlap.)");
       },
       arg("corners"), R"(
 A large box inside the convex hull of 4 to 32 points (k, 3): float32 (6,). No coordinate is rounded outwards.)");
+}
+
+}  // namespace
+
+void add_visibility(py::module_& module) {
+  add_patches(module);
+  add_blockers(module);
+  add_answers(module);
+  add_collecting(module);
+  add_counting(module);
+  add_solid_boxes(module);
 }
 
 }  // namespace shaftcull::python

@@ -104,8 +104,9 @@ struct SiblingKernels {
   std::uint64_t (*block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
                          const std::uint64_t* may_block, std::uint64_t asked) noexcept;
 
-  /// Writes for every solid of a list which siblings of `asked` it may block. Of a group's box lo and hi are exchanged:
-  /// then what is 0 blocks no patch of one group from one of the other.
+  /// Writes for every solid of a list which siblings of `asked` it may block. The siblings are groups whose boxes have
+  /// lo and hi exchanged. If a sibling's bit is 0, the solid blocks no patch of the one group from a patch of the
+  /// other.
   void (*may_block)(const Siblings& siblings, const BoxRow* solids, const std::uint32_t* list, std::size_t count,
                     const std::uint64_t* may_block, std::uint64_t asked, std::uint64_t* kept) noexcept;
 
