@@ -7,7 +7,8 @@ cmake_minimum_required(VERSION 3.22)
 
 set(sources_of_walks tree/blocked.cpp tree/one.cpp tree/many.cpp tree/triangles.cpp)
 set(other_sources
-  flat/bits.cpp flat/counts.cpp flat/lists.cpp refine/refine.cpp tree/build.cpp tree/first_contact.cpp tree/update.cpp)
+  flat/bits.cpp flat/counts.cpp flat/lists.cpp refine/refine.cpp tree/build.cpp tree/first_contact.cpp
+  tree/regions.cpp tree/update.cpp)
 
 # disassemble(SOURCE): sets tokens to the functions of its object file, and what they fetch after that.
 function(disassemble source)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// tree/…: swept boxes against a bounds tree, a flat scan and Bullet's tree; what building and refitting one costs.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,8 +12,10 @@
 #include <fmt/format.h>
 
 #include "families/roofline_kernels.hpp"
+#include "harness/memory.hpp"
 #include "harness/suite.hpp"
 #include "harness/threads.hpp"
+#include "scenes/random.hpp"
 #include "scenes/swept_boxes.hpp"
 #include "scenes/tree_scene.hpp"
 #include "shaftcull/isa.hpp"
@@ -186,6 +189,44 @@ void declare_build(Suite& suite, const std::shared_ptr<TreeScene>& scene) {
 #endif
 }
 
+/// Streams of as many boxes as small_boxes() gives, without its records.
+BoxStream stream_of_small_boxes(std::size_t count) {
+  constexpr std::size_t most = 65536;
+  const float scale = std::cbrt(1e6F / static_cast<float>(count));
+  Random random(4000);
+  BoxStream stream(count);
+  std::vector<Box> some;
+  for (std::size_t first = 0; first < count; first += most) {
+    some.resize(std::min(most, count - first));
+    for (Box& box : some) box = random.box(0.005F * scale, 0.035F * scale);
+    stream.update(first, some);
+  }
+  return stream;
+}
+
+/// A tree of many more boxes than caches hold takes at most twice the time a box.
+void declare_large_build(Suite& suite) {
+  constexpr std::size_t count = std::size_t{1} << 26U;
+  constexpr std::uint64_t needed = count * (sizeof(Box) + 40);
+  const std::string name = fmt::format("tree/build/{}", count);
+  if (suite.quick()) return;
+  if (available_memory() < needed) {
+    suite.note(fmt::format("{} is not measured: it takes {:.1f} GB of memory, and {:.1f} GB are available", name,
+                           static_cast<double>(needed) * 1e-9, static_cast<double>(available_memory()) * 1e-9));
+    return;
+  }
+  const unsigned threads = std::min(2U, all_threads());
+  const auto stream = std::make_shared<Lazy<BoxStream>>();
+  suite.add(name, "",
+            [=](benchmark::State& state) {
+              const BoxView view = stream->get([] { return stream_of_small_boxes(count); }).view();
+              for (auto _ : state) benchmark::DoNotOptimize(BoxTree(view).size());
+              state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+            },
+            {.threads = threads, .wall_clock = true, .brief = true});
+  suite.add_time_ratio_target(name, fmt::format("tree/build/{}", threads), 2.0);
+}
+
 void declare_refit(Suite& suite, std::size_t bounds) {
   const auto scene = std::make_shared<TreeScene>(bounds);
   const auto items = static_cast<std::int64_t>(bounds);
@@ -245,6 +286,7 @@ void declare_tree(Suite& suite, const Workload& /*workload*/) {
   declare_reach(suite, scene);
   declare_sizes(suite);
   declare_build(suite, scene);
+  declare_large_build(suite);
   declare_refit(suite, suite.quick() ? quick_bounds : std::size_t{1} << 22);
   declare_threads(suite, scene);
 #ifdef SHAFTCULL_BENCH_WITH_BULLET

@@ -90,8 +90,8 @@ struct SphereRecords {
 [[nodiscard]] SphereRecords records(std::span<const Sphere> spheres) noexcept;
 
 /// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box, and at most 63 boxes of
-/// padding so that streams end with a whole word of answers. Copies are deep, O(size()); moves are O(1) and leave an
-/// empty stream.
+/// padding so that streams end with a whole word of answers, 64 more if streams would be a multiple of 1 MiB apart.
+/// Copies are deep, O(size()); moves are O(1) and leave an empty stream.
 ///
 /// Constructors take O(count) and allocate once, nothing for a count of 0. They throw InvalidArgument for null memory
 /// of more than 0 boxes, std::bad_alloc if memory runs out, and std::bad_array_new_length, which is one, for a count
@@ -126,7 +126,9 @@ class BoxStream {
   /// How many boxes it holds.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// Bytes of boxes that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Box); }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept {
+    return size() == 0 ? 0 : static_cast<std::size_t>(view_.stream[1] - view_.stream[0]) * sizeof(Box);
+  }
   /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
   [[nodiscard]] BoxView view() const noexcept { return view_; }
   /// So that a stream goes where a view goes.
@@ -148,9 +150,9 @@ class BoxStream {
   BoxView view_;                           // of these rows
 };
 
-/// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and at most 63 spheres of padding.
-/// As BoxStream. Packing throws BadBound for a NaN, a centre that is not finite or a negative radius. Trees do so, too:
-/// no tree is made of a SphereStream(count) whose empty spheres were not all updated.
+/// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and padding as in BoxStream. Packing throws
+/// BadBound for a NaN, a centre that is not finite or a negative radius. Trees do so, too: no tree is made of a
+/// SphereStream(count) whose empty spheres were not all updated.
 class SphereStream {
  public:
   SphereStream() noexcept = default;
@@ -172,7 +174,9 @@ class SphereStream {
   /// How many spheres it holds.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// Bytes of spheres that the stream holds, padding included.
-  [[nodiscard]] std::size_t memory_bytes() const noexcept { return words_for(size()) * 64 * sizeof(Sphere); }
+  [[nodiscard]] std::size_t memory_bytes() const noexcept {
+    return size() == 0 ? 0 : static_cast<std::size_t>(view_.stream[1] - view_.stream[0]) * sizeof(Sphere);
+  }
   /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
   [[nodiscard]] SphereView view() const noexcept { return view_; }
   /// So that a stream goes where a view goes.

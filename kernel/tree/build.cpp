@@ -2,11 +2,13 @@
 #include "tree/build.hpp"
 
 #include <algorithm>
-#include <type_traits>
+#include <cstdint>
 
 #include "dispatch/active_kernels.hpp"
+#include "support/large_memory.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
+#include "tree/regions.hpp"
 #include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {
@@ -45,74 +47,91 @@ Index least(const Index* index, std::size_t count) noexcept {
 template <class Bound, class Index, class Source>
 TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, const Source& source) {
   const Kernels& kernels = active_kernels();
-  const ClassBounds class_first = write_entries(source, scratch);
+  const ClassBounds class_first = write_entries<Bound>(source, scratch.place());
   TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
   parts.order.resize(parts.size);
   parts.least_index.resize(words_for(parts.size));
   write_tree_order<Index>(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
-  const RecordSource<Bound> all(scratch.records());
+  const RecordSource<Bound> all(records_in<Bound>(scratch.records(), parts.size));
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
-    write_leaves(parts, kernels, parts.order.data(), block, all);
-    for (std::size_t first = block.first; first < block.end(); first += fanout) {
-      parts.least_index[first / fanout] = least(parts.order.data() + first, std::min(fanout, block.end() - first));
-    }
+    write_leaves(parts, kernels, parts.order.data() + block.first, parts.size - block.first, block, all);
+    find_least_indices(parts, block);
   });
   fit_upper(parts, kernels);
   parts.surface_when_built = surface(parts);
   return parts;
 }
 
-}  // namespace
-
-template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build(const Source& source) {
-  return build_in(BuildScratch<Bound, Index>(source.count()), source);
-}
-
 /// Records ahead of the one written that are prefetched: they are all over memory. It saves 6 ms of 51 for a million
 /// boxes.
 constexpr std::size_t prefetched_records = 16;
 
+/// Writes a tree's bounds as records in the user's order.
 template <class Bound, class Index>
-TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts) {
-  // Bounds are put back into the user's order, so that nothing depends on where they are now.
-  const BuildScratch<Bound, Index> scratch(parts.size);
+void put_back(const TreeParts<Bound, Index>& parts, float* records) {
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
     const auto stream = parts.leaves.view().stream;
     for (std::size_t p = block.first; p != block.end(); ++p) {
       if (p + prefetched_records < block.end()) {
-        const float* const soon = scratch.record(parts.order[p + prefetched_records]);
+        const float* const soon = records + parts.order[p + prefetched_records] * rows_of<Bound>;
         __builtin_prefetch(soon, 1);
         __builtin_prefetch(soon + stream.size() - 1, 1);  // may be in the next cache line
       }
-      float* const record = scratch.record(parts.order[p]);
+      float* const record = records + parts.order[p] * rows_of<Bound>;
       for (std::size_t s = 0; s != stream.size(); ++s) record[s] = stream[s][p];
     }
   });
-  TreeParts<Bound, Index> rebuilt = build_in(scratch, RecordSource<Bound>(scratch.records()));
+}
+
+}  // namespace
+
+template <class Bound, class Index>
+void find_least_indices(TreeParts<Bound, Index>& parts, const IndexRange& leaves) noexcept {
+  for (std::size_t first = leaves.first; first < leaves.end(); first += fanout) {
+    parts.least_index[first / fanout] = least(parts.order.data() + first, std::min(fanout, leaves.end() - first));
+  }
+}
+
+template <class Bound, class Index, class Source>
+TreeParts<Bound, Index> build(const Source& source, const RegionSizes& sizes) {
+  if (are_regions_worth_it(source.count(), sizes)) return build_by_regions<Bound, Index>(source, sizes);
+  return build_in(BuildScratch<Bound, Index>(source.count()), source);
+}
+
+template <class Bound, class Index>
+TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts, const RegionSizes& sizes) {
+  // Bounds are put back into the user's order, so that nothing depends on where they are now.
+  TreeParts<Bound, Index> rebuilt = [&] {
+    if (are_regions_worth_it(parts.size, sizes)) {
+      const LargeMemory<float> records(parts.size * rows_of<Bound>);
+      put_back(parts, records.get());
+      const RecordSource<Bound> source(records_in<Bound>(records.get(), parts.size));
+      return build_by_regions<Bound, Index>(source, sizes);
+    }
+    const BuildScratch<Bound, Index> scratch(parts.size);
+    put_back(parts, scratch.records());
+    return build_in(scratch, RecordSource<Bound>(records_in<Bound>(scratch.records(), parts.size)));
+  }();
   if (parts.layers.exist()) {
     rebuilt.layers = layers_of<Bound, Index>(rebuilt, rebuilt.order, layers_by_index<Bound, Index>(parts, parts.order));
   }
   return rebuilt;
 }
 
-template TreeParts<Box, std::uint32_t> rebuild(const TreeParts<Box, std::uint32_t>& parts);
-template TreeParts<Sphere, std::uint32_t> rebuild(const TreeParts<Sphere, std::uint32_t>& parts);
-template TreeParts<Box, std::uint64_t> rebuild(const TreeParts<Box, std::uint64_t>& parts);
-template TreeParts<Sphere, std::uint64_t> rebuild(const TreeParts<Sphere, std::uint64_t>& parts);
-
-template TreeParts<Box, std::uint32_t> build(const ViewSource<Box>& source);
-template TreeParts<Box, std::uint32_t> build(const RecordSource<Box>& source);
-template TreeParts<Box, std::uint32_t> build(const CentreExtentSource& source);
-template TreeParts<Box, std::uint64_t> build(const CentreExtentSource& source);
-template TreeParts<Sphere, std::uint32_t> build(const ViewSource<Sphere>& source);
-template TreeParts<Sphere, std::uint32_t> build(const RecordSource<Sphere>& source);
-template TreeParts<Box, std::uint64_t> build(const ViewSource<Box>& source);
-template TreeParts<Box, std::uint64_t> build(const RecordSource<Box>& source);
-template TreeParts<Sphere, std::uint64_t> build(const ViewSource<Sphere>& source);
-template TreeParts<Sphere, std::uint64_t> build(const RecordSource<Sphere>& source);
+#define SHAFTCULL_BUILD(Bound, Index)                                                     \
+  template void find_least_indices(TreeParts<Bound, Index>&, const IndexRange&) noexcept; \
+  template TreeParts<Bound, Index> build(const ViewSource<Bound>&, const RegionSizes&);   \
+  template TreeParts<Bound, Index> build(const RecordSource<Bound>&, const RegionSizes&); \
+  template TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>&, const RegionSizes&);
+SHAFTCULL_BUILD(Box, std::uint32_t)
+SHAFTCULL_BUILD(Sphere, std::uint32_t)
+SHAFTCULL_BUILD(Box, std::uint64_t)
+SHAFTCULL_BUILD(Sphere, std::uint64_t)
+#undef SHAFTCULL_BUILD
+template TreeParts<Box, std::uint32_t> build(const CentreExtentSource&, const RegionSizes&);
+template TreeParts<Box, std::uint64_t> build(const CentreExtentSource&, const RegionSizes&);
 
 }  // namespace shaftcull::kernel

@@ -106,32 +106,35 @@ class Chunk {
 /// Writes the record and the entry of every bound in the user's order and counts classes; returns whether all bounds
 /// are legal.
 template <class Bound, class Index, class Source>
-bool write_in_order(const Source& source, const IndexRange& range, float node_size,
-                    const BuildScratch<Bound, Index>& scratch, std::array<std::size_t, size_classes>& counts) noexcept {
-  const EntryStreams<Index> entries = scratch.entries();
-  const WordWriter writer(scratch.bytes());
+bool write_in_order(const Source& source, const IndexRange& range, float node_size, const EntryPlace<Index>& place,
+                    std::array<std::size_t, size_classes>& counts) noexcept {
+  const WordWriter writer(place.bytes);
   bool is_legal = true;
   for (std::size_t first = range.first; first < range.end(); first += Chunk<Bound>::most) {
     const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, range.end() - first));
     is_legal &= chunk.is_legal();
-    chunk.write_records(scratch.record(first), writer);
-    chunk.write_entries(entries, writer);
+    if (place.records != nullptr) chunk.write_records(place.records + first * rows_of<Bound>, writer);
+    chunk.write_entries(place.entries, writer);
     chunk.count_classes(node_size, counts);
   }
   return is_legal;
 }
 
 /// Writes entries where those of their class go next.
-template <class Bound, class Index>
-void write_by_class(const BuildScratch<Bound, Index>& scratch, const IndexRange& range, float node_size,
+template <class Bound, class Index, class Source>
+void write_by_class(const Source& source, const EntryPlace<Index>& place, const IndexRange& range, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
-  const EntryStreams<Index> entries = scratch.entries();
+  const EntryStreams<Index>& entries = place.entries;
   for (std::size_t i = range.first; i != range.end(); ++i) {
     float bound[rows_of<Bound>];
-    std::copy_n(scratch.record(i), rows_of<Bound>, bound);
-    const Placement place = placement(bound);
-    const std::size_t to = next[size_class(place.extent, node_size)]++;
-    for (std::size_t k = 0; k != 3; ++k) entries[k][to] = place.centre[k];
+    if (place.records != nullptr) {
+      std::copy_n(place.records + i * rows_of<Bound>, rows_of<Bound>, bound);
+    } else {
+      source.read(i, bound);
+    }
+    const Placement at = placement(bound);
+    const std::size_t to = next[size_class(at.extent, node_size)]++;
+    for (std::size_t k = 0; k != 3; ++k) entries[k][to] = at.centre[k];
     for (std::size_t s = 3; s != entries.size(); ++s) entries[s][to] = index_bits(i, s);
   }
 }
@@ -139,14 +142,14 @@ void write_by_class(const BuildScratch<Bound, Index>& scratch, const IndexRange&
 }  // namespace
 
 template <class Bound, class Index, class Source>
-ClassBounds write_entries(const Source& source, const BuildScratch<Bound, Index>& scratch) {
+ClassBounds write_entries(const Source& source, const EntryPlace<Index>& place) {
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
   const std::size_t blocks = chunk_count(count, source_block);
   std::vector<std::array<std::size_t, size_classes>> places(blocks);  // counts at first
   std::atomic<bool> all_legal = true;
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    if (write_in_order(source, chunk_at(count, source_block, b), node_size, scratch, places[b])) return;
+    if (write_in_order<Bound>(source, chunk_at(count, source_block, b), node_size, place, places[b])) return;
     all_legal.store(false, std::memory_order_relaxed);
   });
   if (!all_legal.load(std::memory_order_relaxed)) require_legal<Bound>(source);
@@ -163,24 +166,34 @@ ClassBounds write_entries(const Source& source, const BuildScratch<Bound, Index>
   if (one_class) return class_first;  // they are in order already
 
   parallel_for(blocks, 1, [&](std::size_t b, std::size_t) {
-    write_by_class(scratch, chunk_at(count, source_block, b), node_size, places[b]);
+    write_by_class<Bound>(source, place, chunk_at(count, source_block, b), node_size, places[b]);
   });
   return class_first;
 }
 
-template ClassBounds write_entries(const ViewSource<Box>& source, const BuildScratch<Box, std::uint32_t>& scratch);
-template ClassBounds write_entries(const RecordSource<Box>& source, const BuildScratch<Box, std::uint32_t>& scratch);
-template ClassBounds write_entries(const CentreExtentSource& source, const BuildScratch<Box, std::uint32_t>& scratch);
-template ClassBounds write_entries(const CentreExtentSource& source, const BuildScratch<Box, std::uint64_t>& scratch);
-template ClassBounds write_entries(const ViewSource<Sphere>& source,
-                                   const BuildScratch<Sphere, std::uint32_t>& scratch);
-template ClassBounds write_entries(const RecordSource<Sphere>& source,
-                                   const BuildScratch<Sphere, std::uint32_t>& scratch);
-template ClassBounds write_entries(const ViewSource<Box>& source, const BuildScratch<Box, std::uint64_t>& scratch);
-template ClassBounds write_entries(const RecordSource<Box>& source, const BuildScratch<Box, std::uint64_t>& scratch);
-template ClassBounds write_entries(const ViewSource<Sphere>& source,
-                                   const BuildScratch<Sphere, std::uint64_t>& scratch);
-template ClassBounds write_entries(const RecordSource<Sphere>& source,
-                                   const BuildScratch<Sphere, std::uint64_t>& scratch);
+template <class Bound>
+void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace<std::uint32_t>& place) noexcept {
+  const ViewSource<Bound> source(bounds);
+  const WordWriter writer(place.bytes);
+  for (std::size_t first = 0; first < bounds.count; first += Chunk<Bound>::most) {
+    const Chunk<Bound> chunk(source, first, std::min(Chunk<Bound>::most, bounds.count - first));
+    chunk.write_records(place.records + first * rows_of<Bound>, writer);
+    chunk.write_entries(place.entries, writer);
+  }
+}
+
+template void write_entries_and_records<Box>(const BoxView&, const EntryPlace<std::uint32_t>&) noexcept;
+template void write_entries_and_records<Sphere>(const SphereView&, const EntryPlace<std::uint32_t>&) noexcept;
+
+template ClassBounds write_entries<Box>(const ViewSource<Box>&, const EntryPlace<std::uint32_t>&);
+template ClassBounds write_entries<Box>(const RecordSource<Box>&, const EntryPlace<std::uint32_t>&);
+template ClassBounds write_entries<Box>(const CentreExtentSource&, const EntryPlace<std::uint32_t>&);
+template ClassBounds write_entries<Sphere>(const ViewSource<Sphere>&, const EntryPlace<std::uint32_t>&);
+template ClassBounds write_entries<Sphere>(const RecordSource<Sphere>&, const EntryPlace<std::uint32_t>&);
+template ClassBounds write_entries<Box>(const ViewSource<Box>&, const EntryPlace<std::uint64_t>&);
+template ClassBounds write_entries<Box>(const RecordSource<Box>&, const EntryPlace<std::uint64_t>&);
+template ClassBounds write_entries<Box>(const CentreExtentSource&, const EntryPlace<std::uint64_t>&);
+template ClassBounds write_entries<Sphere>(const ViewSource<Sphere>&, const EntryPlace<std::uint64_t>&);
+template ClassBounds write_entries<Sphere>(const RecordSource<Sphere>&, const EntryPlace<std::uint64_t>&);
 
 }  // namespace shaftcull::kernel

@@ -40,26 +40,37 @@ inline constexpr unsigned size_classes = 10;
 /// Entries of class c are [ClassBounds[c], ClassBounds[c + 1]).
 using ClassBounds = std::array<std::size_t, size_classes + 1>;
 
+/// Where entries are written, and records of the bounds themselves.
+template <class Index>
+struct EntryPlace {
+  EntryStreams<Index> entries;
+  float* records;     ///< as many floats each as a bound has streams; null if none are wanted
+  std::size_t bytes;  ///< of all this, and what is written along with it
+};
+
+/// Records of bounds as streams have them, one after the other.
+template <class Bound>
+[[nodiscard]] RecordsOf<Bound> records_in(const float* first, std::size_t count) noexcept {
+  if (count == 0) return {};
+  return {first, first + 3, rows_of<Bound> * sizeof(float), count};
+}
+
 /// Scratch memory of a build: entries, as much memory to move them to, and the bounds themselves as records, because
 /// tree order reads them from all over memory and a record is in one place, not in six.
 template <class Bound, class Index>
 class BuildScratch {
  public:
   explicit BuildScratch(std::size_t count)
-      : count_(count),
-        stride_(words_for(count) * 64 + apart),
+      : stride_(words_for(count) * 64 + apart),
         entries_(2 * entry_streams * stride_),
         records_(rows_of<Bound> * count) {}
 
   [[nodiscard]] EntryStreams<Index> entries() const noexcept { return streams(0); }
   [[nodiscard]] EntryStreams<Index> spare() const noexcept { return streams(entry_streams); }
+  [[nodiscard]] EntryPlace<Index> place() const noexcept { return {entries(), records_.get(), bytes()}; }
 
-  /// The streams' coordinates of bound i.
-  [[nodiscard]] float* record(std::size_t i) const noexcept { return records_.get() + i * rows_of<Bound>; }
-  [[nodiscard]] RecordsOf<Bound> records() const noexcept {
-    if (count_ == 0) return {};
-    return {record(0), record(0) + 3, rows_of<Bound> * sizeof(float), count_};
-  }
+  /// The bounds themselves.
+  [[nodiscard]] float* records() const noexcept { return records_.get(); }
 
   [[nodiscard]] std::size_t bytes() const noexcept { return (entries_.size() + records_.size()) * sizeof(float); }
 
@@ -74,7 +85,6 @@ class BuildScratch {
     return stream;
   }
 
-  std::size_t count_;
   std::size_t stride_;
   TaskMemory<float> entries_;
   TaskMemory<float> records_;
@@ -83,6 +93,10 @@ class BuildScratch {
 /// Writes all bounds' records and entries, these sorted by size class, and returns where each class begins. Throws
 /// BadBound for the first illegal bound.
 template <class Bound, class Index, class Source>
-ClassBounds write_entries(const Source& source, const BuildScratch<Bound, Index>& scratch);
+ClassBounds write_entries(const Source& source, const EntryPlace<Index>& place);
+
+/// The same for legal bounds, in order, by one task. Both are wanted.
+template <class Bound>
+void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace<std::uint32_t>& place) noexcept;
 
 }  // namespace shaftcull::kernel

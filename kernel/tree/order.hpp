@@ -2,7 +2,12 @@
 /// Tree order: which bounds share a node.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "kernels/table.hpp"
+#include "support/index_range.hpp"
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {
@@ -13,5 +18,20 @@ namespace shaftcull::kernel {
 template <class Index>
 void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
                       const ClassBounds& class_first, const Kernels& kernels, Index* order);
+
+// The same in two steps, for more entries than caches hold.
+
+/// The parts of tree order that its largest halvings make: those of at most `most` entries, or within one node.
+[[nodiscard]] std::vector<IndexRange> regions_of(const ClassBounds& class_first, std::size_t most);
+
+/// Makes the halvings that make regions, and writes the indices of each region's entries, in the order
+/// that halvings within it begin with.
+void write_regions(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
+                   const ClassBounds& class_first, std::size_t most, const Kernels& kernels, std::uint32_t* indices);
+
+/// Writes the indices of a region's entries in tree order. Streams and `order` begin with the region. By one task.
+void write_order_within(const IndexRange& region, const EntryStreams<std::uint32_t>& entries,
+                        const EntryStreams<std::uint32_t>& spare, const Kernels& kernels,
+                        std::uint32_t* order) noexcept;
 
 }  // namespace shaftcull::kernel

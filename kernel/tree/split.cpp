@@ -37,8 +37,8 @@ struct PivotOfChunks {
 template <class Index>
 PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitKernels& kernels) {
   const std::size_t count = part.size();
-  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
-  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first);
+  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first - part.origin);
+  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first - part.origin);
   const SampleBracket bracket = kernels.bracket(entries.data(), count, rank, scratch.data());
   const float* const key = entries[bracket.axis];
   float* const some = scratch[bracket.axis];  // what a chunk has within the bracket is where the chunk is
@@ -82,10 +82,11 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
 
 template <class Index>
 Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
-  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first);
-  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first);
+  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first - part.origin);
+  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first - part.origin);
   kernels_for<Index>(kernels).halve(entries.data(), scratch.data(), part.size(), cut - part.first);
-  return {{part.first, cut, part.entries, part.scratch}, {cut, part.last, part.scratch, part.entries}};
+  return {{part.first, cut, part.entries, part.scratch, part.origin},
+          {cut, part.last, part.scratch, part.entries, part.origin}};
 }
 
 template <class Index>
@@ -104,12 +105,13 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
     std::size_t equal;
     std::size_t larger;
   };
-  Places next{part.first, part.first, part.first};
+  const std::size_t start = part.first - part.origin;
+  Places next{start, start, start};
   for (const KeyCounts& counts : of_chunks) {
     next.equal += counts.less;
     next.larger += counts.less + counts.equal;
   }
-  const bool are_apart = next.equal != cut;
+  const bool are_apart = next.equal != cut - part.origin;
   if (!are_apart) next.larger = next.equal;
   std::vector<Places> places;
   for (std::size_t c = 0; c != of_chunks.size(); ++c) {
@@ -122,7 +124,7 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
   }
 
   parallel_for_nested(places.size(), 1, [&](std::size_t c, std::size_t) {
-    const std::size_t first = part.first + chunk_at(part.size(), chunk_entries, c).first;
+    const std::size_t first = start + chunk_at(part.size(), chunk_entries, c).first;
     const std::size_t size = chunk_at(part.size(), chunk_entries, c).size;
     const EntryStreams<Index> chunk = moved_by<Index>(*part.entries, first);
     const EntryStreams<Index> less = moved_by<Index>(*part.scratch, places[c].less);
@@ -131,7 +133,8 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
     its_kernels.scatter(chunk.data(), size, axis, key, of_chunks[c], less.data(), are_apart ? equal.data() : nullptr,
                         larger.data());
   });
-  return {{part.first, cut, part.scratch, part.entries}, {cut, part.last, part.scratch, part.entries}};
+  return {{part.first, cut, part.scratch, part.entries, part.origin},
+          {cut, part.last, part.scratch, part.entries, part.origin}};
 }
 
 template Halves<std::uint32_t> split(const Part<std::uint32_t>&, std::size_t, const Kernels&) noexcept;

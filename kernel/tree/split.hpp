@@ -9,13 +9,15 @@
 
 namespace shaftcull::kernel {
 
-/// Entries [first, last) of some streams. Scratch streams have space for them at the same place.
+/// What is at places [first, last) of tree order: entries of some streams. Scratch streams have space for them at the
+/// same place.
 template <class Index>
 struct Part {
   std::size_t first;
   std::size_t last;
   const EntryStreams<Index>* entries;
   const EntryStreams<Index>* scratch;
+  std::size_t origin = 0;  ///< the place of the streams' first entry
 
   [[nodiscard]] std::size_t size() const noexcept { return last - first; }
 };

@@ -40,7 +40,8 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   const Kernels& kernels = active_kernels();
   parts.mark_all_dirty();
   parallel_for(chunk_count(parts.size, block_leaves), 1, [&](std::size_t b, std::size_t) {
-    write_leaves(parts, kernels, parts.order.data(), chunk_at(parts.size, block_leaves, b), source);
+    const IndexRange block = chunk_at(parts.size, block_leaves, b);
+    write_leaves(parts, kernels, parts.order.data() + block.first, parts.size - block.first, block, source);
   });
   fit_upper(parts, kernels);
 }

@@ -15,15 +15,15 @@ namespace shaftcull::kernel {
 /// Leaves ahead of those read whose bounds are prefetched, because tree order jumps about in the user's memory.
 inline constexpr std::size_t prefetched_leaves = 64;
 
-/// Writes leaves [range.first, range.end()), leaf p being bound order[p] of the source, and fits level 1 above them.
-/// range is whole words but for the tree's last one; if others write leaves at the same time, whole blocks of
-/// gap_leaves.
+/// Writes leaves [range.first, range.end()), leaf range.first + i being bound order[i] of the source, and fits level 1
+/// above them. range is whole words but for the tree's last one; if others write leaves at the same time, whole blocks
+/// of gap_leaves. `order` goes on for `size` leaves, so far that bounds can be fetched ahead.
 ///
 /// Written one leaf at a time, every leaf would write as many cache lines as there are streams, and keep the next one
 /// waiting for them.
 template <class Bound, class Index, class Source>
-void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, const IndexRange& range,
-                  const Source& source) noexcept {
+void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, std::size_t size,
+                  const IndexRange& range, const Source& source) noexcept {
   constexpr std::size_t rows = rows_of<Bound>;
   const auto row = parts.leaf_rows();
   const WordWriter writer(parts.leaves.memory_bytes());
@@ -32,13 +32,14 @@ void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index*
   for (std::size_t first = range.first; first < range.end(); first += fanout) {
     const std::size_t count = std::min(fanout, range.end() - first);
     // Inlined, as prefetch_to_second_level() is.
-    const auto prefetch_ahead = [ =, &source, end = parts.is_worth_prefetching() ? parts.size : 0 ](std::size_t i)
-        __attribute__((always_inline)) {
-      const std::size_t soon = first + i + prefetched_leaves;
+    const std::size_t done = first - range.first;
+    const auto prefetch_ahead =
+        [ =, &source, end = parts.is_worth_prefetching() ? size : 0 ](std::size_t i) __attribute__((always_inline)) {
+      const std::size_t soon = done + i + prefetched_leaves;
       if (soon + 4 > end) return;
       for (std::size_t p = soon; p != soon + 4; ++p) source.prefetch(order[p]);
     };
-    read_rows(source, order + first, count, to.data(), prefetch_ahead);
+    read_rows(source, order + done, count, to.data(), prefetch_ahead);
     for (std::size_t s = 0; s != rows; ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding
     for (std::size_t s = 0; s != rows; ++s) writer.write(row[s] + first, word[s], fanout);
