@@ -6,7 +6,7 @@
 include(FindPackageHandleStandardArgs)
 
 find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial hdf5 hdf5/openmpi hdf5/mpich)
-find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 hdf5_openmpi hdf5_mpich)
+find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 hdf5_openmpi hdf5_mpich NAMES_PER_DIR)
 mark_as_advanced(HDF5_INCLUDE_DIR HDF5_LIBRARY)
 
 set(HDF5_VERSION "")
