@@ -24,7 +24,9 @@ except ImportError as missing:
     sys.exit(77)
 
 case, program, mpirun = sys.argv[1:4]
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+# Open MPI starts more ranks than there are cores, and binds none to one, if it is told so; 4 and 5 by other names.
+os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                  OMPI_MCA_hwloc_base_binding_policy="none", PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
 # Of launchers that this test was itself started by.
 for name in list(os.environ):
     if name.startswith(("OMPI_COMM_", "PMIX_", "PMI_", "SLURM_STEP_")):
@@ -35,15 +37,11 @@ def launch(ranks):
     """The words that start so many ranks; none for one process alone."""
     if ranks == 0:
         return []
-    if not mpirun:
-        return None
-    version = subprocess.run([mpirun, "--version"], capture_output=True, text=True, check=False)
-    more = ["--oversubscribe", "--bind-to", "none"] if "Open MPI" in version.stdout + version.stderr else []
-    return [mpirun, "-n", str(ranks), *more]
+    return [mpirun, "-n", str(ranks)] if mpirun else None
 
 
 def can_launch():
-    words = launch(2)
+    words = launch(5)
     return words is not None and subprocess.run([*words, "true"], capture_output=True, check=False).returncode == 0
 
 
@@ -155,7 +153,7 @@ def on_ranks():
         whole = content("out.h5")
         run(0, *ask, "--memory", 1)
         assert content("out.h5") == whole, (answer, "in shares")
-        for ranks in (1, 2, 3, 5):
+        for ranks in (1, 2, 3, 5) if answer in ("list", "first") else (3,):
             for more in ([], ["--memory", 1]):
                 os.remove("out.h5")
                 done = run(ranks, *ask, *more, "--progress", "json")
@@ -340,7 +338,8 @@ cases = {"numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": 
 if case == "ranks" and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)
-with tempfile.TemporaryDirectory() as work:
+# In memory, where that is: nothing here depends on a disk, and other tests may keep it busy.
+with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as work:
     os.chdir(work)
     cases[case]()
     os.chdir("/")
