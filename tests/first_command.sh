@@ -155,5 +155,12 @@ run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev"
 says "apt-get install --no-install-recommends dpkg-dev file"
 not_called cmake
 
+action=cluster
+scenario="cluster, sudo, but no network"
+system apt-get dpkg-query sudo c++ cmake ninja
+run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev libopenmpi-dev python3-numpy"
+says "apt-get install --no-install-recommends libhdf5-openmpi-dev openmpi-bin libxxhash-dev python3-h5py"
+not_called cmake
+
 [[ $failures -eq 0 ]] || exit 1
 echo "All scenarios as expected."

@@ -5,11 +5,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # listed TITLE: the first column of the table below this heading.
-listed() { sed -n "/^## $1/,/^## /s/^| \`\([A-Z_]*\)\` .*/\1/p" docs/tuning.md | sort; }
-read_by_sources() { grep -rhoE 'getenv\("[A-Z_]+"' kernel bindings bench include | cut -d '"' -f 2 | sort -u; }
+listed() { sed -n "/^## $1/,/^## /s/^| \`\([A-Z0-9_]*\)\` .*/\1/p" docs/tuning.md | sort; }
+read_by_sources() { grep -rhoE 'getenv\("[A-Z0-9_]+"' kernel bindings bench include | cut -d '"' -f 2 | sort -u; }
 # Whatever is cached for the user to set: a string or a path, too, but no file that CMake looks for.
-options() { { grep -hoE '^ *option\([A-Z_]+' "${lists[@]}" && tr '\n' ' ' <<<"$(cat "${lists[@]}")" |
-  grep -oE 'set\(SHAFTCULL_[A-Z_]+ +[^ )]+ +CACHE (STRING|PATH) '; } | sed 's/ *[a-z]*(//; s/ .*//' | sort -u; }
+options() { { grep -hoE '^ *option\([A-Z0-9_]+' "${lists[@]}" && tr '\n' ' ' <<<"$(cat "${lists[@]}")" |
+  grep -oE 'set\(SHAFTCULL_[A-Z0-9_]+ +[^ )]+ +CACHE (STRING|PATH) '; } | sed 's/ *[a-z]*(//; s/ .*//' | sort -u; }
 
 lists=(CMakeLists.txt cmake/*.cmake kernel/CMakeLists.txt bindings/*/CMakeLists.txt bench/CMakeLists.txt)
 
@@ -21,5 +21,5 @@ compare() {
 compare "environment variables" 1 "$(read_by_sources)" "$(listed 'Environment variables')"
 compare "CMake options" 10 "$(options)" "$(listed 'CMake options')"
 # README.md has the same options, and BUILD_SHARED_LIBS.
-compare "CMake options of README.md" 10 "$(options)" "$(sed -n 's/^| `\(SHAFTCULL_[A-Z_]*\)` .*/\1/p' README.md | sort)"
+compare "CMake options of README.md" 10 "$(options)" "$(sed -n 's/^| `\(SHAFTCULL_[A-Z0-9_]*\)` .*/\1/p' README.md | sort)"
 exit $result

@@ -13,14 +13,16 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "batch/launcher.hpp"
+#include "complaint.hpp"
 #include "interrupt.hpp"
 #include "name_search.hpp"
-#include "printable.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/version.hpp"
 #include "subcommand.hpp"
@@ -30,9 +32,10 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo, add_cull, add_sees, add_stats, add_draw, add_verify, add_bench_report};
+constexpr std::array subcommands{add_demo,  add_cull, add_sees,   add_batch,
+                                 add_stats, add_draw, add_verify, add_bench_report};
 #else
-constexpr std::array subcommands{add_demo, add_cull, add_sees, add_stats, add_draw, add_bench_report};
+constexpr std::array subcommands{add_demo, add_cull, add_sees, add_batch, add_stats, add_draw, add_bench_report};
 #endif
 
 std::string version() {
@@ -41,17 +44,6 @@ std::string version() {
   const shaftcull::IsaChoice choice = shaftcull::isa_choice();
   return fmt::format("shaftcull {} (this machine runs:{}; in use: {}{}{})", SHAFTCULL_VERSION_STRING, isas,
                      shaftcull::name(choice.running), choice.refusal.empty() ? "" : "; ", choice.refusal);
-}
-
-/// Reports an error in a single line, whatever the text that others gave us looks like.
-int complain(std::string what, int code) {
-  for (char& c : what) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  while (!what.empty() && what.back() == ' ') what.pop_back();
-  // Where standard error cannot be written, the exit code has to do.
-  static_cast<void>(std::fputs(fmt::format("shaftcull: {}\n", printable(what)).c_str(), stderr));
-  return code;
 }
 
 /// Ends a run whose output is complete, or is found not to have arrived.
@@ -93,6 +85,13 @@ std::string missing_subcommand(const CLI::App& program) {
   return fmt::format("there is no subcommand '{}'; there are {}", first, closest_names(first, names));
 }
 
+/// Reports options that cannot be used. Of processes that were launched together, with the same ones, the first does
+/// so; the others end well, or the launcher might end the first before it has.
+int complain_of_options(int argc, char** argv, const std::string& what) {
+  const bool batch = argc > 1 && std::string_view(argv[1]) == "batch";
+  return batch && shaftcull::batch::launch().process != 0 ? exit_ok : complain(what, exit_bad_input);
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Shaft culling: which of millions of bounds may lie between two boxes?", "shaftcull"};
   program.set_version_flag("--version", version, "Tell the version, and which instruction set runs");
@@ -100,16 +99,17 @@ int run(int argc, char** argv) {
   program.footer(
       "SHAFTCULL_ISA=scalar|portable128|sse4_2|avx2|avx512 in the environment forces an instruction set.\n"
       "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
-      "SIGTERM ended demo or verify, which then show what they have, or sees; 1 after any other failure.");
+      "SIGTERM ended demo or verify, which then show what they have, sees or batch; 1 after any other failure.");
   for (const auto add : subcommands) add(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
       const bool known = !program.get_subcommands().empty();
-      return complain(fmt::format("{} (see shaftcull {}--help)", known ? error.what() : missing_subcommand(program),
-                                  known ? program.get_subcommands().front()->get_name() + ' ' : ""),
-                      exit_bad_input);
+      return complain_of_options(
+          argc, argv,
+          fmt::format("{} (see shaftcull {}--help)", known ? error.what() : missing_subcommand(program),
+                      known ? program.get_subcommands().front()->get_name() + ' ' : ""));
     }
     std::ostringstream text;
     program.exit(error, text, text);
@@ -126,8 +126,10 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const Interrupted& interrupted) {
     return finish_output(complain(interrupted.what(), 128 + interrupted.signal()));
+  } catch (const EarlyExit& exit) {
+    return exit.code();
   } catch (const std::invalid_argument& error) {
-    return complain(error.what(), exit_bad_input);
+    return complain_of_options(argc, argv, error.what());
   } catch (const std::bad_alloc&) {
     return complain("out of memory; ask for fewer bounds or shafts", exit_failure);
   } catch (const std::exception& error) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/// The bounds of a job, as they are in their file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "batch/array_file.hpp"
+#include "batch/question.hpp"
+#include "shaftcull/bounds.hpp"
+
+namespace shaftcull::batch {
+
+/// Rows of floats: boxes in 6 (lo x, lo y, lo z, hi x, hi y, hi z), spheres in 4 (centre, radius), triangles in 9.
+class BoundsSource {
+ public:
+  /// Throws InvalidArgument, which names the file, if it holds something else.
+  explicit BoundsSource(const std::string& bounds);
+
+  [[nodiscard]] BoundKind kind() const noexcept { return kind_; }
+  [[nodiscard]] std::uint64_t size() const noexcept { return array_.rows(); }
+  [[nodiscard]] const ArrayFile& array() const noexcept { return array_; }
+
+  /// Floats of bounds [first, first + count): where they are, or read into `scratch`.
+  [[nodiscard]] std::span<const float> read(std::uint64_t first, std::uint64_t count,
+                                            std::vector<std::byte>& scratch) const;
+
+  /// The box around a bound that `floats` describe; around a sphere rounded outwards.
+  [[nodiscard]] Box box_around(const float* floats) const noexcept;
+
+ private:
+  ArrayFile array_;
+  BoundKind kind_ = BoundKind::box;
+};
+
+}  // namespace shaftcull::batch

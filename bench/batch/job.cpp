@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: MIT
+#include "batch/job.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "batch/block_store.hpp"
+#include "batch/bounds_source.hpp"
+#include "batch/input_hash.hpp"
+#include "batch/job_folder.hpp"
+#include "batch/result_file.hpp"
+#include "batch/shaft_source.hpp"
+#include "batch/share.hpp"
+#include "batch/share_plan.hpp"
+#include "batch/written_file.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "shaftcull/version.hpp"
+
+namespace shaftcull::batch {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t numbers_a_block = 65'536;  ///< shafts whose answers are a number each
+constexpr std::uint64_t lists_a_block = 16'384;    ///< … or lists
+constexpr std::uint64_t most_in_sample = 1'000'000;
+constexpr auto pause_between_polls = std::chrono::milliseconds(1);
+
+std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// What is read, the same on all ranks.
+struct Input {
+  BoundsSource bounds;
+  ShaftSource shafts;
+
+  explicit Input(const Job& job) : bounds(job.bounds), shafts(job.shafts, job.boxes, job.question.kind) {
+    const Answer answer = job.question.answer;
+    const BoundKind kind = bounds.kind();
+    if (kind == BoundKind::triangle && answer != Answer::count && answer != Answer::list) {
+      throw InvalidArgument(
+          fmt::format("--answer {}: {} holds triangles, which answer count and list", name_of(answer), job.bounds));
+    }
+    if (answer != Answer::blocked) return;
+    if (kind != BoundKind::box || job.question.kind != ShaftKind::between) {
+      throw InvalidArgument(
+          fmt::format("--answer blocked: only boxes block, and only shafts between two boxes; these are "
+                      "bounds of kind {} and shafts of kind {}",
+                      name_of(kind), name_of(job.question.kind)));
+    }
+  }
+};
+
+/// Counters that ranks share: one a share, of the blocks that were dealt, and these behind them.
+enum OtherCounter : std::size_t { finished_counter, stop_counter, merge_counter, other_counters };
+
+class Run {
+ public:
+  Run(const Job& job, Ranks& ranks, const Surroundings& surroundings)
+      : job_(job),
+        ranks_(ranks),
+        surroundings_(surroundings),
+        folder_(job.out + ".parts"),
+        progress_(stderr, ranks.rank() == 0 ? job.progress : ProgressForm::none) {}
+
+  JobReport run() {
+    agree_on_version();
+    on_all(ranks_, [&] { input_ = std::make_unique<Input>(job_); });
+    agree_on_input_sizes();
+    on_first(ranks_, [&] {
+      std::error_code ignored;
+      if (std::filesystem::is_directory(job_.out, ignored)) {
+        throw InvalidArgument(fmt::format("{}: cannot be written: it is a directory", job_.out));
+      }
+      folder_.lock();
+    });
+    plan_shares();
+    describe();
+    on_first(ranks_, [&] { folder_.begin(description_); });
+    store_ = std::make_unique<BlockStore>(folder_.path(), fingerprint(bytes_of(text_of(description_))), ranks_.rank());
+    on_first(ranks_, [&] { store_->make_folders(plan_.shares()); });
+    find_finished();
+    compute();
+    write_result();
+    report_.seconds = seconds_since(begin_);
+    return report_;
+  }
+
+ private:
+  [[nodiscard]] std::size_t counter(OtherCounter other) const { return plan_.shares() + other; }
+
+  /// All: throws `what` unless all ranks have the same number.
+  void agree_on(std::uint64_t number, const std::string& what) {
+    std::vector<std::uint64_t> numbers(static_cast<std::size_t>(ranks_.size()));
+    numbers[static_cast<std::size_t>(ranks_.rank())] = number;
+    ranks_.sum(numbers);
+    on_first(ranks_, [&] {
+      for (std::size_t rank = 1; rank < numbers.size(); ++rank) {
+        if (numbers[rank] != numbers[0]) throw InvalidArgument(fmt::format("rank {}: {}", rank, what));
+      }
+    });
+  }
+
+  void agree_on_version() {
+    agree_on(checksum(bytes_of(SHAFTCULL_VERSION_STRING)),
+             fmt::format("runs another version of this program than rank 0, which is " SHAFTCULL_VERSION_STRING));
+    const std::string command = fmt::format("{}\n{}\n{}\n{}\n{} {} {} {} {}", job_.bounds, job_.shafts, job_.boxes,
+                                            job_.out, name_of(job_.question.kind), name_of(job_.question.answer),
+                                            static_cast<int>(job_.question.contact), job_.block, job_.memory);
+    agree_on(checksum(bytes_of(command)), "was started with other options than rank 0");
+  }
+
+  void agree_on_input_sizes() {
+    agree_on(input_->bounds.size(), fmt::format("{} has another number of bounds there than for rank 0", job_.bounds));
+    agree_on(input_->shafts.size(), fmt::format("{} has another number of shafts there than for rank 0", job_.shafts));
+  }
+
+  /// How many bounds a share may have.
+  [[nodiscard]] std::uint64_t room(bool several) const {
+    if (job_.memory == 0) return most_bounds_a_share;
+    return std::clamp<std::uint64_t>(job_.memory / bytes_a_bound(input_->bounds.kind(), several), 1,
+                                     most_bounds_a_share);
+  }
+
+  void plan_shares() {
+    const BoundsSource& bounds = input_->bounds;
+    const std::uint64_t size = bounds.size();
+    sizes_ = {size};
+    if (size <= room(false)) return;
+    const std::uint64_t most = room(true);
+    std::vector<ShareKey> sample;
+    on_all(ranks_, [&] {
+      const std::uint64_t step = size / most_in_sample + 1;
+      std::vector<std::byte> scratch;
+      for (std::uint64_t i = 0; i < size; i += step) {
+        sample.push_back({middle_of(bounds.box_around(bounds.read(i, 1, scratch).data())), i});
+      }
+    });
+    std::uint64_t shares = (size + most - 1) / most;
+    while (true) {
+      on_all(ranks_, [&] {
+        constexpr std::uint64_t most_shares = 10'000;
+        if (shares > std::min<std::uint64_t>(most_shares, sample.size())) {
+          throw InvalidArgument(
+              fmt::format("--memory: {} bounds would be dealt into {} shares, more than {}; give more", size, shares,
+                          std::min<std::uint64_t>(most_shares, sample.size())));
+        }
+        plan_ = SharePlan(sample, static_cast<std::size_t>(shares));
+      });
+      const auto rank = static_cast<std::uint64_t>(ranks_.rank());
+      const auto count = static_cast<std::uint64_t>(ranks_.size());
+      const std::uint64_t first = size / count * rank + std::min(rank, size % count);
+      const std::uint64_t here = size / count + (rank < size % count ? 1 : 0);
+      on_all(ranks_, [&] { surroundings_.on_threads([&] { sizes_ = share_sizes(bounds, plan_, first, here); }); });
+      ranks_.sum(sizes_);
+      if (std::ranges::max(sizes_) <= most) return;
+      shares += shares / 8 + 1;  // a sample does not cut all bounds as it does itself
+    }
+  }
+
+  void describe() {
+    const Question& question = job_.question;
+    const bool lists = lists_of(question.answer) != 0;
+    block_ = job_.block != 0 ? job_.block : lists ? lists_a_block : numbers_a_block;
+    blocks_ = input_->shafts.size() / block_ + (input_->shafts.size() % block_ != 0 ? 1 : 0);
+    const auto hash = [&](const ArrayFile& array) {
+      return fmt::format("{} {}", array.shape(), hexadecimal(hash_of(array, ranks_, surroundings_.on_threads)));
+    };
+    description_ = {{"version", SHAFTCULL_VERSION_STRING},
+                    {"answer", name_of(question.answer)},
+                    {"kind", name_of(question.kind)},
+                    {"contact", question.contact == Contact::open ? "open" : "closed"},
+                    {"bounds", hash(input_->bounds.array())}};
+    const std::vector<const ArrayFile*> arrays = input_->shafts.arrays();
+    description_.emplace_back("shafts", hash(*arrays[0]));
+    if (arrays.size() > 1) description_.emplace_back("boxes", hash(*arrays[1]));
+    description_.emplace_back("block", fmt::format("{}", block_));
+    description_.emplace_back("shares", fmt::format("{}", plan_.shares()));
+    report_.shafts = input_->shafts.size();
+    report_.bounds = input_->bounds.size();
+    report_.bound_kind = input_->bounds.kind();
+    report_.blocks = blocks_;
+    report_.shares = plan_.shares();
+  }
+
+  /// Which blocks earlier runs have stored: each rank reads its part of them, and all learn of all.
+  void find_finished() {
+    finished_.assign(static_cast<std::size_t>(plan_.shares() * blocks_), 0);
+    std::vector<std::uint64_t> resumed{folder_.resumed() ? std::uint64_t{1} : std::uint64_t{0}};
+    ranks_.sum(resumed);
+    if (resumed[0] != 0) {
+      on_all(ranks_, [&] {
+        for (auto i = static_cast<std::size_t>(ranks_.rank()); i < finished_.size();
+             i += static_cast<std::size_t>(ranks_.size())) {
+          finished_[i] = store_->read(i / blocks_, i % blocks_) ? 1 : 0;
+        }
+      });
+      ranks_.sum(finished_);
+    }
+    report_.blocks_before = static_cast<std::uint64_t>(std::ranges::count(finished_, 1U));
+  }
+
+  [[nodiscard]] std::uint64_t size_of_block(std::uint64_t block) const {
+    return std::min(block_, input_->shafts.size() - block * block_);
+  }
+
+  /// Does some work on the threads, while this one lets other ranks go on and tells how far the job is.
+  void compute_apart(const std::function<void()>& work, ProgressState state, OtherCounter done) {
+    std::future<void> task = std::async(std::launch::async, [&] { surroundings_.on_threads(work); });
+    while (task.wait_for(pause_between_polls) != std::future_status::ready) {
+      ranks_.poll();
+      if (progress_.due()) tell(state, done);
+    }
+    task.get();
+  }
+
+  void tell(ProgressState state, OtherCounter done) {
+    state.blocks_done += ranks_.add(counter(done), 0);
+    state.seconds = seconds_since(phase_begin_);
+    progress_.write(state);
+  }
+
+  /// Whether the run is to end: a rank has failed, or a signal came.
+  [[nodiscard]] bool must_stop() {
+    return ranks_.add(counter(stop_counter), surroundings_.interrupted() != 0 ? 1 : 0) != 0 ||
+           surroundings_.interrupted() != 0;
+  }
+
+  /// Does `work` on this rank as on_all() does; if it fails, all ranks stop after the blocks that they are at.
+  void on_all_until_stopped(const std::function<void()>& work) {
+    on_all(ranks_, [&] {
+      try {
+        work();
+      } catch (...) {
+        ranks_.add(counter(stop_counter), 1);
+        throw;
+      }
+    });
+    // A signal ends a rank's work as the end of work does: without an exception.
+    std::vector<std::uint64_t> signals(static_cast<std::size_t>(ranks_.size()));
+    signals[static_cast<std::size_t>(ranks_.rank())] = static_cast<std::uint64_t>(surroundings_.interrupted());
+    ranks_.sum(signals);
+    const std::uint64_t signal = std::ranges::max(signals);
+    if (signal == 0) return;
+    const auto stop = [&] {
+      throw Stopped(static_cast<int>(signal),
+                    fmt::format("batch: interrupted; what is finished is in {}: the same command goes on with it",
+                                folder_.path()));
+    };
+    on_first(ranks_, stop);
+  }
+
+  void compute() {
+    const std::size_t shares = plan_.shares();
+    // What is left of each share; all ranks have the same lists, and deal positions in them.
+    std::vector<std::vector<std::uint64_t>> left(shares);
+    for (std::size_t i = 0; i != finished_.size(); ++i) {
+      if (finished_[i] == 0) left[i / blocks_].push_back(i % blocks_);
+    }
+    ranks_.make_counters(shares + other_counters);
+    phase_begin_ = Clock::now();
+    const std::uint64_t units = shares * blocks_;
+    const ProgressState state{"compute",
+                              report_.blocks_before,
+                              units,
+                              report_.blocks_before,
+                              blocks_ == 0 ? 0 : static_cast<double>(report_.shafts) / static_cast<double>(units),
+                              0};
+    on_all_until_stopped([&] {
+      const std::size_t begin =
+          static_cast<std::size_t>(ranks_.rank()) * shares / static_cast<std::size_t>(ranks_.size());
+      for (std::size_t i = 0; i != shares; ++i) {
+        const std::size_t which = (begin + i) % shares;
+        std::optional<Share> share;
+        while (!must_stop()) {
+          // Whoever has no tree yet looks first whether it is worth one.
+          if (!share && ranks_.add(which, 0) >= left[which].size()) break;
+          const std::uint64_t taken = ranks_.add(which, 1);
+          if (taken >= left[which].size()) break;
+          const std::uint64_t block = left[which][static_cast<std::size_t>(taken)];
+          compute_apart(
+              [&] {
+                if (!share) share.emplace(input_->bounds, plan_, which, sizes_[which]);
+                store_->write(which, block,
+                              share->answer(input_->shafts, block * block_, size_of_block(block), job_.question));
+              },
+              state, finished_counter);
+          ranks_.add(counter(finished_counter), 1);
+        }
+        if (must_stop()) return;
+      }
+    });
+    if (ranks_.rank() == 0) tell(state, finished_counter);
+  }
+
+  /// Blocks that are damaged are found here if they were not before: on disk they were whole a moment ago.
+  [[nodiscard]] BlockAnswer merged(std::uint64_t block) const {
+    std::vector<BlockAnswer> shares;
+    for (std::size_t share = 0; share != plan_.shares(); ++share) {
+      std::optional<BlockAnswer> answer = store_->read(share, block);
+      if (!answer) {
+        throw std::runtime_error(
+            fmt::format("{}: is damaged; the same command does it again", store_->path(share, block)));
+      }
+      shares.push_back(std::move(*answer));
+    }
+    return merge(std::move(shares), job_.question.answer,
+                 [&](std::uint32_t row, std::uint64_t one, std::uint64_t other) {
+                   return reached_before(block * block_ + row, one, other);
+                 });
+  }
+
+  /// Compares exact times of first contact: those that are stored are rounded down.
+  [[nodiscard]] bool reached_before(std::uint64_t row, std::uint64_t one, std::uint64_t other) const {
+    CompiledShaft shaft;
+    input_->shafts.form(row, std::span(&shaft, 1), true);
+    if (job_.question.contact == Contact::open) set_contact(shaft, Contact::open);
+    const std::array both{std::min(one, other), std::max(one, other)};
+    const bool boxes = input_->bounds.kind() == BoundKind::box;
+    const std::size_t columns = boxes ? 6 : 4;
+    std::array<std::array<float, 2>, 6> column{};
+    std::vector<std::byte> scratch;
+    for (std::size_t i = 0; i != 2; ++i) {
+      const std::span<const float> floats = input_->bounds.read(both[i], 1, scratch);
+      for (std::size_t c = 0; c != columns; ++c) column[c][i] = floats[c];
+    }
+    FirstContactOf<std::uint64_t> contact;
+    if (boxes) {
+      BoxView view;
+      for (std::size_t c = 0; c != columns; ++c) view.stream[c] = column[c].data();
+      view.count = 2;
+      contact = first_contact(shaft, view);
+    } else {
+      SphereView view;
+      for (std::size_t c = 0; c != columns; ++c) view.stream[c] = column[c].data();
+      view.count = 2;
+      contact = first_contact(shaft, view);
+    }
+    return contact && both[contact.index] == one;
+  }
+
+  void write_result() {
+    const Answer answer = job_.question.answer;
+    // How many indices the lists of each block have; then where those of each begin.
+    std::vector<std::uint64_t> totals(static_cast<std::size_t>(2 * blocks_));
+    on_all(ranks_, [&] {
+      if (lists_of(answer) == 0) return;
+      for (auto block = static_cast<std::uint64_t>(ranks_.rank()); block < blocks_;
+           block += static_cast<std::uint64_t>(ranks_.size())) {
+        for (std::size_t share = 0; share != plan_.shares(); ++share) {
+          const auto here = store_->list_totals(share, block);
+          if (!here) {
+            throw std::runtime_error(
+                fmt::format("{}: is damaged; the same command does it again", store_->path(share, block)));
+          }
+          for (std::size_t l = 0; l != 2; ++l) totals[static_cast<std::size_t>(2 * block) + l] += (*here)[l];
+        }
+      }
+    });
+    ranks_.sum(totals);
+    std::array<std::uint64_t, 2> all{0, 0};
+    for (std::size_t i = 0; i != totals.size(); ++i) all[i % 2] += std::exchange(totals[i], all[i % 2]);
+
+    const std::string unfinished = folder_.path() + "/result.h5";
+    ResultPlaces places(datasets_of(answer));
+    on_first(ranks_, [&] { places = make_result_file(unfinished, answer, report_.shafts, all, result_description()); });
+    if (ranks_.rank() != 0) std::ranges::fill(places, 0);
+    ranks_.sum(places);
+    ranks_.make_counters(plan_.shares() + other_counters);
+    phase_begin_ = Clock::now();
+    const ProgressState state{
+        "write", 0, blocks_, 0, blocks_ == 0 ? 0 : static_cast<double>(report_.shafts) / static_cast<double>(blocks_),
+        0};
+    on_all_until_stopped([&] {
+      WrittenFile file(unfinished, false);
+      while (!must_stop()) {
+        const std::uint64_t block = ranks_.add(counter(merge_counter), 1);
+        if (block >= blocks_) break;
+        compute_apart(
+            [&] {
+              const auto at = static_cast<std::size_t>(2 * block);
+              write_block(file, places, answer, report_.shafts, block * block_, size_of_block(block),
+                          {totals[at], totals[at + 1]}, merged(block));
+            },
+            state, finished_counter);
+        ranks_.add(counter(finished_counter), 1);
+      }
+      file.sync();
+      file.close();
+    });
+    if (ranks_.rank() == 0) tell(state, finished_counter);
+    on_first(ranks_, [&] {
+      rename_file(unfinished, job_.out);
+      folder_.remove();
+    });
+  }
+
+  [[nodiscard]] ResultDescription result_description() const {
+    ResultDescription result;
+    for (const auto& [name, value] : description_) {
+      // How the work was cut says nothing of the answers.
+      if (name != "block" && name != "shares") result.texts.emplace_back(name, value);
+    }
+    result.texts.emplace_back("bound_kind", name_of(report_.bound_kind));
+    result.numbers = {{"number_of_bounds", report_.bounds}, {"number_of_shafts", report_.shafts}};
+    return result;
+  }
+
+  const Job& job_;
+  Ranks& ranks_;
+  const Surroundings& surroundings_;
+  JobFolder folder_;
+  ProgressLines progress_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point phase_begin_ = begin_;
+  std::unique_ptr<Input> input_;
+  std::unique_ptr<BlockStore> store_;
+  SharePlan plan_;
+  std::vector<std::uint64_t> sizes_;  ///< of the shares
+  JobDescription description_;
+  std::uint64_t block_ = 0;
+  std::uint64_t blocks_ = 0;
+  std::vector<std::uint64_t> finished_;  ///< 1 for each block of each share that an earlier run has stored
+  JobReport report_;
+};
+
+}  // namespace
+
+JobReport run_job(const Job& job, Ranks& ranks, const Surroundings& surroundings) {
+  return Run(job, ranks, surroundings).run();
+}
+
+}  // namespace shaftcull::batch

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/// Ranks of MPI. The only place that knows it.
+#include <mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "batch/launcher.hpp"
+#include "batch/ranks.hpp"
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::batch {
+namespace {
+
+class MpiRanks : public Ranks {
+ public:
+  MpiRanks() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    if (provided < MPI_THREAD_FUNNELED && size_ > 1) {
+      // All ranks have the same MPI, so all find it so; the first one says it.
+      if (rank_ == 0) throw InvalidArgument("this MPI does not let a process have threads (MPI_THREAD_FUNNELED)");
+      throw OtherRankFailed(2);
+    }
+  }
+
+  ~MpiRanks() override {
+    free_counters();
+    MPI_Finalize();
+  }
+
+  [[nodiscard]] int rank() const override { return rank_; }
+  [[nodiscard]] int size() const override { return size_; }
+
+  void sum(std::span<std::uint64_t> numbers) override {
+    constexpr std::size_t most_at_once = std::size_t{1} << 24;
+    while (!numbers.empty()) {
+      const std::span<std::uint64_t> some = numbers.first(std::min(most_at_once, numbers.size()));
+      MPI_Allreduce(MPI_IN_PLACE, some.data(), static_cast<int>(some.size()), MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+      numbers = numbers.subspan(some.size());
+    }
+  }
+
+  void make_counters(std::size_t count) override {
+    free_counters();
+    const auto bytes = static_cast<MPI_Aint>(rank_ == 0 ? count * sizeof(std::uint64_t) : 0);
+    std::uint64_t* memory = nullptr;
+    MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, MPI_COMM_WORLD, &memory, &counters_);
+    if (rank_ == 0) {
+      MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, counters_);
+      std::fill_n(memory, count, std::uint64_t{0});
+      MPI_Win_unlock(0, counters_);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    MPI_Win_lock_all(MPI_MODE_NOCHECK, counters_);
+  }
+
+  std::uint64_t add(std::size_t counter, std::uint64_t number) override {
+    std::uint64_t before = 0;
+    MPI_Fetch_and_op(&number, &before, MPI_UINT64_T, 0, static_cast<MPI_Aint>(counter), MPI_SUM, counters_);
+    MPI_Win_flush(0, counters_);
+    return before;
+  }
+
+  void poll() override {
+    int flag = 0;
+    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &flag, MPI_STATUS_IGNORE);
+  }
+
+  [[noreturn]] void abort(int code) override {
+    MPI_Abort(MPI_COMM_WORLD, code);
+    std::abort();
+  }
+
+ private:
+  void free_counters() {
+    if (counters_ == MPI_WIN_NULL) return;
+    MPI_Win_unlock_all(counters_);
+    MPI_Win_free(&counters_);
+  }
+
+  int rank_ = 0;
+  int size_ = 1;
+  MPI_Win counters_ = MPI_WIN_NULL;
+};
+
+}  // namespace
+
+bool has_mpi() noexcept { return true; }
+
+std::unique_ptr<Ranks> launched_ranks() {
+  const Launch started = launch();
+  if (started.mpi) return std::make_unique<MpiRanks>();
+  if (started.processes > 1) {
+    if (started.process != 0) throw OtherRankFailed(2);
+    throw InvalidArgument(fmt::format(
+        "srun started {} processes that know nothing of each other; start them by srun --mpi=pmix, or by mpirun",
+        started.processes));
+  }
+  return one_rank();
+}
+
+}  // namespace shaftcull::batch

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "batch/ranks.hpp"
+
+#include <cstdlib>
+#include <exception>
+#include <vector>
+
+namespace shaftcull::batch {
+namespace {
+
+class OneRank : public Ranks {
+ public:
+  [[nodiscard]] int rank() const override { return 0; }
+  [[nodiscard]] int size() const override { return 1; }
+  void sum(std::span<std::uint64_t> /*numbers*/) override {}
+  void make_counters(std::size_t count) override { counters_.assign(count, 0); }
+  std::uint64_t add(std::size_t counter, std::uint64_t number) override {
+    const std::uint64_t before = counters_[counter];
+    counters_[counter] += number;
+    return before;
+  }
+  void poll() override {}
+  [[noreturn]] void abort(int code) override { std::_Exit(code); }
+
+ private:
+  std::vector<std::uint64_t> counters_;
+};
+
+}  // namespace
+
+std::unique_ptr<Ranks> one_rank() { return std::make_unique<OneRank>(); }
+
+int exit_code_of(const std::exception_ptr& failure) noexcept {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const OtherRankFailed& other) {
+    return other.code();
+  } catch (const Stopped& stopped) {
+    constexpr int exit_of_signal = 128;
+    return exit_of_signal + stopped.signal();
+  } catch (const std::invalid_argument&) {
+    return 2;
+  } catch (...) {
+    return 1;
+  }
+}
+
+void on_all(Ranks& ranks, const std::function<void()>& work) {
+  std::exception_ptr failure;
+  try {
+    work();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  std::vector<std::uint64_t> codes(static_cast<std::size_t>(ranks.size()));
+  const auto own = static_cast<std::size_t>(ranks.rank());
+  if (failure) codes[own] = static_cast<std::uint64_t>(exit_code_of(failure));
+  ranks.sum(codes);
+  for (std::size_t rank = 0; rank != codes.size(); ++rank) {
+    if (codes[rank] == 0) continue;
+    ranks.failed_ = true;
+    if (rank == own) std::rethrow_exception(failure);
+    throw OtherRankFailed(static_cast<int>(codes[rank]));
+  }
+}
+
+void on_first(Ranks& ranks, const std::function<void()>& work) {
+  on_all(ranks, [&] {
+    if (ranks.rank() == 0) work();
+  });
+}
+
+}  // namespace shaftcull::batch

@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""`shaftcull batch` from outside: against NumPy, on ranks, killed and started again, with input that cannot be used.
+
+  run.py CASE PROGRAM MPIRUN     CASE: numpy, ranks, killed or errors; MPIRUN: empty where there is none
+
+Ends with 77, "skipped", where NumPy, h5py or what a case needs is missing.
+"""
+import json
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import numpy
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+case, program, mpirun = sys.argv[1:4]
+# Open MPI starts more ranks than there are cores, and binds none to one, if it is told so; 4 and 5 by other names.
+os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                  OMPI_MCA_hwloc_base_binding_policy="none", PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
+# Of launchers that this test was itself started by.
+for name in list(os.environ):
+    if name.startswith(("OMPI_COMM_", "PMIX_", "PMI_", "SLURM_STEP_")):
+        del os.environ[name]
+
+
+def launch(ranks):
+    """The words that start so many ranks; none for one process alone."""
+    if ranks == 0:
+        return []
+    return [mpirun, "-n", str(ranks)] if mpirun else None
+
+
+def can_launch():
+    words = launch(5)
+    return words is not None and subprocess.run([*words, "true"], capture_output=True, check=False).returncode == 0
+
+
+def batch(ranks, *options, **more):
+    command = [*launch(ranks), program, "batch", "--threads", "2", *map(str, options)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, **more)
+
+
+def run(ranks, *options):
+    done = batch(ranks, *options)
+    assert done.returncode == 0, (done.args, done.returncode, done.stderr)
+    return done
+
+
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def boxes(source, count, space, size):
+    """Corners at whole numbers, so that much touches."""
+    low = source.integers(0, space, (count, 3))
+    return numpy.concatenate([low, low + source.integers(0, size + 1, (count, 3))], 1).astype("f4")
+
+
+def scene(seed, shafts, bounds):
+    source = numpy.random.default_rng(seed)
+    numpy.save("bounds.npy", boxes(source, bounds, 40, 2))
+    numpy.save("shafts.npy", numpy.concatenate([boxes(source, shafts, 30, 6), boxes(source, shafts, 30, 6)], 1))
+    return ["--bounds", "bounds.npy", "--shafts", "shafts.npy", "--out", "out.h5"]
+
+
+def times(shaft, low, high):
+    """When the box that moves from one end to the other begins and ceases to touch each of these boxes; the first is
+    later than the second if it never does. Exact: quotients of small integers are told apart by doubles."""
+    begin, end = numpy.zeros(len(low)), numpy.ones(len(low))
+    for axis in range(3):
+        for sign, edge, other in ((1, 0, high), (-1, 3, low)):
+            # sign * (start + t * way - other) <= 0
+            start = sign * (float(shaft[edge + axis]) - other[:, axis].astype(float))
+            way = sign * (float(shaft[6 + edge + axis]) - float(shaft[edge + axis]))
+            if way == 0:
+                begin[start > 0] = 2
+            elif way > 0:
+                end = numpy.minimum(end, -start / way)
+            else:
+                begin = numpy.maximum(begin, -start / way)
+    return begin, end
+
+
+def rounded_down(time):
+    near = numpy.float32(time)
+    return numpy.nextafter(near, numpy.float32(-1)) if float(near) > time else near
+
+
+def against_numpy():
+    """Counts, lists, classes and first contacts, worked out here from the definitions."""
+    options = scene(3, 200, 1000)
+    with h5py.File("in.h5", "w") as file:
+        file.create_dataset("scene/bounds", data=numpy.load("bounds.npy"), chunks=(100, 6), compression="gzip")
+        file["shafts"] = numpy.load("shafts.npy")
+    low, high = numpy.load("bounds.npy")[:, :3], numpy.load("bounds.npy")[:, 3:]
+    kept, inside, first = [], [], []
+    for shaft in numpy.load("shafts.npy"):
+        begin, end = times(shaft, low, high)
+        found = numpy.flatnonzero(begin <= end)
+        kept.append(found)
+        within = numpy.ones(len(low), bool)
+        for corner in range(8):
+            point = numpy.where([corner >> axis & 1 for axis in range(3)], high, low)
+            begin_point, end_point = times(shaft, point, point)
+            within &= begin_point <= end_point
+        inside.append(numpy.flatnonzero(within))
+        best = min(((begin[i], i) for i in found), default=(numpy.inf, -1))
+        first.append((best[1], rounded_down(best[0])))
+    offsets = numpy.cumsum([0, *map(len, kept)])
+    assert offsets[-1] > 1000 and sum(map(len, inside)) > 100
+
+    for source in (options, ["--bounds", "in.h5:/scene/bounds", "--shafts", "in.h5:/shafts", "--out", "out.h5"]):
+        run(0, *source)
+        with h5py.File("out.h5") as file:
+            assert file["counts"].dtype == "u8" and (file["counts"][:] == numpy.diff(offsets)).all()
+            assert file.attrs["answer"] == b"count" and file.attrs["number_of_bounds"] == 1000
+        run(0, *source, "--answer", "list", "--block", 7)
+        with h5py.File("out.h5") as file:
+            assert file["indices"].chunks and (file["offsets"][:] == offsets).all()
+            assert (file["indices"][:] == numpy.concatenate(kept)).all()
+            assert (file["indices"][offsets[5]:offsets[6]] == kept[5]).all()
+        run(0, *source, "--answer", "classify")
+        with h5py.File("out.h5") as file:
+            assert (file["inside/indices"][:] == numpy.concatenate(inside)).all()
+            assert (file["inside/offsets"][:] == numpy.cumsum([0, *map(len, inside)])).all()
+            overlap = [numpy.setdiff1d(all_of, some) for all_of, some in zip(kept, inside)]
+            assert (file["overlap/indices"][:] == numpy.concatenate(overlap)).all()
+            assert (file["overlap/offsets"][:] == numpy.cumsum([0, *map(len, overlap)])).all()
+        run(0, *source, "--answer", "first")
+        with h5py.File("out.h5") as file:
+            assert (file["index"][:] == [index for index, _ in first]).all()
+            assert (file["time"][:] == [time for _, time in first]).all()
+    assert os.listdir() and not os.path.exists("out.h5.parts")
+
+
+def on_ranks():
+    """The file of 1, 2, 3 and 5 ranks is that of one process, in shares too."""
+    options = scene(4, 600, 20_000)
+    for answer in ("count", "list", "classify", "first", "blocked"):
+        ask = [*options, "--answer", answer, "--block", 50]
+        run(0, *ask)
+        whole = content("out.h5")
+        run(0, *ask, "--memory", 1)
+        assert content("out.h5") == whole, (answer, "in shares")
+        for ranks in (1, 2, 3, 5) if answer in ("list", "first") else (3,):
+            for more in ([], ["--memory", 1]):
+                os.remove("out.h5")
+                done = run(ranks, *ask, *more, "--progress", "json")
+                assert content("out.h5") == whole, (answer, ranks, more)
+                assert f"{ranks} rank" in done.stdout and len(done.stdout.splitlines()) == 2, done.stdout
+                lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+                ends = [line for line in lines if line["blocks_done"] == line["blocks"]]
+                assert [line["phase"] for line in ends] == ["compute", "write"], done.stderr
+        assert not os.path.exists("out.h5.parts")
+
+
+def descendants(pid):
+    found = []
+    for task in os.listdir(f"/proc/{pid}/task"):
+        try:
+            with open(f"/proc/{pid}/task/{task}/children", encoding="ascii") as file:
+                children = [int(child) for child in file.read().split()]
+        except OSError:
+            continue
+        for child in children:
+            found += [child]
+            if os.path.exists(f"/proc/{child}"):
+                found += descendants(child)
+    return found
+
+
+def is_rank(pid):
+    try:
+        return os.path.samefile(os.readlink(f"/proc/{pid}/exe"), program)
+    except OSError:
+        return False
+
+
+def stored_blocks():
+    return sum(name.startswith("block-") for _, _, names in os.walk("out.h5.parts") for name in names)
+
+
+def kill_one(running, chance, blocks):
+    """Kills a rank when so many blocks are stored. False if all ended before."""
+    while running.poll() is None:
+        if stored_blocks() < blocks:
+            continue
+        try:
+            ranks = [pid for pid in [running.pid, *descendants(running.pid)] if is_rank(pid)]
+            os.kill(chance.choice(ranks), signal.SIGKILL)
+            running.communicate(timeout=60)
+            return True
+        except (IndexError, OSError):
+            continue  # not there yet, or there no more
+    running.communicate()
+    return False
+
+
+def killed():
+    """A job that is killed again and again, at random points, ends with the file of an undisturbed run."""
+    seed = random.randrange(1 << 30)
+    print("seed", seed, flush=True)
+    chance = random.Random(seed)
+    options = [*scene(5, 3000, 15_000), "--answer", "list", "--progress", "none"]
+    small = ["--block", "10"]
+    run(0, *options, *small)
+    whole = content("out.h5")
+    for ranks, more in ((0, small), (3, small), (2, ["--memory", "1", "--block", "20"])):
+        if ranks and not can_launch():
+            continue
+        os.remove("out.h5")
+        command = [*launch(ranks), program, "batch", "--threads", "1", *options, *more]
+        hits = 0
+        for part in (0.02, 0.3, 0.6, 0.9):
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as running:
+                hits += kill_one(running, chance, int(300 * part * chance.uniform(0.7, 1)))
+            if os.path.exists("out.h5") and not os.path.exists("out.h5.parts"):
+                break
+        done = run(ranks, *options, *more)
+        assert content("out.h5") == whole, (seed, ranks, more)
+        assert not os.path.exists("out.h5.parts")
+        print(f"{ranks} ranks, {more}: {hits} killed; {done.stdout.splitlines()[1]}")
+        assert hits > 0, "none was killed in time"
+
+    # No room: a run that cannot write tells so, and goes on when it can.
+    os.remove("out.h5")
+
+    def little_room():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    failed = batch(0, *options, *small, preexec_fn=little_room)
+    assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
+    assert "out.h5.parts/" in failed.stderr and "cannot be written" in failed.stderr, failed.stderr
+    assert not os.path.exists("out.h5") and os.path.exists("out.h5.parts")
+    assert "were there from before" in run(0, *options, *small).stdout
+    assert content("out.h5") == whole
+
+    # A signal, as of a time limit: what is finished stays, and the code says so.
+    os.remove("out.h5")
+    with subprocess.Popen([program, "batch", *options, *small], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                          text=True) as running:
+        while running.poll() is None and stored_blocks() == 0:
+            pass
+        running.send_signal(signal.SIGTERM)
+        said = running.communicate()[1]
+    if running.returncode != 0:
+        assert running.returncode == 128 + signal.SIGTERM, running.returncode
+        assert said.count("\n") == 1 and "the same command goes on" in said, said
+    run(0, *options, *small)
+    assert content("out.h5") == whole
+
+
+def errors():
+    """What cannot be used is refused in one line of one rank, and all end."""
+    options = scene(6, 500, 500)
+    wrong = numpy.load("shafts.npy")
+    wrong[321, 3] = wrong[321, 0] - 1
+    numpy.save("wrong.npy", wrong)
+    numpy.save("doubles.npy", numpy.load("bounds.npy").astype("f8"))
+    numpy.save("pairs.npy", numpy.array([[0, 1], [2, 500]]))
+    with open("torn.npy", "wb") as file:
+        file.write(content("bounds.npy")[:-1])
+    out = ["--out", "out.h5"]
+    scenes = {
+        "--memory 0: ": ["--memory", "0", "--bounds", "bounds.npy", "--shafts", "shafts.npy", *out],
+        "--isa": ["--isa", "sse9", "--bounds", "bounds.npy", "--shafts", "shafts.npy", *out],
+        "which bounds? Add --bounds": ["--shafts", "shafts.npy", *out],
+        "which shafts? Add --shafts": ["--bounds", "bounds.npy", *out],
+        "where to? Add --out": ["--bounds", "bounds.npy", "--shafts", "shafts.npy"],
+        "none.npy: cannot be read: No such file": ["--bounds", "none.npy", "--shafts", "shafts.npy", *out],
+        "torn.npy: is cut short": ["--bounds", "torn.npy", "--shafts", "shafts.npy", *out],
+        "doubles.npy: holds numbers of NumPy's type <f8": ["--bounds", "doubles.npy", "--shafts", "shafts.npy", *out],
+        "shafts.npy: is (500, 12) of float32; bounds are rows": ["--bounds", "shafts.npy", "--shafts", "shafts.npy", *out],
+        "bounds.npy: is (500, 6) of float32; shafts": ["--bounds", "bounds.npy", "--shafts", "bounds.npy", *out],
+        "wrong.npy: row 321: ": ["--bounds", "bounds.npy", "--shafts", "wrong.npy", *out, "--block", "20"],
+        "pairs.npy: row 1: 500 is no position of the 500 boxes": [
+            "--bounds", "bounds.npy", "--boxes", "bounds.npy", "--shafts", "pairs.npy", *out],
+        "--answer blocked: only boxes block": [
+            "--bounds", "spheres.npy", "--shafts", "shafts.npy", "--answer", "blocked", *out],
+        "folder: cannot be written: it is a directory": [
+            "--bounds", "bounds.npy", "--shafts", "shafts.npy", "--out", "folder"],
+        "file/no/folder.h5.parts: cannot be made": [
+            "--bounds", "bounds.npy", "--shafts", "shafts.npy", "--out", "file/no/folder.h5"],
+    }
+    os.mkdir("folder")
+    with open("file", "w", encoding="ascii") as file:
+        file.write("a file where a folder would be")
+    numpy.save("spheres.npy", numpy.ones((9, 4), "f4"))
+    for message, arguments in scenes.items():
+        for ranks in (0, 3) if can_launch() else (0,):
+            shutil.rmtree("out.h5.parts", ignore_errors=True)
+            refused = batch(ranks, *arguments, "--progress", "none")
+            own = [line for line in refused.stderr.splitlines() if line.startswith("shaftcull: ")]
+            assert refused.returncode == 2, (arguments, ranks, refused)
+            assert len(own) == 1, (arguments, ranks, refused.stderr)
+            assert message in own[0], (message, own[0])
+            assert not os.path.exists("out.h5"), arguments
+
+    # The unfinished job stays as it is when others are refused.
+    shutil.rmtree("out.h5.parts", ignore_errors=True)
+    numpy.save("shafts.npy", wrong)
+    assert batch(0, *options, "--block", "20").returncode == 2
+    before = stored_blocks()
+    assert before > 0
+    numpy.save("shafts.npy", wrong[:-1])
+    for ranks in (0, 2) if can_launch() else (0,):
+        refused = batch(ranks, *options, "--block", "20", "--progress", "none")
+        assert refused.returncode == 2 and refused.stderr.count("unfinished job with other input: shafts was") == 1, refused
+        assert stored_blocks() == before
+
+    if not can_launch():
+        return
+    # Ranks that do not belong together, and one that cannot start.
+    shutil.rmtree("out.h5.parts")
+    numpy.save("shafts.npy", numpy.load("shafts.npy")[:100])
+    words = launch(1)
+    mixed = subprocess.run([*words, program, "batch", *options, ":", *words[1:], program, "batch", *options, "--block", "9"],
+                           capture_output=True, text=True, timeout=60, check=False)
+    assert mixed.returncode == 2, mixed
+    assert mixed.stderr.count("shaftcull: rank 1: was started with other options than rank 0") == 1, mixed.stderr
+    missing = subprocess.run([*words, program, "batch", *options, ":", *words[1:], "./none"], capture_output=True, text=True,
+                             timeout=60, check=False)
+    assert missing.returncode != 0 and not os.path.exists("out.h5"), missing
+
+
+cases = {"numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors}
+if case == "ranks" and not can_launch():
+    print("skipped: no mpirun that starts ranks")
+    sys.exit(77)
+# In memory, where that is: nothing here depends on a disk, and other tests may keep it busy.
+with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as work:
+    os.chdir(work)
+    cases[case]()
+    os.chdir("/")

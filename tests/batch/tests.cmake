@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+# Tests of `shaftcull batch`: of its parts and of jobs in one process, in C++; of the program and of ranks, by Python.
+
+shaftcull_test(batch
+  batch/array_file.cpp
+  batch/block_store.cpp
+  batch/job.cpp
+  batch/progress_lines.cpp
+  batch/share_plan.cpp)
+target_link_libraries(test_batch PRIVATE shaftcull_batch HDF5::HDF5 nlohmann_json::nlohmann_json)
+
+# Where NumPy, h5py or MPI is missing, these are skipped. Debian's Python has its packages, whichever one comes first.
+find_program(SHAFTCULL_BATCH_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(SHAFTCULL_BATCH_PYTHON python3)
+mark_as_advanced(SHAFTCULL_BATCH_PYTHON)
+if(SHAFTCULL_BATCH_PYTHON)
+  set(launcher "")
+  if(MPI_CXX_FOUND)
+    set(launcher ${MPIEXEC_EXECUTABLE})
+  endif()
+  foreach(case IN ITEMS numpy ranks killed errors)
+    add_test(NAME batch.${case}
+      COMMAND ${SHAFTCULL_BATCH_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/run.py ${case} $<TARGET_FILE:shaftcull_cli> "${launcher}")
+    set_tests_properties(batch.${case} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+  endforeach()
+else()
+  message(STATUS "No tests batch.…: there is no python3 on this machine")
+endif()
