@@ -90,15 +90,9 @@ std::shared_ptr<const kernel::PatchTree> checked_patch_tree(const BoxView& boxes
   if (boxes.count >= std::numeric_limits<std::uint32_t>::max()) {
     throw InvalidArgument(std::to_string(boxes.count) + " patches; there may be at most 2^32 - 2");
   }
-  const auto refuse = [](std::size_t i, const char* why) {
-    throw BadBound(i, "patch " + std::to_string(i) + " " + why);
-  };
+  const auto refuse = [](std::size_t i, const char* why) { kernel::refuse_bound("patch", i, why); };
   for (std::size_t i = 0; i != boxes.count; ++i) {
-    const Box box = boxes[i];
-    for (std::size_t k = 0; k != 3; ++k) {
-      if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) refuse(i, "is not finite");
-      if (box.lo[k] > box.hi[k]) refuse(i, "has lo > hi");
-    }
+    kernel::require_usable_box(boxes[i], "patch", i);
     if (planes.empty()) continue;
     bool is_zero = true;
     for (const float n : planes[i].normal) {
@@ -419,11 +413,8 @@ class Run {
         answers.first_candidate[left] = candidates;  // at or before what is still to be read
         continue;
       }
-      SightCounts& counts = answers.counts;
-      --counts.undecided;
-      ++(verdict[i] == Sight::clear     ? counts.clear
-         : verdict[i] == Sight::blocked ? counts.blocked
-                                        : counts.facing_away);
+      --answers.counts.undecided;
+      ++answers.counts.of(verdict[i]);
       if (!job_.wants_products) continue;
       take(answers.places[i]);
       products.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});
