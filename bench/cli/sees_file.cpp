@@ -99,8 +99,7 @@ class CsvSights final : public SightSink {
     for (const SightProduct& product : batch.products) {
       const char* const word = name(product.sight);
       for (std::uint32_t i = 0; i < product.a.count; ++i) {
-        const std::uint32_t first = product.a == product.b ? i + 1 : 0;  // each two patches once
-        for (std::uint32_t j = first; j < product.b.count; ++j) {
+        for (std::uint32_t j = 0; j < product.b.count; ++j) {
           fmt::format_to(std::back_inserter(text_), "{},{},{}{}\n", order[product.a.first + i],
                          order[product.b.first + j], word, has_rays_ ? "," : "");
         }

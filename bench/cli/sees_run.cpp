@@ -103,8 +103,7 @@ void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> se
     if (product.sight != Sight::clear) continue;
     for (std::uint32_t i = 0; i < product.a.count; ++i) {
       const std::uint32_t a = order[product.a.first + i];
-      const std::uint32_t first = product.a == product.b ? i + 1 : 0;  // each two patches once
-      for (const std::uint32_t b : order.subspan(product.b.first + first, product.b.count - first)) {
+      for (const std::uint32_t b : order.subspan(product.b.first, product.b.count)) {
         ++shares_[a];
         ++shares_[b];
       }

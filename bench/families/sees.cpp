@@ -306,10 +306,7 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
             agrees = true;
           }
           right = right && agrees;
-          result.counts.clear += sight == Sight::clear ? 1 : 0;
-          result.counts.blocked += sight == Sight::blocked ? 1 : 0;
-          result.counts.facing_away += sight == Sight::facing_away ? 1 : 0;
-          result.counts.undecided += sight == Sight::undecided ? 1 : 0;
+          ++result.counts.of(sight);
         }
         if (right || result.wrong++ != 0) continue;
         result.first_wrong =

@@ -165,8 +165,8 @@ struct PatchRun {
   friend bool operator==(const PatchRun&, const PatchRun&) = default;
 };
 
-/// One answer for all pairs of a patch of one run and a patch of another. Of one set with itself, the two runs have no
-/// patch in common.
+/// One answer for all pairs of a patch of one run and a patch of another. The two runs of a product of one set with
+/// itself never overlap: the first ends before the second begins.
 struct SightProduct {
   PatchRun a;   ///< of the first set
   PatchRun b;   ///< of the second set
@@ -202,6 +202,14 @@ struct SightCounts {
   std::uint64_t clear = 0;        ///< Sight::clear
   std::uint64_t blocked = 0;      ///< Sight::blocked
   std::uint64_t facing_away = 0;  ///< Sight::facing_away
+  /// Those of one kind, which is an enumerator.
+  [[nodiscard]] std::uint64_t& of(Sight sight) noexcept {
+    return sight == Sight::undecided ? undecided
+           : sight == Sight::clear   ? clear
+           : sight == Sight::blocked ? blocked
+                                     : facing_away;
+  }
+  [[nodiscard]] std::uint64_t of(Sight sight) const noexcept { return SightCounts(*this).of(sight); }
   /// Of all kinds.
   [[nodiscard]] std::uint64_t total() const noexcept { return undecided + clear + blocked + facing_away; }
   friend bool operator==(const SightCounts&, const SightCounts&) = default;

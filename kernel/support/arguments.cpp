@@ -24,6 +24,15 @@ void refuse_view(const char* noun, std::span<const float* const> streams, std::s
                         "] is null; it must point to the first of " + std::to_string(count) + " floats");
 }
 
+void refuse_bound(const char* noun, std::size_t i, const std::string& why) {
+  throw BadBound(i, std::string(noun) + " " + std::to_string(i) + " " + why);
+}
+
+void refuse_order(const char* noun, std::size_t i, std::size_t axis, float lo, float hi) {
+  const std::string name(1, "xyz"[axis]);
+  refuse_bound(noun, i, "has lo > hi: lo." + name + " = " + text(lo) + " is above hi." + name + " = " + text(hi));
+}
+
 void refuse_form(Form form) {
   throw InvalidArgument("form = " + std::to_string(static_cast<unsigned>(form)) +
                         " is none of Form::fastest, Form::slab and Form::planes");

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,6 +34,9 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_index_width(const char* call, std::size_t bounds);
 [[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
 [[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
+
+[[noreturn]] void refuse_bound(const char* noun, std::size_t i, const std::string& why);
+[[noreturn]] void refuse_order(const char* noun, std::size_t i, std::size_t axis, float lo, float hi);
 
 /// More floats than one array can have.
 inline constexpr std::size_t most_floats = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(float);
@@ -64,6 +68,16 @@ void require_view(const View& view) {
   for (const float* stream : view.stream) null |= stream == nullptr;
   if ((null && view.count != 0) || view.count > most_floats) [[unlikely]] {
     refuse_view(bounds_noun<View>, view.stream, view.count);
+  }
+}
+
+/// The i-th of the boxes called `noun` is finite with lo ≤ hi. In modes in which denormals are what they are.
+inline void require_usable_box(const Box& box, const char* noun, std::size_t i) {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) [[unlikely]]
+      refuse_bound(noun, i, "is not finite");
+    if (box.lo[k] > box.hi[k]) [[unlikely]]
+      refuse_order(noun, i, k, box.lo[k], box.hi[k]);
   }
 }
 

@@ -22,17 +22,6 @@ constexpr std::size_t group_triangles = 32;
 
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
-[[noreturn]] void refuse(const char* noun, std::size_t i, const char* why) {
-  throw BadBound(i, std::string(noun) + " " + std::to_string(i) + " " + why);
-}
-
-void require_usable_box(const Box& box, const char* noun, std::size_t i) {
-  for (std::size_t k = 0; k != 3; ++k) {
-    if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) refuse(noun, i, "is not finite");
-    if (box.lo[k] > box.hi[k]) refuse(noun, i, "has lo > hi");
-  }
-}
-
 /// Grows by points.
 struct PointBox {
   Box box{{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
@@ -126,14 +115,14 @@ std::vector<Box> usable_boxes(const BoxView& view, const char* noun) {
   std::vector<Box> boxes(view.count);
   for (std::size_t i = 0; i != view.count; ++i) {
     boxes[i] = view[i];
-    require_usable_box(boxes[i], noun, i);
+    kernel::require_usable_box(boxes[i], noun, i);
   }
   return boxes;
 }
 
 std::vector<Box> usable_boxes(std::span<const Box> boxes, const char* noun) {
   kernel::require_memory(noun, boxes, "boxes");
-  for (std::size_t i = 0; i != boxes.size(); ++i) require_usable_box(boxes[i], noun, i);
+  for (std::size_t i = 0; i != boxes.size(); ++i) kernel::require_usable_box(boxes[i], noun, i);
   return {boxes.begin(), boxes.end()};
 }
 
@@ -168,7 +157,7 @@ void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<cons
     }
     PointBox around;
     for (const Vec3& corner : part) {
-      if (!is_finite(corner)) refuse(noun, i, "has a corner that is not finite");
+      if (!is_finite(corner)) kernel::refuse_bound(noun, i, "has a corner that is not finite");
       around.add(corner);
       addition.add_point(corner);
     }
@@ -341,7 +330,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
     }
     for (std::size_t i = 0; i != triangles.count; ++i) {
       for (const Vec3& vertex : triangles[i].vertex) {
-        if (!is_finite(vertex)) refuse("triangle", i, "is not finite");
+        if (!is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
       }
     }
     Addition addition(own());

@@ -224,8 +224,7 @@ bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || jo
 
 void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
   const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
-  SightCounts& counts = to_->answers.counts;
-  (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
+  to_->answers.counts.of(sight) += pairs;
   if (!job_.wants_products) return;
   to_->answers.products.push_back({a, b, sight});
   tell_if_full();
@@ -238,9 +237,7 @@ void Ladder::tell_if_full() const {
 void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
   if (which == 0) return;
   if (!job_.wants_products && rows.are_patches && columns.are_patches) {
-    const auto pairs = static_cast<std::uint64_t>(std::popcount(which));
-    SightCounts& counts = to_->answers.counts;
-    (sight == Sight::clear ? counts.clear : sight == Sight::blocked ? counts.blocked : counts.facing_away) += pairs;
+    to_->answers.counts.of(sight) += static_cast<std::uint64_t>(std::popcount(which));
     return;
   }
   for_each_run(which,

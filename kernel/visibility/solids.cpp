@@ -197,14 +197,7 @@ Box box_inside(std::span<const Vec3> corners) {
 
 std::vector<Box> merge(std::span<const Box> boxes) {
   kernel::require_memory("boxes", boxes, "boxes");
-  for (std::size_t i = 0; i != boxes.size(); ++i) {
-    for (std::size_t k = 0; k != 3; ++k) {
-      if (!std::isfinite(boxes[i].lo[k]) || !std::isfinite(boxes[i].hi[k])) {
-        throw BadBound(i, "box " + std::to_string(i) + " is not finite");
-      }
-      if (boxes[i].lo[k] > boxes[i].hi[k]) throw BadBound(i, "box " + std::to_string(i) + " has lo > hi");
-    }
-  }
+  for (std::size_t i = 0; i != boxes.size(); ++i) kernel::require_usable_box(boxes[i], "box", i);
   std::vector<Box> merged(boxes.begin(), boxes.end());
   for (Box& box : merged) {
     for (std::size_t k = 0; k != 3; ++k) {

@@ -91,18 +91,9 @@ void require_patches(const Boxes& boxes, std::size_t count, std::span<const Plan
   if (count >= std::numeric_limits<std::uint32_t>::max()) {
     throw InvalidArgument(std::to_string(count) + " patches; there may be at most 2^32 - 2");
   }
-  const auto refuse = [](std::size_t i, const std::string& why) {
-    throw BadBound(i, "patch " + std::to_string(i) + " " + why);
-  };
+  const auto refuse = [](std::size_t i, const char* why) { kernel::refuse_bound("patch", i, why); };
   for (std::size_t i = 0; i != count; ++i) {
-    const Box box = boxes[i];
-    for (std::size_t k = 0; k != 3; ++k) {
-      if (!std::isfinite(box.lo[k]) || !std::isfinite(box.hi[k])) refuse(i, "is not finite");
-      if (box.lo[k] <= box.hi[k]) continue;
-      const std::string axis(1, "xyz"[k]);
-      refuse(i, "has lo > hi: lo." + axis + " = " + kernel::text(box.lo[k]) + " is above hi." + axis + " = " +
-                    kernel::text(box.hi[k]));
-    }
+    kernel::require_usable_box(boxes[i], "patch", i);
     if (planes.empty()) continue;
     bool is_zero = true;
     for (const float n : planes[i].normal) {
@@ -445,11 +436,8 @@ class Run {
         answers.first_candidate[left] = candidates;  // at or before what is still to be read
         continue;
       }
-      SightCounts& counts = answers.counts;
-      --counts.undecided;
-      ++(verdict[i] == Sight::clear     ? counts.clear
-         : verdict[i] == Sight::blocked ? counts.blocked
-                                        : counts.facing_away);
+      --answers.counts.undecided;
+      ++answers.counts.of(verdict[i]);
       if (!job_.wants_products) continue;
       take(answers.places[i]);
       products.push_back({{a_place_[pair.a], 1}, {b_place_[pair.b], 1}, verdict[i]});

@@ -45,10 +45,9 @@ void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patch
       EXPECT_EQ(all.undecided, first.undecided);
       EXPECT_EQ(all.candidates, first.candidates);
     });
-    seen.undecided += first.counts.undecided;
-    seen.clear += first.counts.clear;
-    seen.blocked += first.counts.blocked;
-    seen.facing_away += first.counts.facing_away;
+    for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+      seen.of(sight) += first.counts.of(sight);
+    }
     if (testing::Test::HasFailure()) return;
   }
 }

@@ -64,6 +64,7 @@ class SightTable {
     for (const SightProduct& product : all.products) {
       if (product.sight == Sight::undecided) fail("a product is undecided");
       if (product.a.count == 0 || product.b.count == 0) fail("a product is empty");
+      if (of.scene.is_of_one_set && product.a.first + product.a.count > product.b.first) fail("two runs overlap");
       for (const std::uint32_t i : of.a.order().subspan(product.a.first, product.a.count)) {
         for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count))
           write(i, j).sight = product.sight;
@@ -87,10 +88,7 @@ class SightTable {
     SightCounts counts;
     for (const Entry& entry : entries_) {
       if (!entry.sight) continue;
-      ++(*entry.sight == Sight::undecided ? counts.undecided
-         : *entry.sight == Sight::clear   ? counts.clear
-         : *entry.sight == Sight::blocked ? counts.blocked
-                                          : counts.facing_away);
+      ++counts.of(*entry.sight);
     }
     return counts;
   }

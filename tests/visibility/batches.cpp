@@ -81,7 +81,7 @@ void expect_same(const Visibility& a, const Visibility& b) {
 
 TEST(VisibilityBatches, AreTheSameForAnyNumberOfThreads) {
   for (const bool is_of_one_set : {false, true}) {
-    const SightCase of = large_case(is_of_one_set, 1200);
+    const SightCase of = large_case(is_of_one_set, has_shadow_memory ? 800 : 1200);
     Batches one;
     with_threads(1, [&] { one = batches_of(of, of.options); });
     EXPECT_GT(one.products.size(), 2U);
