@@ -93,9 +93,11 @@ BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) try {
           view_ = packed_.view();
         }
       });
-  if (!are_boxes) refuse(std::string(name) + " is not of boxes, which shafts are made of");
+  if (!are_boxes) refuse(std::string(name) + " is a source of other bounds; this call takes boxes");
 } catch (const BadBound& bad) {  // of which array, for a call takes two
-  throw BadBound(bad.index(), std::string(name) + ": " + bad.what());
+  const std::string what = bad.what();
+  // Streams also take the empty box, which can be no end of a shaft, no patch and no blocker.
+  throw BadBound(bad.index(), std::string(name) + ": " + what.substr(0, what.find(", or the box empty")));
 }
 
 std::string name_of_kind(shaftcull_bound_kind kind) {

@@ -92,6 +92,14 @@ void go_on_if(std::int32_t returned) {
   if (returned != 0) throw Stopped(returned);
 }
 
+constexpr const char* sight_enumerators =
+    "SHAFTCULL_SIGHT_UNDECIDED, SHAFTCULL_SIGHT_CLEAR, SHAFTCULL_SIGHT_BLOCKED and SHAFTCULL_SIGHT_FACING_AWAY";
+
+[[noreturn]] void refuse_verdict(std::size_t i, unsigned verdict, const PatchPair& pair) {
+  refuse("verdicts[" + std::to_string(i) + "] = " + std::to_string(verdict) + ", of patches " + std::to_string(pair.a) +
+         " and " + std::to_string(pair.b) + ", is none of " + sight_enumerators);
+}
+
 /// Options as those of C++; callbacks that end the call throw Stopped.
 VisibilityOptions as_options(const shaftcull_visibility_options* options) {
   VisibilityOptions out;
@@ -108,8 +116,10 @@ VisibilityOptions as_options(const shaftcull_visibility_options* options) {
       const shaftcull_undecided_pairs pairs = memory.of(undecided);
       std::vector<std::uint8_t> verdicts(verdict.size(), SHAFTCULL_SIGHT_UNDECIDED);
       go_on_if(resolve(&pairs, verdicts.data(), user));
-      std::transform(verdicts.begin(), verdicts.end(), verdict.begin(),
-                     [](std::uint8_t sight) { return static_cast<Sight>(sight); });  // the library checks them
+      for (std::size_t i = 0; i != verdict.size(); ++i) {
+        if (verdicts[i] > SHAFTCULL_SIGHT_FACING_AWAY) refuse_verdict(i, verdicts[i], undecided.pairs[i]);
+        verdict[i] = static_cast<Sight>(verdicts[i]);
+      }
     };
   }
   if (options->progress != nullptr) {
@@ -399,9 +409,7 @@ shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const sha
   return guarded([&] {
     const Blockers& all = given(blockers, "blockers").all;
     const VisibilityOptions with = as_options(options);
-    const Sight kind = as_enumerator(sight, Sight::facing_away, "sight",
-                                     "SHAFTCULL_SIGHT_UNDECIDED, SHAFTCULL_SIGHT_CLEAR, SHAFTCULL_SIGHT_BLOCKED and "
-                                     "SHAFTCULL_SIGHT_FACING_AWAY");
+    const Sight kind = as_enumerator(sight, Sight::facing_away, "sight", sight_enumerators);
     const std::span<uint64_t> out = as_span(bits, words, "bits");
     const SightCounts found = of_one_or_two(
         a, b, [&](const PatchSet& set) { return shaftcull::visibility_bits(set, all, kind, out, with); },

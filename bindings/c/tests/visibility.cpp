@@ -258,6 +258,38 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
   expect_equal(counts, wanted.counts);
 }
 
+TEST(CVisibility, RefusalsSpeakOfWhatTheCallerWrote) {
+  Random random(1804);
+  Scene scene;
+  make_scene(random, scene);
+  shaftcull_visibility_options options = shaftcull_default_visibility_options();
+  options.resolve = [](const shaftcull_undecided_pairs*, std::uint8_t* verdicts, void*) -> std::int32_t {
+    verdicts[0] = 4;
+    return 0;
+  };
+  shaftcull_sight_counts counts;
+  EXPECT_EQ(shaftcull_count_visibility(scene.c.get(), nullptr, scene.blockers_c.get(), &options, &counts),
+            SHAFTCULL_INVALID_ARGUMENT);
+  EXPECT_THAT(shaftcull_error_message(),
+              testing::MatchesRegex("verdicts.0. = 4, of patches [0-9]+ and [0-9]+, is none of "
+                                    "SHAFTCULL_SIGHT_UNDECIDED, .* and SHAFTCULL_SIGHT_FACING_AWAY"));
+  std::uint64_t bits = 0;
+  EXPECT_EQ(shaftcull_visibility_bits(scene.c.get(), nullptr, scene.blockers_c.get(), nullptr, SHAFTCULL_SIGHT_CLEAR,
+                                      &bits, 1, nullptr),
+            SHAFTCULL_INVALID_ARGUMENT);
+  EXPECT_THAT(shaftcull_error_message(), testing::StartsWith("bits has 1 word; 40 rows, one for each patch of a"));
+
+  const std::vector<shaftcull_box> upside_down = as_c(std::vector<Box>{{{0, 2, 0}, {1, 1, 1}}});
+  const shaftcull_source boxes = source_of(upside_down);
+  shaftcull_patches* patches = nullptr;
+  EXPECT_EQ(shaftcull_patches_create(&boxes, nullptr, 0, &patches), SHAFTCULL_BAD_BOUND);
+  EXPECT_STREQ(shaftcull_error_message(), "boxes: box 0: lo.y = 2 is above hi.y = 1; lo must be at most hi");
+  const std::vector<shaftcull_sphere> spheres(1);
+  const shaftcull_source others = source_of(spheres);
+  EXPECT_EQ(shaftcull_patches_create(&others, nullptr, 0, &patches), SHAFTCULL_INVALID_ARGUMENT);
+  EXPECT_STREQ(shaftcull_error_message(), "boxes is a source of other bounds; this call takes boxes");
+}
+
 TEST(CVisibility, SolidsAreMergedAndInscribedAsInCpp) {
   Random random(1803);
   std::vector<Box> boxes;

@@ -49,7 +49,9 @@ class BoxesInStreams {
         view_ = packed_.view();
       }
     } catch (const BadBound& bad) {
-      throw BadBound(bad.index(), name + ": " + bad.what());
+      const std::string what = bad.what();
+      // Streams also take the empty box, which can be no patch and no blocker.
+      throw BadBound(bad.index(), name + ": " + what.substr(0, what.find(", or the box empty")));
     }
   }
   [[nodiscard]] const BoxView& view() const noexcept { return view_; }
