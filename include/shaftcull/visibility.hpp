@@ -16,8 +16,11 @@
 /// alone. A pair that is told to be clear does not face away. One that faces away and is blocked, too, is told either:
 /// the same on every instruction set and for any number of threads.
 ///
-/// A blocker reaches into the shaft if its box does, as cull() with open contact says (Contact in shaft.hpp), and if
-/// not all of its corners lie on or behind one of the two planes. Of triangles, groups of neighbours are one blocker.
+/// A blocker reaches into the shaft if the box around it does, as cull() with open contact says (Contact in shaft.hpp),
+/// and if not all of its corners lie on or behind one of the two planes. Those of a box, solid or not, are its eight
+/// corners; those of a hull or a polygon are the ones that were given, not those of the box around it; those of
+/// triangles are their vertices. Groups of neighbouring triangles are one blocker: it lies behind if all vertices of
+/// the group do.
 ///
 /// Patches are put in a tree, and groups of them compared first: what is true of two groups is true of all pairs in
 /// them. So time grows with what is undecided, and memory stays below a bound however many pairs there are.
