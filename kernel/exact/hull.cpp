@@ -2,6 +2,7 @@
 #include "exact/hull.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "exact/hull_planes.hpp"
 
@@ -83,6 +84,27 @@ int compare_distance(double x, double face, double radius) noexcept {
   return distance.error > 0 ? 1 : distance.error < 0 ? -1 : 0;
 }
 
+/// The largest float that is at most x − y, or −∞.
+float rounded_down(double x, double y) noexcept {
+  const TwoTerms exact = two_sum(x, -y);
+  const auto rounded = static_cast<float>(exact.sum);
+  const bool is_above = rounded > exact.sum || (rounded == exact.sum && exact.error < 0);
+  return is_above ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+}
+
+/// The smallest box around a sphere, in floats. Every node of a tree that holds the sphere holds this box, so a sphere
+/// is answered alone as the node is.
+struct BoxAround {
+  float face[6];
+
+  explicit BoxAround(const float (&sphere)[4]) noexcept {
+    for (unsigned k = 0; k < 3; ++k) {
+      face[k] = rounded_down(sphere[k], sphere[3]);
+      face[k + 3] = -rounded_down(-static_cast<double>(sphere[k]), sphere[3]);
+    }
+  }
+};
+
 }  // namespace
 
 SpannedPlane plane_through(const HullData& hull, const std::uint8_t (&vertices)[3]) noexcept {
@@ -151,6 +173,10 @@ bool hull_sphere_outside(const HullData& hull, const float (&sphere)[4]) noexcep
     }
   }
   if (std::isinf(radius)) return false;
+  if (std::isfinite(sphere[0]) && std::isfinite(sphere[1]) && std::isfinite(sphere[2]) &&
+      hull_box_outside(hull, BoxAround(sphere).face)) {
+    return true;
+  }
   for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
     const Axes axes(hull, number);
     bool is_bounded = true;
@@ -170,6 +196,7 @@ bool hull_sphere_inside(const HullData& hull, const float (&sphere)[4]) noexcept
     if (!std::isfinite(c)) return false;
     if (compare_distance(c, hull.box[k], radius) < 0 || compare_distance(hull.box[k + 3], c, radius) < 0) return false;
   }
+  if (hull_box_inside(hull, BoxAround(sphere).face)) return true;
   for (unsigned number = 0; number < hull.faces + hull.edges; ++number) {
     const Measure plane = measure(hull, number, sphere);
     if (!(plane.value + radius * plane.length * (1 + 0x1p-28) + plane.error <= 0)) return false;

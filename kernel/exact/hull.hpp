@@ -15,10 +15,12 @@ namespace shaftcull::kernel {
 
 /// Whether the sphere (centre x, y, z, radius) is beyond a plane of the hull or a face of its box by more than its
 /// radius. Of planes with three coordinates or two, only where doubles say so for certain, in one order of operations
-/// on every machine: a sphere that touches one within some 2⁻⁴⁰ is not outside.
+/// on every machine: a sphere that touches one within some 2⁻⁴⁰ is not outside, unless the box around it misses the
+/// hull, as the nodes of a tree would have it.
 [[nodiscard]] bool hull_sphere_outside(const HullData& hull, const float (&sphere)[4]) noexcept;
 
-/// Whether the sphere is inside all of them, by its radius at least; likewise only where doubles say so for certain.
+/// Whether the sphere is inside all of them, by its radius at least; likewise only where doubles say so for certain, or
+/// the box around it is inside.
 [[nodiscard]] bool hull_sphere_inside(const HullData& hull, const float (&sphere)[4]) noexcept;
 
 }  // namespace shaftcull::kernel

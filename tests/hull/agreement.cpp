@@ -372,6 +372,43 @@ TEST(Hull, OfCastersTowardsASunHasNoEnd) {
 }
 
 /// Among shafts, in trees and in lists of candidates a hull answers what it answers alone.
+TEST(Hull, SpheresInTreesAreAnsweredAsAloneWhereTheyTouch) {
+  // A node of a tree is a box, which is compared exactly.
+  Random random(9);
+  for (std::uint64_t i = 0; i != random_cases(60); ++i) {
+    const int high = static_cast<int>(random.integer(-20, 58));
+    const int low = random.one_in(2) ? -149 : high - 6;
+    const HullInput input = hull_of(random, 7, [&] { return random.wild(low, high); });
+    const ConvexHull hull(input.points, input.directions);
+    const oracle::ConvexHull oracle(input);
+    std::vector<Sphere> spheres;
+    for (unsigned b = 0; b != 70; ++b) {
+      const Box near = near_box(random, input, std::ldexp(1.0F, high));
+      Sphere sphere = sphere_around(random, oracle, near.lo, std::ldexp(1.0F, high - 24));
+      if (random.one_in(3)) sphere.radius = 0;
+      spheres.insert(spheres.end(), 64, sphere);  // a node of its own
+    }
+    const SphereStream stream{std::span<const Sphere>(spheres)};
+    const SphereTree tree{std::span<const Sphere>(spheres)};
+    std::vector<std::uint64_t> kept(words_for(spheres.size()));
+    std::vector<std::uint64_t> inside(kept.size());
+    std::vector<std::uint64_t> tree_kept(kept.size());
+    std::vector<std::uint64_t> tree_inside(kept.size());
+    for (const Isa isa : isas_under_test()) {
+      const UseIsa use(isa);
+      classify(hull, stream, kept, inside);
+      classify(hull, tree, tree_kept, tree_inside);
+      for (std::size_t s = 0; s < spheres.size(); s += 64) {
+        const Answer alone = answer_at(kept, inside, s);
+        const Answer in_tree = answer_at(tree_kept, tree_inside, s);
+        ASSERT_EQ(in_tree, alone) << "on " << name(isa) << ":\n  " << source_text(input) << "\n  "
+                                  << source_text(spheres[s]) << "\n  is " << text(alone) << ", in a tree "
+                                  << text(in_tree);
+      }
+    }
+  }
+}
+
 TEST(Hull, GoesWhereShaftsGo) {
   Random random(9);
   std::vector<Box> boxes;
