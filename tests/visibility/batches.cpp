@@ -263,11 +263,13 @@ struct TwoWalls {
   TwoWalls(unsigned side, unsigned between) {
     for (const bool is_left : {true, false}) {
       std::vector<Box> boxes;
-      for (unsigned i = 0; i != side * side; ++i) {
-        const float x = is_left ? -3.0F : 3.0F;
-        const auto y = static_cast<float>(i / side);
-        const auto z = static_cast<float>(i % side);
-        boxes.push_back({{x, y, z}, {x, y + 1, z + 1}});
+      const float x = is_left ? -3.0F : 3.0F;
+      for (unsigned row = 0; row != side; ++row) {
+        for (unsigned column = 0; column != side; ++column) {
+          const auto y = static_cast<float>(row);
+          const auto z = static_cast<float>(column);
+          boxes.push_back({{x, y, z}, {x, y + 1, z + 1}});
+        }
       }
       (is_left ? left : right) = PatchSet(std::span<const Box>(boxes));
     }
