@@ -33,7 +33,7 @@ constexpr std::uint64_t recorded_blocking = 12822112723749227314U;
 constexpr std::uint64_t recorded_of_open = 15062841140550317724U;
 constexpr std::uint64_t recorded_of_open_moving = 15332369385780691612U;
 /// Of convex hulls.
-constexpr std::uint64_t recorded_of_hulls = 6499552852178139732U;
+constexpr std::uint64_t recorded_of_hulls = 6081225321835810116U;
 /// Of triangles, by vertices and exactly.
 constexpr std::uint64_t recorded_triangles[2] = {11495070151279336606U, 3417442053769072641U};
 

@@ -74,11 +74,7 @@ enum class Sight : std::uint8_t {
 class PatchSet {
  public:
   /// No patches.
-  PatchSet() noexcept;
-  PatchSet(const PatchSet&) noexcept = default;
-  PatchSet(PatchSet&& other) noexcept;
-  PatchSet& operator=(PatchSet other) noexcept;
-  ~PatchSet() = default;
+  PatchSet() noexcept = default;
   /// `planes` is empty, or has one for each box. A patch faces where its normal points, and sees what is in front:
   /// normal·p > offset. Throws InvalidArgument if their number is another, or if there are 2³² − 1 patches or more;
   /// BadBound for a box that is not finite with lo ≤ hi, or a plane that is not finite or whose normal is zero, by its
@@ -94,12 +90,12 @@ class PatchSet {
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
 
   /// What the library reads. No use to others: the type is not of the interface.
-  [[nodiscard]] const kernel::PatchTree& tree() const noexcept { return *tree_; }
+  [[nodiscard]] const kernel::PatchTree& tree() const noexcept;
 
  private:
   explicit PatchSet(std::shared_ptr<const kernel::PatchTree> tree) noexcept : tree_(std::move(tree)) {}
 
-  std::shared_ptr<const kernel::PatchTree> tree_;
+  std::shared_ptr<const kernel::PatchTree> tree_;  ///< none of no patches
 };
 
 /// What stands between patches. Blockers are numbered in the order in which they are added, from 0 on. A value: copies
@@ -150,7 +146,7 @@ class Blockers {
   [[nodiscard]] std::span<const std::uint32_t> triangles(std::size_t i) const noexcept;
 
   /// What the library reads. No use to others: the type is not of the interface.
-  [[nodiscard]] const kernel::BlockerData& data() const noexcept;
+  [[nodiscard]] const kernel::BlockerData& data() const;
 
  private:
   [[nodiscard]] kernel::BlockerData& own();

@@ -264,9 +264,10 @@ Blockers& Blockers::operator=(Blockers other) noexcept {
 }
 Blockers::~Blockers() = default;
 
-const kernel::BlockerData& Blockers::data() const noexcept {
+const kernel::BlockerData& Blockers::data() const {
+  if (data_) return *data_;
   static const kernel::BlockerData none;
-  return data_ ? *data_ : none;
+  return none;
 }
 
 kernel::BlockerData& Blockers::own() {
@@ -371,16 +372,15 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
   });
 }
 
-std::size_t Blockers::size() const noexcept { return data().size(); }
+std::size_t Blockers::size() const noexcept { return data_ ? data_->size() : 0; }
 
 Box Blockers::box(std::size_t i) const noexcept {
-  const float(&face)[8] = data().boxes[i].face;
+  const float(&face)[8] = data_->boxes[i].face;
   return {{face[0], face[1], face[2]}, {face[3], face[4], face[5]}};
 }
 
 std::span<const std::uint32_t> Blockers::triangles(std::size_t i) const noexcept {
-  const kernel::BlockerData& all = data();
-  return {all.triangles.data() + all.first_triangle[i], all.first_triangle[i + 1] - all.first_triangle[i]};
+  return {data_->triangles.data() + data_->first_triangle[i], data_->first_triangle[i + 1] - data_->first_triangle[i]};
 }
 
 }  // namespace shaftcull

@@ -74,12 +74,6 @@ kernel::SightSet sight_set(const kernel::PatchTree& tree, float coordinate) {
   });
 }
 
-/// The tree of a set without patches.
-const std::shared_ptr<const kernel::PatchTree>& no_patches() noexcept {
-  static const std::shared_ptr<const kernel::PatchTree> none = std::make_shared<const kernel::PatchTree>();
-  return none;
-}
-
 /// Checks patches before anything is made of them. `boxes` has `count` boxes: a view or a span.
 template <class Boxes>
 void require_patches(const Boxes& boxes, std::size_t count, std::span<const Plane> planes) {
@@ -577,20 +571,17 @@ const char* name(Sight sight) noexcept {
 
 Cancelled::~Cancelled() = default;
 
-PatchSet::PatchSet() noexcept : PatchSet(no_patches()) {}
-PatchSet::PatchSet(PatchSet&& other) noexcept : tree_(std::exchange(other.tree_, no_patches())) {}
-PatchSet& PatchSet::operator=(PatchSet other) noexcept {
-  std::swap(tree_, other.tree_);
-  return *this;
-}
-
 PatchSet::PatchSet(const BoxView& boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
 
 PatchSet::PatchSet(std::span<const Box> boxes, std::span<const Plane> planes) : PatchSet(patch_tree(boxes, planes)) {}
 
-std::size_t PatchSet::size() const noexcept { return tree_->order().size(); }
-bool PatchSet::has_planes() const noexcept { return tree_->has_planes(); }
-std::span<const std::uint32_t> PatchSet::order() const noexcept { return tree_->order(); }
+const kernel::PatchTree& PatchSet::tree() const noexcept {
+  static const kernel::PatchTree none;
+  return tree_ ? *tree_ : none;
+}
+std::size_t PatchSet::size() const noexcept { return tree().order().size(); }
+bool PatchSet::has_planes() const noexcept { return tree().has_planes(); }
+std::span<const std::uint32_t> PatchSet::order() const noexcept { return tree().order(); }
 
 SightCounts count_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
                              const VisibilityOptions& options) {

@@ -117,9 +117,11 @@ TEST(VisibilityErrors, BlockersAreFiniteAndHaveAnInside) {
   const auto said = [&](const auto& add) { return refusing.bad(add); };
   EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(std::span<const Box>(broken)); }), "2: box 2 is not finite");
   EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(columns(broken).view()); }), "2: box 2 is not finite");
-  EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(std::span<const Box>(empty)); }), "2: box 2 has lo > hi");
+  EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(std::span<const Box>(empty)); }),
+            "2: box 2 has lo > hi: lo.z = 3 is above hi.z = 1");
   EXPECT_EQ(said([&](Blockers& to) { to.add_solids(std::span<const Box>(broken)); }), "2: solid 2 is not finite");
-  EXPECT_EQ(said([&](Blockers& to) { to.add_solids(columns(empty).view()); }), "2: solid 2 has lo > hi");
+  EXPECT_EQ(said([&](Blockers& to) { to.add_solids(columns(empty).view()); }),
+            "2: solid 2 has lo > hi: lo.z = 3 is above hi.z = 1");
   EXPECT_EQ(said([&](Blockers& to) {
               const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                               {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, nan}};
@@ -258,7 +260,7 @@ TEST(VisibilityErrors, MergedBoxesAreFiniteAndHaveAnInside) {
   EXPECT_EQ(bad_bound([] {
               static_cast<void>(merged_boxes(boxes_with({{0, 2, 0}, {1, 1, 1}})));
             }),
-            "2: box 2 has lo > hi");
+            "2: box 2 has lo > hi: lo.y = 2 is above hi.y = 1");
   EXPECT_THROW(static_cast<void>(merged_boxes(none_at_all<Box>())), InvalidArgument);
   EXPECT_TRUE(merged_boxes({}).empty());
 }

@@ -334,7 +334,8 @@ static void arrays_of_shafts(void) {
   const float bad_vectors[6] = {0, -1, 0, 0, NAN, 0};
   REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, &from, &to, &far_pair, 1, NULL, 0), "2");
   REFUSED(shaftcull_shafts_set_between_batch(shafts, 3, &from, &to, NULL, 2, NULL, 0), "4 shafts of the array");
-  REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, &from, &of_spheres, NULL, 2, NULL, 0), "b is not of boxes");
+  REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, &from, &of_spheres, NULL, 2, NULL, 0),
+          "b is a source of other bounds; this call takes boxes");
   REFUSED(shaftcull_shafts_set_between_batch(shafts, 0, NULL, &to, NULL, 2, NULL, 0), "a is NULL");
   FAILS(shaftcull_shafts_set_between_batch(shafts, 0, &bad_source, &to, NULL, 2, NULL, 0), SHAFTCULL_BAD_BOUND,
         "box 1: lo.x");
@@ -1038,7 +1039,7 @@ static void visibility(void) {
   FAILS(shaftcull_patches_create(&bad, NULL, 0, &none), SHAFTCULL_BAD_BOUND, "1");
   CHECK(shaftcull_error_position() == 1 && none == NULL);
   const shaftcull_source ball_source = shaftcull_spheres(balls, 2);
-  REFUSED(shaftcull_patches_create(&ball_source, NULL, 0, &none), "not of boxes");
+  REFUSED(shaftcull_patches_create(&ball_source, NULL, 0, &none), "boxes is a source of other bounds");
 
   shaftcull_blockers* blockers = NULL;
   OK(shaftcull_blockers_create(&blockers));
@@ -1108,7 +1109,7 @@ static void visibility(void) {
   OK(shaftcull_visibility(a, b, blockers, &options, on_sights, &told, NULL));
   CHECK(told.pairs == 6 && told.undecided == 0);
   told.verdict = 4;
-  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "resolve");
+  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "verdicts[0] = 4, of patches 0 and 0");
   told.verdict = SHAFTCULL_SIGHT_BLOCKED;
   told.returns = -3;
   FAILS(shaftcull_count_visibility(a, b, blockers, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
