@@ -129,7 +129,7 @@ TYPED_TEST(TreeRegions, TheFirstBadBoundIsNamed) {
   using Index = IndexOf<TypeParam>;
   Random random(914);
   std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 20000);
-  for (const std::size_t i : {19000, 17003}) {
+  for (const std::size_t i : {19000U, 17003U}) {
     std::memset(&bounds[i], 0xff, sizeof(Bound));  // NaN
   }
   try {
