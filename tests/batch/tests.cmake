@@ -15,7 +15,7 @@ find_program(SHAFTCULL_BATCH_PYTHON python3)
 mark_as_advanced(SHAFTCULL_BATCH_PYTHON)
 if(SHAFTCULL_BATCH_PYTHON)
   set(launcher "")
-  if(MPI_CXX_FOUND)
+  if(MPI_CXX_FOUND AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")  # Open MPI leaves memory behind, which would be told
     set(launcher ${MPIEXEC_EXECUTABLE})
   endif()
   foreach(case IN ITEMS numpy ranks killed errors)
