@@ -46,7 +46,7 @@ std::uint64_t any_of(const std::uint64_t* words, std::size_t count) noexcept {
   return any;
 }
 
-/// Takes off a list what no row or no column that is left has to do with.
+/// Removes what concerns no row of `rows_left`, or no column of `columns_left`.
 void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
                  std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
   std::size_t count = 0;

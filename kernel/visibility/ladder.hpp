@@ -18,15 +18,9 @@
 #include "shaftcull/visibility.hpp"
 #include "visibility/blockers.hpp"
 #include "visibility/patch_tree.hpp"
+#include "visibility/sight_set.hpp"
 
 namespace shaftcull::kernel {
-
-/// One of the two sets. Errors are those of computed distances from planes, for coordinates of this job.
-struct SightSet {
-  const PatchTree& tree;
-  std::vector<float> patch_error;
-  std::vector<float> group_error;
-};
 
 /// Everything that a walk reads.
 struct SightJob {
@@ -100,8 +94,9 @@ class Ladder {
 
   /// Answers all pairs of a product.
   void answer(const SightProductTask& task, const To& to);
-  /// Answers those of its products that have more than `most_pairs` pairs as far as groups do, and leaves the others in
-  /// order: leave() is called after everything before them was answered. It may change `most_pairs`.
+  /// Compares groups while a product has more than `most_pairs` pairs. Smaller ones that are not answered by then are
+  /// passed to leave(), in order: all answers before one are written when it is passed. leave() may change
+  /// `most_pairs`.
   void split(const SightProductTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to);
 
  private:
