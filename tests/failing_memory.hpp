@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <new>
 
 namespace shaftcull {
 
@@ -40,5 +41,24 @@ class FailingMemory {
   /// Whether a call has failed.
   [[nodiscard]] bool has_failed() const noexcept;
 };
+
+/// How a call ended of which an allocation was to fail.
+struct FailedCall {
+  bool was_thrown;  ///< it threw std::bad_alloc
+  bool has_failed;  ///< an allocation has failed; else it makes fewer
+};
+
+/// Makes a call whose n-th allocation, from 1 on, fails.
+template <class Call>
+FailedCall call_with_failing(std::size_t n, Failing failing, const Call& call) {
+  const FailingMemory memory(n, failing);
+  bool was_thrown = false;
+  try {
+    call();
+  } catch (const std::bad_alloc&) {
+    was_thrown = true;
+  }
+  return {was_thrown, memory.has_failed()};
+}
 
 }  // namespace shaftcull

@@ -33,17 +33,7 @@ std::size_t fail_each_allocation(const Make& make, const Call& call, const Check
   for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
     for (std::size_t n = 1;; ++n) {
       auto object = make();
-      bool was_thrown = false;
-      bool has_failed = false;
-      {
-        const FailingMemory memory(n, failing);
-        try {
-          call(object);
-        } catch (const std::bad_alloc&) {
-          was_thrown = true;
-        }
-        has_failed = memory.has_failed();
-      }
+      const auto [was_thrown, has_failed] = call_with_failing(n, failing, [&] { call(object); });
       EXPECT_EQ(was_thrown, has_failed) << "allocation " << n;
       if (!has_failed) break;
       allocations = std::max(allocations, n);

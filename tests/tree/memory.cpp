@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -101,17 +100,7 @@ TYPED_TEST(LargeTree, LeavesNothingBehindIfMemoryRunsOut) {
   for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
     for (std::size_t n = 1;; ++n) {
       const std::size_t before = live_bytes();
-      bool has_failed = false;
-      bool was_thrown = false;
-      {
-        const FailingMemory memory(n, failing);
-        try {
-          call();
-        } catch (const std::bad_alloc&) {
-          was_thrown = true;
-        }
-        has_failed = memory.has_failed();
-      }
+      const auto [was_thrown, has_failed] = call_with_failing(n, failing, call);
       EXPECT_EQ(was_thrown, has_failed) << "allocation " << n;
       EXPECT_EQ(live_bytes(), before) << "allocation " << n;
       if (!has_failed || testing::Test::HasFailure()) break;

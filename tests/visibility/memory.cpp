@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <new>
 #include <span>
 #include <vector>
 
@@ -172,17 +171,7 @@ void expect_nothing_left(const Call& call) {
     std::size_t thrown = 0;
     for (std::size_t n = 1;; ++n) {
       const std::size_t before = live_bytes();
-      bool was_thrown = false;
-      bool has_failed = false;
-      {
-        const FailingMemory memory(n, failing);
-        try {
-          call();
-        } catch (const std::bad_alloc&) {
-          was_thrown = true;
-        }
-        has_failed = memory.has_failed();
-      }
+      const auto [was_thrown, has_failed] = call_with_failing(n, failing, call);
       const std::size_t after = live_bytes();
       // A call may do without what it did not get: std::stable_partition() does.
       EXPECT_TRUE(has_failed || !was_thrown) << "allocation " << n;
@@ -301,17 +290,7 @@ TEST(VisibilityMemory, BlockersAreWhatTheyWereWhereMemoryRunsOut) {
       for (std::size_t n = 1;; ++n) {
         SCOPED_TRACE(n);
         Blockers blockers = right;  // no vector has room for more
-        bool has_failed = false;
-        bool was_thrown = false;
-        {
-          const FailingMemory memory(n, failing);
-          try {
-            adding.add(blockers, 20);
-          } catch (const std::bad_alloc&) {
-            was_thrown = true;
-          }
-          has_failed = memory.has_failed();
-        }
+        const auto [was_thrown, has_failed] = call_with_failing(n, failing, [&] { adding.add(blockers, 20); });
         if (was_thrown) {
           expect_same(blockers, right);
           adding.add(blockers, 20);
