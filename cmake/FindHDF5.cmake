@@ -4,6 +4,7 @@
 # Of several builds, as Debian has them beside each other, one without MPI is taken first: files are written without its help.
 # A build with MPI is taken where MPI itself was found, for its headers name those of MPI.
 include(FindPackageHandleStandardArgs)
+include(${CMAKE_CURRENT_LIST_DIR}/header_version.cmake)
 
 find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial hdf5 hdf5/openmpi hdf5/mpich)
 find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 hdf5_openmpi hdf5_mpich NAMES_PER_DIR)
@@ -13,12 +14,7 @@ set(HDF5_VERSION "")
 set(HDF5_IS_PARALLEL FALSE)
 set(shaftcull_hdf5_usable FALSE)
 if(HDF5_INCLUDE_DIR)
-  foreach(part IN ITEMS MAJOR MINOR RELEASE)
-    file(STRINGS ${HDF5_INCLUDE_DIR}/H5public.h line REGEX "^#define H5_VERS_${part}[ \t]+[0-9]+" LIMIT_COUNT 1)
-    string(REGEX REPLACE "^#define H5_VERS_${part}[ \t]+([0-9]+).*" "\\1" number "${line}")
-    list(APPEND HDF5_VERSION ${number})
-  endforeach()
-  list(JOIN HDF5_VERSION "." HDF5_VERSION)
+  shaftcull_header_version(HDF5_VERSION ${HDF5_INCLUDE_DIR}/H5public.h H5_VERS MAJOR MINOR RELEASE)
   file(GLOB headers ${HDF5_INCLUDE_DIR}/H5pubconf*.h)
   set(parallel "")
   foreach(header IN LISTS headers)

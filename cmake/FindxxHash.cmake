@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Finds xxHash: the target xxHash::xxHash.
 include(FindPackageHandleStandardArgs)
+include(${CMAKE_CURRENT_LIST_DIR}/header_version.cmake)
 
 find_path(XXHASH_INCLUDE_DIR xxhash.h)
 find_library(XXHASH_LIBRARY xxhash)
 mark_as_advanced(XXHASH_INCLUDE_DIR XXHASH_LIBRARY)
 set(xxHash_VERSION "")
 if(XXHASH_INCLUDE_DIR)
-  foreach(part IN ITEMS MAJOR MINOR RELEASE)
-    file(STRINGS ${XXHASH_INCLUDE_DIR}/xxhash.h line REGEX "^#define XXH_VERSION_${part} +[0-9]+" LIMIT_COUNT 1)
-    string(REGEX REPLACE "^#define XXH_VERSION_${part} +([0-9]+).*" "\\1" number "${line}")
-    list(APPEND xxHash_VERSION ${number})
-  endforeach()
-  list(JOIN xxHash_VERSION "." xxHash_VERSION)
+  shaftcull_header_version(xxHash_VERSION ${XXHASH_INCLUDE_DIR}/xxhash.h XXH_VERSION MAJOR MINOR RELEASE)
 endif()
 find_package_handle_standard_args(xxHash REQUIRED_VARS XXHASH_LIBRARY XXHASH_INCLUDE_DIR VERSION_VAR xxHash_VERSION)
 if(xxHash_FOUND AND NOT TARGET xxHash::xxHash)
