@@ -11,6 +11,7 @@
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -307,16 +308,17 @@ class Run {
     if (ranks_.rank() == 0) tell(state, finished_counter);
   }
 
-  /// Blocks that are damaged are found here if they were not before: on disk they were whole a moment ago.
+  /// What was read of a block, all of which were whole on disk a moment ago. Throws if this one no longer is.
+  template <class Read>
+  [[nodiscard]] Read whole(std::optional<Read> read, std::uint64_t share, std::uint64_t block) const {
+    if (read) return *std::move(read);
+    throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", store_->path(share, block)));
+  }
+
   [[nodiscard]] BlockAnswer merged(std::uint64_t block) const {
     std::vector<BlockAnswer> shares;
     for (std::size_t share = 0; share != plan_.shares(); ++share) {
-      std::optional<BlockAnswer> answer = store_->read(share, block);
-      if (!answer) {
-        throw std::runtime_error(
-            fmt::format("{}: is damaged; the same command does it again", store_->path(share, block)));
-      }
-      shares.push_back(std::move(*answer));
+      shares.push_back(whole(store_->read(share, block), share, block));
     }
     return merge(std::move(shares), job_.question.answer,
                  [&](std::uint32_t row, std::uint64_t one, std::uint64_t other) {
@@ -330,26 +332,19 @@ class Run {
     input_->shafts.form(row, std::span(&shaft, 1), true);
     if (job_.question.contact == Contact::open) set_contact(shaft, Contact::open);
     const std::array both{std::min(one, other), std::max(one, other)};
-    const bool boxes = input_->bounds.kind() == BoundKind::box;
-    const std::size_t columns = boxes ? 6 : 4;
-    std::array<std::array<float, 2>, 6> column{};
-    std::vector<std::byte> scratch;
-    for (std::size_t i = 0; i != 2; ++i) {
-      const std::span<const float> floats = input_->bounds.read(both[i], 1, scratch);
-      for (std::size_t c = 0; c != columns; ++c) column[c][i] = floats[c];
-    }
-    FirstContactOf<std::uint64_t> contact;
-    if (boxes) {
-      BoxView view;
+    const auto first_of = [&]<class View>(View view) {
+      constexpr std::size_t columns = std::tuple_size_v<decltype(view.stream)>;
+      std::array<std::array<float, 2>, columns> column{};
+      std::vector<std::byte> scratch;
+      for (std::size_t i = 0; i != 2; ++i) {
+        const std::span<const float> floats = input_->bounds.read(both[i], 1, scratch);
+        for (std::size_t c = 0; c != columns; ++c) column[c][i] = floats[c];
+      }
       for (std::size_t c = 0; c != columns; ++c) view.stream[c] = column[c].data();
       view.count = 2;
-      contact = first_contact(shaft, view);
-    } else {
-      SphereView view;
-      for (std::size_t c = 0; c != columns; ++c) view.stream[c] = column[c].data();
-      view.count = 2;
-      contact = first_contact(shaft, view);
-    }
+      return first_contact(shaft, view);
+    };
+    const auto contact = input_->bounds.kind() == BoundKind::box ? first_of(BoxView()) : first_of(SphereView());
     return contact && both[contact.index] == one;
   }
 
@@ -362,12 +357,8 @@ class Run {
       for (auto block = static_cast<std::uint64_t>(ranks_.rank()); block < blocks_;
            block += static_cast<std::uint64_t>(ranks_.size())) {
         for (std::size_t share = 0; share != plan_.shares(); ++share) {
-          const auto here = store_->list_totals(share, block);
-          if (!here) {
-            throw std::runtime_error(
-                fmt::format("{}: is damaged; the same command does it again", store_->path(share, block)));
-          }
-          for (std::size_t l = 0; l != 2; ++l) totals[static_cast<std::size_t>(2 * block) + l] += (*here)[l];
+          const auto here = whole(store_->list_totals(share, block), share, block);
+          for (std::size_t l = 0; l != 2; ++l) totals[static_cast<std::size_t>(2 * block) + l] += here[l];
         }
       }
     });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
+#include "shaftcull/geometry.hpp"
 #include "shaftcull/query.hpp"
 
 namespace shaftcull::batch {
@@ -37,20 +37,8 @@ void for_bounds(const BoundsSource& bounds, std::uint64_t first, std::uint64_t c
   }
 }
 
-void join(Box& all, const Box& box) noexcept {
-  for (std::size_t axis = 0; axis != 3; ++axis) {
-    all.lo[axis] = std::min(all.lo[axis], box.lo[axis]);
-    all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
-  }
-}
-
-Box nowhere() noexcept {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
-
-/// Adds a list for each shaft that has one, or whose other list is not empty. `offsets` and `indices` are those of the
-/// library; ids are looked up and sorted.
+/// Adds the lists of the shafts in `kept`; those of all others are empty. Positions in the share become those in the
+/// file, by `ids` unless that is empty, and ascend.
 void add_lists(const IndexLists& from, const std::vector<std::size_t>& kept, const std::vector<std::uint64_t>& ids,
                BlockLists& to) {
   const std::size_t begin = to.indices.size();
@@ -97,7 +85,7 @@ std::vector<std::uint64_t> share_sizes(const BoundsSource& bounds, const SharePl
 }
 
 Share::Share(const BoundsSource& bounds, const SharePlan& plan, std::size_t which, std::uint64_t size)
-    : several_(plan.shares() > 1), box_(nowhere()) {
+    : several_(plan.shares() > 1), box_(box_around(std::span<const Vec3>())) {
   const std::size_t columns = bounds.array().columns();
   if (!several_) {
     std::vector<std::byte> scratch;
@@ -121,7 +109,7 @@ Share::Share(const BoundsSource& bounds, const SharePlan& plan, std::size_t whic
     for (std::size_t chunk = 0; chunk * bounds_a_task < some; ++chunk) {
       for (const std::uint32_t i : found[chunk]) {
         const float* const bound = floats + i * columns;
-        join(box_, bounds.box_around(bound));
+        box_ = joined(box_, bounds.box_around(bound));
         kept.insert(kept.end(), bound, bound + columns);
         ids_.push_back(at + i);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull batch`: what do very many shafts keep of very many bounds?
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
@@ -20,6 +21,14 @@ struct BatchOptions {
   int threads = 0;
   InstructionSet isa;
 };
+
+/// Values by their names.
+template <class Value>
+std::map<std::string, Value> by_name(std::initializer_list<Value> values) {
+  std::map<std::string, Value> names;
+  for (const Value value : values) names.emplace(name_of(value), value);
+  return names;
+}
 
 /// An option whose value is one of some words.
 template <class Value>
@@ -43,20 +52,14 @@ void add_batch(CLI::App& program) {
   batch.add_option("--boxes", job.boxes, "Boxes (N x 6) that --shafts has positions of")->type_name("ARRAY");
   add_choice<batch::ShaftKind>(
       batch, "--kinds", job.question.kind,
-      {{"between", batch::ShaftKind::between},
-       {"shadow", batch::ShaftKind::shadow},
-       {"swept", batch::ShaftKind::swept},
-       {"sun", batch::ShaftKind::sun}},
+      by_name({batch::ShaftKind::between, batch::ShaftKind::shadow, batch::ShaftKind::swept, batch::ShaftKind::sun}),
       "What rows of --shafts are: between two boxes; the shadow of a light and an occluder; a box "
       "swept by a vector, or towards it without end (N x 9) (default: between)")
       ->type_name("KIND");
   add_choice<batch::Answer>(
       batch, "--answer", job.question.answer,
-      {{"count", batch::Answer::count},
-       {"list", batch::Answer::list},
-       {"classify", batch::Answer::classify},
-       {"first", batch::Answer::first},
-       {"blocked", batch::Answer::blocked}},
+      by_name({batch::Answer::count, batch::Answer::list, batch::Answer::classify, batch::Answer::first,
+               batch::Answer::blocked}),
       "How many bounds each shaft keeps; which; which overlap it and which are inside; which it "
       "reaches first, and when; whether one of the bounds, solid boxes, blocks it (default: count)")
       ->type_name("ANSWER");
