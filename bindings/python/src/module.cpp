@@ -15,6 +15,7 @@ PYBIND11_MODULE(_shaftcull, module) {
   add_sphere_trees(module);
   add_triangles(module);
   add_visibility(module);
+  add_solids(module);
   add_rounding(module);
   add_machine(module);
   module.attr("__name__") = "shaftcull._shaftcull";

@@ -20,6 +20,7 @@ void add_sphere_streams(py::module_& module);
 void add_sphere_trees(py::module_& module);
 void add_triangles(py::module_& module);
 void add_visibility(py::module_& module);
+void add_solids(py::module_& module);
 void add_rounding(py::module_& module);
 void add_machine(py::module_& module);
 
