@@ -1158,7 +1158,8 @@ SHAFTCULL_API shaftcull_status shaftcull_blockers_add_solid_hulls(shaftcull_bloc
                                                                   uint64_t hull_count, uint64_t* first);
 
 /// Adds flat convex polygons by their corners in order, one blocker a polygon. They make pairs blocked. As
-/// shaftcull_blockers_add_solid_hulls(), with 3 corners or more a polygon.
+/// shaftcull_blockers_add_solid_hulls(), with 3 corners or more a polygon. One whose corners are a little out of plane
+/// is the triangles that its first corner makes with its other edges. That it is convex is not checked.
 SHAFTCULL_API shaftcull_status shaftcull_blockers_add_polygons(shaftcull_blockers* blockers, const float* corners,
                                                                uint64_t corner_count, const uint64_t* first_corner,
                                                                uint64_t polygon_count, uint64_t* first);

@@ -130,6 +130,7 @@ void Share::build(const BoundsSource& bounds, std::span<const float> floats) {
         tree_ = SphereTree(SphereRecords{data, data + 3, 4 * sizeof(float), count});
         break;
       case BoundKind::triangle:
+        static_assert(sizeof(Triangle) == 9 * sizeof(float) && alignof(Triangle) == alignof(float));
         tree_ = TriangleTree(std::span(reinterpret_cast<const Triangle*>(data), count));
         break;
     }
