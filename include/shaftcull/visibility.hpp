@@ -131,9 +131,9 @@ class Blockers {
   /// for at once. One blocker a hull.
   std::size_t add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Flat convex polygons, by their corners in order: walls without thickness. They make pairs `blocked`. As hulls,
-  /// with 3 corners or more each. Each is taken as blocked(shaft, polygon) takes it (blocked.hpp): one whose corners are
-  /// a little out of plane is the triangles that its first corner makes with its other edges. That it is convex is not
-  /// checked. One blocker a polygon.
+  /// with 3 corners or more each. Each is taken as blocked(shaft, polygon) takes it (blocked.hpp): one whose corners
+  /// are a little out of plane is the triangles that its first corner makes with its other edges. That it is convex is
+  /// not checked. One blocker a polygon.
   std::size_t add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner);
   /// Triangles, in groups. Group i has the triangles from first_triangle[i] to before first_triangle[i + 1]: whole
   /// objects are good groups. If there is no such list, the library makes groups of at most 32 neighbours, O(n log n).

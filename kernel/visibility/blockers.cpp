@@ -89,7 +89,8 @@ class Addition {
   /// Returns the number of the first one that was added.
   std::size_t keep() noexcept {
     is_kept_ = true;
-    if (data_.solids.size() != solids_) data_.merged_solids.forget();
+    if (data_.solids.size() != solids_) data_.solid_rows.forget();
+    if (data_.size() != size_) data_.clumps.forget();
     return size_;
   }
 
@@ -226,7 +227,7 @@ std::size_t put_needed_first(std::vector<Box>& boxes, std::span<const Box> large
 }
 
 /// In modes in which denormals are what they are.
-kernel::SolidRows solid_rows(std::span<const Box> solids) {
+kernel::SolidRows made_rows(std::span<const Box> solids) {
   std::vector<Box> together = merged_boxes(solids);
   std::sort(together.begin(), together.end(), is_less);
   std::vector<Box> alone(solids.begin(), solids.end());
@@ -242,17 +243,18 @@ kernel::SolidRows solid_rows(std::span<const Box> solids) {
       made.rows.push_back({{solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2], 0, 0}});
     }
   }
+  made.clumps = kernel::box_clumps(made.rows);
   return made;
 }
 
 }  // namespace
 
-kernel::MergedSolids::Rows kernel::MergedSolids::of(std::span<const Box> solids) const {
-  const std::lock_guard lock(mutex_);
-  if (rows_ == nullptr) {
-    rows_ = std::make_shared<const SolidRows>(in_float_environment([&] { return solid_rows(solids); }));
-  }
-  return rows_;
+kernel::MadeOnce<kernel::SolidRows>::Shared kernel::solid_rows_of(const BlockerData& blockers) {
+  return blockers.solid_rows.of([&] { return in_float_environment([&] { return made_rows(blockers.solids); }); });
+}
+
+kernel::MadeOnce<kernel::BoxClumps>::Shared kernel::clumps_of(const BlockerData& blockers) {
+  return blockers.clumps.of([&] { return box_clumps(blockers.boxes); });
 }
 
 Blockers::Blockers() : data_(std::make_unique<kernel::BlockerData>()) {}

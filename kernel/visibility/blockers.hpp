@@ -12,6 +12,7 @@
 
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/bounds.hpp"
+#include "visibility/box_clumps.hpp"
 
 namespace shaftcull::kernel {
 
@@ -26,33 +27,40 @@ struct SolidRows {
   /// So many of them, the first ones, block what all do. If solids that hold a part of an end are to block nothing,
   /// the others are asked as well: the larger box around one may hold an end that the smaller one does not.
   std::size_t largest = 0;
+  BoxClumps clumps;  ///< of all rows
 };
 
-/// These boxes, made when they are first asked for, by one thread while others wait. Copies share them.
-class MergedSolids {
+/// Something that is made when it is first asked for, by one thread while others wait. Copies share it.
+template <class Made>
+class MadeOnce {
  public:
-  using Rows = std::shared_ptr<const SolidRows>;
+  using Shared = std::shared_ptr<const Made>;
 
-  MergedSolids() = default;
-  MergedSolids(const MergedSolids& other) : rows_(other.made()) {}
-  MergedSolids(MergedSolids&&) = delete;
-  MergedSolids& operator=(const MergedSolids&) = delete;
-  MergedSolids& operator=(MergedSolids&&) = delete;
-  ~MergedSolids() = default;
+  MadeOnce() = default;
+  MadeOnce(const MadeOnce& other) : made_(other.made()) {}
+  MadeOnce(MadeOnce&&) = delete;
+  MadeOnce& operator=(const MadeOnce&) = delete;
+  MadeOnce& operator=(MadeOnce&&) = delete;
+  ~MadeOnce() = default;
 
-  /// Of these solids, which must be the same from one call to the next but for forget().
-  [[nodiscard]] Rows of(std::span<const Box> solids) const;
-  /// Others were added. Nobody else may be asking.
-  void forget() noexcept { rows_.reset(); }
+  /// What make() returns, which must be the same from one call to the next but for forget().
+  template <class Make>
+  [[nodiscard]] Shared of(const Make& make) const {
+    const std::lock_guard lock(mutex_);
+    if (made_ == nullptr) made_ = std::make_shared<const Made>(make());
+    return made_;
+  }
+  /// It would be another one now. Nobody else may be asking.
+  void forget() noexcept { made_.reset(); }
 
  private:
-  [[nodiscard]] Rows made() const {
+  [[nodiscard]] Shared made() const {
     const std::lock_guard lock(mutex_);
-    return rows_;
+    return made_;
   }
 
   mutable std::mutex mutex_;
-  mutable Rows rows_;
+  mutable Shared made_;
 };
 
 struct BlockerData {
@@ -68,14 +76,22 @@ struct BlockerData {
 
   /// Boxes that are solid, as they were given or found in hulls.
   std::vector<Box> solids;
-  MergedSolids merged_solids;
   std::vector<PolygonBlocker> polygons;
   float largest_coordinate = 0;
+
+  /// Made of the above.
+  MadeOnce<SolidRows> solid_rows;
+  MadeOnce<BoxClumps> clumps;
 
   [[nodiscard]] std::size_t size() const noexcept { return boxes.size(); }
   [[nodiscard]] std::span<const Vec3> points_of(std::size_t i) const noexcept {
     return {points.data() + first_point[i], first_point[i + 1] - first_point[i]};
   }
 };
+
+/// The solids, alone and together. Threads may ask at the same time.
+[[nodiscard]] MadeOnce<SolidRows>::Shared solid_rows_of(const BlockerData& blockers);
+/// Clumps of `blockers.boxes`, likewise.
+[[nodiscard]] MadeOnce<BoxClumps>::Shared clumps_of(const BlockerData& blockers);
 
 }  // namespace shaftcull::kernel

@@ -46,6 +46,18 @@ std::uint64_t any_of(const std::uint64_t* words, std::size_t count) noexcept {
   return any;
 }
 
+/// Copies the numbers of a list of `count` whose words have the bit of a lane.
+void copy_of_lane(const std::uint32_t* list, const std::uint64_t* words, std::size_t count, unsigned lane,
+                  std::vector<std::uint32_t>& to) {
+  to.resize(count + 1);  // what is not copied is written, too
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i != count; ++i) {  // without branches, which would be mispredicted
+    to[copied] = list[i];
+    copied += words[i] >> lane & 1U;
+  }
+  to.resize(copied);
+}
+
 /// Removes what concerns no row of `rows_left`, or no column of `columns_left`.
 void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
                  std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
@@ -314,6 +326,42 @@ std::uint64_t Ladder::blocked_by_polygons(const std::uint32_t* polygons, std::si
   return blocked;
 }
 
+/// Where lists are of all blockers, leaves out those that no lane's shafts with a group come near.
+void Ladder::leave_out_far(SightLists& lists, const Side& lanes, const Side& group) {
+  const BoxClumps& clumps = job_.blocker_clumps;
+  if (clumps.around.empty() || lists.candidates.size() != job_.blockers.size()) return;
+  const std::uint64_t asked = first_lanes(lanes.count);
+  form(group, 0, lanes, asked);
+  siblings_.contact = Contact::closed;  // a bound may touch them in a face of its clump
+  leave_out_far(lists.candidates, job_.blockers.size(), clumps, asked);
+  std::erase_if(lists.polygons, [&](std::uint32_t i) { return (near_[i / 64] & bit(i % 64)) == 0; });
+  leave_out_far(lists.solids, job_.solids.size(), job_.solid_clumps, asked);
+}
+
+/// Likewise of one list, by the shafts at hand. near_ says which are left.
+void Ladder::leave_out_far(std::vector<std::uint32_t>& list, std::size_t all, const BoxClumps& clumps,
+                           std::uint64_t asked) {
+  if (clumps.around.empty() || list.size() != all) return;
+  clump_lanes_.resize(clumps.around.size());
+  job_.kernels.keep(siblings_, clumps.around.data(), clumps.numbers.data(), clumps.numbers.size(), nullptr, asked,
+                    clump_lanes_.data());
+  near_.assign(words_for(clumps.members.size()), 0);
+  for (std::size_t c = 0; c != clump_lanes_.size(); ++c) {
+    if (clump_lanes_[c] == 0) continue;
+    const std::size_t end = std::min(clumps.members.size(), BoxClumps::size * (c + 1));
+    for (std::size_t i = BoxClumps::size * c; i != end; ++i) {
+      near_[clumps.members[i] / 64] |= bit(clumps.members[i] % 64);
+    }
+  }
+  list.clear();
+  for (std::size_t word = 0; word != near_.size(); ++word) {
+    for_each_lane(near_[word], [&](unsigned i) {
+      const std::size_t number = 64 * word + i;
+      if (number < all) list.push_back(static_cast<std::uint32_t>(number));
+    });
+  }
+}
+
 /// Compares lanes of one side with a whole group of the other set. Answers those that can be, and returns the others.
 std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
                                          std::uint64_t rows) {
@@ -393,6 +441,13 @@ void Ladder::walk(std::uint32_t a, std::uint32_t b, std::size_t depth) {
     polygons.assign(here.lists.polygons.size(), ~std::uint64_t{0});
   };
   rows_ = &rows;
+  if (!is_itself) {
+    if (rows.count == 1) {
+      leave_out_far(here.lists, columns, Side::alone(job_.a, a));
+    } else {
+      leave_out_far(here.lists, rows.are_patches ? Side::alone(job_.a, a) : rows, Side::alone(job_.b, b));
+    }
+  }
   if (is_itself || rows.count == 1) {
     keep_all(here.row_candidates, here.row_solids, here.row_polygons);
     if (rows.are_patches) drop_behind(here, rows, here.row_candidates);
@@ -432,10 +487,7 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
     } else {
       kernels.keep(siblings_, boxes.data(), list.data(), list.size(), nullptr, bit(row), kept.data());
     }
-    to.clear();
-    for (std::size_t i = 0; i != list.size(); ++i) {
-      if (kept[i] != 0) to.push_back(list[i]);
-    }
+    copy_of_lane(list.data(), kept.data(), list.size(), row, to);
   };
   form(rows, row, rows, bit(row));
   pass_on(job_.blockers.boxes, lists.candidates, below.candidates, false);
@@ -494,10 +546,7 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   for_each_lane(lanes, [&](unsigned lane) {
     SightLists& below = level(depth + 1).lists;
     const auto pass_on = [&](const Selection& selection, std::vector<std::uint32_t>& to) {
-      to.clear();
-      for (std::size_t i = 0; i != selection.count; ++i) {
-        if ((selection.kept[i] & bit(lane)) != 0) to.push_back(selection.list[i]);
-      }
+      copy_of_lane(selection.list.data(), selection.kept.data(), selection.count, lane, to);
     };
     pass_on(candidates, below.candidates);
     pass_on(solids, below.solids);

@@ -29,6 +29,8 @@ struct SightJob {
   bool is_of_one_set;
   const BlockerData& blockers;
   std::span<const BoxRow> solids;
+  const BoxClumps& blocker_clumps;  ///< of all blockers
+  const BoxClumps& solid_clumps;    ///< of all solids, and of more
   const SiblingKernels& kernels;
   Contact contact;
   bool solids_around_ends;
@@ -116,6 +118,8 @@ class Ladder {
   void enter(const SightProductTask& task, const To& to);
   void descend(std::uint32_t a, std::uint32_t b, std::size_t depth);
   void walk(std::uint32_t a, std::uint32_t b, std::size_t depth);
+  void leave_out_far(SightLists& lists, const Side& lanes, const Side& group);
+  void leave_out_far(std::vector<std::uint32_t>& list, std::size_t all, const BoxClumps& clumps, std::uint64_t asked);
   std::uint64_t compare_with_group(Level& level, const Side& lanes, const Side& group, bool lanes_are_rows,
                                    std::uint64_t rows);
   std::uint64_t drop_behind(const Level& level, const Side& lanes, std::vector<std::uint64_t>& kept);
@@ -148,7 +152,9 @@ class Ladder {
   float fixed_[6] = {};      // the box that all siblings_ begin at
   float exchanged_[6] = {};  // likewise of form_exchanged()
   std::vector<PointsBehind> points_behind_;
-  const Side* rows_ = nullptr;  // of the product at hand
+  std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
+  std::vector<std::uint64_t> near_;         // a bit a blocker, or a solid: whether one comes near its clump
+  const Side* rows_ = nullptr;              // of the product at hand
   const std::uint64_t* most_pairs_ = nullptr;
   const Leave* leave_ = nullptr;
 };

@@ -89,12 +89,15 @@ class Run {
       const VisibilityOptions& options, const Deliver* deliver)
       : options_(options),
         deliver_(deliver),
-        solids_(blockers.merged_solids.of(blockers.solids)),
+        solids_(solid_rows_of(blockers)),
+        clumps_(clumps_of(blockers)),
         job_{sight_set(a, largest_coordinate(a, b, blockers)),
              sight_set(b, largest_coordinate(a, b, blockers)),
              is_of_one_set,
              blockers,
              std::span(solids_->rows).first(options.solids_around_ends ? solids_->largest : solids_->rows.size()),
+             *clumps_,
+             solids_->clumps,
              active_kernels().siblings,
              options.contact,
              options.solids_around_ends,
@@ -354,7 +357,8 @@ class Run {
   const VisibilityOptions& options_;
   const Deliver* deliver_;
   CallersModes modes_;
-  MergedSolids::Rows solids_;
+  MadeOnce<SolidRows>::Shared solids_;
+  MadeOnce<BoxClumps>::Shared clumps_;
   SightJob job_;
   ProgressTeller teller_;
   std::vector<std::uint32_t> a_place_;  // for resolve

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "instruction_sets.hpp"
+#include "oracle/random.hpp"
 #include "sanitizers.hpp"
 
 namespace shaftcull {
@@ -20,11 +21,41 @@ namespace {
 /// Of all scenes together, so that a test that only asks for one kind of answer is noticed.
 SightCounts seen;
 
-void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patches, std::uint64_t first_seed = 1) {
+/// Adds so many blockers of each kind to a scene that the library puts them into clumps, few of which come near a
+/// shaft. Most are flat, many of these in a plane with a patch.
+void add_crowd(SightScene& scene, std::uint64_t seed) {
+  Random random(seed);
+  const auto draw = [&] {
+    Box box{};
+    for (std::size_t k = 0; k != 3; ++k) {
+      box.lo[k] = random.integer(-4, 36);
+      box.hi[k] = box.lo[k] + random.integer(0, 2);
+    }
+    const unsigned flat = random.below(4);
+    if (flat == 3) return box;
+    if (random.one_in(2)) box.lo[flat] = scene.a[random.below(static_cast<unsigned>(scene.a.size()))].lo[flat];
+    box.hi[flat] = box.lo[flat];
+    return box;
+  };
+  for (unsigned left = 600; left != 0; --left) scene.boxes.push_back(draw());
+  for (unsigned left = 600; left != 0; --left) scene.solids.push_back(draw());
+  for (unsigned left = 60; left != 0; --left) {
+    const Box box = draw();
+    for (const Vec3& corner : {box.lo, Vec3{box.hi[0], box.lo[1], box.hi[2]}, box.hi}) {
+      scene.polygon_corners.push_back(corner);
+    }
+    scene.first_polygon.push_back(scene.polygon_corners.size());
+  }
+}
+
+void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patches, std::uint64_t first_seed = 1,
+                  bool in_crowd = false) {
   for (std::uint64_t seed = first_seed; seed != first_seed + seeds; ++seed) {
     SCOPED_TRACE(std::string("random_sight_scene(") + name(scenery) + ", " + std::to_string(seed) + ", " +
-                 std::to_string(most_patches) + ")");
-    const SightCase of(random_sight_scene(scenery, seed, most_patches));
+                 std::to_string(most_patches) + ")" + (in_crowd ? " in a crowd" : ""));
+    SightScene scene = random_sight_scene(scenery, seed, most_patches);
+    if (in_crowd) add_crowd(scene, seed);
+    const SightCase of(std::move(scene));
     const SightTruths truths(of);
     Visibility first;
     bool is_first = true;
@@ -77,6 +108,45 @@ TEST(Visibility, IsWhatItIsWhereBlockersTouchShafts) { expect_all_right(SightSce
 TEST(Visibility, IsWhatItIsOfAnyMagnitude) { expect_all_right(SightScenery::wild, 70, 1); }
 TEST(Visibility, IsWhatItIsOfDenormals) { expect_all_right(SightScenery::tiny, 80, 2); }
 TEST(Visibility, IsWhatItIsUpToTheLargestFloat) { expect_all_right(SightScenery::huge, 100, 1); }
+
+TEST(Visibility, IsWhatItIsAmongManyBlockers) {
+  seen = {};
+  expect_right(SightScenery::nudged, random_cases(40), 8, 1, true);
+  expect_right(SightScenery::flat, random_cases(300), 2, 1, true);
+  expect_right(SightScenery::nudged, random_cases(4), 120, 1000, true);
+  EXPECT_GT(seen.undecided, random_cases(100));
+  EXPECT_GT(seen.clear, random_cases(20));
+  EXPECT_GT(seen.blocked, random_cases(20));
+}
+
+// Flat boxes lie in the plane z = 0 of all patches, a thick one below each: so z = 0 is a face of every clump.
+TEST(Visibility, IsWhatItIsInAFaceOfAClump) {
+  constexpr int columns = 40;
+  constexpr int rows = 20;
+  std::vector<Box> boxes;
+  for (int y = 0; y != rows; ++y) {
+    for (int x = 0; x != columns; ++x) {
+      const auto at_x = static_cast<float>(10 * x);
+      const auto at_y = static_cast<float>(10 * y);
+      boxes.push_back({{at_x, at_y, 0}, {at_x + 2, at_y + 2, 0}});
+      boxes.push_back({{at_x, at_y, -2}, {at_x + 2, at_y + 2, 0}});
+    }
+  }
+  Blockers blockers;
+  blockers.add_boxes(std::span<const Box>(boxes));
+  on_each_instruction_set([&] {
+    for (int y = 0; y != rows; ++y) {
+      const auto at_y = static_cast<float>(10 * y + 1);
+      const Box left{{-1, at_y, 0}, {-1, at_y, 0}};
+      const Box right{{500, at_y, 0}, {500, at_y, 0}};
+      const Visibility all =
+          collect_visibility(PatchSet(std::span(&left, 1)), PatchSet(std::span(&right, 1)), blockers);
+      std::vector<std::uint32_t> expected;
+      for (int x = 0; x != columns; ++x) expected.push_back(static_cast<std::uint32_t>(2 * (y * columns + x)));
+      EXPECT_EQ(all.candidates, expected);
+    }
+  });
+}
 
 // Two solids are one box, whose middle hides some points from others; each of the two only touches what lies flat in
 // their seam. So some groups of points have no blocker between them, and yet pairs that are blocked.
