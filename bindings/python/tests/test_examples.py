@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The examples do what they say."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -71,3 +72,49 @@ def test_casters_are_drawn(tmp_path):
         wanted = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)]) / 255
         near = (abs(pixels[..., :3] - wanted).max(-1) < 0.12).sum()
         assert near > 200, colour
+
+
+@pytest.fixture
+def batch(tmp_path):
+    """Files of boxes and shafts, and what each shaft keeps, in the order of the boxes."""
+    random = np.random.default_rng(19)
+
+    def boxes(count, size):
+        lo = random.random((count, 3))
+        return np.hstack([lo, lo + size * random.random((count, 3))]).astype(np.float32)
+
+    bounds, shafts = boxes(3_000, 0.02), np.hstack([boxes(1_000, 0.1), boxes(1_000, 0.1)])
+    np.save(tmp_path / "bounds.npy", bounds)
+    np.save(tmp_path / "shafts.npy", shafts)
+    stream = shaftcull.BoxStream(bounds)
+    kept = [np.flatnonzero(stream.cull(shaftcull.Shafts.between(row[:6], row[6:]))) for row in shafts]
+    return [str(tmp_path / "bounds.npy"), str(tmp_path / "shafts.npy")], kept
+
+
+def test_ranks_of_mpi_count_a_file_of_shafts(batch, tmp_path):
+    pytest.importorskip("mpi4py", reason="no mpi4py (Debian: python3-mpi4py)")
+    files, kept = batch
+    out = tmp_path / "counts.npy"
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    code = f"import batch_mpi; batch_mpi.main(*{files!r}, {str(out)!r}, block=37)"
+    try:
+        done = subprocess.run(
+            ["mpirun", "--oversubscribe", "-n", "3", sys.executable, "-c", code],
+            capture_output=True, text=True, timeout=300, cwd=EXAMPLES, env=environment,
+        )
+    except FileNotFoundError:
+        pytest.skip("no mpirun (Debian: openmpi-bin)")
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_array_equal(np.load(out), [len(one) for one in kept])
+
+
+def test_workers_of_dask_list_a_file_of_shafts(batch, tmp_path):
+    pytest.importorskip("dask", reason="no dask (Debian: python3-dask)")
+    import batch_dask
+
+    files, kept = batch
+    out = tmp_path / "lists.npz"
+    batch_dask.main(*files, out, block=37)
+    found = np.load(out)
+    np.testing.assert_array_equal(found["offsets"], np.cumsum([0, *map(len, kept)]))
+    np.testing.assert_array_equal(found["indices"], np.concatenate(kept))
