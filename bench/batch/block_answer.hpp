@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 #include "batch/question.hpp"
@@ -27,6 +28,13 @@ struct BlockAnswer {
   std::vector<std::uint64_t> numbers;  ///< of each: how many it keeps, or which it reaches first
   std::vector<float> times;            ///< of each: when
   std::array<BlockLists, 2> lists;     ///< of each: what it keeps; or what overlaps, and what is inside
+
+  /// As BlockStore wants them.
+  template <class Self>
+  [[nodiscard]] static auto arrays(Self& self) {
+    return std::tie(self.rows, self.numbers, self.times, self.lists[0].sizes, self.lists[0].indices,
+                    self.lists[1].sizes, self.lists[1].indices);
+  }
 
   friend bool operator==(const BlockAnswer&, const BlockAnswer&) = default;
 };

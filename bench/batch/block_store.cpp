@@ -18,49 +18,24 @@ namespace shaftcull::batch {
 namespace {
 
 constexpr std::array<char, 8> magic{'S', 'H', 'C', 'B', 'L', 'K', '0', '1'};
-constexpr std::size_t arrays = 7;
-
 struct Header {
   std::array<char, 8> begins;
   Fingerprint job;
   std::uint64_t share;
   std::uint64_t block;
-  std::array<std::uint64_t, arrays> bytes;  ///< of each array, in the order of `arrays_of`
-  std::uint64_t answers;                    ///< checksum of all arrays
-  std::uint64_t header;                     ///< checksum of what stands above
+  BlockStore::Sizes bytes;  ///< of each array
+  std::uint64_t answers;    ///< checksum of all arrays
+  std::uint64_t header;     ///< checksum of what stands above
 };
-static_assert(sizeof(Header) == 8 * (7 + arrays), "no padding is written");
+static_assert(sizeof(Header) == 8 * (7 + BlockStore::most_arrays), "no padding is written");
 
 struct CloseStream {
   void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
 };
 using Stream = std::unique_ptr<std::FILE, CloseStream>;
 
-template <class T>
-std::span<const std::byte> bytes_of(const std::vector<T>& values) {
-  return std::as_bytes(std::span(values));
-}
-
-std::array<std::span<const std::byte>, arrays> arrays_of(const BlockAnswer& answer) {
-  return {bytes_of(answer.rows),
-          bytes_of(answer.numbers),
-          bytes_of(answer.times),
-          bytes_of(answer.lists[0].sizes),
-          bytes_of(answer.lists[0].indices),
-          bytes_of(answer.lists[1].sizes),
-          bytes_of(answer.lists[1].indices)};
-}
-
 std::uint64_t checksum_of(const Header& header) {
   return checksum(std::as_bytes(std::span(&header, 1)).first(offsetof(Header, header)));
-}
-
-/// Reads an array of so many bytes. False if they are not there.
-template <class T>
-bool read_array(std::FILE* file, std::uint64_t bytes, std::vector<T>& values) {
-  if (bytes % sizeof(T) != 0) return false;
-  values.resize(bytes / sizeof(T));
-  return std::fread(values.data(), sizeof(T), values.size(), file) == values.size();
 }
 
 /// Opens a block and reads its header. Null if that is not the one of this block.
@@ -97,13 +72,13 @@ std::string BlockStore::path(std::uint64_t share, std::uint64_t block) const {
   return fmt::format("{}/share-{:04}/block-{:09}", folder_, share, block);
 }
 
-void BlockStore::write(std::uint64_t share, std::uint64_t block, const BlockAnswer& answer) const {
+void BlockStore::write_arrays(std::uint64_t share, std::uint64_t block,
+                              std::span<const std::span<const std::byte>> arrays) const {
   Header header{magic, job_, share, block, {}, 0, 0};
   RunningChecksum sum;
-  const auto bytes = arrays_of(answer);
-  for (std::size_t i = 0; i != arrays; ++i) {
-    header.bytes[i] = bytes[i].size();
-    sum.add(bytes[i]);
+  for (std::size_t i = 0; i != arrays.size(); ++i) {
+    header.bytes[i] = arrays[i].size();
+    sum.add(arrays[i]);
   }
   header.answers = sum.value();
   header.header = checksum_of(header);
@@ -112,7 +87,7 @@ void BlockStore::write(std::uint64_t share, std::uint64_t block, const BlockAnsw
     WrittenFile file(temporary, true);
     file.write_at(0, std::as_bytes(std::span(&header, 1)));
     std::uint64_t at = sizeof(header);
-    for (const std::span<const std::byte> array : bytes) {
+    for (const std::span<const std::byte> array : arrays) {
       file.write_at(at, array);
       at += array.size();
     }
@@ -121,32 +96,25 @@ void BlockStore::write(std::uint64_t share, std::uint64_t block, const BlockAnsw
   rename_file(temporary, path(share, block));
 }
 
-std::optional<BlockAnswer> BlockStore::read(std::uint64_t share, std::uint64_t block) const {
+bool BlockStore::read_arrays(std::uint64_t share, std::uint64_t block, std::span<const MakeRoom> rooms) const {
   Header header{};
   const Stream file = open_block(path(share, block), job_, share, block, header);
-  if (!file) return std::nullopt;
-  BlockAnswer answer;
-  if (!read_array(file.get(), header.bytes[0], answer.rows) ||
-      !read_array(file.get(), header.bytes[1], answer.numbers) ||
-      !read_array(file.get(), header.bytes[2], answer.times)) {
-    return std::nullopt;
-  }
-  for (std::size_t l = 0; l != 2; ++l) {
-    if (!read_array(file.get(), header.bytes[3 + 2 * l], answer.lists[l].sizes) ||
-        !read_array(file.get(), header.bytes[4 + 2 * l], answer.lists[l].indices)) {
-      return std::nullopt;
-    }
-  }
+  if (!file) return false;
   RunningChecksum sum;
-  for (const std::span<const std::byte> array : arrays_of(answer)) sum.add(array);
-  if (sum.value() != header.answers) return std::nullopt;
-  return answer;
+  for (std::size_t i = 0; i != header.bytes.size(); ++i) {
+    const auto bytes = static_cast<std::size_t>(header.bytes[i]);
+    if (bytes == 0 && i >= rooms.size()) continue;
+    std::byte* const room = i < rooms.size() ? rooms[i](bytes) : nullptr;
+    if (bytes != 0 && (room == nullptr || std::fread(room, 1, bytes, file.get()) != bytes)) return false;
+    sum.add({room, bytes});
+  }
+  return sum.value() == header.answers;
 }
 
-std::optional<std::array<std::uint64_t, 2>> BlockStore::list_totals(std::uint64_t share, std::uint64_t block) const {
+std::optional<BlockStore::Sizes> BlockStore::sizes(std::uint64_t share, std::uint64_t block) const {
   Header header{};
   if (!open_block(path(share, block), job_, share, block, header)) return std::nullopt;
-  return std::array{header.bytes[4] / sizeof(std::uint64_t), header.bytes[6] / sizeof(std::uint64_t)};
+  return header.bytes;
 }
 
 }  // namespace shaftcull::batch

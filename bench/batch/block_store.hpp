@@ -3,11 +3,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <tuple>
+#include <type_traits>
 
-#include "batch/block_answer.hpp"
 #include "batch/checksum.hpp"
 
 namespace shaftcull::batch {
@@ -15,8 +19,15 @@ namespace shaftcull::batch {
 /// A file for each block and share, in a folder: a header, then the answers, both with a checksum. It is written under
 /// another name and renamed, so that a run that is killed leaves whole blocks, or none. Nobody waits for the disk: what
 /// a machine that goes down has not written, checksums tell.
+///
+/// An Answer is some vectors, at most most_arrays, of what may be written as bytes: Answer::arrays(answer) is a tuple
+/// of references to them.
 class BlockStore {
  public:
+  static constexpr std::size_t most_arrays = 7;
+  /// Bytes of each array; 0 for those that an answer does not have.
+  using Sizes = std::array<std::uint64_t, most_arrays>;
+
   /// `job` tells whose blocks these are: others count as damaged. `rank` keeps names of those that write apart.
   BlockStore(std::string folder, const Fingerprint& job, int rank);
 
@@ -24,17 +35,54 @@ class BlockStore {
   void make_folders(std::size_t shares) const;
 
   /// Throws std::runtime_error if it cannot be written; then the block is not there.
-  void write(std::uint64_t share, std::uint64_t block, const BlockAnswer& answer) const;
+  template <class Answer>
+  void write(std::uint64_t share, std::uint64_t block, const Answer& answer) const {
+    std::apply(
+        [&](const auto&... arrays) {
+          static_assert(sizeof...(arrays) <= most_arrays);
+          const std::array<std::span<const std::byte>, sizeof...(arrays)> bytes{std::as_bytes(std::span(arrays))...};
+          write_arrays(share, block, bytes);
+        },
+        Answer::arrays(answer));
+  }
 
   /// The answers of a block, or nothing if it is not there, torn or damaged.
-  [[nodiscard]] std::optional<BlockAnswer> read(std::uint64_t share, std::uint64_t block) const;
+  template <class Answer>
+  [[nodiscard]] std::optional<Answer> read(std::uint64_t share, std::uint64_t block) const {
+    Answer answer;
+    const bool is_whole = std::apply(
+        [&](auto&... arrays) {
+          std::array<MakeRoom, sizeof...(arrays)> rooms{room_in(arrays)...};
+          return read_arrays(share, block, rooms);
+        },
+        Answer::arrays(answer));
+    if (!is_whole) return std::nullopt;
+    return answer;
+  }
 
-  /// How many indices the lists of a block have, by its header alone. Nothing if that is not there or damaged.
-  [[nodiscard]] std::optional<std::array<std::uint64_t, 2>> list_totals(std::uint64_t share, std::uint64_t block) const;
+  /// How long the arrays of a block are, by its header alone. Nothing if that is not there or damaged.
+  [[nodiscard]] std::optional<Sizes> sizes(std::uint64_t share, std::uint64_t block) const;
 
   [[nodiscard]] std::string path(std::uint64_t share, std::uint64_t block) const;
 
  private:
+  /// Makes room for so many bytes, and returns where; null if the array cannot have so many.
+  using MakeRoom = std::function<std::byte*(std::uint64_t bytes)>;
+
+  template <class Array>
+  static MakeRoom room_in(Array& array) {
+    using Value = typename Array::value_type;
+    static_assert(std::is_trivially_copyable_v<Value>);
+    return [&array](std::uint64_t bytes) -> std::byte* {
+      if (bytes % sizeof(Value) != 0) return nullptr;
+      array.resize(static_cast<std::size_t>(bytes / sizeof(Value)));
+      return std::as_writable_bytes(std::span(array)).data();
+    };
+  }
+
+  void write_arrays(std::uint64_t share, std::uint64_t block, std::span<const std::span<const std::byte>> arrays) const;
+  bool read_arrays(std::uint64_t share, std::uint64_t block, std::span<const MakeRoom> rooms) const;
+
   std::string folder_;
   Fingerprint job_;
   int rank_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <future>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -38,7 +37,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t numbers_a_block = 65'536;  ///< shafts whose answers are a number each
 constexpr std::uint64_t lists_a_block = 16'384;    ///< … or lists
 constexpr std::uint64_t most_in_sample = 1'000'000;
-constexpr auto pause_between_polls = std::chrono::milliseconds(1);
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
 
@@ -65,9 +63,6 @@ struct Input {
     }
   }
 };
-
-/// Counters that ranks share: one a share, of the blocks that were dealt, and these behind them.
-enum OtherCounter : std::size_t { finished_counter, stop_counter, merge_counter, other_counters };
 
 class Run {
  public:
@@ -102,8 +97,6 @@ class Run {
   }
 
  private:
-  [[nodiscard]] std::size_t counter(OtherCounter other) const { return plan_.shares() + other; }
-
   /// All: throws `what` unless all ranks have the same number.
   void agree_on(std::uint64_t number, const std::string& what) {
     std::vector<std::uint64_t> numbers(static_cast<std::size_t>(ranks_.size()));
@@ -207,7 +200,7 @@ class Run {
       on_all(ranks_, [&] {
         for (auto i = static_cast<std::size_t>(ranks_.rank()); i < finished_.size();
              i += static_cast<std::size_t>(ranks_.size())) {
-          finished_[i] = store_->read(i / blocks_, i % blocks_) ? 1 : 0;
+          finished_[i] = store_->read<BlockAnswer>(i / blocks_, i % blocks_) ? 1 : 0;
         }
       });
       ranks_.sum(finished_);
@@ -219,50 +212,22 @@ class Run {
     return std::min(block_, input_->shafts.size() - block * block_);
   }
 
-  /// Does some work on the threads, while this one lets other ranks go on and tells how far the job is.
-  void compute_apart(const std::function<void()>& work, ProgressState state, OtherCounter done) {
-    std::future<void> task = std::async(std::launch::async, [&] { surroundings_.on_threads(work); });
-    while (task.wait_for(pause_between_polls) != std::future_status::ready) {
-      ranks_.poll();
-      if (progress_.due()) tell(state, done);
-    }
-    task.get();
+  /// Does some work on the threads, and tells now and then how far the job is.
+  void apart(Dealing& dealing, const std::function<void()>& work, const ProgressState& state) {
+    dealing.apart(work, [&] {
+      if (progress_.due()) tell(dealing, state);
+    });
   }
 
-  void tell(ProgressState state, OtherCounter done) {
-    state.blocks_done += ranks_.add(counter(done), 0);
+  void tell(Dealing& dealing, ProgressState state) {
+    state.blocks_done += dealing.finished();
     state.seconds = seconds_since(phase_begin_);
     progress_.write(state);
   }
 
-  /// Whether the run is to end: a rank has failed, or a signal came.
-  [[nodiscard]] bool must_stop() {
-    return ranks_.add(counter(stop_counter), surroundings_.interrupted() != 0 ? 1 : 0) != 0 ||
-           surroundings_.interrupted() != 0;
-  }
-
-  /// Does `work` on this rank as on_all() does; if it fails, all ranks stop after the blocks that they are at.
-  void on_all_until_stopped(const std::function<void()>& work) {
-    on_all(ranks_, [&] {
-      try {
-        work();
-      } catch (...) {
-        ranks_.add(counter(stop_counter), 1);
-        throw;
-      }
-    });
-    // A signal ends a rank's work as the end of work does: without an exception.
-    std::vector<std::uint64_t> signals(static_cast<std::size_t>(ranks_.size()));
-    signals[static_cast<std::size_t>(ranks_.rank())] = static_cast<std::uint64_t>(surroundings_.interrupted());
-    ranks_.sum(signals);
-    const std::uint64_t signal = std::ranges::max(signals);
-    if (signal == 0) return;
-    const auto stop = [&] {
-      throw Stopped(static_cast<int>(signal),
-                    fmt::format("batch: interrupted; what is finished is in {}: the same command goes on with it",
-                                folder_.path()));
-    };
-    on_first(ranks_, stop);
+  [[nodiscard]] std::string stopped_text() const {
+    return fmt::format("batch: interrupted; what is finished is in {}: the same command goes on with it",
+                       folder_.path());
   }
 
   void compute() {
@@ -272,7 +237,7 @@ class Run {
     for (std::size_t i = 0; i != finished_.size(); ++i) {
       if (finished_[i] == 0) left[i / blocks_].push_back(i % blocks_);
     }
-    ranks_.make_counters(shares + other_counters);
+    Dealing dealing(ranks_, surroundings_, shares);
     phase_begin_ = Clock::now();
     const std::uint64_t units = shares * blocks_;
     const ProgressState state{"compute",
@@ -281,31 +246,31 @@ class Run {
                               report_.blocks_before,
                               blocks_ == 0 ? 0 : static_cast<double>(report_.shafts) / static_cast<double>(units),
                               0};
-    on_all_until_stopped([&] {
+    const auto work = [&] {
       const std::size_t begin =
           static_cast<std::size_t>(ranks_.rank()) * shares / static_cast<std::size_t>(ranks_.size());
       for (std::size_t i = 0; i != shares; ++i) {
         const std::size_t which = (begin + i) % shares;
         std::optional<Share> share;
-        while (!must_stop()) {
+        while (!dealing.must_stop()) {
           // Whoever has no tree yet looks first whether it is worth one.
-          if (!share && ranks_.add(which, 0) >= left[which].size()) break;
-          const std::uint64_t taken = ranks_.add(which, 1);
+          if (!share && dealing.taken(which) >= left[which].size()) break;
+          const std::uint64_t taken = dealing.take(which);
           if (taken >= left[which].size()) break;
           const std::uint64_t block = left[which][static_cast<std::size_t>(taken)];
-          compute_apart(
-              [&] {
-                if (!share) share.emplace(input_->bounds, plan_, which, sizes_[which]);
-                store_->write(which, block,
-                              share->answer(input_->shafts, block * block_, size_of_block(block), job_.question));
-              },
-              state, finished_counter);
-          ranks_.add(counter(finished_counter), 1);
+          const auto answer_block = [&] {
+            if (!share) share.emplace(input_->bounds, plan_, which, sizes_[which]);
+            store_->write(which, block,
+                          share->answer(input_->shafts, block * block_, size_of_block(block), job_.question));
+          };
+          apart(dealing, answer_block, state);
+          dealing.finish();
         }
-        if (must_stop()) return;
+        if (dealing.must_stop()) return;
       }
-    });
-    if (ranks_.rank() == 0) tell(state, finished_counter);
+    };
+    dealing.on_all_until_stopped(work, stopped_text());
+    if (ranks_.rank() == 0) tell(dealing, state);
   }
 
   /// What was read of a block, all of which were whole on disk a moment ago. Throws if this one no longer is.
@@ -318,7 +283,7 @@ class Run {
   [[nodiscard]] BlockAnswer merged(std::uint64_t block) const {
     std::vector<BlockAnswer> shares;
     for (std::size_t share = 0; share != plan_.shares(); ++share) {
-      shares.push_back(whole(store_->read(share, block), share, block));
+      shares.push_back(whole(store_->read<BlockAnswer>(share, block), share, block));
     }
     return merge(std::move(shares), job_.question.answer,
                  [&](std::uint32_t row, std::uint64_t one, std::uint64_t other) {
@@ -357,8 +322,10 @@ class Run {
       for (auto block = static_cast<std::uint64_t>(ranks_.rank()); block < blocks_;
            block += static_cast<std::uint64_t>(ranks_.size())) {
         for (std::size_t share = 0; share != plan_.shares(); ++share) {
-          const auto here = whole(store_->list_totals(share, block), share, block);
-          for (std::size_t l = 0; l != 2; ++l) totals[static_cast<std::size_t>(2 * block) + l] += here[l];
+          const BlockStore::Sizes here = whole(store_->sizes(share, block), share, block);
+          for (std::size_t l = 0; l != 2; ++l) {
+            totals[static_cast<std::size_t>(2 * block) + l] += here[4 + 2 * l] / sizeof(std::uint64_t);
+          }
         }
       }
     });
@@ -371,29 +338,29 @@ class Run {
     on_first(ranks_, [&] { places = make_result_file(unfinished, answer, report_.shafts, all, result_description()); });
     if (ranks_.rank() != 0) std::ranges::fill(places, 0);
     ranks_.sum(places);
-    ranks_.make_counters(plan_.shares() + other_counters);
+    Dealing dealing(ranks_, surroundings_, 1);
     phase_begin_ = Clock::now();
     const ProgressState state{
         "write", 0, blocks_, 0, blocks_ == 0 ? 0 : static_cast<double>(report_.shafts) / static_cast<double>(blocks_),
         0};
-    on_all_until_stopped([&] {
+    const auto work = [&] {
       WrittenFile file(unfinished, false);
-      while (!must_stop()) {
-        const std::uint64_t block = ranks_.add(counter(merge_counter), 1);
+      while (!dealing.must_stop()) {
+        const std::uint64_t block = dealing.take(0);
         if (block >= blocks_) break;
-        compute_apart(
-            [&] {
-              const auto at = static_cast<std::size_t>(2 * block);
-              write_block(file, places, answer, report_.shafts, block * block_, size_of_block(block),
-                          {totals[at], totals[at + 1]}, merged(block));
-            },
-            state, finished_counter);
-        ranks_.add(counter(finished_counter), 1);
+        const auto write_one = [&] {
+          const auto at = static_cast<std::size_t>(2 * block);
+          write_block(file, places, answer, report_.shafts, block * block_, size_of_block(block),
+                      {totals[at], totals[at + 1]}, merged(block));
+        };
+        apart(dealing, write_one, state);
+        dealing.finish();
       }
       file.sync();
       file.close();
-    });
-    if (ranks_.rank() == 0) tell(state, finished_counter);
+    };
+    dealing.on_all_until_stopped(work, stopped_text());
+    if (ranks_.rank() == 0) tell(dealing, state);
     on_first(ranks_, [&] {
       rename_file(unfinished, job_.out);
       folder_.remove();

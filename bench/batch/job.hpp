@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 
+#include "batch/dealing.hpp"
 #include "batch/progress_lines.hpp"
 #include "batch/question.hpp"
 #include "batch/ranks.hpp"
@@ -23,12 +23,6 @@ struct Job {
   std::uint64_t block = 0;   ///< shafts a block; 0 for a number that fits the question
   std::uint64_t memory = 0;  ///< bytes that bounds may take in a rank; 0 for as many as they take
   ProgressForm progress = ProgressForm::text;
-};
-
-/// What a run is given by its process.
-struct Surroundings {
-  std::function<void(const std::function<void()>&)> on_threads;  ///< does some work where for_chunks() is parallel
-  std::function<int()> interrupted;                              ///< the signal that asks the run to end, or 0
 };
 
 /// What a run did.

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "batch/block_answer.hpp"
 #include "batch/npy.hpp"
 
 namespace shaftcull::test {
@@ -22,12 +23,12 @@ TEST(BatchBlockStore, WhatWasWrittenComesBack) {
   const BlockStore store(folder.path("parts"), {1, 2}, 0);
   store.make_folders(2);
   store.write(1, 7, answer);
-  store.write(0, 7, {});
-  EXPECT_EQ(store.read(1, 7), answer);
-  EXPECT_EQ(store.read(0, 7), BlockAnswer{});
-  EXPECT_EQ(store.list_totals(1, 7), (std::array<std::uint64_t, 2>{3, 1}));
-  EXPECT_EQ(store.read(1, 8), std::nullopt);
-  EXPECT_EQ(store.list_totals(1, 8), std::nullopt);
+  store.write(0, 7, BlockAnswer{});
+  EXPECT_EQ(store.read<BlockAnswer>(1, 7), answer);
+  EXPECT_EQ(store.read<BlockAnswer>(0, 7), BlockAnswer{});
+  EXPECT_EQ(store.sizes(1, 7), (BlockStore::Sizes{12, 24, 12, 24, 24, 24, 8}));
+  EXPECT_EQ(store.read<BlockAnswer>(1, 8), std::nullopt);
+  EXPECT_EQ(store.sizes(1, 8), std::nullopt);
 }
 
 TEST(BatchBlockStore, BlocksOfOtherJobsAndPlacesAreNotTaken) {
@@ -35,11 +36,11 @@ TEST(BatchBlockStore, BlocksOfOtherJobsAndPlacesAreNotTaken) {
   const BlockStore store(folder.path("parts"), {1, 2}, 0);
   store.make_folders(2);
   store.write(0, 1, answer);
-  EXPECT_EQ(BlockStore(folder.path("parts"), Fingerprint{1, 3}, 0).read(0, 1), std::nullopt);
+  EXPECT_EQ(BlockStore(folder.path("parts"), Fingerprint{1, 3}, 0).read<BlockAnswer>(0, 1), std::nullopt);
   std::filesystem::copy(store.path(0, 1), store.path(0, 2));
   std::filesystem::copy(store.path(0, 1), store.path(1, 1));
-  EXPECT_EQ(store.read(0, 2), std::nullopt);
-  EXPECT_EQ(store.read(1, 1), std::nullopt);
+  EXPECT_EQ(store.read<BlockAnswer>(0, 2), std::nullopt);
+  EXPECT_EQ(store.read<BlockAnswer>(1, 1), std::nullopt);
 }
 
 TEST(BatchBlockStore, ATornBlockIsNotTaken) {
@@ -50,12 +51,12 @@ TEST(BatchBlockStore, ATornBlockIsNotTaken) {
   const std::string whole = bytes_of_file(store.path(0, 0));
   for (std::size_t size = 0; size != whole.size(); ++size) {
     write_file(store.path(0, 0), whole.substr(0, size));
-    ASSERT_EQ(store.read(0, 0), std::nullopt) << size << " of " << whole.size() << " bytes";
+    ASSERT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt) << size << " of " << whole.size() << " bytes";
   }
   write_file(store.path(0, 0), whole + '\0');
-  EXPECT_EQ(store.read(0, 0), std::nullopt);
+  EXPECT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt);
   write_file(store.path(0, 0), whole);
-  EXPECT_EQ(store.read(0, 0), answer);
+  EXPECT_EQ(store.read<BlockAnswer>(0, 0), answer);
 }
 
 TEST(BatchBlockStore, AChangedByteIsNoticed) {
@@ -68,7 +69,7 @@ TEST(BatchBlockStore, AChangedByteIsNoticed) {
     std::string changed = whole;
     changed[at] = static_cast<char>(changed[at] ^ 0x10);
     write_file(store.path(0, 0), changed);
-    ASSERT_EQ(store.read(0, 0), std::nullopt) << "byte " << at;
+    ASSERT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt) << "byte " << at;
   }
 }
 
@@ -76,7 +77,7 @@ TEST(BatchBlockStore, ABlockThatCannotBeWrittenIsNotThere) {
   const BatchFolder folder;
   const BlockStore store(folder.path("parts"), {1, 2}, 0);
   EXPECT_THROW(store.write(0, 0, answer), std::runtime_error) << "its folder was not made";
-  EXPECT_EQ(store.read(0, 0), std::nullopt);
+  EXPECT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt);
 }
 
 }  // namespace
