@@ -29,6 +29,7 @@ struct HullData {
   };
 
   float box[6];        ///< around the hull, rounded nowhere; ±∞ where directions lead
+  float farthest;      ///< no term of a plane overflows for a centre whose coordinates are at most this, nor their sum
   bool is_bounded;     ///< then planes are scaled so that depths are off by less than 1, the margin
   bool suits_floats;   ///< if not, exact predicates decide alone
   std::uint8_t faces;  ///< with three coordinates each

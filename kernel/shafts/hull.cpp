@@ -76,6 +76,7 @@ class HullFormation {
   explicit HullFormation(HullData& hull) noexcept : hull_(hull) {
     hull_.is_bounded = hull_.points == hull_.vertices;
     hull_.suits_floats = true;
+    hull_.farthest = std::numeric_limits<float>::max();
     find_box();
     find_faces();
     put_parallel_faces_last();
@@ -228,7 +229,11 @@ class HullFormation {
     }
     hull_.suits_floats = hull_.suits_floats && std::abs(exponent) < most_exponent && terms < largest_terms;
     const double back = std::ldexp(1.0, -exponent);
-    for (unsigned i = 0; i < n; ++i) plane.inward[i] = static_cast<float>(plane.inward[i] * back);
+    for (unsigned i = 0; i < n; ++i) {
+      plane.inward[i] = static_cast<float>(plane.inward[i] * back);
+      const double farthest = largest_term / std::fabs(static_cast<double>(plane.inward[i]));
+      if (farthest < static_cast<double>(hull_.farthest)) hull_.farthest = static_cast<float>(farthest);
+    }
     plane.offset = static_cast<float>(offset * back + margin);
     plane.length = static_cast<float>(std::sqrt(square) * back);
     plane.magnitude = static_cast<float>((terms + std::fabs(offset)) * back * (1 + 0x1p-20) + least_magnitude);
@@ -238,6 +243,7 @@ class HullFormation {
   static constexpr double smallest_component = 0x1p-60;
   static constexpr double largest_terms = 0x1p60;
   static constexpr int most_exponent = 60;
+  static constexpr double largest_term = 0x1p125;
   /// So that a margin relative to it is more than what products that are denormal are off by.
   static constexpr double least_magnitude = 0x1p-120;
 

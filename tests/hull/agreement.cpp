@@ -190,6 +190,26 @@ TEST(Hull, WithoutEndAndBoundsWhereFloatsEnd) {
   }
 }
 
+TEST(Hull, OfSmallPointsAndSpheresFarAwayThatReachThem) {
+  // Of such a centre two terms of a plane overflow with opposite signs.
+  Random random(8);
+  for (std::uint64_t i = 0; i != random_cases(300); ++i) {
+    const int high = static_cast<int>(random.integer(-60, 30));
+    const HullInput input = hull_of(random, 7, [&] { return random.wild(high - 10, high); });
+    const int far = static_cast<int>(random.integer(60, 126));
+    std::vector<Sphere> spheres;
+    for (unsigned b = 0; b != 66; ++b) {
+      const auto coordinate = [&] { return random.one_in(4) ? random.wild(-30, 30) : random.wild(far - 12, far); };
+      const Vec3 centre = {coordinate(), coordinate(), coordinate()};
+      const double distance = std::hypot(double{centre[0]}, double{centre[1]}, double{centre[2]});
+      const double radius = distance * (1 + random.integer(-3, 3) * (random.one_in(2) ? 0x1p-22 : 0.2));
+      spheres.push_back({centre, static_cast<float>(std::min(radius, double{std::numeric_limits<float>::max()}))});
+    }
+    expect_sound(input, spheres);
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(Hull, UnboundedAndEmptyBoxes) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Random random(5);

@@ -32,6 +32,16 @@ template <class L, bool bounded, bool inside>
   const Vector zero = L::all(0.0F);
   auto beyond = L::less(depths.most[0], zero);
   auto behind = L::less(zero, depths.least[0]);
+  if constexpr (bounded) {
+    // Where terms overflow, depths say nothing. Those of a hull without end are unknown then: so are their margins.
+    const Vector farthest = L::all(hull.farthest);
+    auto is_near = L::less_equal(L::magnitude(L::load(stream[0] + at)), farthest);
+    for (unsigned k = 1; k < 3; ++k) {
+      is_near = L::both(is_near, L::less_equal(L::magnitude(L::load(stream[k] + at)), farthest));
+    }
+    beyond = L::both(beyond, is_near);
+    behind = L::both(behind, is_near);
+  }
   for (unsigned k = 0; k < 3; ++k) {
     const Vector centre = L::load(stream[k] + at);
     const Vector above_lo = L::subtract(centre, L::all(hull.box[k]));
