@@ -8,6 +8,7 @@
 #include <string>
 
 #include "batch/ranks.hpp"
+#include "shaftcull/version.hpp"
 
 namespace shaftcull::batch {
 
@@ -15,6 +16,7 @@ namespace shaftcull::batch {
 struct Surroundings {
   std::function<void(const std::function<void()>&)> on_threads;  ///< does some work where it is parallel
   std::function<int()> interrupted;                              ///< the signal that asks the run to end, or 0
+  std::string version = SHAFTCULL_VERSION_STRING;                ///< of the program; ranks must have the same
 };
 
 /// Pieces lie in piles. Whoever is free takes the next one of a pile; a rank says when it has finished one. A signal to

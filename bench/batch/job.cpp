@@ -24,10 +24,10 @@
 #include "batch/shaft_source.hpp"
 #include "batch/share.hpp"
 #include "batch/share_plan.hpp"
+#include "batch/work_log.hpp"
 #include "batch/written_file.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
-#include "shaftcull/version.hpp"
 
 namespace shaftcull::batch {
 namespace {
@@ -75,7 +75,10 @@ class Run {
 
   JobReport run() {
     agree_on_version();
-    on_all(ranks_, [&] { input_ = std::make_unique<Input>(job_); });
+    on_all(ranks_, [&] {
+      input_ = std::make_unique<Input>(job_);
+      log_ = std::make_unique<WorkLog>(job_.log, ranks_.rank());
+    });
     agree_on_input_sizes();
     on_first(ranks_, [&] {
       std::error_code ignored;
@@ -110,8 +113,8 @@ class Run {
   }
 
   void agree_on_version() {
-    agree_on(checksum(bytes_of(SHAFTCULL_VERSION_STRING)),
-             fmt::format("runs another version of this program than rank 0, which is " SHAFTCULL_VERSION_STRING));
+    agree_on(checksum(bytes_of(surroundings_.version)),
+             fmt::format("runs another version of this program than rank 0, which is {}", surroundings_.version));
     const std::string command = fmt::format("{}\n{}\n{}\n{}\n{} {} {} {} {}", job_.bounds, job_.shafts, job_.boxes,
                                             job_.out, name_of(job_.question.kind), name_of(job_.question.answer),
                                             static_cast<int>(job_.question.contact), job_.block, job_.memory);
@@ -174,7 +177,7 @@ class Run {
     const auto hash = [&](const ArrayFile& array) {
       return fmt::format("{} {}", array.shape(), hexadecimal(hash_of(array, ranks_, surroundings_.on_threads)));
     };
-    description_ = {{"version", SHAFTCULL_VERSION_STRING},
+    description_ = {{"version", surroundings_.version},
                     {"answer", name_of(question.answer)},
                     {"kind", name_of(question.kind)},
                     {"contact", question.contact == Contact::open ? "open" : "closed"},
@@ -259,9 +262,14 @@ class Run {
           if (taken >= left[which].size()) break;
           const std::uint64_t block = left[which][static_cast<std::size_t>(taken)];
           const auto answer_block = [&] {
-            if (!share) share.emplace(input_->bounds, plan_, which, sizes_[which]);
-            store_->write(which, block,
-                          share->answer(input_->shafts, block * block_, size_of_block(block), job_.question));
+            if (!share) {
+              log_->time("tree", which, block, [&] { share.emplace(input_->bounds, plan_, which, sizes_[which]); });
+            }
+            BlockAnswer answer;
+            log_->time("answer", which, block, [&] {
+              answer = share->answer(input_->shafts, block * block_, size_of_block(block), job_.question);
+            });
+            log_->time("store", which, block, [&] { store_->write(which, block, answer); });
           };
           apart(dealing, answer_block, state);
           dealing.finish();
@@ -350,8 +358,10 @@ class Run {
         if (block >= blocks_) break;
         const auto write_one = [&] {
           const auto at = static_cast<std::size_t>(2 * block);
-          write_block(file, places, answer, report_.shafts, block * block_, size_of_block(block),
-                      {totals[at], totals[at + 1]}, merged(block));
+          log_->time("write", 0, block, [&] {
+            write_block(file, places, answer, report_.shafts, block * block_, size_of_block(block),
+                        {totals[at], totals[at + 1]}, merged(block));
+          });
         };
         apart(dealing, write_one, state);
         dealing.finish();
@@ -386,6 +396,7 @@ class Run {
   Clock::time_point begin_ = Clock::now();
   Clock::time_point phase_begin_ = begin_;
   std::unique_ptr<Input> input_;
+  std::unique_ptr<WorkLog> log_;
   std::unique_ptr<BlockStore> store_;
   SharePlan plan_;
   std::vector<std::uint64_t> sizes_;  ///< of the shares

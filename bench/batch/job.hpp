@@ -23,6 +23,7 @@ struct Job {
   std::uint64_t block = 0;   ///< shafts a block; 0 for a number that fits the question
   std::uint64_t memory = 0;  ///< bytes that bounds may take in a rank; 0 for as many as they take
   ProgressForm progress = ProgressForm::text;
+  std::string log;  ///< as WorkLog has it; may be empty
 };
 
 /// What a run did.

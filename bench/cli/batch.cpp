@@ -79,6 +79,7 @@ void add_batch(CLI::App& program) {
       {{"none", batch::ProgressForm::none}, {"text", batch::ProgressForm::text}, {"json", batch::ProgressForm::json}},
       "A line a second on standard error: none, text or json (default: text)")
       ->type_name("FORM");
+  batch.add_option("--log", job.log, "Write when each rank did what to FILE.RANK, as CSV")->type_name("FILE");
   add_number(batch, "--threads", options->threads, 0, most_threads,
              "Threads of each rank, 0 for all it may use; answers do not depend on it (default: 0)")
       ->type_name("N");

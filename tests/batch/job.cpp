@@ -11,6 +11,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <mutex>
 #include <numeric>
 #include <random>
@@ -20,6 +21,7 @@
 #include "batch/thread_ranks.hpp"
 #include "message_of.hpp"
 #include "shaftcull/shaftcull.hpp"
+#include "shaftcull/version.hpp"
 
 namespace shaftcull::test {
 namespace {
@@ -30,6 +32,7 @@ using batch::Job;
 using batch::JobReport;
 using batch::ShaftKind;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr std::size_t shafts = 230;
@@ -323,22 +326,37 @@ TEST_F(BatchJob, OneRankThatFailsTellsWhyAndAllEnd) {
   EXPECT_THAT(told[0], AllOf(HasSubstr("shafts.npy: row 200: "), HasSubstr("lo")));
 }
 
-TEST_F(BatchJob, RanksWithOtherOptionsAreRefused) {
+/// What three ranks say of a job, of which rank 1 has one of its own.
+std::vector<std::string> told_where_one_differs(const Job& job, const Job& of_one, const batch::Surroundings& around) {
   std::mutex mutex;
   std::vector<std::string> told;
   RankThreads(3).run([&](batch::Ranks& ranks) {
-    Job mine = job;
-    if (ranks.rank() == 1) mine.block = 7;
+    const bool is_one = ranks.rank() == 1;
     try {
-      batch::run_job(mine, ranks, undisturbed);
+      batch::run_job(is_one ? of_one : job, ranks, is_one ? around : undisturbed);
     } catch (const batch::OtherRankFailed&) {
     } catch (const InvalidArgument& error) {
       const std::lock_guard lock(mutex);
       told.emplace_back(error.what());
     }
   });
-  ASSERT_THAT(told, testing::SizeIs(1));
-  EXPECT_THAT(told[0], HasSubstr("rank 1: was started with other options than rank 0"));
+  return told;
+}
+
+TEST_F(BatchJob, RanksWithOtherOptionsAreRefused) {
+  Job other = job;
+  other.block = 7;
+  EXPECT_THAT(told_where_one_differs(job, other, undisturbed),
+              ElementsAre(HasSubstr("rank 1: was started with other options than rank 0")));
+}
+
+TEST_F(BatchJob, RanksOfOtherVersionsAreRefused) {
+  batch::Surroundings other = undisturbed;
+  other.version = "0.0.1";
+  EXPECT_THAT(told_where_one_differs(job, job, other),
+              ElementsAre(HasSubstr(
+                  "rank 1: runs another version of this program than rank 0, which is " SHAFTCULL_VERSION_STRING)));
+  EXPECT_FALSE(std::filesystem::exists(job.out));
 }
 
 /// Asks a run to end when it has been asked so often whether it is to.

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """`shaftcull batch` from outside: against NumPy, on ranks, killed and started again, with input that cannot be used.
 
-  run.py CASE PROGRAM MPIRUN     CASE: numpy, ranks, killed or errors; MPIRUN: empty where there is none
+  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed or errors; MPIRUN: empty where there is none
 
 Ends with 77, "skipped", where NumPy, h5py or what a case needs is missing.
 """
@@ -23,6 +23,7 @@ except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
 
+script = os.path.abspath(sys.argv[0])
 case, program, mpirun = sys.argv[1:4]
 # Open MPI starts more ranks than there are cores, and binds none to one, if it is told so; 4 and 5 by other names.
 os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
@@ -334,7 +335,43 @@ def errors():
     assert missing.returncode != 0 and not os.path.exists("out.h5"), missing
 
 
-cases = {"numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors}
+def model():
+    """What model.py says of logs, and of dealing worked out by hand."""
+    sys.dont_write_bytecode = True
+    sys.path.insert(0, os.path.join(os.path.dirname(script), "../../bench/batch"))
+    import model as tool
+
+    assert tool.deal([1.0] * 8, 4) == (2.0, [2.0] * 4)
+    assert tool.deal([4.0, 1.0, 1.0, 1.0, 1.0], 2) == (4.0, [4.0, 4.0])
+    assert tool.deal([1.0, 1.0, 4.0], 2) == (5.0, [1.0, 5.0])
+    # The counter gives out one at a time; a rank waits for its answer, too.
+    assert tool.deal([1.0] * 3, 3, latency=0.5, service=0.25) == (2.25, [1.75, 2.0, 2.25])
+
+    options = scene(5, 1000, 3000)
+    run(0, *options, "--answer", "list", "--block", 40, "--log", "log")
+    times, given = tool.arguments(["log.0"])
+    assert given.blocks == 25 and sorted(times) == ["answer", "store", "tree", "write"]
+    assert [len(times[what]) for what in sorted(times)] == [25, 25, 1, 25]
+    blocks = tool.blocks_of(times)
+    assert len(blocks) == 25 and min(blocks) > 0
+    one, many = tool.predict(times, 1, given), tool.predict(times, 5, given)
+    assert abs(one["work"] / many["work"] - 5) < 1e-9 and one["tail"] < 1e-9 <= many["tail"]
+    # 1000 bytes for each of 4 nodes, by a file system that is as fast as two links.
+    times, small = tool.arguments(["log.0", "--input", "1000", "--link", "100", "--file-system", "200", "--blocks", "7"])
+    assert tool.predict(times, 4, small)["input"] == 20
+    lines = tool.table(times, given)
+    assert [int(line.split()[0]) for line in lines[1:]] == [2 ** i for i in range(11)]
+    assert lines[1].split()[3] == "100%" and "25 blocks on 64 ranks" in tool.tail(times, given)
+    refused = batch(0, *options, "--log", "none/log")
+    assert refused.returncode == 2 and "none/log.0: cannot be made" in refused.stderr, refused
+    if not can_launch():
+        return
+    run(3, *options, "--answer", "list", "--block", 40, "--log", "of_ranks")
+    times, given = tool.arguments([f"of_ranks.{rank}" for rank in range(3)])
+    assert given.blocks == 25 and len(times["answer"]) == 25
+
+
+cases = {"model": model, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors}
 if case == "ranks" and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)
