@@ -74,7 +74,7 @@ class Run {
         progress_(stderr, ranks.rank() == 0 ? job.progress : ProgressForm::none) {}
 
   JobReport run() {
-    agree_on_version();
+    agree_on_job();
     on_all(ranks_, [&] {
       input_ = std::make_unique<Input>(job_);
       log_ = std::make_unique<WorkLog>(job_.log, ranks_.rank());
@@ -100,30 +100,19 @@ class Run {
   }
 
  private:
-  /// All: throws `what` unless all ranks have the same number.
-  void agree_on(std::uint64_t number, const std::string& what) {
-    std::vector<std::uint64_t> numbers(static_cast<std::size_t>(ranks_.size()));
-    numbers[static_cast<std::size_t>(ranks_.rank())] = number;
-    ranks_.sum(numbers);
-    on_first(ranks_, [&] {
-      for (std::size_t rank = 1; rank < numbers.size(); ++rank) {
-        if (numbers[rank] != numbers[0]) throw InvalidArgument(fmt::format("rank {}: {}", rank, what));
-      }
-    });
-  }
-
-  void agree_on_version() {
-    agree_on(checksum(bytes_of(surroundings_.version)),
-             fmt::format("runs another version of this program than rank 0, which is {}", surroundings_.version));
+  void agree_on_job() {
+    agree_on_version(ranks_, surroundings_.version);
     const std::string command = fmt::format("{}\n{}\n{}\n{}\n{} {} {} {} {}", job_.bounds, job_.shafts, job_.boxes,
                                             job_.out, name_of(job_.question.kind), name_of(job_.question.answer),
                                             static_cast<int>(job_.question.contact), job_.block, job_.memory);
-    agree_on(checksum(bytes_of(command)), "was started with other options than rank 0");
+    agree_on(ranks_, checksum(bytes_of(command)), "was started with other options than rank 0");
   }
 
   void agree_on_input_sizes() {
-    agree_on(input_->bounds.size(), fmt::format("{} has another number of bounds there than for rank 0", job_.bounds));
-    agree_on(input_->shafts.size(), fmt::format("{} has another number of shafts there than for rank 0", job_.shafts));
+    agree_on(ranks_, input_->bounds.size(),
+             fmt::format("{} has another number of bounds there than for rank 0", job_.bounds));
+    agree_on(ranks_, input_->shafts.size(),
+             fmt::format("{} has another number of shafts there than for rank 0", job_.shafts));
   }
 
   /// How many bounds a share may have.

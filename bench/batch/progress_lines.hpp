@@ -17,8 +17,9 @@ struct ProgressState {
   std::uint64_t blocks_done;    ///< of this phase, those of earlier runs included
   std::uint64_t blocks;         ///< in all
   std::uint64_t blocks_before;  ///< done by earlier runs
-  double shafts_a_block;        ///< on average
+  double things_a_block;        ///< on average
   double seconds;               ///< since this phase of this run began
+  const char* things = "shafts";
 };
 
 /// "compute: 12 of 100 blocks, 3.1 M shafts/s, 7 s left", or {"phase":"compute", …} of JSON, with the same numbers.

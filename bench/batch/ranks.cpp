@@ -3,7 +3,13 @@
 
 #include <cstdlib>
 #include <exception>
+#include <span>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "batch/checksum.hpp"
+#include "shaftcull/error.hpp"
 
 namespace shaftcull::batch {
 namespace {
@@ -68,6 +74,22 @@ void on_first(Ranks& ranks, const std::function<void()>& work) {
   on_all(ranks, [&] {
     if (ranks.rank() == 0) work();
   });
+}
+
+void agree_on(Ranks& ranks, std::uint64_t number, const std::string& what) {
+  std::vector<std::uint64_t> numbers(static_cast<std::size_t>(ranks.size()));
+  numbers[static_cast<std::size_t>(ranks.rank())] = number;
+  ranks.sum(numbers);
+  on_first(ranks, [&] {
+    for (std::size_t rank = 1; rank < numbers.size(); ++rank) {
+      if (numbers[rank] != numbers[0]) throw InvalidArgument(fmt::format("rank {}: {}", rank, what));
+    }
+  });
+}
+
+void agree_on_version(Ranks& ranks, const std::string& version) {
+  agree_on(ranks, checksum(std::as_bytes(std::span(version))),
+           fmt::format("runs another version of this program than rank 0, which is {}", version));
 }
 
 }  // namespace shaftcull::batch

@@ -93,4 +93,9 @@ void on_all(Ranks& ranks, const std::function<void()>& work);
 /// All: as on_all(), but only rank 0 does the work.
 void on_first(Ranks& ranks, const std::function<void()>& work);
 
+/// All: throws unless all ranks have the same number. Rank 0 throws InvalidArgument, "rank 3: " and then `what`.
+void agree_on(Ranks& ranks, std::uint64_t number, const std::string& what);
+/// All: likewise of versions of the program.
+void agree_on_version(Ranks& ranks, const std::string& version);
+
 }  // namespace shaftcull::batch

@@ -5,20 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
-#include <utility>
+#include <span>
 
 #include <fmt/format.h>
 
-#include "instruction_set.hpp"
-#include "isolated_mesh.hpp"
 #include "number.hpp"
-#include "output_file.hpp"
 #include "peak_memory.hpp"
 #include "printable.hpp"
 #include "rooms.hpp"
-#include "shaftcull/shaftcull.hpp"
+#include "sees_job.hpp"
+#include "sees_ranks.hpp"
 #include "subcommand.hpp"
 #include "table.hpp"
 #include "workers.hpp"
@@ -26,69 +23,22 @@
 namespace shaftcull::cli {
 namespace {
 
-struct SeesOptions {
-  std::string path;
-  std::size_t rooms = 0;
-  SeesChoice choice;
-  std::uint32_t rays = 0;
-  std::uint64_t seed = 1;
-  std::size_t megabytes = 256;
-  std::string out;
-  std::string svg;
-  std::string up = "z";
-  std::string format = "text";
-  int threads = 0;
-  InstructionSet isa;
-};
-
-/// Whether one of the files is standard output. The report goes elsewhere then.
-bool writes_to_standard_output(const SeesOptions& options) {
-  const auto is_output = [](const std::string& path) { return !path.empty() && is_standard_output(path); };
-  const bool out = is_output(options.out);
-  const bool svg = is_output(options.svg);
-  if ((out && svg) || (!options.out.empty() && options.out == options.svg)) {
-    throw InvalidArgument(
-        fmt::format("--out {} --svg {}: one cannot be both; give two files", options.out, options.svg));
-  }
-  return out || svg;
-}
-
 void run(const SeesOptions& options) {
-  const bool is_output_taken = writes_to_standard_output(options);
+  SeesJob job(options);
+  if (is_launched()) return run_on_launched_ranks(job);
+  job.check();
   options.isa.select();
-  const std::string source =
-      options.rooms != 0 ? fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s") : options.path;
-  const SeesScene scene = make_sees_scene(
-      options.rooms != 0 ? make_rooms(options.rooms, options.seed) : load_mesh_isolated(options.path, true),
-      options.choice, source);
-  const PatchSet patches(scene.boxes, scene.planes);
-
-  std::vector<SightSink*> sinks;
-  std::unique_ptr<SightSink> file;
-  if (!options.out.empty()) {
-    file = sight_file(options.out, scene, patches, options.rays);
-    sinks.push_back(file.get());
-  }
-  std::unique_ptr<OutputFile> picture;
-  SeenShares shares(patches, options.rays);
-  if (!options.svg.empty()) {
-    picture = std::make_unique<OutputFile>(options.svg);
-    sinks.push_back(&shares);
-  }
-
+  job.prepare();
+  const std::span<SightSink* const> sinks = job.open();
   const Workers workers(options.threads);
   SeesReport report{};
   {
     Progress progress;
     const InterruptWatch interrupt;
-    SeesWork work{options.rays, options.seed, options.megabytes << 20, {}, {}};
-    workers.run([&] { report = run_sees(scene, patches, work, source, sinks, progress, interrupt); });
+    workers.run(
+        [&] { report = run_sees(job.scene(), job.patches(), job.work(), job.source(), sinks, progress, interrupt); });
   }
-  if (picture) {
-    picture->write(svg_of_shares(scene, shares.shares(), static_cast<std::size_t>(options.up[0] - 'x')));
-    picture->finish();
-  }
-  std::fputs(format_report(report, report_format(options.format)).c_str(), is_output_taken ? stderr : stdout);
+  job.finish(report);
 }
 
 }  // namespace
@@ -103,7 +53,7 @@ std::string progress_text(const VisibilityProgress& progress, double seconds) {
                             std::ceil(seconds * (1 / share - 1)));
 }
 
-SeesReport run_sees(const SeesScene& scene, const PatchSet& patches, SeesWork work, const std::string& source,
+SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork work, const std::string& source,
                     std::span<SightSink* const> sinks, Progress& progress, const InterruptWatch& interrupt) {
   const auto begin = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
@@ -114,22 +64,10 @@ SeesReport run_sees(const SeesScene& scene, const PatchSet& patches, SeesWork wo
     return interrupt.signal() == 0;
   };
   work.stops = [&] { return interrupt.signal() != 0; };
-  const std::uint64_t pairs = std::uint64_t{patches.size()} * (patches.size() - 1) / 2;
+  const std::uint64_t pairs = patches.pairs();
   progress.milestone(
       fmt::format("{}: {} patches, {} pairs", printable(source), grouped(patches.size()), grouped(pairs)));
-  SeesReport report{source,
-                    std::string(name(active_isa())),
-                    scene.mesh.names.size(),
-                    scene.mesh.triangles.size(),
-                    scene.patches.size(),
-                    scene.patch_size,
-                    scene.blockers.size(),
-                    scene.solids,
-                    work.rays,
-                    {},
-                    0,
-                    concurrency(),
-                    0};
+  SeesReport report = report_of(scene, work, source);
   try {
     report.counts = find_what_sees(scene, patches, work, sinks);
   } catch (const Cancelled&) {

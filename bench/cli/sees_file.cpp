@@ -18,7 +18,7 @@ constexpr std::uint64_t most_csv_pairs = 100'000'000;
 
 class NpzSights final : public SightSink {
  public:
-  NpzSights(const std::string& path, const SeesScene& scene, const PatchSet& patches, std::uint32_t rays)
+  NpzSights(const std::string& path, const SeesScene& scene, std::span<const std::uint32_t> order, std::uint32_t rays)
       : file_(path),
         products_(file_.add("products", "<u4", {5})),
         undecided_(file_.add("undecided", "<u4", {2})),
@@ -27,7 +27,7 @@ class NpzSights final : public SightSink {
         seen_(rays == 0 ? nullptr : &file_.add("seen", "<u4")) {
     append_one(first_candidate_, std::uint64_t{0});
     if (rays != 0) append_one(file_.add("rays", "<u4"), rays);
-    file_.add("order", "<u4").append(patches.order());
+    file_.add("order", "<u4").append(order);
     file_.add("patch_boxes", "<f4", {2, 3}).append(std::span<const Box>(scene.boxes));
     file_.add("patch_planes", "<f4", {4}).append(std::span<const Plane>(scene.planes));
     NpyArray& corners = file_.add("patch_corners", "<f8", {3, 3});
@@ -88,20 +88,19 @@ static_assert(sizeof(PatchPair) == 2 * sizeof(std::uint32_t), "it is a row of an
 
 class CsvSights final : public SightSink {
  public:
-  CsvSights(const std::string& path, const PatchSet& patches, std::uint32_t rays)
-      : patches_(patches), has_rays_(rays != 0), file_(checked(path, patches.size())) {
+  CsvSights(const std::string& path, std::span<const std::uint32_t> order, std::uint32_t rays)
+      : order_(order), has_rays_(rays != 0), file_(checked(path, order.size())) {
     file_.write(has_rays_ ? "a,b,sight,seen\n" : "a,b,sight\n");
   }
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
     text_.clear();
-    const auto order = patches_.order();
     for (const SightProduct& product : batch.products) {
       const char* const word = name(product.sight);
       for (std::uint32_t i = 0; i < product.a.count; ++i) {
         for (std::uint32_t j = 0; j < product.b.count; ++j) {
-          fmt::format_to(std::back_inserter(text_), "{},{},{}{}\n", order[product.a.first + i],
-                         order[product.b.first + j], word, has_rays_ ? "," : "");
+          fmt::format_to(std::back_inserter(text_), "{},{},{}{}\n", order_[product.a.first + i],
+                         order_[product.b.first + j], word, has_rays_ ? "," : "");
         }
       }
       write_out(std::size_t{1} << 20);
@@ -132,7 +131,7 @@ class CsvSights final : public SightSink {
     text_.clear();
   }
 
-  const PatchSet& patches_;
+  std::span<const std::uint32_t> order_;
   bool has_rays_;
   OutputFile file_;
   std::string text_;
@@ -140,10 +139,10 @@ class CsvSights final : public SightSink {
 
 }  // namespace
 
-std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene, const PatchSet& patches,
-                                      std::uint32_t rays) {
-  if (path.ends_with(".npz")) return std::make_unique<NpzSights>(path, scene, patches, rays);
-  if (path.ends_with(".csv") || is_stream(path)) return std::make_unique<CsvSights>(path, patches, rays);
+std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
+                                      std::span<const std::uint32_t> order, std::uint32_t rays) {
+  if (path.ends_with(".npz")) return std::make_unique<NpzSights>(path, scene, order, rays);
+  if (path.ends_with(".csv") || is_stream(path)) return std::make_unique<CsvSights>(path, order, rays);
   throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
 }
 

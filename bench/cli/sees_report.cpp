@@ -58,9 +58,10 @@ std::string text_of(const SeesReport& report) {
   for (const PairKind& kind : kinds_of(report)) add(kind.words, kind.pairs);
   add("all", report.counts.sights.total());
   text += table.text();
-  return text + fmt::format("\n{:.2f} s, {}pairs/s, {}, {}, {} MB of memory{}\n", report.seconds,
+  return text + fmt::format("\n{:.2f} s, {}pairs/s, {}{}, {}, {} MB of memory{}\n", report.seconds,
                             prefixed(rate_of(report)), count(static_cast<std::size_t>(report.threads), "thread"),
-                            report.isa, grouped((report.memory + 999'999) / 1'000'000),
+                            report.ranks == 1 ? "" : fmt::format(" of {} ranks", report.ranks), report.isa,
+                            grouped((report.memory + 999'999) / 1'000'000),
                             report.rays == 0 ? "" : fmt::format(", {} a pair", count(report.rays, "ray")));
 }
 
@@ -88,6 +89,7 @@ std::string json_of(const SeesReport& report) {
                                     {"seconds", report.seconds},
                                     {"pairs_per_second", rate_of(report)},
                                     {"threads", report.threads},
+                                    {"ranks", report.ranks},
                                     {"memory", report.memory},
                                     {"isa", report.isa}};
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';

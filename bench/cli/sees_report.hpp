@@ -21,7 +21,8 @@ struct SeesReport {
   std::uint32_t rays;
   SeesCounts counts;
   double seconds;
-  int threads;
+  int threads;  ///< of all ranks
+  int ranks;
   std::uint64_t memory;  ///< the most bytes that the program had, all in all
 };
 

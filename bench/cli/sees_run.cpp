@@ -8,11 +8,10 @@
 #include "sight_rays.hpp"
 
 namespace shaftcull::cli {
-namespace {
 
 /// How many rays of undecided pairs arrive, found where resolve() is called, by many threads, and taken where answers
 /// are delivered. Pairs stay undecided for the library: rays are no proof.
-class RayAnswers {
+class UnitQuestion::RayAnswers {
  public:
   RayAnswers(const SeesScene& scene, const SeesWork& work)
       : scene_(scene), rays_(work.rays, work.seed, scene.planes.empty()), stops_(work.stops) {
@@ -66,44 +65,134 @@ class RayAnswers {
   std::map<std::uint64_t, std::vector<std::uint32_t>> found_;
 };
 
+namespace {
+
+/// Keeps what a unit answers.
+class UnitKeeper final : public SightSink {
+ public:
+  explicit UnitKeeper(UnitAnswer& answer) : answer_(answer) {}
+
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
+    for (const SightProduct& product : batch.products) {
+      for (const std::uint32_t n : {product.a.first, product.a.count, product.b.first, product.b.count,
+                                    static_cast<std::uint32_t>(product.sight)}) {
+        answer_.products.push_back(n);
+      }
+    }
+    const UndecidedPairs& undecided = batch.undecided;
+    const std::uint64_t before = answer_.candidates.size();
+    for (std::size_t i = 0; i != undecided.pairs.size(); ++i) {
+      answer_.undecided.push_back(undecided.pairs[i]);
+      answer_.ends.push_back(before + undecided.first_candidate[i + 1]);
+    }
+    answer_.candidates.insert(answer_.candidates.end(), undecided.candidates.begin(), undecided.candidates.end());
+    answer_.seen.insert(answer_.seen.end(), seen.begin(), seen.end());
+  }
+  void finish() override {}
+
+ private:
+  UnitAnswer& answer_;
+};
+
 }  // namespace
 
-SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const SeesWork& work,
-                          std::span<SightSink* const> sinks) {
-  VisibilityOptions options;
-  options.memory = work.memory;
-  options.progress = work.progress;
+SeesCounts& SeesCounts::operator+=(const SeesCounts& more) noexcept {
+  for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+    sights.of(sight) += more.sights.of(sight);
+  }
+  visible += more.visible;
+  partial += more.partial;
+  hidden += more.hidden;
+  return *this;
+}
+
+UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
+    : scene_(scene), patches_(patches), rays_(work.rays) {
+  options_.memory = work.memory;
   // Proofs and rays are of one scene: a ray that starts inside a solid does not meet its front.
-  options.solids_around_ends = work.rays == 0;
+  options_.solids_around_ends = work.rays == 0;
+  if (work.rays == 0) return;
+  ray_answers_ = std::make_unique<RayAnswers>(scene, work);
+  options_.resolve = [this](const UndecidedPairs& undecided, std::span<Sight>) { ray_answers_->find(undecided); };
+}
+
+UnitQuestion::~UnitQuestion() = default;
+
+SeesCounts UnitQuestion::deliver(std::size_t unit, std::span<SightSink* const> sinks,
+                                 const std::function<bool(const VisibilityProgress&)>& progress) {
   SeesCounts counts;
-  if (work.rays == 0 && sinks.empty()) {
-    counts.sights = count_visibility(patches, scene.blockers, options);
+  VisibilityOptions options = options_;
+  options.progress = progress;
+  if (rays_ == 0 && sinks.empty()) {
+    counts.sights = patches_.count(unit, scene_.blockers, options);
     return counts;
   }
-  RayAnswers rays(scene, work);
-  if (work.rays != 0) {
-    options.resolve = [&](const UndecidedPairs& undecided, std::span<Sight>) { rays.find(undecided); };
-  }
-  const auto deliver = [&](const SightBatch& batch) {
-    const std::vector<std::uint32_t> seen = work.rays == 0 ? std::vector<std::uint32_t>() : rays.take(batch.undecided);
-    for (const std::uint32_t n : seen) ++(n == 0 ? counts.hidden : n == work.rays ? counts.visible : counts.partial);
+  const auto take = [&](const SightBatch& batch) {
+    const std::vector<std::uint32_t> seen =
+        rays_ == 0 ? std::vector<std::uint32_t>() : ray_answers_->take(batch.undecided);
+    for (const std::uint32_t n : seen) ++(n == 0 ? counts.hidden : n == rays_ ? counts.visible : counts.partial);
     for (SightSink* const sink : sinks) sink->take(batch, seen);
   };
-  counts.sights = visibility(patches, scene.blockers, deliver, options);
+  counts.sights = patches_.answer(unit, scene_.blockers, take, options);
+  return counts;
+}
+
+SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
+                          std::span<SightSink* const> sinks) {
+  UnitQuestion question(scene, patches, work);
+  SeesCounts counts;
+  const std::uint64_t total = patches.pairs();
+  std::uint64_t before = 0;
+  std::function<bool(const VisibilityProgress&)> progress;
+  if (work.progress) {
+    progress = [&](const VisibilityProgress& now) { return work.progress({before + now.done, total}); };
+  }
+  for (std::size_t unit = 0; unit != patches.units(); ++unit) {
+    counts += question.deliver(unit, sinks, progress);
+    before += patches.pairs_of(unit);
+  }
   for (SightSink* const sink : sinks) sink->finish();
   return counts;
 }
 
-SeenShares::SeenShares(const PatchSet& patches, std::uint32_t rays)
-    : patches_(patches), rays_(rays), shares_(patches.size()) {}
+UnitAnswer answer_of(UnitQuestion& question, std::size_t unit) {
+  UnitAnswer answer;
+  UnitKeeper keeper(answer);
+  SightSink* const sinks[] = {&keeper};
+  const SeesCounts counts = question.deliver(unit, sinks, {});
+  answer.counts = {counts.sights.undecided, counts.sights.clear, counts.sights.blocked, counts.sights.facing_away,
+                   counts.visible,          counts.partial,      counts.hidden};
+  return answer;
+}
+
+SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks) {
+  std::vector<SightProduct> products;
+  for (std::size_t i = 0; i < answer.products.size(); i += 5) {
+    const std::uint32_t* const row = &answer.products[i];
+    products.push_back({{row[0], row[1]}, {row[2], row[3]}, static_cast<Sight>(row[4])});
+  }
+  std::vector<std::size_t> first_candidate{0};
+  first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
+  const SightBatch batch{products, {answer.undecided, first_candidate, answer.candidates}};
+  for (SightSink* const sink : sinks) sink->take(batch, answer.seen);
+  const std::vector<std::uint64_t>& n = answer.counts;
+  SeesCounts counts;
+  counts.sights = {n[0], n[1], n[2], n[3]};
+  counts.visible = n[4];
+  counts.partial = n[5];
+  counts.hidden = n[6];
+  return counts;
+}
+
+SeenShares::SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays)
+    : order_(order), rays_(rays), shares_(order.size()) {}
 
 void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
-  const auto order = patches_.order();
   for (const SightProduct& product : batch.products) {
     if (product.sight != Sight::clear) continue;
     for (std::uint32_t i = 0; i < product.a.count; ++i) {
-      const std::uint32_t a = order[product.a.first + i];
-      for (const std::uint32_t b : order.subspan(product.b.first, product.b.count)) {
+      const std::uint32_t a = order_[product.a.first + i];
+      for (const std::uint32_t b : order_.subspan(product.b.first, product.b.count)) {
         ++shares_[a];
         ++shares_[b];
       }

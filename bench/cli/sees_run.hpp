@@ -7,8 +7,10 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "sees_blocks.hpp"
 #include "sees_scene.hpp"
 #include "shaftcull/visibility.hpp"
 
@@ -31,6 +33,8 @@ struct SeesCounts {
   std::uint64_t visible = 0;  ///< all of their rays arrive
   std::uint64_t partial = 0;  ///< some do
   std::uint64_t hidden = 0;   ///< none does
+
+  SeesCounts& operator+=(const SeesCounts& more) noexcept;
 };
 
 /// Takes answers while they come.
@@ -48,20 +52,64 @@ class SightSink {
 };
 
 /// Asks in the caller's task_arena. Throws Cancelled if the progress callback says so, and what sinks throw.
-[[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const PatchSet& patches, const SeesWork& work,
+[[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
                                         std::span<SightSink* const> sinks);
 
+/// The answers of one unit, as they are kept until those of others are there.
+struct UnitAnswer {
+  std::vector<std::uint64_t> counts;      ///< undecided, clear, blocked, facing away; by rays visible, partly, hidden
+  std::vector<std::uint32_t> products;    ///< five a product: runs of two patches, and what they see
+  std::vector<PatchPair> undecided;       ///< pairs
+  std::vector<std::uint64_t> ends;        ///< of each pair, where its candidates end
+  std::vector<std::uint32_t> candidates;  ///< of all pairs
+  std::vector<std::uint32_t> seen;        ///< of each pair with rays, how many arrive
+
+  /// As batch::BlockStore wants them.
+  template <class Self>
+  [[nodiscard]] static auto arrays(Self& self) {
+    return std::tie(self.counts, self.products, self.undecided, self.ends, self.candidates, self.seen);
+  }
+};
+
+/// Asks about units one by one, in the caller's task_arena.
+class UnitQuestion {
+ public:
+  UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work);
+  UnitQuestion(const UnitQuestion&) = delete;
+  UnitQuestion& operator=(const UnitQuestion&) = delete;
+  ~UnitQuestion();
+
+  /// Hands answers to sinks while they come. `progress` may be empty.
+  SeesCounts deliver(std::size_t unit, std::span<SightSink* const> sinks,
+                     const std::function<bool(const VisibilityProgress&)>& progress);
+
+ private:
+  class RayAnswers;
+
+  const SeesScene& scene_;
+  const SeesBlocks& patches_;
+  VisibilityOptions options_;
+  std::uint32_t rays_;
+  std::unique_ptr<RayAnswers> ray_answers_;
+};
+
+/// All answers of a unit.
+[[nodiscard]] UnitAnswer answer_of(UnitQuestion& question, std::size_t unit);
+
+/// Hands such answers to sinks.
+SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks);
+
 /// A sink that writes an .npz file or a CSV file of all pairs, as the end of the name says; CSV to a stream
-/// (output_file.hpp) whose name does not say. `rays` is 0 without.
+/// (output_file.hpp) whose name does not say. `order` is that of the patches, `rays` is 0 without.
 /// Throws InvalidArgument for another name, a file that cannot be made, or more pairs than a CSV file can have.
 [[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
-                                                    const PatchSet& patches, std::uint32_t rays);
+                                                    std::span<const std::uint32_t> order, std::uint32_t rays);
 
 /// What share of the others each patch sees: of pairs that are clear all; of those with rays the share of the rays that
 /// arrive; of others nothing.
 class SeenShares final : public SightSink {
  public:
-  SeenShares(const PatchSet& patches, std::uint32_t rays);
+  SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays);
 
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override;
   void finish() override;
@@ -70,7 +118,7 @@ class SeenShares final : public SightSink {
   [[nodiscard]] std::span<const double> shares() const noexcept { return shares_; }
 
  private:
-  const PatchSet& patches_;
+  std::span<const std::uint32_t> order_;
   std::uint32_t rays_;
   std::vector<double> shares_;  ///< how many others, until all answers were taken
 };

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """`shaftcull batch` from outside: against NumPy, on ranks, killed and started again, with input that cannot be used.
 
-  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed or errors; MPIRUN: empty where there is none
+  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed, sees or errors; MPIRUN: empty where there is none
 
 Ends with 77, "skipped", where NumPy, h5py or what a case needs is missing.
 """
@@ -371,8 +371,86 @@ def model():
     assert given.blocks == 25 and len(times["answer"]) == 25
 
 
-cases = {"model": model, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors}
-if case == "ranks" and not can_launch():
+def sees_words(*more):
+    return ["--rooms", "5", "--patches", "0.6", "--solid", "wall*", "table*", *map(str, more)]
+
+
+def sees(ranks, *more, **around):
+    command = [*launch(ranks), program, "sees", "--threads", "2", *sees_words(*more)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, **around)
+
+
+def sees_on_ranks():
+    """What sees what: files of ranks are those of one process, also when all were killed on the way."""
+    files = ["--out", "seen.npz", "--svg", "seen.svg"]
+    report = []
+    for more in ([], ["--rays", 3]):
+        done = sees(0, *files, *more, "--format", "json")
+        assert done.returncode == 0, done
+        report.append(json.loads(done.stdout))
+        whole = content("seen.npz"), content("seen.svg")
+        for ranks in (1, 2, 3, 5):
+            os.remove("seen.npz")
+            os.remove("seen.svg")
+            done = sees(ranks, *files, *more, "--format", "json")
+            assert done.returncode == 0, done
+            assert (content("seen.npz"), content("seen.svg")) == whole, (ranks, more)
+            found = json.loads(done.stdout)
+            assert found["pairs"] == report[-1]["pairs"] and found["ranks"] == ranks, found
+            assert not os.path.exists("seen.npz.parts")
+    counts = sees(3, "--format", "json")
+    assert counts.returncode == 0 and json.loads(counts.stdout)["pairs"] == report[0]["pairs"], counts
+    assert set(os.listdir()) == {"seen.npz", "seen.svg"}
+
+    # Killed at random moments, and started again on any number of ranks.
+    source = random.Random(7)
+    interrupted = 0
+    for turn in range(8):
+        for path in ("seen.npz", "seen.svg"):
+            if os.path.exists(path):
+                os.remove(path)
+        for attempt in range(100):  # each has more time than the one before, so that one of them ends
+            command = [*launch(source.choice((1, 2, 3))), program, "sees", *sees_words(*files, "--rays", 3)]
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                  start_new_session=True) as running:
+                try:
+                    running.wait(timeout=source.uniform(0.2, 1.0) + 0.4 * attempt)
+                    break
+                except subprocess.TimeoutExpired:
+                    interrupted += 1
+                    for one in [*descendants(running.pid), running.pid]:
+                        try:
+                            os.kill(one, signal.SIGKILL)
+                        except ProcessLookupError:
+                            pass
+        assert running.returncode == 0, running.returncode
+        assert (content("seen.npz"), content("seen.svg")) == whole, turn
+        assert not os.path.exists("seen.npz.parts")
+        if interrupted > 10:
+            break
+    assert interrupted > 4, interrupted
+
+    # What cannot be used is told once.
+    refusals = {
+        "--out -: ranks keep what is finished beside a file": ["--out", "-"],
+        "seen.txt: what kind of file?": ["--out", "seen.txt"],
+        "--solid none: 5 rooms has no object of that name": ["--solid", "none"],
+    }
+    for message, more in refusals.items():
+        refused = sees(3, *more)
+        own = [line for line in refused.stderr.splitlines() if line.startswith("shaftcull: ")]
+        assert refused.returncode == 2 and len(own) == 1 and message in own[0], refused
+        shutil.rmtree("seen.txt.parts", ignore_errors=True)
+    words = launch(1)
+    mixed = subprocess.run(
+        [*words, program, "sees", *sees_words(*files), ":", *words[1:], program, "sees", *sees_words(*files, "--seed", 2)],
+        capture_output=True, text=True, timeout=60, check=False)
+    assert mixed.returncode == 2, mixed
+    assert mixed.stderr.count("shaftcull: rank 1: 5 rooms has other patches there than for rank 0") == 1, mixed.stderr
+
+
+cases = {"model": model, "sees": sees_on_ranks, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors}
+if case in ("ranks", "sees") and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)
 # In memory, where that is: nothing here depends on a disk, and other tests may keep it busy.

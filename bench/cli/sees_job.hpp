@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+/// What a run of `shaftcull sees` is given, reads and writes, on one process or on many.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "instruction_set.hpp"
+#include "output_file.hpp"
+#include "sees_report.hpp"
+#include "sees_run.hpp"
+
+namespace shaftcull::cli {
+
+struct SeesOptions {
+  std::string path;
+  std::size_t rooms = 0;
+  SeesChoice choice;
+  std::uint32_t rays = 0;
+  std::uint64_t seed = 1;
+  std::size_t megabytes = 256;
+  std::string out;
+  std::string svg;
+  std::string up = "z";
+  std::string format = "text";
+  int threads = 0;
+  InstructionSet isa;
+};
+
+class SeesJob {
+ public:
+  explicit SeesJob(const SeesOptions& options);
+
+  /// Throws InvalidArgument for files that cannot be written both.
+  void check() const;
+  /// Makes the scene. The same on every process.
+  void prepare();
+
+  [[nodiscard]] const SeesOptions& options() const noexcept { return options_; }
+  [[nodiscard]] const std::string& source() const noexcept { return source_; }
+  [[nodiscard]] const SeesScene& scene() const { return *scene_; }
+  [[nodiscard]] const SeesBlocks& patches() const { return *patches_; }
+  [[nodiscard]] SeesWork work() const;
+
+  /// Opens the files that are to be written; answers go to these sinks. To be called by one process.
+  [[nodiscard]] std::span<SightSink* const> open();
+  /// Draws the picture, if one is wanted, and prints the report.
+  void finish(const SeesReport& report);
+
+ private:
+  const SeesOptions& options_;
+  std::string source_;
+  std::optional<SeesScene> scene_;
+  std::optional<SeesBlocks> patches_;
+  std::vector<SightSink*> sinks_;
+  std::unique_ptr<SightSink> file_;
+  std::unique_ptr<OutputFile> picture_;
+  std::optional<SeenShares> shares_;
+};
+
+/// What is known of a run before it is asked.
+[[nodiscard]] SeesReport report_of(const SeesScene& scene, const SeesWork& work, const std::string& source);
+
+}  // namespace shaftcull::cli
