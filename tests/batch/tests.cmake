@@ -8,6 +8,7 @@ shaftcull_test(batch
   batch/progress_lines.cpp
   batch/share_plan.cpp)
 target_link_libraries(test_batch PRIVATE shaftcull_batch HDF5::HDF5 nlohmann_json::nlohmann_json)
+add_dependencies(test_batch shaftcull_cli)  # which the tests below run
 
 # Where NumPy, h5py or MPI is missing, these are skipped. Debian's Python has its packages, whichever one comes first.
 find_program(SHAFTCULL_BATCH_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
