@@ -154,11 +154,9 @@ class RankedSees {
 
   void hand_over_all(std::span<SightSink* const> sinks) {
     if (!keeps_) {
-      std::array<std::uint64_t, 7> all{
-          counts_.sights.undecided, counts_.sights.clear, counts_.sights.blocked, counts_.sights.facing_away,
-          counts_.visible,          counts_.partial,      counts_.hidden};
+      SeesCounts::Numbers all = counts_.numbers();
       ranks_.sum(all);
-      counts_ = {{all[0], all[1], all[2], all[3]}, all[4], all[5], all[6]};
+      counts_ = SeesCounts::of(all);
     }
     std::uint64_t threads = static_cast<std::uint64_t>(threads_);
     ranks_.sum({&threads, 1});

@@ -106,6 +106,14 @@ SeesCounts& SeesCounts::operator+=(const SeesCounts& more) noexcept {
   return *this;
 }
 
+SeesCounts::Numbers SeesCounts::numbers() const noexcept {
+  return {sights.undecided, sights.clear, sights.blocked, sights.facing_away, visible, partial, hidden};
+}
+
+SeesCounts SeesCounts::of(std::span<const std::uint64_t, 7> numbers) noexcept {
+  return {{numbers[0], numbers[1], numbers[2], numbers[3]}, numbers[4], numbers[5], numbers[6]};
+}
+
 UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
     : scene_(scene), patches_(patches), rays_(work.rays) {
   options_.memory = work.memory;
@@ -160,8 +168,8 @@ UnitAnswer answer_of(UnitQuestion& question, std::size_t unit) {
   UnitKeeper keeper(answer);
   SightSink* const sinks[] = {&keeper};
   const SeesCounts counts = question.deliver(unit, sinks, {});
-  answer.counts = {counts.sights.undecided, counts.sights.clear, counts.sights.blocked, counts.sights.facing_away,
-                   counts.visible,          counts.partial,      counts.hidden};
+  const SeesCounts::Numbers numbers = counts.numbers();
+  answer.counts.assign(numbers.begin(), numbers.end());
   return answer;
 }
 
@@ -175,13 +183,7 @@ SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks
   first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
   const SightBatch batch{products, {answer.undecided, first_candidate, answer.candidates}};
   for (SightSink* const sink : sinks) sink->take(batch, answer.seen);
-  const std::vector<std::uint64_t>& n = answer.counts;
-  SeesCounts counts;
-  counts.sights = {n[0], n[1], n[2], n[3]};
-  counts.visible = n[4];
-  counts.partial = n[5];
-  counts.hidden = n[6];
-  return counts;
+  return SeesCounts::of(std::span(answer.counts).first<7>());
 }
 
 SeenShares::SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays)

@@ -2,6 +2,7 @@
 /// Asks what sees what, and hands answers to files and pictures while they come.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,6 +36,11 @@ struct SeesCounts {
   std::uint64_t hidden = 0;   ///< none does
 
   SeesCounts& operator+=(const SeesCounts& more) noexcept;
+
+  /// As they are stored and added up: undecided, clear, blocked, facing away; by rays visible, partly, hidden.
+  using Numbers = std::array<std::uint64_t, 7>;
+  [[nodiscard]] Numbers numbers() const noexcept;
+  [[nodiscard]] static SeesCounts of(std::span<const std::uint64_t, 7> numbers) noexcept;
 };
 
 /// Takes answers while they come.
@@ -57,7 +63,7 @@ class SightSink {
 
 /// The answers of one unit, as they are kept until those of others are there.
 struct UnitAnswer {
-  std::vector<std::uint64_t> counts;      ///< undecided, clear, blocked, facing away; by rays visible, partly, hidden
+  std::vector<std::uint64_t> counts;      ///< SeesCounts::Numbers
   std::vector<std::uint32_t> products;    ///< five a product: runs of two patches, and what they see
   std::vector<PatchPair> undecided;       ///< pairs
   std::vector<std::uint64_t> ends;        ///< of each pair, where its candidates end
