@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Four floats, for what reads and checks the user's records.
+/// Four floats, for what every processor does alike: reading the user's records, and sorting patches.
 ///
 /// This is no instruction set to choose: it uses what every processor of the target has, which is SSE2 on x86-64 and
 /// plain floats elsewhere. So it is the same whatever SHAFTCULL_ISA says, and nothing is asked of the processor.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #if defined(__SSE2__)
@@ -45,7 +46,13 @@ class FourFloats {
     return FourFloats(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(two)), _mm_set_ss(one)));
   }
   static FourFloats of(float a, float b, float c, float d) noexcept { return FourFloats(_mm_setr_ps(a, b, c, d)); }
+  static FourFloats all(float a) noexcept { return FourFloats(_mm_set1_ps(a)); }
+  static FourFloats load(const float* from) noexcept { return FourFloats(_mm_loadu_ps(from)); }
   void store(float* to) const noexcept { _mm_storeu_ps(to, floats_); }
+  /// Towards zero. Of floats whose integers fit.
+  void store_integers(std::int32_t (&to)[4]) const noexcept {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(floats_));
+  }
 
   friend FourFloats operator+(FourFloats a, FourFloats b) noexcept {
     return FourFloats(_mm_add_ps(a.floats_, b.floats_));
@@ -53,6 +60,12 @@ class FourFloats {
   friend FourFloats operator-(FourFloats a, FourFloats b) noexcept {
     return FourFloats(_mm_sub_ps(a.floats_, b.floats_));
   }
+  friend FourFloats operator*(FourFloats a, FourFloats b) noexcept {
+    return FourFloats(_mm_mul_ps(a.floats_, b.floats_));
+  }
+  /// a < b ? a : b, and a > b ? a : b: the second where either is NaN.
+  friend FourFloats minimum(FourFloats a, FourFloats b) noexcept { return FourFloats(_mm_min_ps(a.floats_, b.floats_)); }
+  friend FourFloats maximum(FourFloats a, FourFloats b) noexcept { return FourFloats(_mm_max_ps(a.floats_, b.floats_)); }
   /// Not where either is NaN.
   friend Truth operator<=(FourFloats a, FourFloats b) noexcept { return Truth(_mm_cmple_ps(a.floats_, b.floats_)); }
 
@@ -98,7 +111,12 @@ class FourFloats {
     four.floats_[3] = d;
     return four;
   }
+  static FourFloats all(float a) noexcept { return of(a, a, a, a); }
+  static FourFloats load(const float* from) noexcept { return of(from[0], from[1], from[2], from[3]); }
   void store(float* to) const noexcept { std::memcpy(to, floats_, sizeof floats_); }
+  void store_integers(std::int32_t (&to)[4]) const noexcept {
+    for (std::size_t i = 0; i != 4; ++i) to[i] = static_cast<std::int32_t>(floats_[i]);
+  }
 
   friend FourFloats operator+(FourFloats a, const FourFloats& b) noexcept {
     for (std::size_t i = 0; i != 4; ++i) a.floats_[i] += b.floats_[i];
@@ -106,6 +124,18 @@ class FourFloats {
   }
   friend FourFloats operator-(FourFloats a, const FourFloats& b) noexcept {
     for (std::size_t i = 0; i != 4; ++i) a.floats_[i] -= b.floats_[i];
+    return a;
+  }
+  friend FourFloats operator*(FourFloats a, const FourFloats& b) noexcept {
+    for (std::size_t i = 0; i != 4; ++i) a.floats_[i] *= b.floats_[i];
+    return a;
+  }
+  friend FourFloats minimum(FourFloats a, const FourFloats& b) noexcept {
+    for (std::size_t i = 0; i != 4; ++i) a.floats_[i] = a.floats_[i] < b.floats_[i] ? a.floats_[i] : b.floats_[i];
+    return a;
+  }
+  friend FourFloats maximum(FourFloats a, const FourFloats& b) noexcept {
+    for (std::size_t i = 0; i != 4; ++i) a.floats_[i] = a.floats_[i] > b.floats_[i] ? a.floats_[i] : b.floats_[i];
     return a;
   }
   friend Truth operator<=(const FourFloats& a, const FourFloats& b) noexcept {
