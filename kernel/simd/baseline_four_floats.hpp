@@ -64,8 +64,12 @@ class FourFloats {
     return FourFloats(_mm_mul_ps(a.floats_, b.floats_));
   }
   /// a < b ? a : b, and a > b ? a : b: the second where either is NaN.
-  friend FourFloats minimum(FourFloats a, FourFloats b) noexcept { return FourFloats(_mm_min_ps(a.floats_, b.floats_)); }
-  friend FourFloats maximum(FourFloats a, FourFloats b) noexcept { return FourFloats(_mm_max_ps(a.floats_, b.floats_)); }
+  friend FourFloats minimum(FourFloats a, FourFloats b) noexcept {
+    return FourFloats(_mm_min_ps(a.floats_, b.floats_));
+  }
+  friend FourFloats maximum(FourFloats a, FourFloats b) noexcept {
+    return FourFloats(_mm_max_ps(a.floats_, b.floats_));
+  }
   /// Not where either is NaN.
   friend Truth operator<=(FourFloats a, FourFloats b) noexcept { return Truth(_mm_cmple_ps(a.floats_, b.floats_)); }
 

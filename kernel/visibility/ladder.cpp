@@ -58,20 +58,20 @@ void copy_of_lane(const std::uint32_t* list, const std::uint64_t* words, std::si
   to.resize(copied);
 }
 
-/// Removes what concerns no row of `rows_left`, or no column of `columns_left`.
-void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& rows,
-                 std::vector<std::uint64_t>& columns, std::uint64_t rows_left, std::uint64_t columns_left) {
+/// Removes what concerns none of the lanes that are left on a side. `of_side` and `of_other`, unless that is null, say
+/// which lanes each of the list concerns.
+void drop_unused(std::vector<std::uint32_t>& list, std::vector<std::uint64_t>& of_side, std::uint64_t left,
+                 std::vector<std::uint64_t>* of_other = nullptr) {
   std::size_t count = 0;
   for (std::size_t i = 0; i != list.size(); ++i) {
     list[count] = list[i];
-    rows[count] = rows[i];
-    columns[count] = columns[i];
-    count += static_cast<std::size_t>((rows[i] & rows_left) != 0) &
-             static_cast<std::size_t>((columns[i] & columns_left) != 0);
+    of_side[count] = of_side[i];
+    if (of_other != nullptr) (*of_other)[count] = (*of_other)[i];
+    count += (of_side[i] & left) != 0 ? 1 : 0;
   }
   list.resize(count);
-  rows.resize(count);
-  columns.resize(count);
+  of_side.resize(count);
+  if (of_other != nullptr) of_other->resize(count);
 }
 
 }  // namespace
@@ -380,10 +380,17 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   group.copy_box(0, fixed_);
   answer(lanes.with_behind(fixed_, left, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
   if (left == 0) return 0;
-  form(group, 0, lanes, left);
   const SightLists& lists = level.lists;
   const BlockerData& blockers = job_.blockers;
-  answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left),
+  std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
+  may.resize(lists.solids.size());
+  if (!lists.solids.empty()) {
+    form_exchanged(group, 0, lanes, left);
+    kernels.may_block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
+                      may.data());
+  }
+  form(group, 0, lanes, left);
+  answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), may.data(), left),
          Sight::blocked);
   answer(blocked_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::blocked);
   if (left == 0) return 0;
@@ -396,20 +403,9 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
   std::uint64_t any = keep(blockers.boxes, lists.candidates, kept);
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
-  std::uint64_t clear = has_planes() ? 0 : left & ~any;
-  if (lists.solids.empty()) answer(std::exchange(clear, 0), Sight::clear);
+  if (!has_planes()) answer(left & ~any & ~any_of(may.data(), may.size()), Sight::clear);
   if (left == 0) return 0;
-  if (!lists.polygons.empty()) {
-    keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
-  }
-  if (!lists.solids.empty()) {
-    form_exchanged(group, 0, lanes, left);
-    std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
-    may.resize(lists.solids.size());
-    kernels.may_block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), nullptr, left,
-                      may.data());
-    if (clear != 0) answer(clear & ~any_of(may.data(), may.size()), Sight::clear);
-  }
+  keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
   return left;
 }
 
@@ -453,17 +449,21 @@ void Ladder::walk(std::uint32_t a, std::uint32_t b, std::size_t depth) {
     if (rows.are_patches) drop_behind(here, rows, here.row_candidates);
   } else {
     rows_left = compare_with_group(here, rows, Side::alone(job_.b, b), true, 0);
+    if (rows_left == 0) return;
+    drop_unused(here.lists.candidates, here.row_candidates, rows_left);
+    drop_unused(here.lists.solids, here.row_solids, rows_left);
+    drop_unused(here.lists.polygons, here.row_polygons, rows_left);
   }
   if (is_itself || columns.count == 1) {
     keep_all(here.column_candidates, here.column_solids, here.column_polygons);
     if (columns.are_patches) drop_behind(here, columns, here.column_candidates);
-  } else if (rows_left != 0) {
+  } else {
     columns_left = compare_with_group(here, columns, Side::alone(job_.a, a), false, rows_left);
+    if (columns_left == 0) return;
   }
-  if (rows_left == 0 || columns_left == 0) return;
-  drop_unused(here.lists.candidates, here.row_candidates, here.column_candidates, rows_left, columns_left);
-  drop_unused(here.lists.solids, here.row_solids, here.column_solids, rows_left, columns_left);
-  drop_unused(here.lists.polygons, here.row_polygons, here.column_polygons, rows_left, columns_left);
+  drop_unused(here.lists.candidates, here.column_candidates, columns_left, &here.row_candidates);
+  drop_unused(here.lists.solids, here.column_solids, columns_left, &here.row_solids);
+  drop_unused(here.lists.polygons, here.column_polygons, columns_left, &here.row_polygons);
   for_each_lane(rows_left, [&](unsigned row) {
     std::uint64_t lanes = columns_left;
     if (is_itself) {

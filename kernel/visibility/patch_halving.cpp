@@ -43,10 +43,13 @@ class Binning {
     second_per_length_ = per_length(second_hi - second_lo_, bins);
   }
 
-  void bins_of(const PatchExtent& extent, std::int32_t (&first)[4], std::int32_t (&second)[4]) const noexcept {
-    const Keys keys(extent);
-    bins_of(keys.first, first_lo_, first_per_length_, first);
-    bins_of(keys.second, second_lo_, second_per_length_, second);
+  /// Of keys 0 to 3.
+  void first_of(const Keys& keys, std::int32_t (&bin)[4]) const noexcept {
+    bins_of(keys.first, first_lo_, first_per_length_, bin);
+  }
+  /// Of keys 4 to 7.
+  void second_of(const Keys& keys, std::int32_t (&bin)[4]) const noexcept {
+    bins_of(keys.second, second_lo_, second_per_length_, bin);
   }
 
  private:
@@ -178,12 +181,14 @@ std::size_t PatchHalving::halve(std::span<PatchItem> items, const PatchCosts& co
   const std::size_t step = items.size() / few_items + 1;
   const std::size_t bins = step == 1 ? most_bins / 2 : most_bins;
   const Binning binning(items, step, bins);
-  std::int32_t bin[2][4];
-  const auto bin_of = [&](std::size_t key) { return bin[key / 4][key % 4]; };
   std::array<Bins, keys_with_planes> of_key;
   for (std::size_t i = 0; i < items.size(); i += step) {
-    binning.bins_of(items[i].extent, bin[0], bin[1]);
-    for (std::size_t k = 0; k != keys_; ++k) of_key[k].add(bin_of(k), items[i].extent);
+    const PatchExtent& extent = items[i].extent;
+    const Keys keys(extent);
+    std::int32_t bin[2][4];
+    binning.first_of(keys, bin[0]);
+    binning.second_of(keys, bin[1]);
+    for (std::size_t k = 0; k != keys_; ++k) of_key[k].add(bin[k / 4][k % 4], extent);
   }
   Cut best;
   for (std::size_t k = 0; k != keys_; ++k) of_key[k].improve(best, k, bins, costs);
@@ -191,13 +196,21 @@ std::size_t PatchHalving::halve(std::span<PatchItem> items, const PatchCosts& co
 
   std::size_t first = 0;
   std::size_t second = 0;
-  for (const PatchItem item : items) {  // without branches, which would be mispredicted
-    binning.bins_of(item.extent, bin[0], bin[1]);
-    const bool is_second = bin_of(best.key) > best.last_before;
-    items[first] = item;
-    second_half_[second] = item;
-    first += is_second ? 0 : 1;
-    second += is_second ? 1 : 0;
+  const auto part = [&](const auto& bins_of) {
+    for (const PatchItem item : items) {  // without branches, which would be mispredicted
+      std::int32_t bin[4];
+      bins_of(Keys(item.extent), bin);
+      const std::size_t is_first = bin[best.key % 4] <= best.last_before ? 1 : 0;
+      items[first] = item;
+      second_half_[second] = item;
+      first += is_first;
+      second += 1 - is_first;
+    }
+  };
+  if (best.key < 4) {
+    part([&](const Keys& keys, std::int32_t(&bin)[4]) { binning.first_of(keys, bin); });
+  } else {
+    part([&](const Keys& keys, std::int32_t(&bin)[4]) { binning.second_of(keys, bin); });
   }
   std::copy_n(second_half_.begin(), second, items.begin() + static_cast<std::ptrdiff_t>(first));
   return first;

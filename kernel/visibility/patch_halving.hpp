@@ -19,9 +19,9 @@ namespace shaftcull::kernel {
 /// A box in six dimensions, three of space and three of normals. Its lo is stored with the opposite sign, so that two
 /// boxes are joined by maxima alone.
 struct PatchExtent {
-  FourFloats least;     ///< −lo x, y, z; −least normal x
-  FourFloats largest;   ///< hi x, y, z; largest normal x
-  FourFloats normal_yz; ///< largest normal y, z; −least normal y, z
+  FourFloats least;      ///< −lo x, y, z; −least normal x
+  FourFloats largest;    ///< hi x, y, z; largest normal x
+  FourFloats normal_yz;  ///< largest normal y, z; −least normal y, z
 
   /// Of nothing: it changes no extent that it is joined with.
   static PatchExtent none() noexcept;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace {
 
@@ -30,6 +31,23 @@ TEST(PortableFourFloats, ReadsThreeAndCalculates) {
   EXPECT_EQ(stored(of({1, -2, 3})), (std::array<float, 4>{1, -2, 3, 0}));
   EXPECT_EQ(stored(of({1, -2, 3}) + of({4, 5, 0.5F})), (std::array<float, 4>{5, 3, 3.5F, 0}));
   EXPECT_EQ(stored(of({1, -2, 3}) - of({4, 5, 0.5F})), (std::array<float, 4>{-3, -7, 2.5F, 0}));
+}
+
+TEST(PortableFourFloats, ReadsFourAndCalculates) {
+  constexpr float four[4] = {1, -2, 3, 7.9F};
+  EXPECT_EQ(stored(FourFloats::load(four)), (std::array<float, 4>{1, -2, 3, 7.9F}));
+  EXPECT_EQ(stored(FourFloats::all(5)), (std::array<float, 4>{5, 5, 5, 5}));
+  EXPECT_EQ(stored(FourFloats::load(four) * FourFloats::all(2)), (std::array<float, 4>{2, -4, 6, 15.8F}));
+  std::int32_t integers[4];
+  FourFloats::load(four).store_integers(integers);
+  EXPECT_EQ(std::to_array(integers), (std::array<std::int32_t, 4>{1, -2, 3, 7}));
+}
+
+TEST(PortableFourFloats, PassesOverNaNInTheFirstOfTwo) {
+  const FourFloats a = FourFloats::of(1, NAN, 3, 4);
+  const FourFloats b = FourFloats::of(2, 2, 2, 4);
+  EXPECT_EQ(stored(minimum(a, b)), (std::array<float, 4>{1, 2, 2, 4}));
+  EXPECT_EQ(stored(maximum(a, b)), (std::array<float, 4>{2, 2, 3, 4}));
 }
 
 TEST(PortableFourFloats, ComparesAllOfThem) {
