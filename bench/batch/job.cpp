@@ -204,9 +204,10 @@ class Run {
     return std::min(block_, input_->shafts.size() - block * block_);
   }
 
-  /// Does some work on the threads, and tells now and then how far the job is.
-  void apart(Dealing& dealing, const std::function<void()>& work, const ProgressState& state) {
-    dealing.apart(work, [&] {
+  /// Deals pieces of a pile, and tells now and then how far the job is.
+  void deal(Dealing& dealing, std::size_t pile, std::uint64_t pieces,
+            const std::function<Dealing::Rest(std::uint64_t)>& work, const ProgressState& state) {
+    dealing.each(pile, pieces, work, [&] {
       if (progress_.due()) tell(dealing, state);
     });
   }
@@ -243,26 +244,23 @@ class Run {
           static_cast<std::size_t>(ranks_.rank()) * shares / static_cast<std::size_t>(ranks_.size());
       for (std::size_t i = 0; i != shares; ++i) {
         const std::size_t which = (begin + i) % shares;
+        // Whoever has no tree yet looks first whether it is worth one.
+        if (dealing.taken(which) >= left[which].size()) continue;
         std::optional<Share> share;
-        while (!dealing.must_stop()) {
-          // Whoever has no tree yet looks first whether it is worth one.
-          if (!share && dealing.taken(which) >= left[which].size()) break;
-          const std::uint64_t taken = dealing.take(which);
-          if (taken >= left[which].size()) break;
-          const std::uint64_t block = left[which][static_cast<std::size_t>(taken)];
-          const auto answer_block = [&] {
-            if (!share) {
-              log_->time("tree", which, block, [&] { share.emplace(input_->bounds, plan_, which, sizes_[which]); });
-            }
-            BlockAnswer answer;
-            log_->time("answer", which, block, [&] {
-              answer = share->answer(input_->shafts, block * block_, size_of_block(block), job_.question);
-            });
-            log_->time("store", which, block, [&] { store_->write(which, block, answer); });
+        const auto answer_block = [&](std::uint64_t piece) -> Dealing::Rest {
+          const std::uint64_t block = left[which][static_cast<std::size_t>(piece)];
+          if (!share) {
+            log_->time("tree", which, block, [&] { share.emplace(input_->bounds, plan_, which, sizes_[which]); });
+          }
+          const auto answer = std::make_shared<BlockAnswer>();
+          log_->time("answer", which, block, [&] {
+            *answer = share->answer(input_->shafts, block * block_, size_of_block(block), job_.question);
+          });
+          return [this, answer, which, block] {
+            log_->time("store", which, block, [&] { store_->write(which, block, *answer); });
           };
-          apart(dealing, answer_block, state);
-          dealing.finish();
-        }
+        };
+        deal(dealing, which, left[which].size(), answer_block, state);
         if (dealing.must_stop()) return;
       }
     };
@@ -342,19 +340,18 @@ class Run {
         0};
     const auto work = [&] {
       WrittenFile file(unfinished, false);
-      while (!dealing.must_stop()) {
-        const std::uint64_t block = dealing.take(0);
-        if (block >= blocks_) break;
-        const auto write_one = [&] {
+      const auto read_block = [&](std::uint64_t block) -> Dealing::Rest {
+        const auto answers = std::make_shared<BlockAnswer>();
+        log_->time("read", 0, block, [&] { *answers = merged(block); });
+        return [&, answers, block] {
           const auto at = static_cast<std::size_t>(2 * block);
           log_->time("write", 0, block, [&] {
             write_block(file, places, answer, report_.shafts, block * block_, size_of_block(block),
-                        {totals[at], totals[at + 1]}, merged(block));
+                        {totals[at], totals[at + 1]}, *answers);
           });
         };
-        apart(dealing, write_one, state);
-        dealing.finish();
-      }
+      };
+      deal(dealing, 0, blocks_, read_block, state);
       file.sync();
       file.close();
     };

@@ -25,13 +25,19 @@ def read_logs(paths):
     return times
 
 
-def blocks_of(times):
-    """Seconds of each block: answering and storing it."""
+def overlapped(times, one, other):
+    """Seconds of each block, by share and block, of two steps of which one goes on during the other of the next block:
+    those of the slower."""
     seconds = {}
-    for what in ("answer", "store"):
+    for what in (one, other):
         for share, block, taken in times.get(what, []):
-            seconds[share, block] = seconds.get((share, block), 0) + taken
+            seconds[share, block] = max(seconds.get((share, block), 0), taken)
     return [seconds[key] for key in sorted(seconds)]
+
+
+def blocks_of(times):
+    """Seconds of each block: answering it, while the one before is stored."""
+    return overlapped(times, "answer", "store")
 
 
 def deal(blocks, ranks, latency=0.0, service=0.0):
@@ -61,7 +67,7 @@ def predict(times, nodes, given):
     alone, _ = deal(blocks, ranks)
     dealt, _ = deal(blocks, ranks, given.latency * 1e-6, given.service * 1e-6)
     trees = [taken for _, _, taken in times.get("tree", [])]
-    writes = [taken for _, _, taken in times.get("write", [])]
+    writes = overlapped(times, "read", "write")
     # Answers are stored, read again, and written.
     output = max(3 * given.output / bandwidth, sum(writes) / max(len(writes), 1) * given.blocks / ranks)
     return {

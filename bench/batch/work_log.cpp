@@ -24,6 +24,7 @@ void WorkLog::time(const char* what, std::uint64_t share, std::uint64_t block, c
   if (!file_.is_open()) return;
   const std::chrono::duration<double> before = begin - begin_;
   const std::chrono::duration<double> taken = Clock::now() - begin;
+  const std::lock_guard lock(mutex_);
   file_ << fmt::format("{},{},{},{:.6f},{:.6f}\n", what, share, block, before.count(), taken.count());
 }
 

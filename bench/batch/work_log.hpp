@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <mutex>
 #include <string>
 
 namespace shaftcull::batch {
@@ -17,12 +18,13 @@ class WorkLog {
   /// Writes to PATH.RANK; nothing, if the path is empty. Throws InvalidArgument if that cannot be made.
   WorkLog(const std::string& path, int rank);
 
-  /// Does some work, and notes how long it took. Of threads, one at a time may call it.
+  /// Does some work, and notes how long it took. Threads may call it at the same time.
   void time(const char* what, std::uint64_t share, std::uint64_t block, const std::function<void()>& work);
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  std::mutex mutex_;
   std::ofstream file_;
   Clock::time_point begin_ = Clock::now();
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -126,24 +127,20 @@ class RankedSees {
       progress_.write(state);
     };
     UnitQuestion question(job_.scene(), job_.patches(), work_);
-    const auto work = [&] {
-      while (!dealing.must_stop()) {
-        const std::uint64_t taken = dealing.take(0);
-        if (taken >= left.size()) return;
-        const std::size_t unit = left[static_cast<std::size_t>(taken)];
-        const auto ask = [&] {
-          if (keeps_) {
-            store_->write(0, unit, answer_of(question, unit));
-          } else {
-            counts_ += question.deliver(unit, {}, {});
-          }
-          threads_ = concurrency();
-        };
-        dealing.apart(ask, [&] {
-          if (progress_.due()) tell();
-        });
-        dealing.finish();
+    const auto ask = [&](std::uint64_t piece) -> batch::Dealing::Rest {
+      const std::size_t unit = left[static_cast<std::size_t>(piece)];
+      threads_ = concurrency();
+      if (!keeps_) {
+        counts_ += question.deliver(unit, {}, {});
+        return {};
       }
+      const auto answer = std::make_shared<const UnitAnswer>(answer_of(question, unit));
+      return [this, answer, unit] { store_->write(0, unit, *answer); };
+    };
+    const auto work = [&] {
+      dealing.each(0, left.size(), ask, [&] {
+        if (progress_.due()) tell();
+      });
     };
     dealing.on_all_until_stopped(
         work, keeps_ ? fmt::format("sees: interrupted; what is finished is in {}: the same command goes on with it",

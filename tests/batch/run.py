@@ -223,7 +223,7 @@ def killed():
         os.remove("out.h5")
         command = [*launch(ranks), program, "batch", "--threads", "1", *options, *more]
         hits = 0
-        for part in (0.02, 0.3, 0.6, 0.9):
+        for part in (0.02, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9):
             with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as running:
                 hits += kill_one(running, chance, int(300 * part * chance.uniform(0.7, 1)))
             if os.path.exists("out.h5") and not os.path.exists("out.h5.parts"):
@@ -347,11 +347,14 @@ def model():
     # The counter gives out one at a time; a rank waits for its answer, too.
     assert tool.deal([1.0] * 3, 3, latency=0.5, service=0.25) == (2.25, [1.75, 2.0, 2.25])
 
+    steps = {"answer": [(0, 0, 3.0), (0, 1, 1.0)], "store": [(0, 1, 2.0), (0, 0, 1.0)]}
+    assert tool.blocks_of(steps) == [3.0, 2.0]
+
     options = scene(5, 1000, 3000)
     run(0, *options, "--answer", "list", "--block", 40, "--log", "log")
     times, given = tool.arguments(["log.0"])
-    assert given.blocks == 25 and sorted(times) == ["answer", "store", "tree", "write"]
-    assert [len(times[what]) for what in sorted(times)] == [25, 25, 1, 25]
+    assert given.blocks == 25 and sorted(times) == ["answer", "read", "store", "tree", "write"]
+    assert [len(times[what]) for what in sorted(times)] == [25, 25, 25, 1, 25]
     blocks = tool.blocks_of(times)
     assert len(blocks) == 25 and min(blocks) > 0
     one, many = tool.predict(times, 1, given), tool.predict(times, 5, given)
@@ -362,6 +365,9 @@ def model():
     lines = tool.table(times, given)
     assert [int(line.split()[0]) for line in lines[1:]] == [2 ** i for i in range(11)]
     assert lines[1].split()[3] == "100%" and "25 blocks on 64 ranks" in tool.tail(times, given)
+    # As the docs start it.
+    printed = subprocess.run([tool.__file__, "log.0"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    assert printed.splitlines()[: len(lines)] == lines, printed
     refused = batch(0, *options, "--log", "none/log")
     assert refused.returncode == 2 and "none/log.0: cannot be made" in refused.stderr, refused
     if not can_launch():
