@@ -23,22 +23,44 @@ struct Keys {
         second(extent.normal_yz) {}
 };
 
+/// Items that say where all are cut: one of each `step` side by side, and not always the same of them, since what faces
+/// alike may come at every sixth place.
+class Sample {
+ public:
+  explicit Sample(std::span<const PatchItem> items) noexcept : items_(items), step_(items.size() / few_items + 1) {}
+
+  [[nodiscard]] bool is_all() const noexcept { return step_ == 1; }
+
+  /// Calls visit(item) for each of them.
+  template <class Visit>
+  void for_each(const Visit& visit) const noexcept {
+    std::uint32_t hash = 0x80000000U;  // in the middle
+    for (std::size_t first = 0; first + step_ <= items_.size(); first += step_) {
+      visit(items_[first + static_cast<std::size_t>(std::uint64_t{hash} * step_ >> 32U)]);
+      hash += 0x9e3779b9U;  // 2^32 over the golden ratio: spreads evenly
+    }
+  }
+
+ private:
+  std::span<const PatchItem> items_;
+  std::size_t step_;
+};
+
 /// Which bin of equally long parts each key is in.
 class Binning {
  public:
-  /// For keys such as those of every `step`-th item. Others go to the first or the last bin.
-  Binning(std::span<const PatchItem> items, std::size_t step, std::size_t bins) noexcept
-      : last_(FourFloats::all(static_cast<float>(bins - 1))) {
+  /// For keys such as those of a sample. Others go to the first or the last bin.
+  Binning(const Sample& sample, std::size_t bins) noexcept : last_(FourFloats::all(static_cast<float>(bins - 1))) {
     FourFloats first_hi = FourFloats::all(-infinity);
     FourFloats second_hi = first_hi;
     first_lo_ = second_lo_ = FourFloats::all(infinity);
-    for (std::size_t i = 0; i < items.size(); i += step) {
-      const Keys keys(items[i].extent);
+    sample.for_each([&](const PatchItem& item) {
+      const Keys keys(item.extent);
       first_lo_ = minimum(keys.first, first_lo_);
       first_hi = maximum(keys.first, first_hi);
       second_lo_ = minimum(keys.second, second_lo_);
       second_hi = maximum(keys.second, second_hi);
-    }
+    });
     first_per_length_ = per_length(first_hi - first_lo_, bins);
     second_per_length_ = per_length(second_hi - second_lo_, bins);
   }
@@ -178,18 +200,17 @@ PatchHalving::PatchHalving(std::size_t most_items, bool has_planes)
     : keys_(has_planes ? keys_with_planes : 3), second_half_(most_items) {}
 
 std::size_t PatchHalving::halve(std::span<PatchItem> items, const PatchCosts& costs) {
-  const std::size_t step = items.size() / few_items + 1;
-  const std::size_t bins = step == 1 ? most_bins / 2 : most_bins;
-  const Binning binning(items, step, bins);
+  const Sample sample(items);
+  const std::size_t bins = sample.is_all() ? most_bins / 2 : most_bins;
+  const Binning binning(sample, bins);
   std::array<Bins, keys_with_planes> of_key;
-  for (std::size_t i = 0; i < items.size(); i += step) {
-    const PatchExtent& extent = items[i].extent;
-    const Keys keys(extent);
+  sample.for_each([&](const PatchItem& item) {
+    const Keys keys(item.extent);
     std::int32_t bin[2][4];
     binning.first_of(keys, bin[0]);
     binning.second_of(keys, bin[1]);
-    for (std::size_t k = 0; k != keys_; ++k) of_key[k].add(bin[k / 4][k % 4], extent);
-  }
+    for (std::size_t k = 0; k != keys_; ++k) of_key[k].add(bin[k / 4][k % 4], item.extent);
+  });
   Cut best;
   for (std::size_t k = 0; k != keys_; ++k) of_key[k].improve(best, k, bins, costs);
   if (best.key == keys_with_planes) return items.size() / 2;  // all alike
