@@ -202,9 +202,9 @@ TYPED_TEST(TreeOutOfMemory, LayersThatFindNoMemoryLeaveThoseThatThereAre) {
 
 TYPED_TEST(TreeOutOfMemory, MovingAllocatesNothing) {
   TypeParam tree = this->tree_;
-  EXPECT_EQ(fail_each_allocation([] { return TypeParam(); }, [&](TypeParam& other) { other = std::move(tree); },
-                                 [](const TypeParam&) {}),
-            0U);
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.Move): what allocates nothing is called once
+  const auto move = [&](TypeParam& other) { other = std::move(tree); };
+  EXPECT_EQ(fail_each_allocation([] { return TypeParam(); }, move, [](const TypeParam&) {}), 0U);
 }
 
 TYPED_TEST(TreeOutOfMemory, ARebuildThatFailsLeavesTheTree) {
@@ -426,7 +426,7 @@ TEST(TrianglesOutOfMemory, StreamsAndTreesStayWhatTheyWere) {
   const TriangleTree tree{std::span<const Triangle>(triangles)};
   const TriangleTree other_tree{std::span<const Triangle>(more)};
   const auto expect_unchanged_by = [&](const auto& change) {
-    EXPECT_GT(fail_each_allocation([&] { return tree; }, change,
+    EXPECT_GT(fail_each_allocation([&] { return TriangleTree(tree); }, change,
                                    [&](const TriangleTree& now) {
                                      EXPECT_EQ(bounds_of(now.triangles()), bounds_of(tree.triangles()));
                                      EXPECT_TRUE(std::equal(now.order().begin(), now.order().end(),
