@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Arrays in a file that NumPy reads: numpy.load("sights.npz").
+/// Arrays in a file that NumPy reads, written while they grow.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,11 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "crc32.hpp"
+#include "npz_layout.hpp"
 #include "output_file.hpp"
 
 namespace shaftcull::cli {
@@ -18,33 +19,31 @@ namespace shaftcull::cli {
 /// An array that grows row by row. Its bytes are on disk, not in memory.
 class NpyArray {
  public:
-  /// `type` is as NumPy spells it: "<u4". A row has `columns` numbers; an array of one axis has none said.
-  NpyArray(const OutputFile& file, std::string name, std::string type, std::vector<std::size_t> columns);
+  NpyArray(const OutputFile& file, NpyFormat format) : format_(std::move(format)), spool_(file) {}
 
   template <class T>
   void append(std::span<const T> values) {
+    crc_.add(std::as_bytes(values));
     spool_.write({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
 
-  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  [[nodiscard]] const NpyFormat& format() const noexcept { return format_; }
+  [[nodiscard]] std::uint32_t crc() const noexcept { return crc_.value(); }
   [[nodiscard]] Spool& spool() noexcept { return spool_; }
-  /// What an .npy file begins with.
-  [[nodiscard]] std::string header() const;
 
  private:
-  std::string name_;
-  std::string type_;
-  std::vector<std::size_t> columns_;
+  NpyFormat format_;
+  Crc32 crc_;
   Spool spool_;
 };
 
-/// Writes arrays one behind the other as a zip archive: stored, not deflated, and with 64-bit sizes.
+/// Writes arrays one behind the other, as NpzLayout says.
 class NpzFile {
  public:
   /// Throws InvalidArgument if it cannot be made.
-  explicit NpzFile(const std::string& path);
+  explicit NpzFile(const std::string& path) : file_(path) {}
 
-  NpyArray& add(std::string name, std::string type, std::vector<std::size_t> columns = {});
+  NpyArray& add(NpyFormat format);
   /// Puts the file together. Throws std::runtime_error if it cannot be written.
   void finish();
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Answers of `shaftcull sees` in files.
-#include <algorithm>
+/// Answers of `shaftcull sees` in files that one process writes while they come.
 #include <array>
 
 #include <fmt/format.h>
 
 #include "npz.hpp"
 #include "output_file.hpp"
+#include "sees_arrays.hpp"
 #include "sees_run.hpp"
 #include "shaftcull/error.hpp"
 #include "table.hpp"
@@ -19,28 +19,12 @@ constexpr std::uint64_t most_csv_pairs = 100'000'000;
 class NpzSights final : public SightSink {
  public:
   NpzSights(const std::string& path, const SeesScene& scene, std::span<const std::uint32_t> order, std::uint32_t rays)
-      : file_(path),
-        products_(file_.add("products", "<u4", {5})),
-        undecided_(file_.add("undecided", "<u4", {2})),
-        first_candidate_(file_.add("first_candidate", "<u8")),
-        candidates_(file_.add("candidates", "<u4")),
-        seen_(rays == 0 ? nullptr : &file_.add("seen", "<u4")) {
-    append_one(first_candidate_, std::uint64_t{0});
-    if (rays != 0) append_one(file_.add("rays", "<u4"), rays);
-    file_.add("order", "<u4").append(order);
-    file_.add("patch_boxes", "<f4", {2, 3}).append(std::span<const Box>(scene.boxes));
-    file_.add("patch_planes", "<f4", {4}).append(std::span<const Plane>(scene.planes));
-    NpyArray& corners = file_.add("patch_corners", "<f8", {3, 3});
-    NpyArray& objects = file_.add("patch_objects", "<u4");
-    for (const MeshPatch& patch : scene.patches) {
-      corners.append(std::span<const Point3>(patch.corner));
-      append_one(objects, scene.mesh.triangles[patch.triangle].object);
-    }
-    NpyArray& blockers = file_.add("blocker_boxes", "<f4", {2, 3});
-    NpyArray& blocker_objects = file_.add("blocker_objects", "<u4");
-    for (std::size_t i = 0; i < scene.blockers.size(); ++i) {
-      append_one(blockers, scene.blockers.box(i));
-      append_one(blocker_objects, scene.object_of_blocker(i));
+      : file_(path) {
+    for (NpyFormat& format : answer_arrays(rays)) arrays_.push_back(&file_.add(std::move(format)));
+    append(first_candidate_array, std::span(&no_candidate_before, 1));
+    for (SceneArray& known : scene_arrays(scene, order, rays)) {
+      NpyArray& array = file_.add(std::move(known.format));
+      known.pour([&](std::span<const std::byte> bytes) { array.append(bytes); });
     }
   }
 
@@ -50,16 +34,16 @@ class NpzSights final : public SightSink {
       rows_.push_back({product.a.first, product.a.count, product.b.first, product.b.count,
                        static_cast<std::uint32_t>(product.sight)});
     }
-    products_.append(std::span<const ProductRow>(rows_));
-    undecided_.append(batch.undecided.pairs);
-    candidates_.append(batch.undecided.candidates);
+    append(products_array, std::span<const ProductRow>(rows_));
+    append(undecided_array, batch.undecided.pairs);
+    append(candidates_array, batch.undecided.candidates);
     ends_.clear();
     for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
       ends_.push_back(candidate_count_ + batch.undecided.first_candidate[i + 1]);
     }
-    first_candidate_.append(std::span<const std::uint64_t>(ends_));
+    append(first_candidate_array, std::span<const std::uint64_t>(ends_));
     candidate_count_ += batch.undecided.candidates.size();
-    if (seen_ != nullptr) seen_->append(seen);
+    if (arrays_.size() > seen_array) append(seen_array, seen);
   }
 
   void finish() override { file_.finish(); }
@@ -68,23 +52,16 @@ class NpzSights final : public SightSink {
   using ProductRow = std::array<std::uint32_t, 5>;
 
   template <class T>
-  static void append_one(NpyArray& array, const T& value) {
-    array.append(std::span<const T>(&value, 1));
+  void append(AnswerArray array, std::span<const T> rows) {
+    arrays_[array]->append(rows);
   }
 
   NpzFile file_;
-  NpyArray& products_;
-  NpyArray& undecided_;
-  NpyArray& first_candidate_;
-  NpyArray& candidates_;
-  NpyArray* seen_;
+  std::vector<NpyArray*> arrays_;  ///< those of answers, by AnswerArray
   std::uint64_t candidate_count_ = 0;
   std::vector<ProductRow> rows_;
   std::vector<std::uint64_t> ends_;
 };
-
-static_assert(sizeof(Box) == 6 * sizeof(float) && sizeof(Plane) == 4 * sizeof(float), "they are rows of arrays");
-static_assert(sizeof(PatchPair) == 2 * sizeof(std::uint32_t), "it is a row of an array");
 
 class CsvSights final : public SightSink {
  public:
