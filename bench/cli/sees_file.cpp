@@ -7,14 +7,12 @@
 #include "npz.hpp"
 #include "output_file.hpp"
 #include "sees_arrays.hpp"
+#include "sees_csv.hpp"
 #include "sees_run.hpp"
 #include "shaftcull/error.hpp"
-#include "table.hpp"
 
 namespace shaftcull::cli {
 namespace {
-
-constexpr std::uint64_t most_csv_pairs = 100'000'000;
 
 class NpzSights final : public SightSink {
  public:
@@ -63,64 +61,46 @@ class NpzSights final : public SightSink {
   std::vector<std::uint64_t> ends_;
 };
 
+/// Lines of undecided pairs are kept on disk until all others are written.
 class CsvSights final : public SightSink {
  public:
   CsvSights(const std::string& path, std::span<const std::uint32_t> order, std::uint32_t rays)
-      : order_(order), has_rays_(rays != 0), file_(checked(path, order.size())) {
-    file_.write(has_rays_ ? "a,b,sight,seen\n" : "a,b,sight\n");
+      : file_(path),
+        undecided_(file_),
+        lines_(
+            order, rays, [this](std::string_view text) { file_.write(text); },
+            [this](std::string_view text) { undecided_.write(text); }) {
+    file_.write(csv_heading(rays));
   }
 
-  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
-    text_.clear();
-    for (const SightProduct& product : batch.products) {
-      const char* const word = name(product.sight);
-      for (std::uint32_t i = 0; i < product.a.count; ++i) {
-        for (std::uint32_t j = 0; j < product.b.count; ++j) {
-          fmt::format_to(std::back_inserter(text_), "{},{},{}{}\n", order_[product.a.first + i],
-                         order_[product.b.first + j], word, has_rays_ ? "," : "");
-        }
-      }
-      write_out(std::size_t{1} << 20);
-    }
-    for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
-      const PatchPair& pair = batch.undecided.pairs[i];
-      fmt::format_to(std::back_inserter(text_), "{},{},{}{}\n", pair.a, pair.b, name(Sight::undecided),
-                     has_rays_ ? fmt::format(",{}", seen[i]) : "");
-    }
-    write_out(0);
-  }
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override { lines_.take(batch, seen); }
 
-  void finish() override { file_.finish(); }
+  void finish() override {
+    undecided_.read_all([this](std::string_view text) { file_.write(text); });
+    file_.finish();
+  }
 
  private:
-  static const std::string& checked(const std::string& path, std::uint64_t patches) {
-    const std::uint64_t pairs = patches * (patches - 1) / 2;
-    if (pairs <= most_csv_pairs) return path;
-    throw InvalidArgument(
-        fmt::format("--out {}: {} pairs; a CSV file may have {}; give an .npz file, or larger patches", path,
-                    grouped(pairs), grouped(most_csv_pairs)));
-  }
-
-  /// Writes the text if it is longer than `most`.
-  void write_out(std::size_t most) {
-    if (text_.size() <= most) return;
-    file_.write(text_);
-    text_.clear();
-  }
-
-  std::span<const std::uint32_t> order_;
-  bool has_rays_;
   OutputFile file_;
-  std::string text_;
+  Spool undecided_;
+  CsvLines lines_;
 };
 
 }  // namespace
 
+SightForm sight_form(const std::string& path, std::uint64_t patches) {
+  if (path.ends_with(".npz")) return SightForm::npz;
+  if (!path.ends_with(".csv") && !is_stream(path)) {
+    throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
+  }
+  require_pairs_for_csv(path, patches);
+  return SightForm::csv;
+}
+
 std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
                                       std::span<const std::uint32_t> order, std::uint32_t rays) {
-  if (path.ends_with(".npz")) return std::make_unique<NpzSights>(path, scene, order, rays);
-  if (path.ends_with(".csv") || is_stream(path)) return std::make_unique<CsvSights>(path, order, rays);
-  throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
+  if (sight_form(path, order.size()) == SightForm::npz) return std::make_unique<NpzSights>(path, scene, order, rays);
+  return std::make_unique<CsvSights>(path, order, rays);
 }
 
 }  // namespace shaftcull::cli

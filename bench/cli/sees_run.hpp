@@ -105,9 +105,15 @@ class UnitQuestion {
 /// Hands such answers to sinks.
 SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks);
 
-/// A sink that writes an .npz file or a CSV file of all pairs, as the end of the name says; CSV to a stream
-/// (output_file.hpp) whose name does not say. `order` is that of the patches, `rays` is 0 without.
-/// Throws InvalidArgument for another name, a file that cannot be made, or more pairs than a CSV file can have.
+/// What kinds of files of answers there are.
+enum class SightForm : std::uint8_t { npz, csv };
+
+/// What kind of file a path names, by the end of the name: .npz or .csv. A stream (output_file.hpp) whose name does not
+/// say is CSV. Throws InvalidArgument for another name, or if a CSV file cannot have all pairs of so many patches.
+[[nodiscard]] SightForm sight_form(const std::string& path, std::uint64_t patches);
+
+/// A sink that writes such a file of all pairs. `order` is that of the patches, `rays` is 0 without. Throws
+/// InvalidArgument as sight_form(), and for a file that cannot be made.
 [[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
                                                     std::span<const std::uint32_t> order, std::uint32_t rays);
 

@@ -123,6 +123,18 @@ TEST(CliSees, FilesAreTheSameForAnyNumberOfThreadsAndInstructionSet) {
   EXPECT_EQ(file("one.npz", {"--threads", "1"}), file("many.npz", {"--threads", "0"}));
 }
 
+TEST(CliSees, FilesAreTheSameWhateverMemoryAnswersMayTake) {
+  const ScratchFolder folder;
+  const auto file = [&](const std::string& name, const char* megabytes) {
+    static_cast<void>(output_of({"sees", "--rooms", "1", "--patches", "0.9", "--solid", "wall*", "--out",
+                                 folder.path(name), "--memory", megabytes}));
+    return bytes_of(folder.path(name));
+  };
+  for (const std::string kind : {".npz", ".csv"}) {
+    EXPECT_TRUE(file("little" + kind, "1") == file("much" + kind, "256")) << kind;
+  }
+}
+
 // Reads a file as docs/program.md says, checks that its arrays fit together, and prints how many pairs there are of
 // each kind.
 constexpr const char* reader = R"(
