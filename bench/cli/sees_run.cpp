@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sees_run.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -174,6 +175,8 @@ UnitAnswer answer_of(UnitQuestion& question, std::size_t unit) {
 }
 
 SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks) {
+  const SeesCounts counts = SeesCounts::of(std::span(answer.counts).first<7>());
+  if (sinks.empty()) return counts;
   std::vector<SightProduct> products;
   for (std::size_t i = 0; i < answer.products.size(); i += 5) {
     const std::uint32_t* const row = &answer.products[i];
@@ -183,33 +186,30 @@ SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks
   first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
   const SightBatch batch{products, {answer.undecided, first_candidate, answer.candidates}};
   for (SightSink* const sink : sinks) sink->take(batch, answer.seen);
-  return SeesCounts::of(std::span(answer.counts).first<7>());
+  return counts;
 }
 
 SeenShares::SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays)
-    : order_(order), rays_(rays), shares_(order.size()) {}
+    : order_(order), most_(rays == 0 ? 1 : rays), sums_(order.size()) {}
 
 void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
+  const auto add = [&](const PatchRun& run, std::uint32_t others) {
+    for (const std::uint32_t patch : order_.subspan(run.first, run.count)) sums_[patch] += most_ * others;
+  };
   for (const SightProduct& product : batch.products) {
     if (product.sight != Sight::clear) continue;
-    for (std::uint32_t i = 0; i < product.a.count; ++i) {
-      const std::uint32_t a = order_[product.a.first + i];
-      for (const std::uint32_t b : order_.subspan(product.b.first, product.b.count)) {
-        ++shares_[a];
-        ++shares_[b];
-      }
-    }
+    add(product.a, product.b.count);
+    add(product.b, product.a.count);
   }
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const double share = static_cast<double>(seen[i]) / rays_;
-    shares_[batch.undecided.pairs[i].a] += share;
-    shares_[batch.undecided.pairs[i].b] += share;
+    sums_[batch.undecided.pairs[i].a] += seen[i];
+    sums_[batch.undecided.pairs[i].b] += seen[i];
   }
 }
 
 void SeenShares::finish() {
-  if (shares_.size() < 2) return;
-  for (double& share : shares_) share /= static_cast<double>(shares_.size() - 1);
+  const double all = static_cast<double>(most_) * static_cast<double>(std::max<std::size_t>(sums_.size(), 2) - 1);
+  for (const std::uint64_t sum : sums_) shares_.push_back(static_cast<double>(sum) / all);
 }
 
 }  // namespace shaftcull::cli

@@ -102,7 +102,7 @@ class UnitQuestion {
 /// All answers of a unit.
 [[nodiscard]] UnitAnswer answer_of(UnitQuestion& question, std::size_t unit);
 
-/// Hands such answers to sinks.
+/// Hands such answers to sinks, and gives their counts.
 SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks);
 
 /// What kinds of files of answers there are.
@@ -126,13 +126,16 @@ class SeenShares final : public SightSink {
   void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override;
   void finish() override;
 
-  /// One for each patch, from 0 to 1.
+  /// What was taken of each patch until now; for answers that several processes take, to be added up before finish().
+  [[nodiscard]] std::span<std::uint64_t> sums() noexcept { return sums_; }
+  /// One for each patch, from 0 to 1, when all answers were taken.
   [[nodiscard]] std::span<const double> shares() const noexcept { return shares_; }
 
  private:
   std::span<const std::uint32_t> order_;
-  std::uint32_t rays_;
-  std::vector<double> shares_;  ///< how many others, until all answers were taken
+  std::uint64_t most_;               ///< what one other patch can add: its rays, or 1 without
+  std::vector<std::uint64_t> sums_;  ///< integers, so that their order does not matter
+  std::vector<double> shares_;
 };
 
 /// An SVG picture of the scene as seen along axis `up`, from where it points: patches that face there, in the colour
