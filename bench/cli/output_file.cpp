@@ -103,13 +103,18 @@ int duplicate(int descriptor) {
   return -1;
 }
 
-/// Makes a file with a name of its own: nothing that is there is opened. Sets `name`. Negative if it cannot.
+/// Makes a file: nothing that is there is opened. Negative if it cannot.
+int create_file(const std::string& name, mode_t mode) {
+  return open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+}
+
+/// Makes a file with a name of its own. Sets `name`. Negative if it cannot.
 int make_file(const std::string& folder, mode_t mode, std::string& name) {
   std::random_device random;
   int file = -1;
   do {
     name = fmt::format("{}/.shaftcull-{:08x}.part", folder, random());
-    file = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    file = create_file(name, mode);
   } while (file < 0 && errno == EEXIST);
   return file;
 }
@@ -129,6 +134,8 @@ bool is_standard_output(const std::string& path) { return target_of(path).descri
 
 bool is_stream(const std::string& path) { return target_of(path).is_stream; }
 
+std::string file_behind(const std::string& path) { return target_of(path).path.string(); }
+
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   const Target target = target_of(path_);
   folder_ = folder_of(target);
@@ -142,6 +149,20 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     file = make_file(folder_, target.file ? 0600 : 0666, part_);
     if (file >= 0 && target.file) take_after(file, *target.file);
   }
+  begin(file);
+}
+
+OutputFile::OutputFile(std::string path, std::string part) : path_(std::move(path)), part_(std::move(part)) {
+  const Target target = target_of(path_);
+  folder_ = folder_of(target);
+  final_ = target.path.string();
+  static_cast<void>(unlink(part_.c_str()));
+  const int file = create_file(part_, target.file ? 0600 : 0666);
+  if (file >= 0 && target.file) take_after(file, *target.file);
+  begin(file);
+}
+
+void OutputFile::begin(int file) {
   if (file >= 0) file_.reset(fdopen(file, "wb"));
   if (file_) return;
   const int error = errno;

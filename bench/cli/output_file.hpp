@@ -21,6 +21,9 @@ struct CloseFile {
 /// Whether output to `path` is written straight into what is there: standard output, /dev/fd/5, a device, a pipe.
 [[nodiscard]] bool is_stream(const std::string& path);
 
+/// The file that output to `path` replaces or makes: behind all symbolic links. Not of a stream.
+[[nodiscard]] std::string file_behind(const std::string& path);
+
 /// What is written to a path.
 ///
 /// A file is written under another name in the same folder until it is finished, then renamed; if it never is, it is
@@ -32,6 +35,9 @@ class OutputFile {
   /// Opening a pipe with a name waits for its reader. Throws InvalidArgument, which names the file and the reason, if
   /// it cannot be made.
   explicit OutputFile(std::string path);
+  /// Of a file that others write into, under the name `part` on the same file system, until it is finished. What is
+  /// called so is removed before.
+  OutputFile(std::string path, std::string part);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
@@ -46,6 +52,9 @@ class OutputFile {
   [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
 
  private:
+  /// Takes the open file; if it is none, says why.
+  void begin(int file);
+
   std::string path_;
   std::string folder_;
   std::string part_;   ///< the name until it is finished; empty if there is none to remove

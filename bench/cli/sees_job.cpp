@@ -42,11 +42,17 @@ std::span<SightSink* const> SeesJob::open() {
     file_ = sight_file(options_.out, *scene_, patches_->order(), options_.rays);
     sinks_.push_back(file_.get());
   }
-  if (!options_.svg.empty()) {
-    picture_ = std::make_unique<OutputFile>(options_.svg);
-    sinks_.push_back(&shares_.emplace(patches_->order(), options_.rays));
-  }
+  open_picture();
+  if (SeenShares* const shares = open_shares()) sinks_.push_back(shares);
   return sinks_;
+}
+
+SeenShares* SeesJob::open_shares() {
+  return options_.svg.empty() ? nullptr : &shares_.emplace(patches_->order(), options_.rays);
+}
+
+void SeesJob::open_picture() {
+  if (!options_.svg.empty()) picture_ = std::make_unique<OutputFile>(options_.svg);
 }
 
 void SeesJob::finish(const SeesReport& report) {

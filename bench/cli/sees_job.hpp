@@ -47,8 +47,12 @@ class SeesJob {
   [[nodiscard]] const SeesBlocks& patches() const { return *patches_; }
   [[nodiscard]] SeesWork work() const;
 
-  /// Opens the files that are to be written; answers go to these sinks. To be called by one process.
+  /// Opens the files that are to be written; answers go to these sinks. For one process that has all answers.
   [[nodiscard]] std::span<SightSink* const> open();
+  /// What the picture shows, if one is wanted; null otherwise. For several processes, of which each takes some answers.
+  [[nodiscard]] SeenShares* open_shares();
+  /// Opens the picture alone, if one is wanted. To be called by the process that finishes.
+  void open_picture();
   /// Draws the picture, if one is wanted, and prints the report.
   void finish(const SeesReport& report);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,8 +20,11 @@
 #include "batch/job_folder.hpp"
 #include "batch/launcher.hpp"
 #include "batch/progress_lines.hpp"
+#include "batch/written_file.hpp"
+#include "output_file.hpp"
 #include "peak_memory.hpp"
 #include "ranked_run.hpp"
+#include "sees_places.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
@@ -44,6 +48,12 @@ std::uint64_t checksum_of(const SeesScene& scene) {
   return sum.value();
 }
 
+/// Where answers are kept: beside the file that is written last, so that it is on the same file system.
+std::string folder_beside(const SeesOptions& options) {
+  const std::string& path = options.out.empty() ? options.svg : options.out;
+  return path.empty() ? path : file_behind(path) + ".parts";
+}
+
 /// Nothing can be kept beside a stream.
 void require_file(const char* option, const std::string& path) {
   if (path.empty() || !is_stream(path)) return;
@@ -58,19 +68,15 @@ class RankedSees {
         ranks_(ranks),
         surroundings_(surroundings),
         keeps_(!job.options().out.empty() || !job.options().svg.empty()),
-        folder_((job.options().out.empty() ? job.options().svg : job.options().out) + ".parts"),
+        folder_(folder_beside(job.options())),
+        part_(folder_.path() + "/result"),
         progress_(stderr, ranks.rank() == 0 ? batch::ProgressForm::text : batch::ProgressForm::none) {}
 
   void run() {
     batch::agree_on_version(ranks_, surroundings_.version);
     batch::on_all(ranks_, [&] { job_.prepare(); });
     describe();
-    std::span<SightSink* const> sinks;
-    batch::on_first(ranks_, [&] {
-      if (keeps_) folder_.lock();
-      if (keeps_) folder_.begin(description_);
-      sinks = job_.open();
-    });
+    batch::on_all(ranks_, [&] { begin_files(); });
     if (keeps_) {
       const std::string text = batch::text_of(description_);
       store_.emplace(folder_.path(), batch::fingerprint(std::as_bytes(std::span(text))), ranks_.rank());
@@ -80,7 +86,8 @@ class RankedSees {
       finished_.assign(job_.patches().units(), 0);
     }
     compute();
-    hand_over_all(sinks);
+    if (places_) write_file();
+    finish();
   }
 
  private:
@@ -97,6 +104,25 @@ class RankedSees {
                     "was started with other options than rank 0");
   }
 
+  void begin_files() {
+    const std::string& out = job_.options().out;
+    if (!out.empty()) places_ = sight_places(out, job_.scene(), job_.patches(), work_.rays);
+    shares_ = job_.open_shares();
+    if (ranks_.rank() != 0) return;
+    job_.open_picture();
+    if (keeps_) folder_.lock();
+    if (keeps_) folder_.begin(description_);
+    if (places_) file_.emplace(out, part_);
+  }
+
+  /// Takes from an answer what is to be known before all are there, while it is in memory.
+  void note(std::size_t unit, const UnitAnswer& answer) {
+    std::vector<SightSink*> sinks;
+    if (shares_ != nullptr) sinks.push_back(shares_);
+    counts_ += hand_over(answer, sinks);
+    if (places_) places_->measure(unit, answer);
+  }
+
   /// Which units earlier runs have stored: each rank reads its part of them, and all learn of all.
   void find_finished() {
     finished_.assign(job_.patches().units(), 0);
@@ -106,7 +132,10 @@ class RankedSees {
     batch::on_all(ranks_, [&] {
       for (auto unit = static_cast<std::size_t>(ranks_.rank()); unit < finished_.size();
            unit += static_cast<std::size_t>(ranks_.size())) {
-        finished_[unit] = store_->read<UnitAnswer>(0, unit) ? 1 : 0;
+        const std::optional<UnitAnswer> answer = store_->read<UnitAnswer>(0, unit);
+        if (!answer) continue;
+        finished_[unit] = 1;
+        note(unit, *answer);
       }
     });
     ranks_.sum(finished_);
@@ -119,13 +148,8 @@ class RankedSees {
     }
     batch::Dealing dealing(ranks_, surroundings_, 1);
     const std::uint64_t units = finished_.size();
-    batch::ProgressState state{"compute", 0, units, units - left.size(), 0, 0, "pairs"};
-    if (units != 0) state.things_a_block = static_cast<double>(job_.patches().pairs()) / static_cast<double>(units);
-    const auto tell = [&] {
-      state.blocks_done = state.blocks_before + dealing.finished();
-      state.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-      progress_.write(state);
-    };
+    phase_begin_ = Clock::now();
+    const batch::ProgressState state = state_of("compute", units - left.size(), units);
     UnitQuestion question(job_.scene(), job_.patches(), work_);
     const auto ask = [&](std::uint64_t piece) -> batch::Dealing::Rest {
       const std::size_t unit = left[static_cast<std::size_t>(piece)];
@@ -135,40 +159,81 @@ class RankedSees {
         return {};
       }
       const auto answer = std::make_shared<const UnitAnswer>(answer_of(question, unit));
+      note(unit, *answer);
       return [this, answer, unit] { store_->write(0, unit, *answer); };
     };
-    const auto work = [&] {
-      dealing.each(0, left.size(), ask, [&] {
+    deal(dealing, left.size(), ask, state);
+  }
+
+  /// All ranks write pieces of the file to where they belong.
+  void write_file() {
+    ranks_.sum(places_->lengths());
+    places_->arrange();
+    batch::Dealing dealing(ranks_, surroundings_, 1);
+    const std::size_t others = places_->other_pieces();
+    const std::uint64_t pieces = others + finished_.size();
+    phase_begin_ = Clock::now();
+    std::optional<batch::WrittenFile> file;
+    batch::on_all(ranks_, [&] { file.emplace(part_, false); });
+    const auto read = [&](std::uint64_t piece) -> batch::Dealing::Rest {
+      const auto number = static_cast<std::size_t>(piece);
+      if (number < others) return [&, number] { places_->write_other(number, *file); };
+      const std::size_t unit = number - others;
+      const auto answer = std::make_shared<const UnitAnswer>(stored(unit));
+      return [&, unit, answer] { places_->write_unit(unit, *answer, *file); };
+    };
+    deal(dealing, pieces, read, state_of("write", 0, pieces));
+    ranks_.sum(places_->sums());
+    batch::on_all(ranks_, [&] {
+      if (ranks_.rank() == 0) places_->complete(*file);
+      file->sync();
+      file->close();
+    });
+  }
+
+  /// The answers of a unit, which was whole on disk a moment ago. Throws if it no longer is.
+  [[nodiscard]] UnitAnswer stored(std::size_t unit) const {
+    if (std::optional<UnitAnswer> answer = store_->read<UnitAnswer>(0, unit)) return *std::move(answer);
+    throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", store_->path(0, unit)));
+  }
+
+  [[nodiscard]] batch::ProgressState state_of(const char* phase, std::uint64_t before, std::uint64_t pieces) const {
+    const double pairs = static_cast<double>(job_.patches().pairs());
+    return {phase, before, pieces, before, pieces == 0 ? 0 : pairs / static_cast<double>(pieces), 0, "pairs"};
+  }
+
+  /// Deals all pieces of a phase, and tells now and then how far it is.
+  void deal(batch::Dealing& dealing, std::uint64_t pieces,
+            const std::function<batch::Dealing::Rest(std::uint64_t)>& work, batch::ProgressState state) {
+    const auto tell = [&] {
+      state.blocks_done = state.blocks_before + dealing.finished();
+      state.seconds = std::chrono::duration<double>(Clock::now() - phase_begin_).count();
+      progress_.write(state);
+    };
+    const auto take_pieces = [&] {
+      dealing.each(0, pieces, work, [&] {
         if (progress_.due()) tell();
       });
     };
     dealing.on_all_until_stopped(
-        work, keeps_ ? fmt::format("sees: interrupted; what is finished is in {}: the same command goes on with it",
-                                   folder_.path())
-                     : std::string("sees: interrupted"));
+        take_pieces, keeps_
+                         ? fmt::format("sees: interrupted; what is finished is in {}: the same command goes on with it",
+                                       folder_.path())
+                         : std::string("sees: interrupted"));
     if (ranks_.rank() == 0) tell();
   }
 
-  void hand_over_all(std::span<SightSink* const> sinks) {
-    if (!keeps_) {
-      SeesCounts::Numbers all = counts_.numbers();
-      ranks_.sum(all);
-      counts_ = SeesCounts::of(all);
-    }
-    std::uint64_t threads = static_cast<std::uint64_t>(threads_);
+  void finish() {
+    SeesCounts::Numbers counts = counts_.numbers();
+    ranks_.sum(counts);
+    auto threads = static_cast<std::uint64_t>(threads_);
     ranks_.sum({&threads, 1});
+    if (shares_ != nullptr) ranks_.sum(shares_->sums());
     batch::on_first(ranks_, [&] {
-      for (std::size_t unit = 0; keeps_ && unit != job_.patches().units(); ++unit) {
-        const std::optional<UnitAnswer> answer = store_->read<UnitAnswer>(0, unit);
-        if (!answer) {
-          throw std::runtime_error(
-              fmt::format("{}: is damaged; the same command does it again", store_->path(0, unit)));
-        }
-        counts_ += hand_over(*answer, sinks);
-      }
-      for (SightSink* const sink : sinks) sink->finish();
+      if (file_) file_->finish();
+      if (shares_ != nullptr) shares_->finish();
       SeesReport report = report_of(job_.scene(), work_, job_.source());
-      report.counts = counts_;
+      report.counts = SeesCounts::of(counts);
       report.threads = static_cast<int>(threads);
       report.ranks = ranks_.size();
       report.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
@@ -183,13 +248,18 @@ class RankedSees {
   const batch::Surroundings& surroundings_;
   const bool keeps_;
   batch::JobFolder folder_;
+  const std::string part_;  ///< the file of answers until it is finished
   batch::ProgressLines progress_;
   Clock::time_point begin_ = Clock::now();
+  Clock::time_point phase_begin_ = begin_;
   const SeesWork work_ = job_.work();
   batch::JobDescription description_;
   std::optional<batch::BlockStore> store_;
   std::vector<std::uint64_t> finished_;  ///< 1 for each unit that an earlier run has stored
-  SeesCounts counts_;
+  std::unique_ptr<SightPlaces> places_;  ///< null if no file of answers is wanted
+  std::optional<OutputFile> file_;       ///< of rank 0; answers are written under the name part_
+  SeenShares* shares_ = nullptr;         ///< null if no picture is wanted
+  SeesCounts counts_;                    ///< of units that this rank answered, or found stored
   int threads_ = 0;
 };
 

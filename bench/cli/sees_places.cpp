@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "sees_places.hpp"
+
+#include <array>
+#include <utility>
+
+#include "crc32.hpp"
+#include "npz_layout.hpp"
+#include "sees_arrays.hpp"
+#include "sees_csv.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+constexpr std::size_t most_bytes_waiting = std::size_t{1} << 20;
+
+/// Each of the numbers becomes the sum of those before it. Gives the sum of all.
+std::uint64_t sum_before(std::span<std::uint64_t> numbers) {
+  std::uint64_t sum = 0;
+  for (std::uint64_t& number : numbers) sum += std::exchange(number, sum);
+  return sum;
+}
+
+/// Arrays of answers get rows from each unit; those of the scene are other pieces.
+class NpzPlaces final : public SightPlaces {
+ public:
+  NpzPlaces(const SeesScene& scene, const SeesBlocks& patches, std::uint32_t rays)
+      : units_(patches.units()),
+        answers_(answer_arrays(rays)),
+        scene_(scene_arrays(scene, patches.order(), rays)),
+        rows_(answers_.size() * units_),
+        crcs_(answers_.size() * units_ + scene_.size()) {}
+
+  void measure(std::size_t unit, const UnitAnswer& answer) override {
+    for (std::size_t array = 0; array != answers_.size(); ++array) {
+      rows_[array * units_ + unit] = rows_of(answer, array).size() / answers_[array].row_bytes();
+    }
+  }
+
+  std::span<std::uint64_t> lengths() override { return rows_; }
+
+  void arrange() override {
+    for (std::size_t array = 0; array != answers_.size(); ++array) {
+      const std::uint64_t rows = sum_before(std::span(rows_).subspan(array * units_, units_));
+      layout_.add(answers_[array], rows + (array == first_candidate_array ? 1 : 0));
+      all_rows_.push_back(rows);
+    }
+    for (const SceneArray& array : scene_) layout_.add(array.format, array.rows);
+  }
+
+  [[nodiscard]] std::size_t other_pieces() const override { return scene_.size(); }
+
+  void write_other(std::size_t piece, batch::WrittenFile& file) override {
+    Crc32 crc;
+    PlacedBytes numbers(file, layout_.place_of_numbers(answers_.size() + piece));
+    scene_[piece].pour([&](std::span<const std::byte> bytes) {
+      crc.add(bytes);
+      numbers.append(bytes);
+    });
+    numbers.finish();
+    crcs_[answers_.size() * units_ + piece] = crc.value();
+  }
+
+  void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) override {
+    std::vector<std::uint64_t> ends = answer.ends;
+    for (std::uint64_t& end : ends) end += rows_[candidates_array * units_ + unit];
+    for (std::size_t array = 0; array != answers_.size(); ++array) {
+      std::span<const std::byte> rows = rows_of(answer, array);
+      if (array == first_candidate_array) rows = std::as_bytes(std::span(ends));
+      Crc32 crc;
+      crc.add(rows);
+      crcs_[array * units_ + unit] = crc.value();
+      file.write_at(place_of(array, unit), rows);
+    }
+  }
+
+  std::span<std::uint64_t> sums() override { return crcs_; }
+
+  void complete(batch::WrittenFile& file) const override {
+    file.write_at(layout_.place_of_numbers(first_candidate_array), std::as_bytes(std::span(&no_candidate_before, 1)));
+    std::vector<std::uint32_t> crcs;
+    for (std::size_t array = 0; array != answers_.size(); ++array) crcs.push_back(crc_of_answers(array));
+    for (const std::uint64_t crc : std::span(crcs_).subspan(answers_.size() * units_)) {
+      crcs.push_back(static_cast<std::uint32_t>(crc));
+    }
+    const auto write = [&](std::uint64_t place, const std::string& text) {
+      file.write_at(place, std::as_bytes(std::span(text)));
+    };
+    for (std::size_t array = 0; array != layout_.size(); ++array) {
+      write(layout_.place_of_head(array), layout_.head(array, crcs[array]));
+    }
+    write(layout_.place_of_directory(), layout_.directory(crcs));
+  }
+
+ private:
+  /// What a unit puts into an array of answers, `first_candidate` without candidates of units before.
+  static std::span<const std::byte> rows_of(const UnitAnswer& answer, std::size_t array) {
+    switch (array) {
+      case products_array:
+        return std::as_bytes(std::span(answer.products));
+      case undecided_array:
+        return std::as_bytes(std::span(answer.undecided));
+      case first_candidate_array:
+        return std::as_bytes(std::span(answer.ends));
+      case candidates_array:
+        return std::as_bytes(std::span(answer.candidates));
+      default:
+        return std::as_bytes(std::span(answer.seen));
+    }
+  }
+
+  [[nodiscard]] std::uint64_t place_of(std::size_t array, std::size_t unit) const {
+    const std::uint64_t before = rows_[array * units_ + unit] + (array == first_candidate_array ? 1 : 0);
+    return layout_.place_of_numbers(array) + before * answers_[array].row_bytes();
+  }
+
+  [[nodiscard]] std::uint32_t crc_of_answers(std::size_t array) const {
+    Crc32 begin;
+    if (array == first_candidate_array) begin.add(std::as_bytes(std::span(&no_candidate_before, 1)));
+    std::uint32_t crc = begin.value();
+    const auto of_units = [&](const std::vector<std::uint64_t>& numbers) {
+      return std::span(numbers).subspan(array * units_, units_);
+    };
+    const std::span<const std::uint64_t> begins = of_units(rows_);
+    const std::span<const std::uint64_t> crcs = of_units(crcs_);
+    for (std::size_t unit = 0; unit != units_; ++unit) {
+      const std::uint64_t end = unit + 1 != units_ ? begins[unit + 1] : all_rows_[array];
+      crc =
+          joined_crc32(crc, static_cast<std::uint32_t>(crcs[unit]), (end - begins[unit]) * answers_[array].row_bytes());
+    }
+    return crc;
+  }
+
+  std::size_t units_;
+  std::vector<NpyFormat> answers_;
+  std::vector<SceneArray> scene_;
+  std::vector<std::uint64_t> rows_;  ///< of each array that of each unit; when places are found, of units before it
+  std::vector<std::uint64_t> crcs_;  ///< of numbers, likewise of each unit; then those of each array of the scene
+  std::vector<std::uint64_t> all_rows_;
+  NpzLayout layout_;
+};
+
+/// Lines of certain pairs of all units, then those of undecided pairs; the heading is the other piece.
+class CsvPlaces final : public SightPlaces {
+ public:
+  CsvPlaces(const SeesBlocks& patches, std::uint32_t rays)
+      : order_(patches.order()), rays_(rays), units_(patches.units()), bytes_(2 * units_) {}
+
+  void measure(std::size_t unit, const UnitAnswer& answer) override {
+    CsvLength length(order_, rays_);
+    SightSink* const sinks[] = {&length};
+    hand_over(answer, sinks);
+    bytes_[unit] = length.certain();
+    bytes_[units_ + unit] = length.undecided();
+  }
+
+  std::span<std::uint64_t> lengths() override { return bytes_; }
+
+  void arrange() override {
+    sum_before(bytes_);
+    for (std::uint64_t& place : bytes_) place += csv_heading(rays_).size();
+  }
+
+  [[nodiscard]] std::size_t other_pieces() const override { return 1; }
+
+  void write_other(std::size_t /*piece*/, batch::WrittenFile& file) override {
+    file.write_at(0, std::as_bytes(std::span(csv_heading(rays_))));
+  }
+
+  void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) override {
+    PlacedBytes certain(file, bytes_[unit]);
+    PlacedBytes undecided(file, bytes_[units_ + unit]);
+    const auto into = [](PlacedBytes& bytes) {
+      return [&bytes](std::string_view text) { bytes.append(std::as_bytes(std::span(text))); };
+    };
+    CsvLines lines(order_, rays_, into(certain), into(undecided));
+    SightSink* const sinks[] = {&lines};
+    hand_over(answer, sinks);
+    certain.finish();
+    undecided.finish();
+  }
+
+  std::span<std::uint64_t> sums() override { return {}; }
+  void complete(batch::WrittenFile& /*file*/) const override {}
+
+ private:
+  std::span<const std::uint32_t> order_;
+  std::uint32_t rays_;
+  std::size_t units_;
+  /// Of each unit those of lines of certain pairs, then likewise of undecided ones; when places are found, where they
+  /// begin.
+  std::vector<std::uint64_t> bytes_;
+};
+
+}  // namespace
+
+void PlacedBytes::append(std::span<const std::byte> bytes) {
+  if (bytes.size() >= most_bytes_waiting) {
+    finish();
+    file_.write_at(place_, bytes);
+    place_ += bytes.size();
+    return;
+  }
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  if (waiting_.size() >= most_bytes_waiting) finish();
+}
+
+void PlacedBytes::finish() {
+  file_.write_at(place_, waiting_);
+  place_ += waiting_.size();
+  waiting_.clear();
+}
+
+std::unique_ptr<SightPlaces> sight_places(const std::string& path, const SeesScene& scene, const SeesBlocks& patches,
+                                          std::uint32_t rays) {
+  if (sight_form(path, patches.size()) == SightForm::npz) return std::make_unique<NpzPlaces>(scene, patches, rays);
+  return std::make_unique<CsvPlaces>(patches, rays);
+}
+
+}  // namespace shaftcull::cli
