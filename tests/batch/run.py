@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """`shaftcull batch` from outside: against NumPy, on ranks, killed and started again, with input that cannot be used.
 
-  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed, sees or errors; MPIRUN: empty where there is none
+  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed, errors, or one of sees.py; MPIRUN: empty where
+                                 there is none
 
 Ends with 77, "skipped", where NumPy, h5py or what a case needs is missing.
 """
@@ -16,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # here, beside the sources
+
 try:
     import h5py
     import numpy
@@ -23,27 +26,11 @@ except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
 
+from launched import can_launch, content, kill_one, launch, program, stored_blocks
+from sees import sees_cases
+
 script = os.path.abspath(sys.argv[0])
-case, program, mpirun = sys.argv[1:4]
-# Open MPI starts more ranks than there are cores, and binds none to one, if it is told so; 4 and 5 by other names.
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
-                  OMPI_MCA_hwloc_base_binding_policy="none", PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
-# Of launchers that this test was itself started by.
-for name in list(os.environ):
-    if name.startswith(("OMPI_COMM_", "PMIX_", "PMI_", "SLURM_STEP_")):
-        del os.environ[name]
-
-
-def launch(ranks):
-    """The words that start so many ranks; none for one process alone."""
-    if ranks == 0:
-        return []
-    return [mpirun, "-n", str(ranks)] if mpirun else None
-
-
-def can_launch():
-    words = launch(5)
-    return words is not None and subprocess.run([*words, "true"], capture_output=True, check=False).returncode == 0
+case = sys.argv[1]
 
 
 def batch(ranks, *options, **more):
@@ -55,11 +42,6 @@ def run(ranks, *options):
     done = batch(ranks, *options)
     assert done.returncode == 0, (done.args, done.returncode, done.stderr)
     return done
-
-
-def content(path):
-    with open(path, "rb") as file:
-        return file.read()
 
 
 def boxes(source, count, space, size):
@@ -166,48 +148,6 @@ def on_ranks():
         assert not os.path.exists("out.h5.parts")
 
 
-def descendants(pid):
-    found = []
-    for task in os.listdir(f"/proc/{pid}/task"):
-        try:
-            with open(f"/proc/{pid}/task/{task}/children", encoding="ascii") as file:
-                children = [int(child) for child in file.read().split()]
-        except OSError:
-            continue
-        for child in children:
-            found += [child]
-            if os.path.exists(f"/proc/{child}"):
-                found += descendants(child)
-    return found
-
-
-def is_rank(pid):
-    try:
-        return os.path.samefile(os.readlink(f"/proc/{pid}/exe"), program)
-    except OSError:
-        return False
-
-
-def stored_blocks(folder="out.h5.parts"):
-    return sum(name.startswith("block-") for _, _, names in os.walk(folder) for name in names)
-
-
-def kill_one(running, chance, blocks, folder="out.h5.parts"):
-    """Kills a rank when so many blocks are stored. False if all ended before."""
-    while running.poll() is None:
-        if stored_blocks(folder) < blocks:
-            continue
-        try:
-            ranks = [pid for pid in [running.pid, *descendants(running.pid)] if is_rank(pid)]
-            os.kill(chance.choice(ranks), signal.SIGKILL)
-            running.communicate(timeout=60)
-            return True
-        except (IndexError, OSError):
-            continue  # not there yet, or there no more
-    running.communicate()
-    return False
-
-
 def killed():
     """A job that is killed again and again, at random points, ends with the file of an undisturbed run."""
     seed = random.randrange(1 << 30)
@@ -225,7 +165,8 @@ def killed():
         hits = 0
         for part in (0.02, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9):
             with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as running:
-                hits += kill_one(running, chance, int(300 * part * chance.uniform(0.7, 1)))
+                blocks = int(300 * part * chance.uniform(0.7, 1))
+                hits += kill_one(running, chance, lambda least=blocks: stored_blocks("out.h5.parts") >= least)
             if os.path.exists("out.h5") and not os.path.exists("out.h5.parts"):
                 break
         done = run(ranks, *options, *more)
@@ -251,7 +192,7 @@ def killed():
     os.remove("out.h5")
     with subprocess.Popen([program, "batch", *options, *small], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                           text=True) as running:
-        while running.poll() is None and stored_blocks() == 0:
+        while running.poll() is None and stored_blocks("out.h5.parts") == 0:
             pass
         running.send_signal(signal.SIGTERM)
         said = running.communicate()[1]
@@ -312,13 +253,13 @@ def errors():
     shutil.rmtree("out.h5.parts", ignore_errors=True)
     numpy.save("shafts.npy", wrong)
     assert batch(0, *options, "--block", "20").returncode == 2
-    before = stored_blocks()
+    before = stored_blocks("out.h5.parts")
     assert before > 0
     numpy.save("shafts.npy", wrong[:-1])
     for ranks in (0, 2) if can_launch() else (0,):
         refused = batch(ranks, *options, "--block", "20", "--progress", "none")
         assert refused.returncode == 2 and refused.stderr.count("unfinished job with other input: shafts was") == 1, refused
-        assert stored_blocks() == before
+        assert stored_blocks("out.h5.parts") == before
 
     if not can_launch():
         return
@@ -337,7 +278,6 @@ def errors():
 
 def model():
     """What model.py says of logs, and of dealing worked out by hand."""
-    sys.dont_write_bytecode = True
     sys.path.insert(0, os.path.join(os.path.dirname(script), "../../bench/batch"))
     import model as tool
 
@@ -377,78 +317,8 @@ def model():
     assert given.blocks == 25 and len(times["answer"]) == 25
 
 
-def sees_words(*more):
-    return ["--rooms", "5", "--patches", "0.6", "--solid", "wall*", "table*", *map(str, more)]
-
-
-def sees(ranks, *more, **around):
-    command = [*launch(ranks), program, "sees", "--threads", "2", *sees_words(*more)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, **around)
-
-
-def sees_on_ranks():
-    """What sees what: files of ranks are those of one process, also when all were killed on the way."""
-    files = ["--out", "seen.npz", "--svg", "seen.svg"]
-    report = []
-    for more in ([], ["--rays", 3]):
-        done = sees(0, *files, *more, "--format", "json")
-        assert done.returncode == 0, done
-        report.append(json.loads(done.stdout))
-        whole = content("seen.npz"), content("seen.svg")
-        for ranks in (1, 2, 3, 5):
-            os.remove("seen.npz")
-            os.remove("seen.svg")
-            done = sees(ranks, *files, *more, "--format", "json")
-            assert done.returncode == 0, done
-            assert (content("seen.npz"), content("seen.svg")) == whole, (ranks, more)
-            found = json.loads(done.stdout)
-            assert found["pairs"] == report[-1]["pairs"] and found["ranks"] == ranks, found
-            assert not os.path.exists("seen.npz.parts")
-    counts = sees(3, "--format", "json")
-    assert counts.returncode == 0 and json.loads(counts.stdout)["pairs"] == report[0]["pairs"], counts
-    assert set(os.listdir()) == {"seen.npz", "seen.svg"}
-
-    # Killed at random points, and started again on any number of ranks.
-    seed = random.randrange(1 << 30)
-    print("seed", seed, flush=True)
-    chance = random.Random(seed)
-    os.remove("seen.npz")
-    os.remove("seen.svg")
-    hits = 0
-    for blocks in (0, 1, 2, 4):
-        command = [*launch(chance.choice((1, 2, 3))), program, "sees", "--threads", "1", *sees_words(*files, "--rays", 3)]
-        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as running:
-            hits += kill_one(running, chance, blocks, "seen.npz.parts")
-        if os.path.exists("seen.npz") and not os.path.exists("seen.npz.parts"):
-            break
-    before = stored_blocks("seen.npz.parts")
-    done = sees(2, *files, "--rays", 3)
-    assert done.returncode == 0 and (before == 0 or " from before)" in done.stderr), (before, done)
-    assert (content("seen.npz"), content("seen.svg")) == whole, seed
-    assert not os.path.exists("seen.npz.parts")
-    assert hits > 0, "none was killed in time"
-
-    # What cannot be used is told once.
-    refusals = {
-        "--out -: ranks keep what is finished beside a file": ["--out", "-"],
-        "seen.txt: what kind of file?": ["--out", "seen.txt"],
-        "--solid none: 5 rooms has no object of that name": ["--solid", "none"],
-    }
-    for message, more in refusals.items():
-        refused = sees(3, *more)
-        own = [line for line in refused.stderr.splitlines() if line.startswith("shaftcull: ")]
-        assert refused.returncode == 2 and len(own) == 1 and message in own[0], refused
-        shutil.rmtree("seen.txt.parts", ignore_errors=True)
-    words = launch(1)
-    mixed = subprocess.run(
-        [*words, program, "sees", *sees_words(*files), ":", *words[1:], program, "sees", *sees_words(*files, "--seed", 2)],
-        capture_output=True, text=True, timeout=60, check=False)
-    assert mixed.returncode == 2, mixed
-    assert mixed.stderr.count("shaftcull: rank 1: 5 rooms has other patches there than for rank 0") == 1, mixed.stderr
-
-
-cases = {"model": model, "sees": sees_on_ranks, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors}
-if case in ("ranks", "sees") and not can_launch():
+cases = {"model": model, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors, **sees_cases}
+if case in ("ranks", *sees_cases) and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)
 # In memory, where that is: nothing here depends on a disk, and other tests may keep it busy.
