@@ -25,6 +25,7 @@
 #include "shaftcull/solids.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/tree_image.hpp"
 #include "shaftcull/triangles.hpp"
 #include "shaftcull/version.hpp"
 #include "shaftcull/visibility.hpp"

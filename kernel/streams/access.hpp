@@ -28,6 +28,15 @@ struct StreamAccess {
     return Stream(typename Stream::NotWritten(), count);
   }
 
+  /// A stream of `count` bounds whose memory, all of it, lies elsewhere and stays there for longer. Copies have memory of
+  /// their own. Nothing of it but const members is to be called.
+  template <class Stream>
+  [[nodiscard]] static Stream in_place(const float* memory, std::size_t count) noexcept {
+    Stream stream;
+    stream.view_ = kernel::view_in<decltype(stream.view_)>(memory, count);
+    return stream;
+  }
+
   /// The rows of a stream that is not const, from bound `first` on.
   template <class Stream>
   [[nodiscard]] static auto rows(Stream& stream, std::size_t first = 0) noexcept {
@@ -42,7 +51,7 @@ struct StreamAccess {
   /// All memory of a stream, padding included.
   template <class Stream>
   [[nodiscard]] static std::span<const std::byte> memory(const Stream& stream) noexcept {
-    return kernel::bytes_of(stream.memory_.get(), stream.memory_bytes() / sizeof(float));
+    return kernel::bytes_of(stream.view_.stream[0], stream.memory_bytes() / sizeof(float));
   }
 };
 

@@ -7,6 +7,7 @@
 #include "shaftcull/triangles.hpp"
 #include "streams/access.hpp"
 #include "streams/pack.hpp"
+#include "streams/rows.hpp"
 #include "support/arguments.hpp"
 #include "support/padding.hpp"
 
@@ -15,41 +16,19 @@ namespace {
 
 constexpr std::align_val_t cache_line{64};
 
-/// Words of 1 MiB. Rows that are a multiple of it apart share the same few places of caches and of the processor's page
-/// tables: where 256 parts of six such rows are written in turn, that takes four times as long.
-constexpr std::size_t far_apart = 4096;
-
-/// Floats in each of `rows` rows of `count` floats and their padding. Rows that are a page apart would have to share a
-/// set of the level 1 cache, which has eight places: nine are an odd number of words long.
-constexpr std::size_t row_floats(std::size_t rows, std::size_t count) noexcept {
-  const std::size_t words = words_for(count);
-  return ((rows > 8 || words % far_apart == 0) && count != 0 ? words | 1U : words) * 64;
-}
-
 /// Memory for `rows` rows of `count` floats and their padding, not initialised; null for a count of 0.
 float* allocate_rows(std::size_t rows, std::size_t count) {
   if (count == 0) return nullptr;
   if (count > kernel::most_floats / rows - 127) throw std::bad_array_new_length();
-  return static_cast<float*>(::operator new[](rows* row_floats(rows, count) * sizeof(float), cache_line));
+  return static_cast<float*>(::operator new[](rows* kernel::row_floats(rows, count) * sizeof(float), cache_line));
 }
 
 void free_rows(float* rows) noexcept { ::operator delete[](rows, cache_line); }
 
-/// The view of rows in such memory.
-template <class View>
-View view_in(const float* memory, std::size_t count) noexcept {
-  View view;
-  if (count == 0) return view;
-  const std::size_t rows = view.stream.size();
-  for (std::size_t s = 0; s != rows; ++s) view.stream[s] = memory + s * row_floats(rows, count);
-  view.count = count;
-  return view;
-}
-
 /// Writes `bound` to all places from `first` on, to the end of the padding.
 template <class Stream, std::size_t rows>
 void fill_from(Stream& stream, std::size_t first, const float (&bound)[rows]) noexcept {
-  const std::size_t places = row_floats(rows, stream.size()) - first;
+  const std::size_t places = kernel::row_floats(rows, stream.size()) - first;
   const auto row = StreamAccess::rows(stream, first);
   for (std::size_t s = 0; s != rows; ++s) std::fill_n(row[s], places, bound[s]);
 }
@@ -59,7 +38,7 @@ void fill_from(Stream& stream, std::size_t first, const float (&bound)[rows]) no
 void BoxStream::Free::operator()(float* rows) const noexcept { free_rows(rows); }
 
 BoxStream::BoxStream(NotWritten, std::size_t count)
-    : memory_(allocate_rows(6, count)), view_(view_in<BoxView>(memory_.get(), count)) {
+    : memory_(allocate_rows(6, count)), view_(kernel::view_in<BoxView>(memory_.get(), count)) {
   fill_from(*this, count, kernel::padding_box);
 }
 
@@ -74,7 +53,7 @@ BoxStream::BoxStream(const CentreExtentRecords& boxes) : BoxStream(NotWritten(),
 BoxStream::BoxStream(const BoxView& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
 
 BoxStream::BoxStream(const BoxStream& other) : BoxStream(NotWritten(), other.size()) {
-  std::copy_n(other.memory_.get(), memory_bytes() / sizeof(float), memory_.get());
+  std::copy_n(other.view_.stream[0], memory_bytes() / sizeof(float), memory_.get());
 }
 
 BoxStream::BoxStream(BoxStream&& other) noexcept
@@ -99,7 +78,7 @@ void BoxStream::update(std::size_t first, const BoxView& boxes) { kernel::pack(b
 void SphereStream::Free::operator()(float* rows) const noexcept { free_rows(rows); }
 
 SphereStream::SphereStream(NotWritten, std::size_t count)
-    : memory_(allocate_rows(4, count)), view_(view_in<SphereView>(memory_.get(), count)) {
+    : memory_(allocate_rows(4, count)), view_(kernel::view_in<SphereView>(memory_.get(), count)) {
   fill_from(*this, count, kernel::padding_sphere);
 }
 
@@ -119,7 +98,7 @@ SphereStream::SphereStream(const SphereView& spheres) : SphereStream(NotWritten(
 }
 
 SphereStream::SphereStream(const SphereStream& other) : SphereStream(NotWritten(), other.size()) {
-  std::copy_n(other.memory_.get(), memory_bytes() / sizeof(float), memory_.get());
+  std::copy_n(other.view_.stream[0], memory_bytes() / sizeof(float), memory_.get());
 }
 
 SphereStream::SphereStream(SphereStream&& other) noexcept
@@ -142,7 +121,7 @@ void SphereStream::update(std::size_t first, const SphereView& spheres) { kernel
 void TriangleStream::Free::operator()(float* rows) const noexcept { free_rows(rows); }
 
 TriangleStream::TriangleStream(NotWritten, std::size_t count)
-    : memory_(allocate_rows(9, count)), view_(view_in<TriangleView>(memory_.get(), count)) {
+    : memory_(allocate_rows(9, count)), view_(kernel::view_in<TriangleView>(memory_.get(), count)) {
   fill_from(*this, count, kernel::padding_triangle);
 }
 
@@ -161,7 +140,7 @@ TriangleStream::TriangleStream(const TriangleView& triangles) : TriangleStream(N
 TriangleStream::TriangleStream(const MeshView& mesh) : TriangleStream(NotWritten(), mesh.size()) { update(0, mesh); }
 
 TriangleStream::TriangleStream(const TriangleStream& other) : TriangleStream(NotWritten(), other.size()) {
-  std::copy_n(other.memory_.get(), memory_bytes() / sizeof(float), memory_.get());
+  std::copy_n(other.view_.stream[0], memory_bytes() / sizeof(float), memory_.get());
 }
 
 TriangleStream::TriangleStream(TriangleStream&& other) noexcept

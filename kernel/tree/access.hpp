@@ -2,6 +2,9 @@
 /// Access to the parts of a bounds tree, which are private in the public class.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "tree/parts.hpp"
 
 namespace shaftcull {
@@ -18,6 +21,13 @@ struct TreeAccess {
   template <class Bound, class Index>
   [[nodiscard]] static kernel::TreeParts<Bound, Index>* parts(BoundsTree<Bound, Index>& tree) noexcept {
     return tree.parts_.get();
+  }
+  template <class Bound, class Index>
+  [[nodiscard]] static BoundsTree<Bound, Index> tree_of(kernel::TreeParts<Bound, Index> parts) {
+    using Parts = typename BoundsTree<Bound, Index>::Parts;
+    BoundsTree<Bound, Index> tree;
+    tree.parts_ = std::make_unique<Parts>(Parts{std::move(parts)});
+    return tree;
   }
 };
 

@@ -14,10 +14,9 @@
 namespace shaftcull::kernel {
 
 template <class Bound>
-void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
+std::size_t lay_out_levels(TreeLevels<Bound>& parts, std::size_t size) noexcept {
   parts.size = size;
-  parts.leaves = StreamAccess::not_written<StreamOf<ViewOf<Bound>>>(size);
-  if (size == 0) return;
+  if (size == 0) return 0;
   std::size_t nodes = 0;
   parts.level[0] = {size, 0};
   parts.levels = 1;
@@ -27,8 +26,15 @@ void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
     nodes += level.words() * 64;
     ++parts.levels;
   }
+  return nodes;
+}
+
+template <class Bound>
+void lay_out(TreeLevels<Bound>& parts, std::size_t size) {
+  parts.leaves = StreamAccess::not_written<StreamOf<ViewOf<Bound>>>(size);
+  const std::size_t nodes = lay_out_levels(parts, size);
   parts.nodes = BoxStream(nodes);
-  parts.gaps.assign(nodes / 64, ~std::uint64_t{0});
+  parts.gaps = {nodes / 64, ~std::uint64_t{0}};
 }
 
 namespace {
@@ -50,8 +56,8 @@ TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, cons
   const ClassBounds class_first = write_entries<Bound>(source, scratch.place());
   TreeParts<Bound, Index> parts;
   lay_out(parts, source.count());
-  parts.order.resize(parts.size);
-  parts.least_index.resize(words_for(parts.size));
+  parts.order = TreeArray<Index>(parts.size);
+  parts.least_index = TreeArray<Index>(words_for(parts.size));
   write_tree_order<Index>(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(records_in<Bound>(scratch.records(), parts.size));
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
@@ -121,6 +127,8 @@ TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts, const Regi
   return rebuilt;
 }
 
+template std::size_t lay_out_levels(TreeLevels<Box>&, std::size_t) noexcept;
+template std::size_t lay_out_levels(TreeLevels<Sphere>&, std::size_t) noexcept;
 #define SHAFTCULL_BUILD(Bound, Index)                                                     \
   template void find_least_indices(TreeParts<Bound, Index>&, const IndexRange&) noexcept; \
   template TreeParts<Bound, Index> build(const ViewSource<Bound>&, const RegionSizes&);   \

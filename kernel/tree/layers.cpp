@@ -25,8 +25,8 @@ template <class Bound, class Index>
 TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const Index> order,
                      std::span<const std::uint32_t> layers) {
   TreeLayers result;
-  result.leaves.resize(words_for(parts.size) * fanout);
-  result.nodes.resize(parts.nodes.size());
+  result.leaves = {words_for(parts.size) * fanout, 0U};
+  result.nodes = {parts.nodes.size(), 0U};
   parallel_for(chunk_count(parts.size, task_leaves), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, task_leaves, b);
     for (std::size_t p = block.first; p != block.end(); ++p) result.leaves[p] = layers[order[p]];

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "tree/tree_array.hpp"
+
 namespace shaftcull::kernel {
 
 template <class Bound>
@@ -14,8 +16,8 @@ struct TreeLevels;
 
 /// Layers in tree order, in whole words; what fills up the last word of a level is in no layer.
 struct TreeLayers {
-  std::vector<std::uint32_t> leaves;  ///< empty for a tree without layers
-  std::vector<std::uint32_t> nodes;   ///< all layers of the bounds below a node, which lie as TreeLevels::nodes do
+  TreeArray<std::uint32_t> leaves;  ///< empty for a tree without layers
+  TreeArray<std::uint32_t> nodes;   ///< all layers of the bounds below a node, which lie as TreeLevels::nodes do
 
   // Of all bounds. Where those of single ones have changed, the first and the last may be too much, the second too
   // little.
@@ -30,7 +32,7 @@ struct TreeLayers {
     return (of_all & mask) != 0 || ((of_any & ~mask) == 0 && !is_any_in_none);
   }
   [[nodiscard]] std::size_t bytes() const noexcept {
-    return sizeof(std::uint32_t) * (leaves.capacity() + nodes.capacity());
+    return leaves.bytes() + nodes.bytes();
   }
 };
 

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
-#include <vector>
 
 #include "kernels/table.hpp"
 #include "support/prefetch.hpp"
@@ -20,7 +20,7 @@ template <class Index>
 class LeafIndices {
  public:
   /// `prefetches` as TreeLevels::is_worth_prefetching().
-  LeafIndices(const std::vector<Index>& order, bool prefetches, const Kernels& kernels) noexcept
+  LeafIndices(std::span<const Index> order, bool prefetches, const Kernels& kernels) noexcept
       : order_(order.data()),
         in_whole_words_(order.size() / fanout * fanout),
         prefetched_(prefetches ? in_whole_words_ : 0),

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,7 @@ class LeafPlaces {
   ~LeafPlaces() { delete made(); }
 
   /// The leaf of every index, by a tree's order. O(1) but for the first time, which is O(order.size()) and allocates.
-  [[nodiscard]] const Index* of(const std::vector<Index>& order) const {
+  [[nodiscard]] const Index* of(std::span<const Index> order) const {
     if (const std::vector<Index>* const place = made()) return place->data();
     auto place = std::make_unique<std::vector<Index>>(order.size());
     for (std::size_t leaf = 0; leaf != order.size(); ++leaf) (*place)[order[leaf]] = static_cast<Index>(leaf);

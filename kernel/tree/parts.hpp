@@ -13,6 +13,7 @@
 #include "streams/access.hpp"
 #include "tree/layers.hpp"
 #include "tree/leaf_places.hpp"
+#include "tree/tree_array.hpp"
 
 namespace shaftcull::kernel {
 
@@ -52,7 +53,7 @@ struct TreeLevels {
 
   /// Bit i of word first / 64 + i / 64 of a level: something below entry i is empty, or padding, so that it is outside
   /// even where the box of the entry is inside.
-  std::vector<std::uint64_t> gaps;
+  TreeArray<std::uint64_t> gaps;
 
   TreeLayers layers;
 
@@ -94,10 +95,14 @@ struct TreeLevels {
 
 template <class Bound, class Index>
 struct TreeParts : TreeLevels<Bound> {
-  std::vector<Index> order;        ///< leaf → the user's index
-  std::vector<Index> least_index;  ///< of each word of leaves
-  LeafPlaces<Index> places;        ///< the user's index → leaf
+  TreeArray<Index> order;        ///< leaf → the user's index
+  TreeArray<Index> least_index;  ///< of each word of leaves
+  LeafPlaces<Index> places;      ///< the user's index → leaf
 };
+
+/// Lays out the levels over `size` bounds, and returns how many nodes there are.
+template <class Bound>
+std::size_t lay_out_levels(TreeLevels<Bound>& parts, std::size_t size) noexcept;
 
 /// Lays out the levels over `size` bounds and gets the memory for them. Nodes are empty; leaves are to be written.
 template <class Bound>

@@ -235,10 +235,8 @@ TreeParts<Bound, Index> build_by_regions(const Source& source, const RegionSizes
   lay_out(parts, size);
   const RowsOf<ViewOf<Bound>> row = parts.leaf_rows();
   ask_for_huge_pages(row[0], parts.leaves.memory_bytes());
-  parts.order.reserve(size);
-  ask_for_huge_pages(parts.order.data(), size * sizeof(Index));
-  parts.order.resize(size);
-  parts.least_index.resize(words_for(size));
+  parts.order = TreeArray<Index>(size);
+  parts.least_index = TreeArray<Index>(words_for(size));
 
   std::vector<IndexRange> regions;
   LargeMemory<std::uint32_t> more_indices(size);
@@ -256,8 +254,7 @@ TreeParts<Bound, Index> build_by_regions(const Source& source, const RegionSizes
     std::uint32_t* const spare_index = is_narrow ? more_indices.get() : in_order;
     const EntryStreams<std::uint32_t> entries{centre[0], centre[1], centre[2], reinterpret_cast<float*>(index)};
     const EntryStreams<std::uint32_t> spare{centre[3], centre[4], centre[5], reinterpret_cast<float*>(spare_index)};
-    const bool is_aligned = reinterpret_cast<std::uintptr_t>(in_order) % 16 == 0;  // as writing past caches needs
-    const EntryPlace<std::uint32_t> place{entries, nullptr, is_aligned ? parts.leaves.memory_bytes() : 0};
+    const EntryPlace<std::uint32_t> place{entries, nullptr, parts.leaves.memory_bytes()};
     const ClassBounds class_first = write_entries<Bound>(source, place);
     write_regions(entries, spare, class_first, most, kernels, index);
     regions = regions_of(class_first, most);

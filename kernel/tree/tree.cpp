@@ -95,9 +95,8 @@ template <class Bound, BoundIndex Index>
 std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
   return sizeof *parts_ + parts_->leaves.memory_bytes() + parts_->nodes.memory_bytes() +
-         sizeof(std::uint64_t) * (parts_->gaps.capacity() + parts_->dirty.capacity()) +
-         sizeof(Index) * (parts_->order.capacity() + parts_->least_index.capacity()) + parts_->places.bytes() +
-         parts_->layers.bytes();
+         parts_->gaps.bytes() + sizeof(std::uint64_t) * parts_->dirty.capacity() + parts_->order.bytes() +
+         parts_->least_index.bytes() + parts_->places.bytes() + parts_->layers.bytes();
 }
 
 template <class Bound, BoundIndex Index>

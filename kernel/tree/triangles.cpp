@@ -22,29 +22,7 @@
 #include "support/list_memory.hpp"
 #include "tree/outputs.hpp"
 #include "tree/query.hpp"
-
-namespace shaftcull::kernel {
-
-/// What a TriangleTree holds.
-struct TriangleParts {
-  TriangleStream triangles;          ///< chunk after chunk, in the tree order of their boxes
-  std::vector<std::uint32_t> order;  ///< triangle → the user's index
-  BoxTree chunks;
-  std::size_t short_chunk = 0;  ///< the leaf of the chunk that may have fewer triangles than others
-  std::size_t missing = 0;      ///< so many fewer
-
-  /// The first triangle of a leaf of the tree of chunks, or what is behind the last one.
-  [[nodiscard]] std::size_t first_of(std::size_t leaf) const noexcept {
-    return leaf * TriangleTree::chunk_size - (leaf > short_chunk ? missing : 0);
-  }
-  /// The triangles of `size` leaves from `leaf` on; there may be fewer leaves.
-  [[nodiscard]] IndexRange triangles_of(std::size_t leaf, std::size_t size) const noexcept {
-    const std::size_t first = first_of(leaf);
-    return {first, first_of(std::min(leaf + size, chunks.size())) - first};
-  }
-};
-
-}  // namespace shaftcull::kernel
+#include "tree/triangle_parts.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
@@ -95,10 +73,11 @@ void build(TriangleParts& parts, const TriangleStream& triangles) {
   }
   parts.chunks = BoxTree(boxes_around(in_order(triangles, neighbours), chunk_size).view());
   const std::span<const std::uint32_t> chunk_order = parts.chunks.order();
-  parts.order.reserve(size);
+  parts.order = kernel::TreeArray<std::uint32_t>(size);
+  std::uint32_t* next = parts.order.data();
   for (std::size_t leaf = 0; leaf != chunk_order.size(); ++leaf) {
     const kernel::IndexRange chunk = kernel::chunk_at(size, chunk_size, chunk_order[leaf]);
-    for (std::size_t i = chunk.first; i != chunk.end(); ++i) parts.order.push_back(neighbours[i]);
+    next = std::copy_n(neighbours.data() + chunk.first, chunk.size, next);
     if (chunk.size == chunk_size) continue;
     parts.short_chunk = leaf;
     parts.missing = chunk_size - chunk.size;
@@ -152,19 +131,6 @@ class TriangleVisitor {
   const Take& take_;
   bool is_done_ = false;
 };
-
-}  // namespace
-
-struct TriangleTree::Parts : TriangleParts {};
-
-struct TriangleTreeAccess {
-  [[nodiscard]] static const TriangleParts& parts(const TriangleTree& tree) noexcept {
-    static const TriangleParts empty;
-    return tree.parts_ ? *tree.parts_ : empty;
-  }
-};
-
-namespace {
 
 /// A checked question to a tree of triangles.
 class TriangleQuery {
@@ -280,7 +246,7 @@ std::size_t TriangleTree::size() const noexcept { return TriangleTreeAccess::par
 
 std::size_t TriangleTree::memory_bytes() const noexcept {
   if (!parts_) return 0;
-  return sizeof *parts_ + parts_->triangles.memory_bytes() + parts_->order.capacity() * sizeof(std::uint32_t) +
+  return sizeof *parts_ + parts_->triangles.memory_bytes() + parts_->order.bytes() +
          parts_->chunks.memory_bytes();
 }
 

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include "parallel/parallel.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/tree_image.hpp"
+#include "streams/access.hpp"
+#include "support/arguments.hpp"
+#include "support/checksum.hpp"
+#include "support/index_range.hpp"
+#include "support/text.hpp"
+#include "tree/access.hpp"
+#include "tree/triangle_parts.hpp"
+
+namespace shaftcull::kernel {
+namespace {
+
+constexpr std::size_t line = 64;
+
+/// What an image begins with. Behind it are sections, each of which begins a line: what a tree holds, in the order of
+/// for_sections().
+struct ImageHeader {
+  std::array<char, 16> name;
+  std::uint32_t format;
+  std::uint32_t byte_order;
+  std::uint32_t bound;        ///< floats of one
+  std::uint32_t index_bytes;  ///< of one index
+  std::uint64_t bytes;        ///< of the image
+  std::array<std::uint64_t, 2> none;
+  std::uint64_t checksum;  ///< of all that follows
+
+  std::uint64_t size;  ///< of bounds
+  double surface_when_built;
+  std::uint32_t has_layers;
+  std::uint32_t layers_of_any;
+  std::uint32_t layers_of_all;
+  std::uint32_t is_any_in_no_layer;
+  std::uint64_t chunks;  ///< of triangles; from here on only theirs
+  std::uint64_t short_chunk;
+  std::uint64_t missing;
+  std::uint64_t none_yet;
+};
+static_assert(sizeof(ImageHeader) == 2 * line && offsetof(ImageHeader, size) == line);
+static_assert(std::is_trivially_copyable_v<ImageHeader>);
+
+constexpr std::array<char, 16> image_name{'s', 'h', 'a', 'f', 't', 'c', 'u', 'l', 'l', ' ', 't', 'r', 'e', 'e'};
+constexpr std::uint32_t image_format = 1;
+constexpr std::uint32_t native_order = 0x01020304;
+
+constexpr std::size_t in_lines(std::size_t bytes) noexcept { return (bytes + line - 1) / line * line; }
+
+/// What images call a kind of tree, and messages.
+template <class Tree>
+struct ImageKind;
+template <class Bound, class Index>
+struct ImageKind<BoundsTree<Bound, Index>> {
+  static constexpr std::uint32_t bound = static_cast<std::uint32_t>(rows_of<Bound>);
+  static constexpr std::uint32_t index_bytes = sizeof(Index);
+};
+template <>
+struct ImageKind<TriangleTree> {
+  static constexpr std::uint32_t bound = 9;
+  static constexpr std::uint32_t index_bytes = sizeof(std::uint32_t);
+};
+
+std::string kind_text(std::uint32_t bound, std::uint32_t index_bytes) {
+  const char* const noun = bound == 6 ? "boxes" : bound == 4 ? "spheres" : bound == 9 ? "triangles" : "unknown bounds";
+  return std::string(noun) + " with " + std::to_string(8 * index_bytes) + "-bit indices";
+}
+
+/// Calls use(bytes) for everything that a tree holds in memory.
+template <class Bound, class Index, class Use>
+void for_sections(const TreeParts<Bound, Index>& parts, const Use& use) {
+  use(StreamAccess::memory(parts.leaves));
+  use(StreamAccess::memory(parts.nodes));
+  use(bytes_of(parts.gaps));
+  use(bytes_of(parts.order));
+  use(bytes_of(parts.least_index));
+  use(bytes_of(parts.layers.leaves));
+  use(bytes_of(parts.layers.nodes));
+}
+template <class Use>
+void for_sections(const TriangleParts& parts, const Use& use) {
+  use(StreamAccess::memory(parts.triangles));
+  use(bytes_of(parts.order));
+}
+
+/// What a tree holds; null for an empty one.
+template <class Bound, class Index>
+const TreeParts<Bound, Index>* parts_of(const BoundsTree<Bound, Index>& tree) {
+  if (tree.needs_refit()) throw NeedsRefit("the image of a tree whose bounds were updated; call refit() first");
+  return tree.size() == 0 ? nullptr : TreeAccess::parts(tree);
+}
+const TriangleParts* parts_of(const TriangleTree& tree) noexcept {
+  return tree.size() == 0 ? nullptr : &TriangleTreeAccess::parts(tree);
+}
+
+template <class Bound, class Index>
+void describe(const TreeParts<Bound, Index>& parts, ImageHeader& header) noexcept {
+  header.size = parts.size;
+  header.surface_when_built = parts.surface_when_built;
+  header.has_layers = parts.layers.exist() ? 1 : 0;
+  header.layers_of_any = parts.layers.of_any;
+  header.layers_of_all = parts.layers.of_all;
+  header.is_any_in_no_layer = parts.layers.is_any_in_none ? 1 : 0;
+}
+void describe(const TriangleParts& parts, ImageHeader& header) noexcept {
+  header.size = parts.order.size();
+  header.chunks = parts.chunks.size();
+  header.short_chunk = parts.short_chunk;
+  header.missing = parts.missing;
+}
+
+/// Copies `from`, and zeros to the end of the line. Parallel, so that memory that nobody has touched yet comes to where
+/// threads are that will read it.
+std::byte* copy_section(std::span<const std::byte> from, std::byte* to) {
+  constexpr std::size_t piece = std::size_t{4} << 20U;
+  parallel_for(chunk_count(from.size(), piece), 1, [&](std::size_t p, std::size_t) {
+    const IndexRange range = chunk_at(from.size(), piece, p);
+    std::memcpy(to + range.first, from.data() + range.first, range.size);
+  });
+  const std::size_t padding = in_lines(from.size()) - from.size();
+  return std::fill_n(to + from.size(), padding, std::byte{0});
+}
+
+/// Reads sections, one behind the other.
+class ImageReader {
+ public:
+  explicit ImageReader(const std::byte* first) noexcept : next_(first) {}
+
+  template <class Number>
+  [[nodiscard]] std::span<const Number> take(std::size_t count) noexcept {
+    const auto* const first = reinterpret_cast<const Number*>(next_);  // NOLINT(bugprone-casting-through-void)
+    next_ += in_lines(count * sizeof(Number));
+    return {first, count};
+  }
+  template <class Number>
+  [[nodiscard]] TreeArray<Number> array(std::size_t count) noexcept {
+    return TreeArray<Number>::in_place(take<Number>(count));
+  }
+  template <class Stream>
+  [[nodiscard]] Stream stream(std::size_t count) noexcept {
+    constexpr std::size_t rows = row_count<decltype(Stream().view())>;
+    return StreamAccess::in_place<Stream>(take<float>(rows * row_floats(rows, count)).data(), count);
+  }
+  [[nodiscard]] const std::byte* next() const noexcept { return next_; }
+
+ private:
+  const std::byte* next_;
+};
+
+/// Bytes of the sections of a tree as a header describes it.
+template <class Bound, class Index>
+std::uint64_t section_bytes(const ImageHeader& header, const BoundsTree<Bound, Index>& /*kind*/) noexcept {
+  TreeLevels<Bound> levels;
+  const std::size_t size = static_cast<std::size_t>(header.size);
+  const std::size_t nodes = lay_out_levels(levels, size);
+  const std::size_t words = words_for(size);
+  std::uint64_t bytes = rows_of<Bound> * row_floats(rows_of<Bound>, size) * sizeof(float) +
+                        6 * row_floats(6, nodes) * sizeof(float) + in_lines(nodes / 64 * sizeof(std::uint64_t)) +
+                        in_lines(size * sizeof(Index)) + in_lines(words * sizeof(Index));
+  if (header.has_layers != 0) {
+    bytes += in_lines(words * fanout * sizeof(std::uint32_t)) + in_lines(nodes * sizeof(std::uint32_t));
+  }
+  return bytes;
+}
+std::uint64_t section_bytes(const ImageHeader& header, const TriangleTree& /*kind*/) noexcept {
+  const std::size_t size = static_cast<std::size_t>(header.size);
+  ImageHeader chunks{};
+  chunks.size = header.chunks;
+  return 9 * row_floats(9, size) * sizeof(float) + in_lines(size * sizeof(std::uint32_t)) + sizeof(ImageHeader) +
+         section_bytes(chunks, BoxTree());
+}
+
+/// Whether what a header says of a tree of triangles can be so.
+template <class Tree>
+bool are_chunks_possible(const ImageHeader& header) noexcept {
+  if (!std::is_same_v<Tree, TriangleTree>) return true;
+  constexpr std::size_t each = TriangleTree::chunk_size;
+  return header.chunks == (header.size + each - 1) / each && header.short_chunk < header.chunks &&
+         header.missing == header.chunks * each - header.size;
+}
+
+[[noreturn]] void refuse(const std::string& why) { throw InvalidArgument("the image of a tree " + why); }
+
+/// The header of an image, which may be one of such a tree.
+template <class Tree>
+ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
+  using Kind = ImageKind<Tree>;
+  require_memory("image", image, "bytes");
+  if (check > ImageCheck::header) {
+    throw InvalidArgument("ImageCheck " + std::to_string(static_cast<unsigned>(check)) + " is none");
+  }
+  if (reinterpret_cast<std::uintptr_t>(image.data()) % line != 0) {
+    refuse("has to begin at a multiple of 64 bytes in memory; map its file, or read it to aligned memory");
+  }
+  if (image.size() < sizeof(ImageHeader)) {
+    refuse("has " + counted(image.size(), "byte") + ", fewer than any image has: " + std::to_string(sizeof(ImageHeader)));
+  }
+  ImageHeader header;
+  std::memcpy(&header, image.data(), sizeof header);
+  if (header.name != image_name) refuse("does not begin as one does: this is something else");
+  if (header.byte_order != native_order) refuse("was written by a machine that orders bytes otherwise");
+  if (header.format != image_format) {
+    refuse("has format " + std::to_string(header.format) + "; this version reads " + std::to_string(image_format));
+  }
+  if (header.bound != Kind::bound || header.index_bytes != Kind::index_bytes) {
+    refuse("is of " + kind_text(header.bound, header.index_bytes) + ", not of " +
+           kind_text(Kind::bound, Kind::index_bytes));
+  }
+  if (header.bytes != image.size()) {
+    refuse("has " + std::to_string(header.bytes) + " bytes; here are " + std::to_string(image.size()));
+  }
+  constexpr std::uint64_t most =
+      std::min<std::uint64_t>(Kind::index_bytes == 4 ? std::numeric_limits<std::uint32_t>::max() : most_bounds, most_bounds);
+  const bool is_possible = header.size == 0 || (header.size <= most && are_chunks_possible<Tree>(header));
+  const std::uint64_t sections = header.size == 0 || !is_possible ? 0 : section_bytes(header, Tree());
+  if (!is_possible || sizeof header + sections != header.bytes) {
+    refuse("is damaged: " + std::to_string(header.size) + " bounds do not take " + std::to_string(header.bytes) +
+           " bytes");
+  }
+  if (check == ImageCheck::all && checksum(image.subspan(line)) != header.checksum) {
+    refuse("is damaged: its checksum is another");
+  }
+  return header;
+}
+
+template <class Bound, class Index>
+BoundsTree<Bound, Index> tree_in(const ImageHeader& header, std::span<const std::byte> image,
+                                 const BoundsTree<Bound, Index>& /*kind*/) {
+  ImageReader reader(image.data() + sizeof header);
+  TreeParts<Bound, Index> parts;
+  const std::size_t size = static_cast<std::size_t>(header.size);
+  const std::size_t nodes = lay_out_levels(parts, size);
+  parts.leaves = reader.stream<StreamOf<ViewOf<Bound>>>(size);
+  parts.nodes = reader.stream<BoxStream>(nodes);
+  parts.gaps = reader.array<std::uint64_t>(nodes / 64);
+  parts.order = reader.array<Index>(size);
+  parts.least_index = reader.array<Index>(words_for(size));
+  if (header.has_layers != 0) {
+    parts.layers.leaves = reader.array<std::uint32_t>(words_for(size) * fanout);
+    parts.layers.nodes = reader.array<std::uint32_t>(nodes);
+    parts.layers.of_any = header.layers_of_any;
+    parts.layers.of_all = header.layers_of_all;
+    parts.layers.is_any_in_none = header.is_any_in_no_layer != 0;
+  }
+  parts.surface_when_built = header.surface_when_built;
+  return TreeAccess::tree_of(std::move(parts));
+}
+
+TriangleTree tree_in(const ImageHeader& header, std::span<const std::byte> image, const TriangleTree& /*kind*/) {
+  ImageReader reader(image.data() + sizeof header);
+  TriangleParts parts;
+  const std::size_t size = static_cast<std::size_t>(header.size);
+  parts.triangles = reader.stream<TriangleStream>(size);
+  parts.order = reader.array<std::uint32_t>(size);
+  const std::span<const std::byte> rest = image.last(static_cast<std::size_t>(image.data() + image.size() - reader.next()));
+  const ImageHeader chunks = checked_header<BoxTree>(rest, ImageCheck::header);
+  if (chunks.size != header.chunks) refuse("is damaged: it has boxes of other triangles");
+  parts.chunks = tree_in(chunks, rest, BoxTree());
+  parts.short_chunk = static_cast<std::size_t>(header.short_chunk);
+  parts.missing = static_cast<std::size_t>(header.missing);
+  return TriangleTreeAccess::tree_of(std::move(parts));
+}
+
+}  // namespace
+}  // namespace shaftcull::kernel
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+
+template <class Tree>
+std::size_t image_bytes(const Tree& tree) {
+  std::size_t bytes = sizeof(kernel::ImageHeader);
+  const auto* const parts = kernel::parts_of(tree);
+  if (parts == nullptr) return bytes;
+  kernel::for_sections(*parts, [&](std::span<const std::byte> section) { bytes += kernel::in_lines(section.size()); });
+  if constexpr (std::is_same_v<Tree, TriangleTree>) bytes += image_bytes(parts->chunks);
+  return bytes;
+}
+
+template <class Tree>
+void write_image(const Tree& tree, std::span<std::byte> image) {
+  const std::size_t bytes = image_bytes(tree);
+  kernel::require_memory("image", image, "bytes");
+  if (image.size() != bytes) {
+    throw InvalidArgument("image has " + kernel::counted(image.size(), "byte") + "; that of this tree takes " +
+                          std::to_string(bytes));
+  }
+  kernel::ImageHeader header{};
+  header.name = kernel::image_name;
+  header.format = kernel::image_format;
+  header.byte_order = kernel::native_order;
+  header.bound = kernel::ImageKind<Tree>::bound;
+  header.index_bytes = kernel::ImageKind<Tree>::index_bytes;
+  header.bytes = bytes;
+  std::byte* next = image.data() + sizeof header;
+  if (const auto* const parts = kernel::parts_of(tree)) {
+    kernel::describe(*parts, header);
+    kernel::for_sections(*parts,
+                         [&](std::span<const std::byte> section) { next = kernel::copy_section(section, next); });
+    if constexpr (std::is_same_v<Tree, TriangleTree>) {
+      write_image(parts->chunks, image.last(static_cast<std::size_t>(image.data() + image.size() - next)));
+    }
+  }
+  std::memcpy(image.data(), &header, sizeof header);
+  header.checksum = kernel::checksum(image.subspan(kernel::line));
+  std::memcpy(image.data(), &header, sizeof header);
+}
+
+template <class Tree>
+TreeInImage<Tree>::TreeInImage(std::span<const std::byte> image, ImageCheck check) {
+  const kernel::ImageHeader header = kernel::checked_header<Tree>(image, check);
+  if (header.size != 0) tree_ = kernel::tree_in(header, image, Tree());
+}
+
+#define SHAFTCULL_IMAGE(...)                                             \
+  template std::size_t image_bytes(const __VA_ARGS__&);                  \
+  template void write_image(const __VA_ARGS__&, std::span<std::byte>);   \
+  template class TreeInImage<__VA_ARGS__>;
+SHAFTCULL_IMAGE(BoxTree)
+SHAFTCULL_IMAGE(SphereTree)
+SHAFTCULL_IMAGE(BoundsTree<Box, std::uint64_t>)
+SHAFTCULL_IMAGE(BoundsTree<Sphere, std::uint64_t>)
+SHAFTCULL_IMAGE(TriangleTree)
+#undef SHAFTCULL_IMAGE
+
+}  // namespace shaftcull

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+/// Trees in images: they answer what the tree did that was written, and what is no image is refused.
+#include "shaftcull/tree_image.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "instruction_sets.hpp"
+#include "message_of.hpp"
+#include "oracle/cases/triangles.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
+#include "support/checksum.hpp"
+#include "tree/kinds.hpp"
+#include "tree/scenes.hpp"
+
+namespace shaftcull {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Memory of whole pages. It can be made such that whoever writes to it ends the program.
+class Pages {
+ public:
+  explicit Pages(std::size_t bytes)
+      : bytes_(bytes), memory_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
+    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+  }
+  Pages(const Pages&) = delete;
+  Pages& operator=(const Pages&) = delete;
+  ~Pages() { munmap(memory_, bytes_); }
+
+  [[nodiscard]] std::span<std::byte> bytes() const { return {static_cast<std::byte*>(memory_), bytes_}; }
+  void forbid_writing() const { ASSERT_EQ(mprotect(memory_, bytes_, PROT_READ), 0); }
+
+ private:
+  std::size_t bytes_;
+  void* memory_;
+};
+
+template <class Tree>
+std::vector<std::byte> image_of(const Tree& tree) {
+  std::vector<std::byte> image(image_bytes(tree));
+  write_image(tree, image);
+  return image;
+}
+
+template <class Tree>
+Tree tree_of(const std::vector<BoundOf<Tree>>& bounds) {
+  return Tree(std::span(bounds));
+}
+
+/// What is the same for a tree and for the one in its image, whatever they hold.
+template <class Tree>
+void expect_same(const Tree& one, const Tree& other, std::span<const CompiledShaft> shafts) {
+  ASSERT_EQ(one.size(), other.size());
+  EXPECT_TRUE(std::ranges::equal(one.order(), other.order()));
+  EXPECT_EQ(one.box(), other.box());
+  EXPECT_EQ(one.growth(), other.growth());
+  EXPECT_TRUE(std::ranges::equal(one.layers(), other.layers()));
+  using Index = IndexOf<Tree>;
+  std::vector<Index> of_one(one.size());
+  std::vector<Index> of_other(one.size());
+  std::vector<std::uint64_t> bits(words_for(one.size()));
+  std::vector<std::uint64_t> other_bits(bits.size());
+  for (const CompiledShaft& shaft : shafts) {
+    const std::size_t kept = list(shaft, one, std::span(of_one));
+    ASSERT_EQ(list(shaft, other, std::span(of_other)), kept);
+    EXPECT_TRUE(std::equal(of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_other.begin()));
+    cull(shaft, one, bits);
+    cull(shaft, other, other_bits);
+    EXPECT_EQ(bits, other_bits);
+    EXPECT_EQ(count_classified(shaft, one), count_classified(shaft, other));
+    const FirstContactOf<Index> first = first_contact(shaft, one);
+    const FirstContactOf<Index> other_first = first_contact(shaft, other);
+    EXPECT_EQ(first.index, other_first.index);
+    EXPECT_EQ(first.time, other_first.time);
+  }
+}
+
+/// A tree of triangles answers these questions only.
+void expect_same(const TriangleTree& one, const TriangleTree& other, std::span<const CompiledShaft> shafts) {
+  ASSERT_EQ(one.size(), other.size());
+  EXPECT_TRUE(std::ranges::equal(one.order(), other.order()));
+  EXPECT_EQ(one.box(), other.box());
+  std::vector<std::uint32_t> of_one(one.size());
+  std::vector<std::uint32_t> of_other(one.size());
+  for (const CompiledShaft& shaft : shafts) {
+    const std::size_t kept = list(shaft, one, std::span(of_one));
+    ASSERT_EQ(list(shaft, other, std::span(of_other)), kept);
+    EXPECT_TRUE(std::equal(of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_other.begin()));
+  }
+}
+
+/// Sizes around those at which a tree gets another level, or rows that are farther apart.
+constexpr std::size_t sizes[] = {0, 1, 63, 64, 65, 127, 128, 129, 1000, 4096, 8191, 8192, 8193, 100000};
+
+template <class Tree>
+class TreeImages : public testing::Test {};
+TYPED_TEST_SUITE(TreeImages, TreeKinds);
+
+TYPED_TEST(TreeImages, AnswerAsTheTreesThatWereWritten) {
+  Random random(31);
+  for (const std::size_t size : sizes) {
+    SCOPED_TRACE(size);
+    const Shape shape = shapes[size % std::size(shapes)];
+    auto tree = tree_of<TypeParam>(scene<BoundOf<TypeParam>>(random, shape, size));
+    if (size % 2 == 1) {
+      std::vector<std::uint32_t> layers(size);
+      for (std::uint32_t& each : layers) each = random.below(16);
+      tree.set_layers(layers);
+    }
+    const Pages pages(image_bytes(tree));
+    write_image(tree, pages.bytes());
+    pages.forbid_writing();
+    const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
+    for (const ImageCheck check : {ImageCheck::all, ImageCheck::header}) {
+      TreeInImage<TypeParam> image(pages.bytes(), check);
+      const TreeInImage<TypeParam> moved(std::move(image));
+      on_each_instruction_set([&] { expect_same(tree, moved.tree(), shafts); });
+    }
+  }
+}
+
+TYPED_TEST(TreeImages, AnswerQuestionsAboutLayersAndCandidates) {
+  Random random(32);
+  auto tree = tree_of<TypeParam>(scene<BoundOf<TypeParam>>(random, Shape::uniform, 20000));
+  std::vector<std::uint32_t> layers(tree.size());
+  for (std::uint32_t& each : layers) each = 1U << random.below(3);
+  tree.set_layers(layers);
+  const Pages pages(image_bytes(tree));
+  write_image(tree, pages.bytes());
+  pages.forbid_writing();
+  const TreeInImage<TypeParam> image(pages.bytes());
+  using Index = IndexOf<TypeParam>;
+  const ExcludingOf<Index> excluding{.only_layers = {5}};
+  std::vector<Index> candidates(1000);
+  for (Index& each : candidates) each = random.below(20000);
+  for (const CompiledShaft& shaft : shafts_for(random, 50)) {
+    EXPECT_EQ(count(shaft, tree, excluding), count(shaft, image.tree(), excluding));
+    std::vector<Index> kept(candidates.size());
+    std::vector<Index> others(candidates.size());
+    const std::size_t size = refine(shaft, tree, std::span(std::as_const(candidates)), std::span(kept));
+    EXPECT_EQ(size, refine(shaft, image.tree(), std::span(std::as_const(candidates)), std::span(others)));
+    EXPECT_EQ(kept, others);
+  }
+}
+
+TYPED_TEST(TreeImages, CopiesOfTheTreeOwnTheirMemory) {
+  Random random(33);
+  const std::vector<BoundOf<TypeParam>> bounds = scene<BoundOf<TypeParam>>(random, Shape::uniform, 9000);
+  const std::vector<BoundOf<TypeParam>> others = scene<BoundOf<TypeParam>>(random, Shape::clustered, 9000);
+  auto tree = tree_of<TypeParam>(bounds);
+  std::optional<Pages> pages(std::in_place, image_bytes(tree));
+  write_image(tree, pages->bytes());
+  pages->forbid_writing();
+  TypeParam copy = TreeInImage<TypeParam>(pages->bytes()).tree();
+  pages.reset();
+  const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
+  expect_same(tree, copy, shafts);
+  for (TypeParam* const each : {&tree, &copy}) {
+    const IndexOf<TypeParam> moved[] = {3, 8000};
+    each->update(std::span(moved), std::span(others).first(2));
+    each->refit();
+  }
+  expect_same(tree, copy, shafts);
+  for (TypeParam* const each : {&tree, &copy}) {
+    each->update(std::span(others));
+    each->rebuild();
+    each->renumber();
+  }
+  expect_same(tree, copy, shafts);
+  EXPECT_EQ(image_of(tree), image_of(copy));
+}
+
+TYPED_TEST(TreeImages, AreTheSameForTreesThatWereBuiltAlike) {
+  Random random(34);
+  const auto bounds = scene<BoundOf<TypeParam>>(random, Shape::wild_sizes, 30000);
+  std::optional<std::vector<std::byte>> first;
+  on_each_instruction_set([&] {
+    const std::vector<std::byte> image = image_of(tree_of<TypeParam>(bounds));
+    if (!first) first = image;
+    EXPECT_EQ(image, *first);
+  });
+}
+
+TYPED_TEST(TreeImages, WhoseBytesWereChangedAreRefused) {
+  Random random(35);
+  const auto tree = tree_of<TypeParam>(scene<BoundOf<TypeParam>>(random, Shape::uniform, 200));
+  const Pages pages(image_bytes(tree));
+  write_image(tree, pages.bytes());
+  const std::span<std::byte> bytes = pages.bytes();
+  for (std::size_t i = 0; i != bytes.size(); ++i) {
+    if (i == 40) i = 56;  // bytes that say nothing
+    const auto flipped = static_cast<std::byte>(1U << random.below(8));
+    bytes[i] ^= flipped;
+    EXPECT_THROW(TreeInImage<TypeParam>{bytes}, InvalidArgument) << "byte " << i;
+    bytes[i] ^= flipped;
+  }
+  EXPECT_EQ(TreeInImage<TypeParam>(bytes).tree().size(), 200U);
+}
+
+TYPED_TEST(TreeImages, OfTreesThatNeedARefitAreNotWritten) {
+  Random random(36);
+  const auto bounds = scene<BoundOf<TypeParam>>(random, Shape::uniform, 200);
+  auto tree = tree_of<TypeParam>(bounds);
+  const std::vector<std::byte> before = image_of(tree);
+  const IndexOf<TypeParam> moved[] = {3};
+  tree.update(std::span(moved), std::span(bounds).subspan(5, 1));
+  EXPECT_THROW(static_cast<void>(image_bytes(tree)), NeedsRefit);
+  std::vector<std::byte> image = before;
+  EXPECT_THROW(write_image(tree, std::span(image)), NeedsRefit);
+  EXPECT_EQ(image, before);
+  tree.refit();
+  EXPECT_NE(image_of(tree), before);
+}
+
+std::vector<Triangle> some_triangles(std::size_t size) {
+  Random random(37);
+  std::vector<Triangle> triangles;
+  while (triangles.size() != size) triangles.push_back(grid_triangle(random, -9, 9));
+  return triangles;
+}
+
+TEST(TriangleTreeImages, AnswerAsTheTreesThatWereWritten) {
+  Random random(38);
+  for (const std::size_t size : {0, 1, 31, 32, 33, 64, 65, 2047, 2048, 2049, 10000}) {
+    SCOPED_TRACE(size);
+    const std::vector<Triangle> triangles = some_triangles(size);
+    const TriangleTree tree{std::span(triangles)};
+    std::optional<Pages> pages(std::in_place, image_bytes(tree));
+    write_image(tree, pages->bytes());
+    pages->forbid_writing();
+    const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
+    std::optional<TriangleTree> copy;
+    {
+      const TreeInImage<TriangleTree> image(pages->bytes());
+      on_each_instruction_set([&] { expect_same(tree, image.tree(), shafts); });
+      copy = image.tree();
+    }
+    pages.reset();
+    expect_same(tree, *copy, shafts);
+  }
+}
+
+TEST(TriangleTreeImages, WhoseBytesWereChangedAreRefused) {
+  Random random(39);
+  const std::vector<Triangle> triangles = some_triangles(70);
+  const TriangleTree tree{std::span(triangles)};
+  const Pages pages(image_bytes(tree));
+  write_image(tree, pages.bytes());
+  const std::span<std::byte> bytes = pages.bytes();
+  for (std::size_t i = 0; i != bytes.size(); ++i) {
+    if (i == 40) i = 56;  // bytes that say nothing
+    const auto flipped = static_cast<std::byte>(1U << random.below(8));
+    bytes[i] ^= flipped;
+    EXPECT_THROW(TreeInImage<TriangleTree>{bytes}, InvalidArgument) << "byte " << i;
+    bytes[i] ^= flipped;
+  }
+}
+
+/// What is said of memory that is no image of a BoxTree.
+std::string complaint(std::span<const std::byte> image, ImageCheck check = ImageCheck::header) {
+  return message_of<InvalidArgument>([&] { TreeInImage<BoxTree>{image, check}; });
+}
+
+TEST(TreeImage, SaysWhyMemoryIsNone) {
+  Random random(40);
+  const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 500);
+  const BoxTree tree{std::span(boxes)};
+  const std::size_t size = image_bytes(tree);
+  const Pages pages(size + 64);
+  const std::span<std::byte> image = pages.bytes().first(size);
+  write_image(tree, image);
+  EXPECT_THAT(complaint({static_cast<const std::byte*>(nullptr), size}), HasSubstr("image"));
+  EXPECT_THAT(complaint(pages.bytes().subspan(4, size)), HasSubstr("a multiple of 64 bytes"));
+  EXPECT_THAT(complaint(image.first(0)), HasSubstr("0 bytes"));
+  EXPECT_THAT(complaint(image.first(127)), AllOf(HasSubstr("127 bytes"), HasSubstr("128")));
+  EXPECT_THAT(complaint(image.first(size - 64)),
+              AllOf(HasSubstr(std::to_string(size)), HasSubstr(std::to_string(size - 64))));
+  EXPECT_THAT(complaint(pages.bytes()), HasSubstr(std::to_string(size + 64)));
+  EXPECT_THAT(message_of<InvalidArgument>([&] { TreeInImage<SphereTree>{image}; }),
+              HasSubstr("is of boxes with 32-bit indices, not of spheres with 32-bit indices"));
+  EXPECT_THAT(message_of<InvalidArgument>([&] { TreeInImage<BoundsTree<Box, std::uint64_t>>{image}; }),
+              HasSubstr("with 64-bit indices"));
+  EXPECT_THAT(complaint(image, static_cast<ImageCheck>(7)), HasSubstr("ImageCheck 7"));
+
+  const auto with = [&](std::size_t at, std::uint32_t value) {
+    std::uint32_t before = 0;
+    std::memcpy(&before, image.data() + at, sizeof before);
+    std::memcpy(image.data() + at, &value, sizeof value);
+    const std::string what = complaint(image);
+    std::memcpy(image.data() + at, &before, sizeof before);
+    return what;
+  };
+  EXPECT_THAT(with(0, 0), HasSubstr("something else"));
+  EXPECT_THAT(with(16, 7), HasSubstr("has format 7; this version reads 1"));
+  EXPECT_THAT(with(20, 0x04030201), HasSubstr("orders bytes otherwise"));
+  EXPECT_THAT(with(24, 5), HasSubstr("unknown bounds"));
+  EXPECT_THAT(with(64, 600), HasSubstr("600 bounds do not take"));
+  EXPECT_THAT(with(64, 0), HasSubstr("0 bounds do not take"));
+  EXPECT_THAT(with(68, 1), HasSubstr("bounds do not take"));
+  image[size - 1] ^= std::byte{1};
+  EXPECT_THAT(complaint(image, ImageCheck::all), HasSubstr("checksum"));
+  EXPECT_NO_THROW(TreeInImage<BoxTree>(image, ImageCheck::header));
+  image[size - 1] ^= std::byte{1};
+
+  std::vector<std::byte> small(size - 1);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { write_image(tree, std::span(small)); }),
+              AllOf(HasSubstr(std::to_string(size)), HasSubstr(std::to_string(size - 1))));
+}
+
+TEST(Checksum, IsXxh64) {
+  std::vector<std::byte> bytes(96);
+  EXPECT_EQ(kernel::checksum(std::span(bytes).first(32)), 0xf6e9be5d70632cf5U);
+  for (std::size_t i = 0; i != bytes.size(); ++i) bytes[i] = static_cast<std::byte>(7 * i + 1);
+  EXPECT_EQ(kernel::checksum(bytes), 0x7df0a6c63db9338aU);
+}
+
+}  // namespace
+}  // namespace shaftcull
