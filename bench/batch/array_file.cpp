@@ -200,4 +200,10 @@ std::span<const std::byte> ArrayFile::read(std::uint64_t first, std::uint64_t co
   return scratch;
 }
 
+void ArrayFile::read_ahead(std::uint64_t first, std::uint64_t count) const noexcept {
+  if (source_->bytes == nullptr) return;
+  const auto rows_at = static_cast<std::uint64_t>(source_->bytes - source_->file->data());
+  source_->file->read_ahead(rows_at + first * row_bytes(), count * row_bytes());
+}
+
 }  // namespace shaftcull::batch

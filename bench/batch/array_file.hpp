@@ -46,6 +46,9 @@ class ArrayFile {
   [[nodiscard]] std::span<const std::byte> read(std::uint64_t first, std::uint64_t count,
                                                 std::vector<std::byte>& scratch) const;
 
+  /// Has the system read the bytes of these rows while this thread goes on. Nothing where the file is not mapped.
+  void read_ahead(std::uint64_t first, std::uint64_t count) const noexcept;
+
  private:
   struct Source;
   std::string name_;

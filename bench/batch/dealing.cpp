@@ -46,7 +46,7 @@ void Dealing::wait_for(std::future<void>& task, const std::function<void()>& mea
 }
 
 void Dealing::each(std::size_t pile, std::uint64_t pieces, const std::function<Rest(std::uint64_t)>& work,
-                   const std::function<void()>& meanwhile) {
+                   const std::function<void()>& meanwhile, const std::function<void(std::uint64_t)>& prepare) {
   struct Begun {
     Rest rest;
     std::future<void> working;
@@ -67,6 +67,7 @@ void Dealing::each(std::size_t pile, std::uint64_t pieces, const std::function<R
     const std::uint64_t piece = ranks_.add(pile, 1);
     if (piece + static_cast<std::uint64_t>(2 * ranks_.size()) >= pieces) most_begun = 1;
     if (piece >= pieces) return false;
+    if (prepare) prepare(piece);
     Begun& here = begun.emplace_back();
     here.working =
         worker.start([this, &here, &work, piece] { surroundings_.on_threads([&] { here.rest = work(piece); }); });

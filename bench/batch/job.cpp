@@ -20,10 +20,12 @@
 #include "batch/bounds_source.hpp"
 #include "batch/input_hash.hpp"
 #include "batch/job_folder.hpp"
+#include "batch/job_trees.hpp"
 #include "batch/result_file.hpp"
 #include "batch/shaft_source.hpp"
 #include "batch/share.hpp"
 #include "batch/share_plan.hpp"
+#include "batch/share_tree.hpp"
 #include "batch/work_log.hpp"
 #include "batch/written_file.hpp"
 #include "shaftcull/error.hpp"
@@ -90,10 +92,14 @@ class Run {
     plan_shares();
     describe();
     on_first(ranks_, [&] { folder_.begin(description_); });
-    store_ = std::make_unique<BlockStore>(folder_.path(), fingerprint(bytes_of(text_of(description_))), ranks_.rank());
+    fingerprint_ = fingerprint(bytes_of(text_of(description_)));
+    store_ = std::make_unique<BlockStore>(folder_.path(), fingerprint_, ranks_.rank());
     on_first(ranks_, [&] { store_->make_folders(plan_.shares()); });
     find_finished();
+    find_left();
+    prepare_trees();
     compute();
+    trees_.reset();
     write_result();
     report_.seconds = seconds_since(begin_);
     return report_;
@@ -206,10 +212,12 @@ class Run {
 
   /// Deals pieces of a pile, and tells now and then how far the job is.
   void deal(Dealing& dealing, std::size_t pile, std::uint64_t pieces,
-            const std::function<Dealing::Rest(std::uint64_t)>& work, const ProgressState& state) {
-    dealing.each(pile, pieces, work, [&] {
+            const std::function<Dealing::Rest(std::uint64_t)>& work, const ProgressState& state,
+            const std::function<void(std::uint64_t)>& prepare = {}) {
+    const auto meanwhile = [&] {
       if (progress_.due()) tell(dealing, state);
-    });
+    };
+    dealing.each(pile, pieces, work, meanwhile, prepare);
   }
 
   void tell(Dealing& dealing, ProgressState state) {
@@ -223,13 +231,40 @@ class Run {
                        folder_.path());
   }
 
+  /// What is left of each share: all ranks have the same lists, and deal positions in them.
+  void find_left() {
+    left_.resize(plan_.shares());
+    for (std::size_t i = 0; i != finished_.size(); ++i) {
+      if (finished_[i] == 0) left_[i / blocks_].push_back(i % blocks_);
+    }
+  }
+
+  /// Makes trees that several ranks use, or that a later run may.
+  void prepare_trees() {
+    trees_.emplace(JobTrees::Given{input_->bounds, plan_, sizes_, folder_.path(), fingerprint_, ranks_, surroundings_,
+                                   *log_});
+    std::vector<std::uint64_t> wanted;
+    for (std::size_t share = 0; share != plan_.shares(); ++share) {
+      if (!left_[share].empty()) wanted.push_back(share);
+    }
+    if (wanted.empty()) return;
+    if (plan_.shares() == 1) return trees_->share_in_memory();
+    const std::vector<std::uint64_t> missing = trees_->missing(wanted);
+    if (missing.empty()) return;
+    Dealing dealing(ranks_, surroundings_, 1);
+    phase_begin_ = Clock::now();
+    const ProgressState state{"sort", 0, missing.size(), 0,
+                              static_cast<double>(report_.bounds) / static_cast<double>(plan_.shares()), 0, "bounds"};
+    const auto store_tree = [&](std::uint64_t piece) -> Dealing::Rest {
+      trees_->store(missing[static_cast<std::size_t>(piece)]);
+      return {};
+    };
+    dealing.on_all_until_stopped([&] { deal(dealing, 0, missing.size(), store_tree, state); }, stopped_text());
+    if (ranks_.rank() == 0) tell(dealing, state);
+  }
+
   void compute() {
     const std::size_t shares = plan_.shares();
-    // What is left of each share; all ranks have the same lists, and deal positions in them.
-    std::vector<std::vector<std::uint64_t>> left(shares);
-    for (std::size_t i = 0; i != finished_.size(); ++i) {
-      if (finished_[i] == 0) left[i / blocks_].push_back(i % blocks_);
-    }
     Dealing dealing(ranks_, surroundings_, shares);
     phase_begin_ = Clock::now();
     const std::uint64_t units = shares * blocks_;
@@ -245,22 +280,23 @@ class Run {
       for (std::size_t i = 0; i != shares; ++i) {
         const std::size_t which = (begin + i) % shares;
         // Whoever has no tree yet looks first whether it is worth one.
-        if (dealing.taken(which) >= left[which].size()) continue;
-        std::optional<Share> share;
+        if (dealing.taken(which) >= left_[which].size()) continue;
         const auto answer_block = [&](std::uint64_t piece) -> Dealing::Rest {
-          const std::uint64_t block = left[which][static_cast<std::size_t>(piece)];
-          if (!share) {
-            log_->time("tree", which, block, [&] { share.emplace(input_->bounds, plan_, which, sizes_[which]); });
-          }
-          const auto answer = std::make_shared<BlockAnswer>();
+          const std::uint64_t block = left_[which][static_cast<std::size_t>(piece)];
+          const ShareTree& share = trees_->of(which);
+          const auto found = std::make_shared<BlockAnswer>();
           log_->time("answer", which, block, [&] {
-            *answer = share->answer(input_->shafts, block * block_, size_of_block(block), job_.question);
+            *found = answer(share, input_->shafts, block * block_, size_of_block(block), job_.question);
           });
-          return [this, answer, which, block] {
-            log_->time("store", which, block, [&] { store_->write(which, block, *answer); });
+          return [this, found, which, block] {
+            log_->time("store", which, block, [&] { store_->write(which, block, *found); });
           };
         };
-        deal(dealing, which, left[which].size(), answer_block, state);
+        const auto read_ahead = [&](std::uint64_t piece) {
+          const std::uint64_t block = left_[which][static_cast<std::size_t>(piece)];
+          input_->shafts.read_ahead(block * block_, size_of_block(block));
+        };
+        deal(dealing, which, left_[which].size(), answer_block, state, read_ahead);
         if (dealing.must_stop()) return;
       }
     };
@@ -389,7 +425,10 @@ class Run {
   JobDescription description_;
   std::uint64_t block_ = 0;
   std::uint64_t blocks_ = 0;
-  std::vector<std::uint64_t> finished_;  ///< 1 for each block of each share that an earlier run has stored
+  Fingerprint fingerprint_{};
+  std::optional<JobTrees> trees_;
+  std::vector<std::vector<std::uint64_t>> left_;  ///< blocks of each share that are to do
+  std::vector<std::uint64_t> finished_;           ///< 1 for each block of each share that an earlier run has stored
   JobReport report_;
 };
 

@@ -42,4 +42,11 @@ MappedFile::~MappedFile() {
   if (data_ != nullptr) munmap(const_cast<std::byte*>(data_), size_);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
+void MappedFile::read_ahead(std::uint64_t first, std::uint64_t count) const noexcept {
+  if (count == 0) return;
+  const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const std::uint64_t begin = first / page * page;
+  madvise(const_cast<std::byte*>(data_) + begin, first + count - begin, MADV_WILLNEED);  // NOLINT: it is only read
+}
+
 }  // namespace shaftcull::batch

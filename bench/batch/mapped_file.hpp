@@ -20,6 +20,9 @@ class MappedFile {
   [[nodiscard]] const std::byte* data() const noexcept { return data_; }
   [[nodiscard]] std::uint64_t size() const noexcept { return size_; }
 
+  /// Has the system read bytes [first, first + count) while this thread goes on: they are looked at soon.
+  void read_ahead(std::uint64_t first, std::uint64_t count) const noexcept;
+
  private:
   const std::byte* data_ = nullptr;
   std::uint64_t size_ = 0;

@@ -25,6 +25,10 @@ class OneRank : public Ranks {
     counters_[counter] += number;
     return before;
   }
+  [[nodiscard]] int ranks_here() const override { return 1; }
+  [[nodiscard]] bool is_first_here() const override { return true; }
+  [[nodiscard]] std::span<std::byte> shared_memory(std::size_t /*bytes*/) override { return {}; }
+  void meet_here() override {}
   void poll() override {}
   [[noreturn]] void abort(int code) override { std::_Exit(code); }
 

@@ -2,6 +2,7 @@
 /// The processes that share a job.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,6 +31,15 @@ class Ranks {
   virtual void make_counters(std::size_t count) = 0;
   /// Adds to a counter, and returns what it was before. No other rank need do anything for it.
   virtual std::uint64_t add(std::size_t counter, std::uint64_t number) = 0;
+
+  /// How many ranks are on this machine, this one among them, and whether this is the first of them.
+  [[nodiscard]] virtual int ranks_here() const = 0;
+  [[nodiscard]] virtual bool is_first_here() const = 0;
+  /// All ranks of this machine: memory that they share, of so many bytes as the first of them says, from a multiple of
+  /// 64 bytes on. Empty, for all of them, where the machine has no room for it. In place of what there was.
+  [[nodiscard]] virtual std::span<std::byte> shared_memory(std::size_t bytes) = 0;
+  /// All ranks of this machine: returns when all are here. What one has written to shared memory, others see then.
+  virtual void meet_here() = 0;
 
   /// Lets calls of other ranks go on. To be called now and then while this rank computes on other threads.
   virtual void poll() = 0;

@@ -28,6 +28,9 @@ class ShaftSource {
   /// The arrays that are read: one, or two.
   [[nodiscard]] std::vector<const ArrayFile*> arrays() const;
 
+  /// Has the system read these rows while this thread goes on.
+  void read_ahead(std::uint64_t first, std::uint64_t count) const noexcept { rows_->read_ahead(first, count); }
+
   /// Forms the shafts of rows [first, first + out.size()), with closed contact, in parallel; `complete` has them know
   /// their joining planes. Throws InvalidArgument, which names the file and the row, for the first row of which no
   /// shaft can be formed.

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -50,6 +53,10 @@ class RankThreads {
       all_.counters_[counter] += number;
       return before;
     }
+    [[nodiscard]] int ranks_here() const override { return all_.size_; }
+    [[nodiscard]] bool is_first_here() const override { return rank_ == 0; }
+    [[nodiscard]] std::span<std::byte> shared_memory(std::size_t bytes) override { return all_.shared_memory(rank_, bytes); }
+    void meet_here() override { all_.meet(); }
     void poll() override {}
     [[noreturn]] void abort(int code) override { std::_Exit(code); }
 
@@ -90,6 +97,17 @@ class RankThreads {
     meet();
   }
 
+  std::span<std::byte> shared_memory(int rank, std::size_t bytes) {
+    meet();
+    if (rank == 0) shared_.assign(bytes / sizeof(Line), Line());
+    meet();
+    return std::as_writable_bytes(std::span(shared_));
+  }
+
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
+
   int size_;
   std::mutex mutex_;
   std::condition_variable all_here_;
@@ -97,6 +115,7 @@ class RankThreads {
   std::uint64_t round_ = 0;
   std::vector<std::uint64_t> sums_;
   std::vector<std::uint64_t> counters_;
+  std::vector<Line> shared_;
 };
 
 }  // namespace shaftcull::test
