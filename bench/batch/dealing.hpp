@@ -36,9 +36,10 @@ class Dealing {
   [[nodiscard]] std::uint64_t finished() { return ranks_.add(piles_, 0); }
 
   /// Takes pieces 0 … `pieces` − 1 of a pile until none is left or the phase is to end. work(piece) is called on the
-  /// threads, for one after the other, and before that prepare(piece) on this one, while others may be at work; what it returns is called on a thread of its own, during the work of the next
-  /// piece, one at a time and in order. All that were begun are finished then. This thread lets other ranks go on, and
-  /// calls meanwhile() again and again. Throws what any of them throws.
+  /// threads, for one after the other, and before that prepare(piece) on this one, while others may be at work; what it
+  /// returns is called on a thread of its own, during the work of the next piece, one at a time and in order. All that
+  /// were begun are finished then. This thread lets other ranks go on, and calls meanwhile() again and again. Throws
+  /// what any of them throws.
   void each(std::size_t pile, std::uint64_t pieces, const std::function<Rest(std::uint64_t piece)>& work,
             const std::function<void()>& meanwhile, const std::function<void(std::uint64_t piece)>& prepare = {});
 

@@ -38,7 +38,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t numbers_a_block = 65'536;  ///< shafts whose answers are a number each
 constexpr std::uint64_t lists_a_block = 16'384;    ///< … or lists
-constexpr std::uint64_t most_in_sample = 1'000'000;
+constexpr std::uint64_t sampled_a_share = 4000;    ///< of the bounds, from whose middles shares are cut
+constexpr std::uint64_t least_in_sample = 10'000;
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
 
@@ -134,15 +135,15 @@ class Run {
     sizes_ = {size};
     if (size <= room(false)) return;
     const std::uint64_t most = room(true);
+    std::uint64_t shares = size / (most - most / 16) + 1;  // a sample does not cut all bounds as it does itself
     std::vector<ShareKey> sample;
     on_all(ranks_, [&] {
-      const std::uint64_t step = size / most_in_sample + 1;
+      const std::uint64_t step = size / std::max(least_in_sample, shares * sampled_a_share) + 1;
       std::vector<std::byte> scratch;
       for (std::uint64_t i = 0; i < size; i += step) {
         sample.push_back({middle_of(bounds.box_around(bounds.read(i, 1, scratch).data())), i});
       }
     });
-    std::uint64_t shares = (size + most - 1) / most;
     while (true) {
       on_all(ranks_, [&] {
         constexpr std::uint64_t most_shares = 10'000;
@@ -160,7 +161,7 @@ class Run {
       on_all(ranks_, [&] { surroundings_.on_threads([&] { sizes_ = share_sizes(bounds, plan_, first, here); }); });
       ranks_.sum(sizes_);
       if (std::ranges::max(sizes_) <= most) return;
-      shares += shares / 8 + 1;  // a sample does not cut all bounds as it does itself
+      shares += shares / 8 + 1;
     }
   }
 
@@ -241,8 +242,8 @@ class Run {
 
   /// Makes trees that several ranks use, or that a later run may.
   void prepare_trees() {
-    trees_.emplace(JobTrees::Given{input_->bounds, plan_, sizes_, folder_.path(), fingerprint_, ranks_, surroundings_,
-                                   *log_});
+    trees_.emplace(
+        JobTrees::Given{input_->bounds, plan_, sizes_, folder_.path(), fingerprint_, ranks_, surroundings_, *log_});
     std::vector<std::uint64_t> wanted;
     for (std::size_t share = 0; share != plan_.shares(); ++share) {
       if (!left_[share].empty()) wanted.push_back(share);
@@ -253,8 +254,9 @@ class Run {
     if (missing.empty()) return;
     Dealing dealing(ranks_, surroundings_, 1);
     phase_begin_ = Clock::now();
-    const ProgressState state{"sort", 0, missing.size(), 0,
-                              static_cast<double>(report_.bounds) / static_cast<double>(plan_.shares()), 0, "bounds"};
+    const ProgressState state{
+        "sort", 0,       missing.size(), 0, static_cast<double>(report_.bounds) / static_cast<double>(plan_.shares()),
+        0,      "bounds"};
     const auto store_tree = [&](std::uint64_t piece) -> Dealing::Rest {
       trees_->store(missing[static_cast<std::size_t>(piece)]);
       return {};

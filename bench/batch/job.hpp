@@ -40,11 +40,12 @@ struct JobReport {
 /// All ranks: does the job, or goes on with it where an earlier run of the same job ended; the file is the same,
 /// whatever the number of ranks, threads and runs, and whatever the memory.
 ///
-/// Bounds are built into a tree by each rank. Shafts are dealt to the ranks in blocks, whoever is free takes the next
+/// Bounds are built into a tree (JobTrees). Shafts are dealt to the ranks in blocks, whoever is free takes the next
 /// one, and answers of each are stored in the folder OUT.parts/ at once. If all bounds together take more than
-/// `memory`, they are dealt into shares that take no more (SharePlan). A rank has one share at a time; it begins with
-/// another one than others do, and goes on to the next when all blocks of this one are dealt. When all blocks of all
-/// shares are there, ranks merge them into the file, which gets its name when it is whole; then the folder is removed.
+/// `memory`, they are dealt into shares that take no more (SharePlan), whose trees are stored in the folder as well. A
+/// rank has one share at a time; it begins with another one than others do, and goes on to the next when all blocks of
+/// this one are dealt. When all blocks of all shares are there, ranks merge them into the file, which gets its name
+/// when it is whole; then the folder is removed.
 ///
 /// Throws on all ranks as on_all() does: InvalidArgument for what cannot be used, Stopped after a signal, when blocks
 /// under way are stored; std::runtime_error if a file cannot be read or written.

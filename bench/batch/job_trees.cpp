@@ -5,7 +5,9 @@
 
 namespace shaftcull::batch {
 
-std::string JobTrees::path(std::uint64_t share) const { return fmt::format("{}/share-{:04}/tree", given_.folder, share); }
+std::string JobTrees::path(std::uint64_t share) const {
+  return fmt::format("{}/share-{:04}/tree", given_.folder, share);
+}
 
 std::vector<std::uint64_t> JobTrees::missing(std::span<const std::uint64_t> wanted) {
   std::vector<std::uint64_t> missing;

@@ -84,8 +84,7 @@ class MpiRanks : public Ranks {
     if (size == 0) return {};
     std::byte* memory = nullptr;
     const std::uint64_t own = is_first_here() ? size + alignment : 0;
-    const int failed =
-        MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, MPI_INFO_NULL, here_, &memory, &shared_);
+    const int failed = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, MPI_INFO_NULL, here_, &memory, &shared_);
     std::uint64_t failures = failed == MPI_SUCCESS ? 0 : 1;
     MPI_Allreduce(MPI_IN_PLACE, &failures, 1, MPI_UINT64_T, MPI_SUM, here_);
     if (failures != 0) {

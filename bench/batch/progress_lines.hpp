@@ -13,7 +13,7 @@ enum class ProgressForm : std::uint8_t { none, text, json };
 
 /// How far a job is.
 struct ProgressState {
-  const char* phase;            ///< "compute" or "write"
+  const char* phase;            ///< "sort", "compute" or "write"
   std::uint64_t blocks_done;    ///< of this phase, those of earlier runs included
   std::uint64_t blocks;         ///< in all
   std::uint64_t blocks_before;  ///< done by earlier runs

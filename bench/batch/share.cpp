@@ -102,7 +102,8 @@ void add_answers(const ShareTree& share, std::span<const CompiledShaft> shafts, 
 BlockAnswer answer(const ShareTree& share, const ShaftSource& shafts, std::uint64_t first, std::uint64_t count,
                    const Question& question) {
   // Questions about inside, and some of spheres, need joining planes.
-  const bool complete = question.answer == Answer::classify || share.visit([]<class Tree>(const Tree&) { return std::is_same_v<Tree, SphereTree>; });
+  const bool complete = question.answer == Answer::classify ||
+                        share.visit([]<class Tree>(const Tree&) { return std::is_same_v<Tree, SphereTree>; });
   BlockAnswer result;
   std::vector<CompiledShaft> formed(static_cast<std::size_t>(std::min(count, shafts_at_once)));
   std::vector<std::uint32_t> rows(formed.size());

@@ -64,9 +64,8 @@ void write_share(const std::string& path, const std::string& temporary, const Fi
 
 bool is_share_there(const std::string& path, const Fingerprint& job, std::uint64_t which) {
   Header header{};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), [](std::FILE* open) {
-    return std::fclose(open);
-  });
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"),
+                                                             [](std::FILE* open) { return std::fclose(open); });
   if (!file || std::fread(&header, sizeof(header), 1, file.get()) != 1) return false;
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);

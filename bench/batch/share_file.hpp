@@ -13,8 +13,8 @@
 
 namespace shaftcull::batch {
 
-/// Writes a share to `path`: under the name `temporary` first, so that a run that is killed leaves a whole file or none.
-/// `job` and `which` tell whose it is. Throws std::runtime_error if it cannot be written.
+/// Writes a share to `path`: under the name `temporary` first, so that a run that is killed leaves a whole file or
+/// none. `job` and `which` tell whose it is. Throws std::runtime_error if it cannot be written.
 void write_share(const std::string& path, const std::string& temporary, const Fingerprint& job, std::uint64_t which,
                  const ShareTree& share);
 

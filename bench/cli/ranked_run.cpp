@@ -29,7 +29,9 @@ void run_on_ranks(int threads, const std::function<void()>& check,
     if (ranks) ranks->meet();
     throw EarlyExit(ranks ? other.code() : exit_ok);
   } catch (const std::exception& error) {
-    const int code = complain(error.what(), batch::exit_code_of(std::current_exception()));
+    const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    const int code = complain(lacks_memory ? "out of memory; --memory says how much may be taken" : error.what(),
+                              batch::exit_code_of(std::current_exception()));
     if (ranks) {
       // Where others do not know of it, they would wait for this rank for ever. Where they do, they wait until it is
       // said: a launcher ends all when the first of them ends.

@@ -28,8 +28,8 @@ struct StreamAccess {
     return Stream(typename Stream::NotWritten(), count);
   }
 
-  /// A stream of `count` bounds whose memory, all of it, lies elsewhere and stays there for longer. Copies have memory of
-  /// their own. Nothing of it but const members is to be called.
+  /// A stream of `count` bounds whose memory, all of it, lies elsewhere and stays there for longer. Copies have memory
+  /// of their own. Nothing of it but const members is to be called.
   template <class Stream>
   [[nodiscard]] static Stream in_place(const float* memory, std::size_t count) noexcept {
     Stream stream;

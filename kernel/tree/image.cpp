@@ -202,7 +202,8 @@ ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
     refuse("has to begin at a multiple of 64 bytes in memory; map its file, or read it to aligned memory");
   }
   if (image.size() < sizeof(ImageHeader)) {
-    refuse("has " + counted(image.size(), "byte") + ", fewer than any image has: " + std::to_string(sizeof(ImageHeader)));
+    refuse("has " + counted(image.size(), "byte") +
+           ", fewer than any image has: " + std::to_string(sizeof(ImageHeader)));
   }
   ImageHeader header;
   std::memcpy(&header, image.data(), sizeof header);
@@ -218,8 +219,8 @@ ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
   if (header.bytes != image.size()) {
     refuse("has " + std::to_string(header.bytes) + " bytes; here are " + std::to_string(image.size()));
   }
-  constexpr std::uint64_t most =
-      std::min<std::uint64_t>(Kind::index_bytes == 4 ? std::numeric_limits<std::uint32_t>::max() : most_bounds, most_bounds);
+  constexpr std::uint64_t most = std::min<std::uint64_t>(
+      Kind::index_bytes == 4 ? std::numeric_limits<std::uint32_t>::max() : most_bounds, most_bounds);
   const bool is_possible = header.size == 0 || (header.size <= most && are_chunks_possible<Tree>(header));
   const std::uint64_t sections = header.size == 0 || !is_possible ? 0 : section_bytes(header, Tree());
   if (!is_possible || sizeof header + sections != header.bytes) {
@@ -261,7 +262,8 @@ TriangleTree tree_in(const ImageHeader& header, std::span<const std::byte> image
   const std::size_t size = static_cast<std::size_t>(header.size);
   parts.triangles = reader.stream<TriangleStream>(size);
   parts.order = reader.array<std::uint32_t>(size);
-  const std::span<const std::byte> rest = image.last(static_cast<std::size_t>(image.data() + image.size() - reader.next()));
+  const std::span<const std::byte> rest =
+      image.last(static_cast<std::size_t>(image.data() + image.size() - reader.next()));
   const ImageHeader chunks = checked_header<BoxTree>(rest, ImageCheck::header);
   if (chunks.size != header.chunks) refuse("is damaged: it has boxes of other triangles");
   parts.chunks = tree_in(chunks, rest, BoxTree());
@@ -320,9 +322,9 @@ TreeInImage<Tree>::TreeInImage(std::span<const std::byte> image, ImageCheck chec
   if (header.size != 0) tree_ = kernel::tree_in(header, image, Tree());
 }
 
-#define SHAFTCULL_IMAGE(...)                                             \
-  template std::size_t image_bytes(const __VA_ARGS__&);                  \
-  template void write_image(const __VA_ARGS__&, std::span<std::byte>);   \
+#define SHAFTCULL_IMAGE(...)                                           \
+  template std::size_t image_bytes(const __VA_ARGS__&);                \
+  template void write_image(const __VA_ARGS__&, std::span<std::byte>); \
   template class TreeInImage<__VA_ARGS__>;
 SHAFTCULL_IMAGE(BoxTree)
 SHAFTCULL_IMAGE(SphereTree)

@@ -31,9 +31,7 @@ struct TreeLayers {
   [[nodiscard]] bool are_all_in(std::uint32_t mask) const noexcept {
     return (of_all & mask) != 0 || ((of_any & ~mask) == 0 && !is_any_in_none);
   }
-  [[nodiscard]] std::size_t bytes() const noexcept {
-    return leaves.bytes() + nodes.bytes();
-  }
+  [[nodiscard]] std::size_t bytes() const noexcept { return leaves.bytes() + nodes.bytes(); }
 };
 
 /// The layers of a tree whose bound with the user's index i has layers[i], one for each bound.

@@ -94,9 +94,9 @@ std::size_t BoundsTree<Bound, Index>::size() const noexcept {
 template <class Bound, BoundIndex Index>
 std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
   if (!parts_) return 0;
-  return sizeof *parts_ + parts_->leaves.memory_bytes() + parts_->nodes.memory_bytes() +
-         parts_->gaps.bytes() + sizeof(std::uint64_t) * parts_->dirty.capacity() + parts_->order.bytes() +
-         parts_->least_index.bytes() + parts_->places.bytes() + parts_->layers.bytes();
+  return sizeof *parts_ + parts_->leaves.memory_bytes() + parts_->nodes.memory_bytes() + parts_->gaps.bytes() +
+         sizeof(std::uint64_t) * parts_->dirty.capacity() + parts_->order.bytes() + parts_->least_index.bytes() +
+         parts_->places.bytes() + parts_->layers.bytes();
 }
 
 template <class Bound, BoundIndex Index>

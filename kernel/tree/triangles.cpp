@@ -246,8 +246,7 @@ std::size_t TriangleTree::size() const noexcept { return TriangleTreeAccess::par
 
 std::size_t TriangleTree::memory_bytes() const noexcept {
   if (!parts_) return 0;
-  return sizeof *parts_ + parts_->triangles.memory_bytes() + parts_->order.bytes() +
-         parts_->chunks.memory_bytes();
+  return sizeof *parts_ + parts_->triangles.memory_bytes() + parts_->order.bytes() + parts_->chunks.memory_bytes();
 }
 
 TriangleView TriangleTree::triangles() const noexcept { return TriangleTreeAccess::parts(*this).triangles.view(); }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """`shaftcull batch` from outside: against NumPy, on ranks, killed and started again, with input that cannot be used.
 
-  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed, errors, or one of sees.py; MPIRUN: empty where
+  run.py CASE PROGRAM MPIRUN     CASE: model, numpy, ranks, killed, errors, trees, memory, or one of sees.py; MPIRUN: empty where
                                  there is none
 
 Ends with 77, "skipped", where NumPy, h5py or what a case needs is missing.
@@ -204,6 +204,80 @@ def killed():
     assert content("out.h5") == whole
 
 
+def steps(log, ranks, what):
+    """How often ranks did a step."""
+    return sum(line.startswith(what + ",") for rank in range(ranks) for line in open(f"{log}.{rank}", encoding="ascii"))
+
+
+def trees():
+    """A tree of all bounds is built once a machine, and trees of shares once a job."""
+    options = [*scene(8, 3000, 20_000), "--answer", "list", "--progress", "none", "--block", 10]
+    shares = [*options, "--memory", 1]
+    run(0, *options, "--log", "one")
+    whole = content("out.h5")
+    assert steps("one", 1, "tree") == 1
+    count = int(run(0, *shares, "--log", "one").stdout.split(" shares")[0].split()[-1])
+    assert count > 1 and steps("one", 1, "tree") == count and content("out.h5") == whole
+
+    # They are there when the job goes on, and one that was damaged is noticed.
+    while True:
+        os.remove("out.h5")
+        with subprocess.Popen([program, "batch", "--threads", "1", *map(str, shares)], stdout=subprocess.DEVNULL) as running:
+            while running.poll() is None and stored_blocks("out.h5.parts") == 0:
+                pass
+            running.kill()
+        if not os.path.exists("out.h5"):
+            break
+    trees_there = [f"out.h5.parts/share-{share:04}/tree" for share in range(count)]
+    assert all(os.path.exists(tree) for tree in trees_there)
+    last = bytearray(content(trees_there[-1]))
+    last[len(last) // 2] ^= 1
+    with open(trees_there[-1], "wb") as file:
+        file.write(last)
+    failed = batch(0, *shares, "--log", "again")
+    assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
+    assert f"share-{count - 1:04}/tree: is damaged; the same command does it again" in failed.stderr, failed
+    assert steps("again", 1, "tree") == 0
+    run(0, *shares, "--log", "again")
+    assert steps("again", 1, "tree") == 1 and content("out.h5") == whole
+
+    if not can_launch():
+        return
+    run(3, *options, "--log", "ranks")
+    room = os.statvfs("/dev/shm").f_bavail * os.statvfs("/dev/shm").f_frsize if os.path.exists("/dev/shm") else 1 << 40
+    assert content("out.h5") == whole
+    if room > 100 << 20:  # else each has its own
+        assert steps("ranks", 3, "tree") == 1
+    run(3, *shares, "--log", "ranks")
+    assert steps("ranks", 3, "tree") == count and content("out.h5") == whole
+
+
+def memory():
+    """Bounds that are four times as large as what a process may write to (ulimit -d; files that are mapped are not
+    written to) are asked in shares."""
+    limit = 100 << 20
+    source = numpy.random.default_rng(9)
+    low = source.uniform(0, 100, (4 * limit // 24, 3)).astype("f4")
+    numpy.save("bounds.npy", numpy.concatenate([low, low + numpy.float32(0.01)], 1))
+    del low
+    ends = [source.uniform(0, 100, (300, 3)).astype("f4") for _ in range(2)]
+    numpy.save("shafts.npy", numpy.concatenate([part for end in ends for part in (end, end + numpy.float32(0.5))], 1))
+    options = ["--bounds", "bounds.npy", "--shafts", "shafts.npy", "--out", "out.h5", "--answer", "list", "--progress",
+               "none", "--threads", "2"]
+
+    def limited(*more):
+        return subprocess.run([program, "batch", *options, *more], capture_output=True, text=True, timeout=500, check=False,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_DATA, (limit, limit)))
+    done = limited("--memory", "48")
+    assert done.returncode == 0 and " shares" in done.stdout, done
+    in_shares = content("out.h5")
+    failed = limited()
+    assert failed.returncode == 1 and failed.stderr.count("\n") == 1 and "out of memory; --memory says" in failed.stderr, failed
+    shutil.rmtree("out.h5.parts")
+    run(0, *options[:-2])
+    assert content("out.h5") == in_shares
+
+
 def errors():
     """What cannot be used is refused in one line of one rank, and all end."""
     options = scene(6, 500, 500)
@@ -318,7 +392,8 @@ def model():
     assert given.blocks == 25 and len(times["answer"]) == 25
 
 
-cases = {"model": model, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors, **sees_cases}
+cases = {"model": model, "numpy": against_numpy, "ranks": on_ranks, "killed": killed, "errors": errors,
+         "trees": trees, "memory": memory, **sees_cases}
 if case in ("ranks", *sees_cases) and not can_launch():
     print("skipped: no mpirun that starts ranks")
     sys.exit(77)

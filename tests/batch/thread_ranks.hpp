@@ -55,7 +55,9 @@ class RankThreads {
     }
     [[nodiscard]] int ranks_here() const override { return all_.size_; }
     [[nodiscard]] bool is_first_here() const override { return rank_ == 0; }
-    [[nodiscard]] std::span<std::byte> shared_memory(std::size_t bytes) override { return all_.shared_memory(rank_, bytes); }
+    [[nodiscard]] std::span<std::byte> shared_memory(std::size_t bytes) override {
+      return all_.shared_memory(rank_, bytes);
+    }
     void meet_here() override { all_.meet(); }
     void poll() override {}
     [[noreturn]] void abort(int code) override { std::_Exit(code); }
