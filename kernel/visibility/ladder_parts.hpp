@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+/// What the ladder's walk keeps of groups and patches, and of the product at hand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "visibility/ladder.hpp"
+
+namespace shaftcull::kernel {
+
+/// Groups or patches side by side, at most 64: children of a group, or a group alone.
+struct Ladder::Side {
+  const SightSet& set;
+  bool are_patches;
+  unsigned count;
+  std::uint32_t first;  ///< a group, or a position in the order of patches
+  const float* box[6];
+  PlaneStreams planes{};
+
+  Side(const SightSet& of, std::uint32_t from, unsigned size, bool patches)
+      : set(of), are_patches(patches), count(size), first(from) {
+    const PatchStreams& streams = patches ? of.tree.patch_streams() : of.tree.group_streams();
+    for (unsigned s = 0; s != 6; ++s) box[s] = streams.stream(s) + from;
+    if (!streams.has_planes()) return;
+    for (unsigned k = 0; k != 3; ++k) {
+      planes.least_normal[k] = streams.stream(6 + k) + from;
+      planes.largest_normal[k] = streams.stream(9 + k) + from;
+    }
+    planes.least_offset = streams.stream(12) + from;
+    planes.error = (patches ? of.patch_error : of.group_error).data() + from;
+  }
+  static Side alone(const SightSet& set, std::uint32_t group) { return {set, group, 1, false}; }
+  static Side children(const SightSet& set, std::uint32_t group) {
+    const PatchGroup& parent = set.tree.groups()[group];
+    return {set, parent.first_child, parent.children, parent.has_patches};
+  }
+
+  [[nodiscard]] bool has_planes() const noexcept { return planes.error != nullptr; }
+  [[nodiscard]] PlaneRow plane(unsigned lane) const noexcept {
+    PlaneRow row{};
+    for (unsigned k = 0; k != 3; ++k) {
+      row.least_normal[k] = planes.least_normal[k][lane];
+      row.largest_normal[k] = planes.largest_normal[k][lane];
+    }
+    row.least_offset = planes.least_offset[lane];
+    row.error = planes.error[lane];
+    return row;
+  }
+  /// The box of a lane, six faces.
+  void copy_box(unsigned lane, float (&to)[6]) const noexcept {
+    for (unsigned s = 0; s != 6; ++s) to[s] = box[s][lane];
+  }
+  /// The patches of lanes side by side.
+  [[nodiscard]] PatchRun run(unsigned lane, unsigned lanes) const noexcept {
+    if (are_patches) return {first + lane, lanes};
+    const std::vector<PatchGroup>& groups = set.tree.groups();
+    const PatchGroup& last = groups[first + lane + lanes - 1];
+    const std::uint32_t begin = groups[first + lane].first;
+    return {begin, last.first + last.count - begin};
+  }
+  /// Lanes whose patches lie on or behind all planes of a lane of another side.
+  [[nodiscard]] std::uint64_t behind_plane_of(const Side& other, unsigned lane, const SiblingKernels& kernels) const {
+    if (!other.has_planes()) return 0;
+    return (other.are_patches ? kernels.behind_plane : kernels.behind_group)(other.plane(lane), box, count);
+  }
+  /// Lanes on or behind all of whose planes a box lies. Those that are not asked may be anything.
+  [[nodiscard]] std::uint64_t with_behind(const float* faces, std::uint64_t asked,
+                                          const SiblingKernels& kernels) const {
+    if (!has_planes()) return 0;
+    return (are_patches ? kernels.behind_planes : kernels.behind_groups)(planes, count, faces, asked);
+  }
+};
+
+/// Of a row of pairs: the blockers of a list that it may have to do with, with which of its lanes, and what is found.
+/// Only the first `count` mean anything.
+struct Ladder::Selection {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> list;
+  std::vector<std::uint64_t> may;
+  std::vector<std::uint64_t> kept;
+};
+
+/// What is known of a product, and scratch.
+struct Ladder::Level {
+  SightLists lists;
+  // Lanes of rows and columns whose shafts with all of the other side keep each of the lists.
+  std::vector<std::uint64_t> row_candidates;
+  std::vector<std::uint64_t> row_solids;
+  std::vector<std::uint64_t> row_polygons;
+  std::vector<std::uint64_t> column_candidates;
+  std::vector<std::uint64_t> column_solids;
+  std::vector<std::uint64_t> column_polygons;
+  Selection candidates_of_row;
+  Selection solids_of_row;
+  Selection polygons_of_row;
+};
+
+}  // namespace shaftcull::kernel

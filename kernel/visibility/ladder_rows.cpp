@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+/// One row of the ladder's pairs: a group or a patch, and those of the other side.
+#include <bit>
+#include <utility>
+
+#include "visibility/ladder_parts.hpp"
+#include "visibility/lanes.hpp"
+
+namespace shaftcull::kernel {
+
+/// Whether patches may face away from each other. Then groups are not told to be clear: some pairs of them may face
+/// away, and are to be told so. Nor are they where a solid may block some of their pairs: one that is several boxes
+/// together blocks in their seams, where none of these reaches into a flat shaft.
+bool Ladder::has_planes() const noexcept { return job_.a.tree.has_planes() || job_.b.tree.has_planes(); }
+
+void Ladder::write(const PatchRun& a, const PatchRun& b, Sight sight) {
+  const std::uint64_t pairs = std::uint64_t{a.count} * b.count;
+  to_->answers.counts.of(sight) += pairs;
+  if (!job_.wants_products) return;
+  to_->answers.products.push_back({a, b, sight});
+  tell_if_full();
+}
+
+void Ladder::tell_if_full() const {
+  if (to_->answers.memory_bytes() >= to_->most_bytes) to_->full();
+}
+
+void Ladder::decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight) {
+  if (which == 0) return;
+  if (!job_.wants_products && rows.are_patches && columns.are_patches) {
+    to_->answers.counts.of(sight) += static_cast<std::uint64_t>(std::popcount(which));
+    return;
+  }
+  for_each_run(which,
+               [&](unsigned first, unsigned count) { write(rows.run(row, 1), columns.run(first, count), sight); });
+}
+
+void Ladder::decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight) {
+  for_each_run(which,
+               [&](unsigned first, unsigned count) { write(rows.run(first, count), columns.run(column, 1), sight); });
+}
+
+/// Answers one row of pairs.
+void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  const SiblingKernels& kernels = job_.kernels;
+  const BlockerData& blockers = job_.blockers;
+  Level& here = level(depth);
+  rows.copy_box(row, fixed_);
+  const std::uint64_t away =
+      lanes & (columns.with_behind(fixed_, lanes, kernels) | columns.behind_plane_of(rows, row, kernels));
+  decide(rows, row, columns, away, Sight::facing_away);
+  lanes &= ~away;
+  if (lanes == 0) return;
+  const bool are_patches = rows.are_patches && columns.are_patches;
+  if (are_patches) return answer_patches(here, rows, row, columns, lanes);
+  form(rows, row, columns, lanes);
+
+  Selection& solids = here.solids_of_row;
+  Selection& polygons = here.polygons_of_row;
+  Selection& candidates = here.candidates_of_row;
+  select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, false, solids);
+  select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, false, polygons);
+  const std::uint64_t blocked = block(solids, polygons, lanes);
+  decide(rows, row, columns, blocked, Sight::blocked);
+  lanes &= ~blocked;
+  if (lanes == 0) return;
+
+  select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
+  const auto keep = [&](Selection& selection) {
+    return kernels.keep(siblings_, blockers.boxes.data(), selection.list.data(), selection.count, selection.may.data(),
+                        lanes, selection.kept.data());
+  };
+  const std::uint64_t undecided = keep(candidates);
+  std::uint64_t clear = has_planes() ? 0 : lanes & ~undecided;
+  const auto tell_clear = [&](std::uint64_t which) {
+    decide(rows, row, columns, which, Sight::clear);
+    lanes &= ~which;
+  };
+  if (solids.count == 0) tell_clear(std::exchange(clear, 0));
+  if (lanes == 0) return;
+
+  keep(polygons);
+  if (solids.count != 0) {
+    form_exchanged(rows, row, columns, lanes);
+    kernels.may_block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), lanes,
+                      solids.kept.data());
+    if (clear != 0) tell_clear(clear & ~any_of(solids.kept.data(), solids.count));
+  }
+  for_each_lane(lanes, [&](unsigned lane) {
+    SightLists& below = level(depth + 1).lists;
+    const auto pass_on = [&](const Selection& selection, std::vector<std::uint32_t>& to) {
+      copy_of_lane(selection.list.data(), selection.kept.data(), selection.count, lane, to);
+    };
+    pass_on(candidates, below.candidates);
+    pass_on(solids, below.solids);
+    pass_on(polygons, below.polygons);
+    descend(rows.first + row, columns.first + lane, depth + 1);
+  });
+}
+
+/// Siblings of `asked` that a solid or a polygon blocks.
+std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked) {
+  const std::uint64_t blocked =
+      job_.kernels.block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), asked);
+  return blocked | blocked_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~blocked);
+}
+
+/// Selects what one row and some column of `lanes` may have to do with.
+void Ladder::select(const std::vector<std::uint32_t>& list, const std::vector<std::uint64_t>& of_rows,
+                    const std::vector<std::uint64_t>& of_columns, unsigned row, std::uint64_t lanes, bool packed,
+                    Selection& selection) const {
+  if (selection.list.size() <= list.size()) {  // what is not selected is written, too
+    selection.list.resize(list.size() + 1);
+    selection.may.resize(list.size() + 1);
+    selection.kept.resize(list.size() + 1);
+  }
+  selection.count = job_.kernels.select({list.data(), of_rows.data(), of_columns.data()}, list.size(), row, lanes,
+                                        packed, selection.list.data(), selection.may.data());
+}
+
+/// Answers a patch with those of the other side that are in `lanes`: the innermost loop.
+void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
+  if (here.lists.candidates.empty() && here.lists.solids.empty() && here.lists.polygons.empty()) {
+    return decide(rows, row, columns, lanes, Sight::clear);
+  }
+  const SiblingKernels& kernels = job_.kernels;
+  const BlockerData& blockers = job_.blockers;
+  // Side by side, fewer vectors hold those that are left.
+  const auto count = static_cast<unsigned>(std::popcount(lanes));
+  const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
+  const auto spread = [&](std::uint64_t bits) { return packs ? kernels.spread(bits, lanes) : bits; };
+  std::uint64_t left = packs ? first_lanes(count) : lanes;
+  if (packs) {
+    kernels.pack(columns.box, columns.count, lanes, packed_);
+    form(rows, row, packed_box_, count, left);
+  } else {
+    form(rows, row, columns, lanes);
+  }
+  select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, packs, here.solids_of_row);
+  select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, packs, here.polygons_of_row);
+  const std::uint64_t blocked = block(here.solids_of_row, here.polygons_of_row, left);
+  decide(rows, row, columns, spread(blocked), Sight::blocked);
+  left &= ~blocked;
+  if (left == 0) return;
+
+  Selection& candidates = here.candidates_of_row;
+  select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
+  std::uint64_t undecided = 0;
+  if (job_.wants_candidates) {
+    undecided = kernels.keep(siblings_, blockers.boxes.data(), candidates.list.data(), candidates.count,
+                             candidates.may.data(), left, candidates.kept.data());
+    for (std::size_t i = 0; packs && i != candidates.count; ++i) {
+      candidates.kept[i] = kernels.spread(candidates.kept[i], lanes);
+    }
+  } else {
+    undecided = kernels.keep_any(siblings_, blockers.boxes.data(), candidates.list.data(), candidates.count,
+                                 candidates.may.data(), left);
+  }
+  decide(rows, row, columns, spread(left & ~undecided), Sight::clear);
+  if (undecided != 0) write_undecided(here, rows, row, columns, spread(undecided));
+}
+
+/// Pairs of patches that are undecided, with what level `here` keeps.
+void Ladder::write_undecided(const Level& here, const Side& rows, unsigned row, const Side& columns,
+                             std::uint64_t lanes) {
+  SightAnswers& answers = to_->answers;
+  if (!job_.wants_undecided) {
+    answers.counts.undecided += static_cast<std::uint64_t>(std::popcount(lanes));
+    return;
+  }
+  const std::uint32_t a = rows.set.tree.order()[rows.first + row];
+  for_each_lane(lanes, [&](unsigned lane) {
+    ++answers.counts.undecided;
+    if (job_.wants_places) answers.places.push_back(answers.products.size());
+    answers.undecided.push_back({a, columns.set.tree.order()[columns.first + lane]});
+    if (job_.wants_candidates) {
+      const Selection& candidates = here.candidates_of_row;
+      std::vector<std::uint32_t>& all = answers.candidates;
+      std::size_t size = all.size();
+      all.resize(size + candidates.count);                   // at most
+      for (std::size_t i = 0; i != candidates.count; ++i) {  // without branches, which would be mispredicted
+        all[size] = candidates.list[i];
+        size += candidates.kept[i] >> lane & 1U;
+      }
+      all.resize(size);
+      answers.first_candidate.push_back(size);
+    }
+    tell_if_full();
+  });
+}
+
+}  // namespace shaftcull::kernel
