@@ -15,7 +15,7 @@
 namespace shaftcull {
 namespace {
 
-#ifdef __SSE__
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
 
 TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
   const EveryCall every(EveryCall::shafts(9), random_cases(2500));
@@ -23,16 +23,17 @@ TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
     for (const PublicCall& call : every.calls()) {
       AnswerWords right;
       call.call(right);
-      for (const unsigned flags : {0U, flag_bits}) {
+      for (const FloatRegisters flags : {FloatRegisters{0}, flag_bits}) {
         for (const Mode& mode : modes) {
           AnswerWords words;
-          const unsigned before = (mode.bits & control_bits) | flags;  // what happened before stays, nothing is added
-          unsigned after = 0;
+          // What happened before stays, and nothing is added.
+          const FloatRegisters before = (mode.bits & control_bits) | flags;
+          FloatRegisters after = 0;
           {
             const InMode in(mode);
-            _mm_setcsr(before);
+            set_float_registers(before);
             call.call(words);
-            after = _mm_getcsr();
+            after = float_registers();
           }
           ASSERT_EQ(after, before) << call.name << " in mode " << mode.name;
           ASSERT_TRUE(words == right) << call.name << " in mode " << mode.name;
@@ -45,13 +46,12 @@ TEST(FloatState, IsAfterEveryCallWhatItWasBeforeAndAnswersAreTheSame) {
 // What tasks make for others (boxes around spheres, numbers on a grid) is so well padded that answers would seldom show
 // in which mode it was made.
 TEST(FloatState, IsTheStandardOneInAllTasks) {
-  constexpr unsigned standard = 0x1f80;
   constexpr std::size_t tasks = 40;
   for (const Mode& mode : modes) {
-    std::vector<unsigned> seen(5 * tasks, standard);
+    std::vector<FloatRegisters> seen(5 * tasks, standard_mode);
     {
       const InMode in(mode);
-      const auto see = [&](std::size_t i) { seen[i] = _mm_getcsr() & control_bits; };
+      const auto see = [&](std::size_t i) { seen[i] = float_registers() & control_bits; };
       with_threads(3, [&] {
         kernel::parallel_for(1, 1, [&](std::size_t, std::size_t) { see(0); });
         kernel::parallel_for(tasks, 2, [&](std::size_t row, std::size_t column) {
@@ -63,7 +63,7 @@ TEST(FloatState, IsTheStandardOneInAllTasks) {
             tasks, 4, [&](std::size_t i, std::size_t) { see(4 * tasks + i); }, [](std::size_t, std::size_t) {});
       });
     }
-    EXPECT_EQ(seen, std::vector<unsigned>(seen.size(), standard)) << mode.name;
+    EXPECT_EQ(seen, std::vector<FloatRegisters>(seen.size(), standard_mode)) << mode.name;
   }
 }
 
@@ -72,17 +72,17 @@ TEST(FloatState, IsTheCallersOwnInItsCallbacks) {
   const BoxStream boxes(random_boxes(5, 9000));
   const BoxTree tree(boxes.view());
   for (const Mode& mode : modes) {
-    std::vector<unsigned> seen;
+    std::vector<FloatRegisters> seen;
     {
       const InMode in(mode);
-      const auto see = [&](const auto& /*answers*/) { seen.push_back(_mm_getcsr() & control_bits); };
+      const auto see = [&](const auto& /*answers*/) { seen.push_back(float_registers() & control_bits); };
       with_threads(3, [&] {
         for_each_tile(shafts, boxes.view(), see);
         for_each_classified(shafts, tree, see);
       });
     }
     ASSERT_GT(seen.size(), shafts.size());
-    EXPECT_EQ(seen, std::vector<unsigned>(seen.size(), mode.bits & control_bits)) << mode.name;
+    EXPECT_EQ(seen, std::vector<FloatRegisters>(seen.size(), mode.bits & control_bits)) << mode.name;
   }
 }
 

@@ -16,7 +16,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/shaft.hpp"
 
-#ifdef __SSE__
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
 
 namespace shaftcull {
 namespace {
@@ -63,11 +63,11 @@ void expect_same_in_all_modes(const ShaftInput& input, const std::vector<Bound>&
     const std::vector<std::uint64_t> right = all_words(input, memory.view(), doublings);
     for (const Mode& mode : modes) {
       std::vector<std::uint64_t> words;
-      unsigned left = 0;
+      FloatRegisters left = 0;
       {
         const InMode in(mode);
         words = all_words(input, memory.view(), doublings);
-        left = _mm_getcsr() & control_bits;
+        left = float_registers() & control_bits;
       }
       ASSERT_EQ(left, mode.bits & control_bits) << mode.name << " on " << name(isa);
       ASSERT_EQ(words, right) << mode.name << " on " << name(isa) << "\n  " << source_text(input);

@@ -97,7 +97,7 @@ TEST(HullInterface, CastersThatCannotBeFormedAreRefused) {
   EXPECT_THAT(refusal_of_sun(moved_from, {0, 0, 1}), HasSubstr("casters_towards: the view was never formed"));
 }
 
-#ifdef __SSE__
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
 TEST(HullInterface, ViewsAndSunsAreThoseOfTheNumbersGivenInEveryMode) {
   const ConvexHull some(tetrahedron);
   const Vec3 sun = {1e-40F, 0, 0};

@@ -31,7 +31,7 @@ std::vector<Box> boxes(std::size_t count) {
   return scene<Box>(random, Shape::uniform, count);
 }
 
-#ifdef __SSE__
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
 TEST(TreeErrors, BadBoundsAreBadInEveryMode) {
   const std::vector<Box> bad = {{{0, 0, 0}, {1, 1, 1}},
                                 {{1e-40F, 0, 0}, {0, 1, 1}}};  // lo > hi, unless denormals are zero

@@ -173,7 +173,7 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
       ASSERT_EQ(split_together<std::uint64_t>(entries, first_half) == expected, true) << which << ", together, five";
     };
     expect_halves("");
-#ifdef __SSE__
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
     if (entries.size() >= kernel::fewest_for_parallel_split) continue;  // takes long, and says no more
     const InMode in(modes[0]);
     const kernel::FloatEnvironment environment;  // as every call that gets here

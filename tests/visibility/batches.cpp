@@ -423,7 +423,7 @@ TEST(VisibilityBatches, CallsInTasksAndCancelledGroupsAnswerToo) {
 }
 #endif
 
-#ifdef __SSE__
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
 TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
   for (const SightScenery scenery : {SightScenery::nudged, SightScenery::tiny, SightScenery::near_edges}) {
     for (std::uint64_t seed = 1; seed != 9; ++seed) {
@@ -435,7 +435,7 @@ TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
         for (const Mode& mode : modes) {
           SCOPED_TRACE(mode.name);
           Visibility all;
-          unsigned after = 0;
+          FloatRegisters after = 0;
           {
             const InMode in(mode);
             const PatchSet a = first_set(scene);
@@ -443,7 +443,7 @@ TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
             const Blockers blockers = blockers_of(scene);
             all = scene.is_of_one_set ? collect_visibility(a, blockers, of.options)
                                       : collect_visibility(a, b, blockers, of.options);
-            after = _mm_getcsr();
+            after = float_registers();
           }
           EXPECT_EQ(after & control_bits, mode.bits & control_bits);
           expect_same(all, right);
