@@ -2,14 +2,19 @@
 # The libraries that this project needs, found once for all folders.
 include(${CMAKE_CURRENT_LIST_DIR}/dependency.cmake)
 
-# Instruction sets of their own have 64-bit x86, by g++ and clang; other builds have the portable sets alone, which need no xsimd.
-set(shaftcull_has_vectors FALSE)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8
-   AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  set(shaftcull_has_vectors TRUE)
+# Instruction sets of their own have 64-bit x86 and 64-bit ARM (little-endian), by g++ and clang; other builds have the portable sets
+# alone. Only those of x86 need xsimd.
+set(shaftcull_is_x86 FALSE)
+set(shaftcull_is_arm FALSE)
+if(CMAKE_SIZEOF_VOID_P EQUAL 8 AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    set(shaftcull_is_x86 TRUE)
+  elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+    set(shaftcull_is_arm TRUE)
+  endif()
 endif()
 
-if(shaftcull_has_vectors)
+if(shaftcull_is_x86)
   shaftcull_dependency(xsimd TARGET xsimd VERSION 8.1 DEBIAN libxsimd-dev
     NEEDED_BY "On 64-bit x86 the library")
   # Where xsimd is in a system's folder, such as /usr/include, that folder would come before a cross compiler's own: so the

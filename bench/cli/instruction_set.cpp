@@ -14,7 +14,7 @@ namespace shaftcull::cli {
 void InstructionSet::add_option(CLI::App& subcommand) {
   subcommand
       .add_option("--isa", name_,
-                  "Instruction set: scalar, portable128, sse4_2, avx2 or avx512 (default: the best there is)")
+                  "Instruction set: scalar, portable128, sse4_2, avx2, avx512 or neon (default: the best there is)")
       ->type_name("NAME");
 }
 

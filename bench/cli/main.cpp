@@ -97,7 +97,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", version, "Tell the version, and which instruction set runs");
   program.require_subcommand(1);
   program.footer(
-      "SHAFTCULL_ISA=scalar|portable128|sse4_2|avx2|avx512 in the environment forces an instruction set.\n"
+      "SHAFTCULL_ISA=scalar|portable128|sse4_2|avx2|avx512|neon in the environment forces an instruction set.\n"
       "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
       "SIGTERM ended demo or verify, which then show what they have, sees or batch; 1 after any other failure.");
   for (const auto add : subcommands) add(program);

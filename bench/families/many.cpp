@@ -49,8 +49,7 @@ void declare(Suite& suite, const std::shared_ptr<Bench>& bench, const std::strin
     const std::string job = classify ? "classify" : "cull";
     const std::string paper = kind == "spheres" ? "paper/spheres_cull" : "paper/boxes_" + job;
     for (const Form form : {Form::planes, Form::slab}) {
-      for (const Isa isa : {Isa::scalar, Isa::portable128, Isa::sse4_2, Isa::avx2, Isa::avx512}) {
-        if (std::find(available.begin(), available.end(), isa) == available.end()) continue;
+      for (const Isa isa : available) {
         std::string name_of = "test/" + kind + '/' + job + (form == Form::slab ? "/slab/" : "/planes/");
         name_of += name(isa);
         suite.add(name_of, paper, [bench, bounds, classify, form, isa](benchmark::State& state) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace shaftcull::bench {
 namespace {
 
-constexpr std::array<const char*, 5> instruction_sets{"scalar", "portable128", "sse4_2", "avx2", "avx512"};
+constexpr std::array<const char*, 6> instruction_sets{"scalar", "portable128", "sse4_2", "avx2", "avx512", "neon"};
 
 /// 5.1 G, 103 M: three digits and a prefix.
 std::string speed_text(double per_second) {
@@ -63,18 +64,22 @@ void print_list(const Suite& suite, const Results& results) {
 /// Benchmarks whose names end with an instruction set: one row for all sets.
 void print_by_instruction_set(const Suite& suite, const Results& results) {
   std::vector<std::string> rows;
+  std::set<std::string> measured;
   for (const Entry& entry : suite.entries()) {
     const auto [row, isa] = split(entry.name);
     if (isa.empty() || !results.per_second(entry.name)) continue;
+    measured.insert(isa);
     if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
   }
+  std::vector<const char*> columns(instruction_sets.begin(), instruction_sets.end());
+  std::erase_if(columns, [&](const char* isa) { return !measured.contains(isa); });
   if (rows.empty()) return;
   fmt::print("\n{:<42}", "per second, vs paper");
-  for (const char* isa : instruction_sets) fmt::print("{:>19}", isa);
+  for (const char* isa : columns) fmt::print("{:>19}", isa);
   fmt::print("\n");
   for (const std::string& row : rows) {
     fmt::print("{:<42}", row);
-    for (const char* isa : instruction_sets) {
+    for (const char* isa : columns) {
       std::string text = "–";
       for (const Entry& entry : suite.entries()) {
         const std::optional<double> speed = results.per_second(entry.name);

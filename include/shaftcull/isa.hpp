@@ -2,10 +2,10 @@
 /// The instruction sets that the kernels are compiled for, and the choice among them.
 ///
 /// The best one that the processor *and* the operating system support is taken at the first call that
-/// needs one. The environment variable SHAFTCULL_ISA (scalar, portable128, sse4_2, avx2 or avx512) or select_isa()
-/// forces another. A variable that cannot be followed is not an error, since a user may have set it for another program
-/// or another machine: the best one is taken, and isa_choice() says why. Answers do not depend on the choice; only
-/// speed does.
+/// needs one. The environment variable SHAFTCULL_ISA (scalar, portable128, sse4_2, avx2, avx512 or neon) or
+/// select_isa() forces another. A variable that cannot be followed is not an error, since a user may have set it for
+/// another program or another machine: the best one is taken, and isa_choice() says why. Answers do not depend on the
+/// choice; only speed does.
 ///
 /// The choice is about the tests and formation, and the loops that count and list their bits. Packing streams and
 /// checking records use SSE2 on x86-64 whatever is chosen, since every such processor has it.
@@ -22,18 +22,19 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// On one processor, the better ones later. `scalar` and `portable128`, four floats in a vector and no intrinsics, run
-/// on any processor; the others are those of x86-64. Numbers may change when a set is added: what is to last is the
-/// name.
+/// on any processor; `neon` is that of 64-bit ARM, and the others are those of x86-64. Numbers may change when a set is
+/// added: what is to last is the name.
 enum class Isa : std::uint8_t {
   scalar,       ///< one float at a time
   portable128,  ///< four floats, by the compiler
   sse4_2,       ///< four floats
   avx2,         ///< eight floats
   avx512,       ///< sixteen floats
+  neon,         ///< four floats
 };
 
-/// "scalar", "portable128", "sse4_2" (which includes POPCNT), "avx2" (which includes FMA, BMI and BMI2) or "avx512"
-/// (those and F, CD, DQ, BW and VL); "unknown" for a value that is no enumerator.
+/// "scalar", "portable128", "sse4_2" (which includes POPCNT), "avx2" (which includes FMA, BMI and BMI2), "avx512"
+/// (those and F, CD, DQ, BW and VL) or "neon"; "unknown" for a value that is no enumerator.
 [[nodiscard]] std::string_view name(Isa isa) noexcept;
 
 /// The instruction set of that name, in upper or lower case, or nothing.

@@ -11,9 +11,9 @@
 #define xsimd xsimd_sse4_2
 #include <xsimd/xsimd.hpp>
 
+#include "simd/left_packing.hpp"
 #include "simd/operations.hpp"
 #include "simd/portable.hpp"
-#include "simd/x86/left_packing.hpp"
 
 namespace shaftcull::kernel::sse4_2 {
 

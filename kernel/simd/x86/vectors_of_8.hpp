@@ -16,7 +16,7 @@
 #endif
 #include <xsimd/xsimd.hpp>
 
-#include "simd/x86/left_packing.hpp"
+#include "simd/left_packing.hpp"
 
 namespace shaftcull::kernel::x86 {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Shuffles that put some lanes of a vector side by side, for sets that have no instruction for it: SSE4.2 and AVX2.
+/// Shuffles that put some lanes of a vector side by side, for sets that have no instruction for it: NEON, SSE4.2
+/// and AVX2.
 #pragma once
 
 #include <cstdint>
