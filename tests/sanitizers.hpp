@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How many random cases a test tries, and what it cannot do under a sanitizer.
+/// How many random cases a test tries, and what it cannot do under a sanitizer or on an emulated processor.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,16 @@ inline constexpr bool has_shadow_memory = true;
 inline constexpr bool has_shadow_memory = false;
 #endif
 
-/// As many as asked for; under such a sanitizer a sixth, since each takes several times as long there.
-constexpr std::uint64_t random_cases(std::uint64_t cases) { return has_shadow_memory ? (cases + 5) / 6 : cases; }
+/// Whether this is built for another processor and run by an emulator.
+#if defined(SHAFTCULL_EMULATED)
+inline constexpr bool is_emulated = true;
+#else
+inline constexpr bool is_emulated = false;
+#endif
+
+/// As many as asked for; under such a sanitizer or an emulator a sixth, since each takes several times as long there.
+constexpr std::uint64_t random_cases(std::uint64_t cases) {
+  return has_shadow_memory || is_emulated ? (cases + 5) / 6 : cases;
+}
 
 }  // namespace shaftcull

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# check_calls.sh PROGRAM: runs it, and looks for each call that the tables of docs/which-call.md and docs/coming-from.md show in its
+# check_calls.sh PROGRAM…: runs it, and looks for each call that the tables of docs/which-call.md and docs/coming-from.md show in its
 # source, calls.cpp. Names without arguments, as "update()", are those of the public headers.
 set -euo pipefail
 docs=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$1"
+"$@"
 # White space does not count: lines of the source are broken where they are long.
 source=$(tr -d ' \n' <"$docs/examples/calls.cpp")
 calls() { grep -o '`[^`]*([^`]*)`\|`{[^`]*}`' | tr -d '`' | sort -u; }

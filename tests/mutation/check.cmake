@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Shows that tests can fail: each fault in the library must be noticed by wrong answers, not by a crash, in every area and
-# form that it concerns. Arguments: TEST (the mutant executable), ISA.
+# form that it concerns. Arguments: TEST (the mutant executable), EMULATOR (what runs it, if not this machine), ISA.
 function(run fault filter)
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -E env SHAFTCULL_MUTANT=${fault} SHAFTCULL_ISA=${ISA} ${TEST} --gtest_filter=${filter} ${ARGN}
+    COMMAND ${CMAKE_COMMAND} -E env SHAFTCULL_MUTANT=${fault} SHAFTCULL_ISA=${ISA} ${EMULATOR} ${TEST} --gtest_filter=${filter} ${ARGN}
     RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(result ${result} PARENT_SCOPE)
   set(output "${output}" PARENT_SCOPE)

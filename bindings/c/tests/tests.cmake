@@ -37,12 +37,17 @@ function(shaftcull_c_program name compiler source)
   target_link_libraries(test_c_${name} PRIVATE shaftcull_c)
   add_dependencies(test_c test_c_${name})  # so that whoever builds the area has all of it
   add_test(NAME c.${name} COMMAND test_c_${name})
-  set_tests_properties(c.${name} PROPERTIES TIMEOUT 60)
+  set_tests_properties(c.${name} PROPERTIES TIMEOUT ${shaftcull_test_seconds})
 endfunction()
 
 # Every function and every kind of error, from C by two compilers; and the example of the page, as it stands there.
 set(c_compiler_names "")
-foreach(name IN ITEMS gcc clang)
+set(c_compilers gcc clang)
+if(CMAKE_CROSSCOMPILING)  # those that are called so compile for this machine
+  set(c_compilers gcc)
+  set(SHAFTCULL_C_gcc ${CMAKE_C_COMPILER} CACHE FILEPATH "The toolchain's compiler of C")
+endif()
+foreach(name IN LISTS c_compilers)
   find_program(SHAFTCULL_C_${name} ${name})
   mark_as_advanced(SHAFTCULL_C_${name})
   if(SHAFTCULL_C_${name})
