@@ -133,6 +133,10 @@ concept FloatOperations = EightFloatOperations<typename F::EightFloats> &&
   /// one is passed over.
   { F::minimum(a, a) } -> std::same_as<typename F::Vector>;
   { F::maximum(a, a) } -> std::same_as<typename F::Vector>;
+  /// As minimum() and maximum(), but of zeros either. The first is a number, or a NaN that arithmetic has made and so
+  /// is no signalling one; the second is a number. Some processors have an instruction for these alone.
+  { F::minimum_of_computed(a, a) } -> std::same_as<typename F::Vector>;
+  { F::maximum_of_computed(a, a) } -> std::same_as<typename F::Vector>;
   /// The larger of the bit patterns, as unsigned integers: negative floats are above all others.
   { F::maximum_of_bits(a, a) } -> std::same_as<typename F::Vector>;
   { F::magnitude(a) } -> std::same_as<typename F::Vector>;  // the sign bit is cleared

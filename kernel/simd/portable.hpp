@@ -275,6 +275,8 @@ struct PortableFloats {
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
   static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
   static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
+  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
+  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     using Unsigned = typename CompilerVector<std::uint32_t, width>::Type;
     return choose(__builtin_bit_cast(Unsigned, a) > __builtin_bit_cast(Unsigned, b), a, b);

@@ -55,6 +55,8 @@ struct Floats {
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
   static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
   static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
+  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
+  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return __builtin_bit_cast(std::uint32_t, a) > __builtin_bit_cast(std::uint32_t, b) ? a : b;
   }

@@ -96,6 +96,20 @@ TEST_F(FloatOperation, MultiplyAddIsRoundedOnceOrTwice) {
   });
 }
 
+TEST_F(FloatOperation, MinimumAndMaximumOfComputedPassOverNanInTheFirstPlace) {
+  on_each_set([](const FloatTable& table) {
+    for_vectors_of(values(), table.width, [&](const float* a, const float* any, const float*) {
+      std::vector<float> b(any, any + table.width);
+      for (float& x : b) x = std::isnan(x) ? 1.0F : x;
+      std::vector<float> out(table.width);
+      table.minimum_of_computed(a, b.data(), out.data());
+      for (std::size_t i = 0; i != table.width; ++i) ASSERT_EQ(out[i], a[i] < b[i] ? a[i] : b[i]) << a[i];
+      table.maximum_of_computed(a, b.data(), out.data());
+      for (std::size_t i = 0; i != table.width; ++i) ASSERT_EQ(out[i], a[i] > b[i] ? a[i] : b[i]) << a[i];
+    });
+  });
+}
+
 TEST_F(FloatOperation, MinimumAndMaximumGiveTheSecondOfEqualOnesAndForNan) {
   on_each_set([](const FloatTable& table) {
     for_vectors_of(values(), table.width, [&](const float* a, const float* b, const float*) {

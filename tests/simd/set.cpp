@@ -44,6 +44,8 @@ constexpr FloatTable float_table() noexcept {
       .divide = binary<F, [](V a, V b) { return F::divide(a, b); }>,
       .minimum = binary<F, [](V a, V b) { return F::minimum(a, b); }>,
       .maximum = binary<F, [](V a, V b) { return F::maximum(a, b); }>,
+      .minimum_of_computed = binary<F, [](V a, V b) { return F::minimum_of_computed(a, b); }>,
+      .maximum_of_computed = binary<F, [](V a, V b) { return F::maximum_of_computed(a, b); }>,
       .maximum_of_bits = binary<F, [](V a, V b) { return F::maximum_of_bits(a, b); }>,
       .flip_sign = binary<F, [](V a, V b) { return F::flip_sign(a, b); }>,
       .either_negative = binary<F, [](V a, V b) { return F::either_negative(a, b); }>,

@@ -28,6 +28,8 @@ struct FloatTable {
   Binary* divide;
   Binary* minimum;
   Binary* maximum;
+  Binary* minimum_of_computed;
+  Binary* maximum_of_computed;
   Binary* maximum_of_bits;
   Binary* flip_sign;
   Binary* either_negative;

@@ -99,7 +99,9 @@ struct Slab {
 
   /// Length of the interval of t that all constraints allow, plus the margin: smallest upper bound − largest lower
   /// bound + margin. Negative if certainly outside, above two margins if certainly not. coordinate(i) is what
-  /// constraint i reads. Never NaN, because minimum and maximum pass over a NaN in their first argument.
+  /// constraint i reads. Never NaN, because minimum and maximum pass over a NaN in their first argument. A bound that
+  /// is read and not computed may be a signalling NaN. Of zeros either will do: no margin is so close
+  /// (docs/exactness.md).
   template <class Coordinate>
   [[nodiscard]] Vector interval_length(Coordinate coordinate) const noexcept {
     if constexpr (endless) {
@@ -114,9 +116,9 @@ struct Slab {
     for (unsigned i = 0; i < 6; ++i) {
       const Vector t = bound(i, coordinate(i));
       if (i < uppers.count) {
-        upper = L::minimum(t, upper);
+        upper = fused && i == 0 ? L::minimum(t, upper) : L::minimum_of_computed(t, upper);
       } else {
-        lower = L::maximum(t, lower);
+        lower = L::maximum_of_computed(t, lower);
       }
     }
     if constexpr (fused) {

@@ -107,9 +107,11 @@ struct Floats {
   static Vector square_root(Vector a) noexcept { return vsqrtq_f32(a); }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return vfmaq_f32(c, a, b); }
   // Not vminq_f32(), which hands on any NaN, nor vminnmq_f32(), which passes over one in the second place and orders
-  // zeros by their signs.
+  // zeros by their signs, and hands on a signalling NaN.
   static Vector minimum(Vector a, Vector b) noexcept { return vbslq_f32(vcltq_f32(a, b), a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return vbslq_f32(vcgtq_f32(a, b), a, b); }
+  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return vminnmq_f32(a, b); }
+  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return vmaxnmq_f32(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return vreinterpretq_f32_u32(vmaxq_u32(bits_of(a), bits_of(b)));
   }

@@ -110,6 +110,8 @@ struct Floats {
   // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept { return _mm512_min_ps(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return _mm512_max_ps(a, b); }
+  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
+  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return _mm512_castsi512_ps(_mm512_max_epu32(_mm512_castps_si512(a), _mm512_castps_si512(b)));
   }

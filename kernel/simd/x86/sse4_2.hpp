@@ -108,6 +108,8 @@ struct Floats {
   // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept { return _mm_min_ps(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return _mm_max_ps(a, b); }
+  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
+  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return _mm_castsi128_ps(_mm_max_epu32(_mm_castps_si128(a), _mm_castps_si128(b)));
   }

@@ -228,6 +228,8 @@ struct FloatsOf {
   // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept { return _mm256_min_ps(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return _mm256_max_ps(a, b); }
+  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
+  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return _mm256_castsi256_ps(_mm256_max_epu32(_mm256_castps_si256(a), _mm256_castps_si256(b)));
   }
