@@ -79,7 +79,8 @@ struct Floats {
 
   class Compressor {
    public:
-    explicit Compressor(std::uint64_t bits) noexcept : from_(vld1q_u8(left_packing<4, 4>.part[bits])) {}
+    // In parentheses: to clang the function is a macro, and the comma would end its argument.
+    explicit Compressor(std::uint64_t bits) noexcept : from_(vld1q_u8((left_packing<4, 4>.part[bits]))) {}
 
     void store(float* p, Vector a) const noexcept { Floats::store(p, packed(a)); }
     void store(std::uint32_t* p, const std::uint32_t* from) const noexcept {
