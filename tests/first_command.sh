@@ -28,24 +28,24 @@ stand_in() {
 failures=0
 # system TOOL…: what the next run finds on its PATH, besides what every system has.
 system() {
-  rm -f "$work"/bin/{apt-get,apt-cache,dpkg-query,sudo,cmake,ctest,c++,ninja}
+  rm -f "$work"/bin/{apt-get,apt-cache,dpkg,dpkg-query,sudo,cmake,ctest,c++,ninja}
   for tool in "$@"; do
     case $tool in
       apt-get) stand_in apt-get 'exit ${APT_RESULT:-0}' ;;
-      dpkg-query) stand_in dpkg-query '[[ " ${INSTALLED:-} " == *" ${*: -1} "* ]] && printf installed' ;;
+      dpkg-query) stand_in dpkg-query '[[ " ${INSTALLED:-} " == *" ${*: -1} "* ]] && echo "${ARCHITECTURES:-all:installed}"' ;;
       sudo) stand_in sudo 'exec "$@"' ;;
       *) stand_in "$tool" 'exit 0' ;;
     esac
   done
 }
 # run RESULT [NAME=value…]: ./cmake/run $action, not as root, is to end with RESULT.
-action=demo
+action=(demo)
 run() {
   local expected=$1 result=0
   shift
   : >"$work/log/calls"
   chmod 666 "$work/log/calls"
-  "${as_user[@]}" "$work/bin/env" -i PATH="$work/bin" "$@" bash "$work/project/cmake/run" "$action" >"$work/log/output" 2>&1 ||
+  "${as_user[@]}" "$work/bin/env" -i PATH="$work/bin" "$@" bash "$work/project/cmake/run" "${action[@]}" >"$work/log/output" 2>&1 ||
     result=$?
   [[ $result -eq $expected ]] || fail "ended with $result instead of $expected"
 }
@@ -117,7 +117,7 @@ not_called sudo
 called "cmake --build"
 
 # Of what tests of embedding need, this system knows two packages.
-action=test
+action=(test)
 tests_need="qemu-user gnuplot-nox valgrind"
 knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-multilib ]]'; }
 
@@ -141,7 +141,34 @@ says "goes on without g++-multilib clang-19"
 not_called apt-get
 called "ctest --preset release"
 
-action=package
+# Another processor's cross compiler is not there, its library of tests is.
+action=(test --preset arm64 --only same_bits)
+scenario="test of another processor, sudo"
+system apt-get dpkg dpkg-query sudo c++ cmake ctest ninja
+run 0 INSTALLED="libcli11-dev nlohmann-json3-dev libgtest-dev:arm64"
+called "sudo dpkg --add-architecture arm64"
+called "apt-get install -qy --no-install-recommends g++-aarch64-linux-gnu qemu-user libtbb-dev:arm64 libgmock-dev:arm64"
+called "cmake --build $work/project/build/arm64"
+called "--target test_same_bits"
+called "ctest --preset arm64"
+
+scenario="everything installed for another processor, not for this one"
+action=(demo)
+system apt-get dpkg-query sudo c++ cmake ninja
+run 127 INSTALLED="$needed libassimp-dev zlib1g-dev" ARCHITECTURES=arm64:installed
+called "apt-get install -qy --no-install-recommends $needed"
+scenario="everything installed for this processor and another one"
+run 127 INSTALLED="dpkg $needed libassimp-dev zlib1g-dev" ARCHITECTURES=$'arm64:installed\nall:installed'
+not_called apt-get
+
+action=(test --preset arm64 --only same_bits)
+scenario="test of another processor, neither root nor sudo"
+system apt-get dpkg dpkg-query c++ cmake ctest ninja
+run 1
+says "  dpkg --add-architecture arm64 && apt-get update && apt-get install --no-install-recommends g++-aarch64-linux-gnu"
+not_called dpkg
+
+action=(package)
 scenario="package, another distribution"
 system c++ cmake ninja
 run 1
@@ -155,7 +182,7 @@ run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev"
 says "apt-get install --no-install-recommends dpkg-dev file"
 not_called cmake
 
-action=cluster
+action=(cluster)
 scenario="cluster, sudo, but no network"
 system apt-get dpkg-query sudo c++ cmake ninja
 run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev libopenmpi-dev python3-numpy"
