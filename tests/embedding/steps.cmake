@@ -66,9 +66,11 @@ function(build)
   endif()
 endfunction()
 
-# answers([text]): the client's answers are those on record; what it prints, which `output` is set to, is `text`.
+# answers([text]): the client's answers are those on record; what it prints, which `output` is set to, is `text`. Where it is for
+# another processor, `emulator` runs it.
+set(emulator "")
 function(answers)
-  run("${WORK}/a parent/client")
+  run(${emulator} "${WORK}/a parent/client")
   set(output "${output}" PARENT_SCOPE)
   if(ARGN AND NOT output STREQUAL "${ARGN}")
     message(FATAL_ERROR "the client prints\n${output}instead of\n${ARGN}")
