@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "compiled/shaft_data.hpp"
 #include "kernels/forming/slab.hpp"
@@ -110,7 +111,14 @@ void add_plane_vector(const typename L::Vector (&face)[6], const Plane* const (&
                              selectors};
   typename L::EightFloats::Vector row[L::width];
   L::transpose(columns, row);
-  for (unsigned lane = 0; lane < lanes; ++lane) L::EightFloats::store(&out[lane].added[slot], row[lane]);
+  for (unsigned lane = 0; lane < lanes; ++lane) {
+    ShaftData::AddedPlane& added = out[lane].added[slot];
+    L::EightFloats::store(&added, row[lane]);
+    if constexpr (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) {  // the low bits are in the last byte
+      const std::uint8_t last_first[4] = {added.near[3], added.near[2], added.near[1], added.near[0]};
+      __builtin_memcpy(added.near, last_first, sizeof last_first);
+    }
+  }
 }
 
 /// Whether every plane is finite and has a normal that is not zero.
