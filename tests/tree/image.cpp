@@ -303,7 +303,7 @@ TEST(TreeImage, SaysWhyMemoryIsNone) {
     std::uint32_t before = 0;
     std::memcpy(&before, image.data() + at, sizeof before);
     std::memcpy(image.data() + at, &value, sizeof value);
-    const std::string what = complaint(image);
+    std::string what = complaint(image);
     std::memcpy(image.data() + at, &before, sizeof before);
     return what;
   };
