@@ -72,7 +72,7 @@ TreeLevels<Box> origins() {
   }
   tree.leaves = StreamAccess::not_written<BoxStream>(size);
   tree.nodes = StreamAccess::not_written<BoxStream>(nodes);
-  tree.gaps.assign(nodes / 64, 0);
+  tree.gaps = {nodes / 64, 0};
   return tree;
 }
 
