@@ -96,7 +96,7 @@ TYPED_TEST(LargeTree, LeavesNothingBehindIfMemoryRunsOut) {
       return kernel::build<Bound, Index>(source, RegionSizes{1, 4096, 4096}).order;
     });
   };
-  const std::vector<Index> order = call();
+  const kernel::TreeArray<Index> order = call();
   for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
     for (std::size_t n = 1;; ++n) {
       const std::size_t before = live_bytes();
