@@ -18,7 +18,7 @@ namespace shaftcull {
 template <class Triangles>
 void add_triangle_calls(CallTable& table, const std::string& of, const Triangles& triangles) {
   const std::size_t count = table.triangles.size();
-  const auto ask = [&](std::string name, auto call) {
+  const auto ask = [&](const std::string& name, auto call) {
     for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
       const std::string what = name + of + (test == TriangleTest::exact ? ", exactly" : ", by vertices");
       if constexpr (std::is_same_v<Triangles, TriangleView>) {
