@@ -135,7 +135,8 @@ class Run {
     sizes_ = {size};
     if (size <= room(false)) return;
     const std::uint64_t most = room(true);
-    std::uint64_t shares = size / (most - most / 16) + 1;  // a sample does not cut all bounds as it does itself
+    const std::uint64_t aimed_at = most - most / 16;  // a sample does not cut all bounds as it does itself
+    std::uint64_t shares = (size + aimed_at - 1) / aimed_at;
     std::vector<ShareKey> sample;
     on_all(ranks_, [&] {
       const std::uint64_t step = size / std::max(least_in_sample, shares * sampled_a_share) + 1;
