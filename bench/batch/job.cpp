@@ -14,6 +14,10 @@
 #include <utility>
 #include <vector>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include <fmt/format.h>
 
 #include "batch/block_store.hpp"
@@ -42,6 +46,15 @@ constexpr std::uint64_t sampled_a_share = 4000;    ///< of the bounds, from whos
 constexpr std::uint64_t least_in_sample = 10'000;
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+/// Has large memory that is freed go back to the system at once. The C library of Linux would keep pieces of up to 32
+/// MiB, with gaps among them.
+void keep_no_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int large = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, large);
+#endif
+}
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -78,6 +91,7 @@ class Run {
 
   JobReport run() {
     agree_on_job();
+    if (job_.memory != 0) keep_no_freed_memory();
     on_all(ranks_, [&] {
       input_ = std::make_unique<Input>(job_);
       log_ = std::make_unique<WorkLog>(job_.log, ranks_.rank());
