@@ -238,7 +238,7 @@ std::vector<Triangle> some_triangles(std::size_t size) {
 
 TEST(TriangleTreeImages, AnswerAsTheTreesThatWereWritten) {
   Random random(38);
-  for (const std::size_t size : {0, 1, 31, 32, 33, 64, 65, 2047, 2048, 2049, 10000}) {
+  for (const std::size_t size : {0U, 1U, 31U, 32U, 33U, 64U, 65U, 2047U, 2048U, 2049U, 10000U}) {
     SCOPED_TRACE(size);
     const std::vector<Triangle> triangles = some_triangles(size);
     const TriangleTree tree{std::span(triangles)};
