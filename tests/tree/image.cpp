@@ -147,7 +147,8 @@ TYPED_TEST(TreeImages, AnswerQuestionsAboutLayersAndCandidates) {
   pages.forbid_writing();
   const TreeInImage<TypeParam> image(pages.bytes());
   using Index = IndexOf<TypeParam>;
-  const ExcludingOf<Index> excluding{.only_layers = {5}};
+  const std::uint32_t two_layers[] = {5};
+  const ExcludingOf<Index> excluding{.only_layers = std::span(two_layers)};
   std::vector<Index> candidates(1000);
   for (Index& each : candidates) each = random.below(20000);
   for (const CompiledShaft& shaft : shafts_for(random, 50)) {
