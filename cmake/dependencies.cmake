@@ -40,12 +40,13 @@ if(SHAFTCULL_BUILD_BENCH)
   shaftcull_dependency(nlohmann_json TARGET nlohmann_json::nlohmann_json DEBIAN nlohmann-json3-dev
     NEEDED_BY "The program shaftcull")
   shaftcull_dependency(fmt TARGET fmt::fmt DEBIAN libfmt-dev NEEDED_BY "The program shaftcull")
+  shaftcull_dependency(ZLIB TARGET ZLIB::ZLIB DEBIAN zlib1g-dev NEEDED_BY "The program shaftcull")
   find_package(embree 3 QUIET)
   if(NOT embree_FOUND)
     message(STATUS "The benchmark sees/… has no peer: Embree 3 was not found (Debian: libembree-dev).")
   endif()
   if(SHAFTCULL_WITH_ASSIMP)
-    shaftcull_dependency(assimp TARGET assimp::assimp DEBIAN libassimp-dev zlib1g-dev
+    shaftcull_dependency(assimp TARGET assimp::assimp DEBIAN libassimp-dev
       WITHOUT "The program shaftcull is built without its mesh reader, so its subcommand `cull` reads no file")
   endif()
   # For the subcommand `batch`. Nobody else misses them, so configuring goes on without a warning.

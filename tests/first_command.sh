@@ -58,7 +58,7 @@ says() { grep -qF -- "$1" "$work/log/output" || fail "does not say \"$1\""; }
 called() { grep -qF -- "$1" "$work/log/calls" || fail "did not call \"$1\""; }
 not_called() { ! grep -q "^$1 " "$work/log/calls" || fail "called $1"; }
 
-needed="libtbb-dev libxsimd-dev libgtest-dev libgmock-dev libbenchmark-dev libcli11-dev libfmt-dev libgmp-dev nlohmann-json3-dev"
+needed="libtbb-dev libxsimd-dev libgtest-dev libgmock-dev libbenchmark-dev libcli11-dev libfmt-dev libgmp-dev nlohmann-json3-dev zlib1g-dev"
 
 scenario="another distribution, nothing installed"
 system
@@ -79,14 +79,14 @@ scenario="neither root nor sudo"
 system apt-get dpkg-query
 run 1
 says "only root can install them"
-says "  apt-get update && apt-get install --no-install-recommends g++ cmake ninja-build $needed libassimp-dev zlib1g-dev"
+says "  apt-get update && apt-get install --no-install-recommends g++ cmake ninja-build $needed libassimp-dev"
 not_called apt-get
 not_called cmake
 
 scenario="neither root nor sudo, only the mesh reader is missing"
 system apt-get dpkg-query c++ cmake ninja
 run 127 INSTALLED="$needed"  # 127: the stand-in for cmake built no program that could be run
-says "goes on without libassimp-dev zlib1g-dev"
+says "goes on without libassimp-dev"
 not_called apt-get
 called "cmake --build"
 
@@ -94,7 +94,7 @@ scenario="sudo"
 system apt-get dpkg-query sudo c++ cmake ninja
 run 127
 called "sudo apt-get update"
-called "apt-get install -qy --no-install-recommends $needed libassimp-dev zlib1g-dev"
+called "apt-get install -qy --no-install-recommends $needed libassimp-dev"
 called "cmake --build"
 
 scenario="sudo, but no network"
@@ -102,16 +102,16 @@ system apt-get dpkg-query sudo c++ cmake ninja
 run 1 APT_RESULT=100
 says "could not be installed"
 says "Nothing was configured or built"
-says "  apt-get update && apt-get install --no-install-recommends $needed libassimp-dev zlib1g-dev"
+says "  apt-get update && apt-get install --no-install-recommends $needed libassimp-dev"
 not_called cmake
 
 scenario="sudo, but no network, and only the mesh reader is missing"
 run 127 APT_RESULT=100 INSTALLED="$needed"
-says "goes on without libassimp-dev zlib1g-dev"
+says "goes on without libassimp-dev"
 called "cmake --build"
 
 scenario="everything installed"
-run 127 INSTALLED="$needed libassimp-dev zlib1g-dev"
+run 127 INSTALLED="$needed libassimp-dev"
 not_called apt-get
 not_called sudo
 called "cmake --build"
@@ -124,19 +124,19 @@ knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-multilib ]]'; }
 scenario="test, sudo"
 system apt-get dpkg-query sudo c++ cmake ctest ninja
 knows
-run 0 INSTALLED="$needed libassimp-dev zlib1g-dev $tests_need"
+run 0 INSTALLED="$needed libassimp-dev $tests_need"
 called "apt-get install -qy --no-remove --no-install-recommends g++-multilib clang-19"
 called "ctest --preset release"
 
 scenario="test, sudo, but no network"
-run 0 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev $tests_need"
+run 0 APT_RESULT=100 INSTALLED="$needed libassimp-dev $tests_need"
 says "goes on without g++-multilib clang-19"
 called "ctest --preset release"
 
 scenario="test, neither root nor sudo"
 system apt-get dpkg-query c++ cmake ctest ninja
 knows
-run 0 INSTALLED="$needed libassimp-dev zlib1g-dev $tests_need"
+run 0 INSTALLED="$needed libassimp-dev $tests_need"
 says "goes on without g++-multilib clang-19"
 not_called apt-get
 called "ctest --preset release"
@@ -155,10 +155,10 @@ called "ctest --preset arm64"
 scenario="everything installed for another processor, not for this one"
 action=(demo)
 system apt-get dpkg-query sudo c++ cmake ninja
-run 127 INSTALLED="$needed libassimp-dev zlib1g-dev" ARCHITECTURES=arm64:installed
+run 127 INSTALLED="$needed libassimp-dev" ARCHITECTURES=arm64:installed
 called "apt-get install -qy --no-install-recommends $needed"
 scenario="everything installed for this processor and another one"
-run 127 INSTALLED="dpkg $needed libassimp-dev zlib1g-dev" ARCHITECTURES=$'arm64:installed\nall:installed'
+run 127 INSTALLED="dpkg $needed libassimp-dev" ARCHITECTURES=$'arm64:installed\nall:installed'
 not_called apt-get
 
 action=(test --preset arm64 --only same_bits)
@@ -178,14 +178,14 @@ not_called cmake
 scenario="package, sudo, but no network"
 system apt-get dpkg-query sudo c++ cmake ninja
 stand_in dpkg-deb 'exit 0'
-run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev"
+run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev"
 says "apt-get install --no-install-recommends dpkg-dev file"
 not_called cmake
 
 action=(cluster)
 scenario="cluster, sudo, but no network"
 system apt-get dpkg-query sudo c++ cmake ninja
-run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev zlib1g-dev libopenmpi-dev python3-numpy"
+run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev libopenmpi-dev python3-numpy"
 says "apt-get install --no-install-recommends libhdf5-openmpi-dev openmpi-bin libxxhash-dev python3-h5py"
 not_called cmake
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// The check sum of zip archives: CRC-32, of the polynomial 0x04c11db7, its bits reversed.
+/// The check sum of zip archives, by zlib.
 #pragma once
+
+#include <zlib.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -8,19 +10,15 @@
 
 namespace shaftcull::cli {
 
-/// The sum of bytes that come in pieces: that of all of them one behind the other.
-class Crc32 {
- public:
-  void add(std::span<const std::byte> bytes) noexcept;
-  [[nodiscard]] std::uint32_t value() const noexcept { return ~sum_; }
+/// The CRC-32 of bytes behind others, whose sum is `before`; that of none is 0.
+[[nodiscard]] inline std::uint32_t crc32_of(std::span<const std::byte> bytes, std::uint32_t before = 0) noexcept {
+  return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
 
- private:
-  std::uint32_t sum_ = 0xffffffff;
-};
-
-/// The sum of some bytes and `second_bytes` more behind them, of which the sums are known. Takes a step for each bit of
-/// the length.
-[[nodiscard]] std::uint32_t joined_crc32(std::uint32_t first, std::uint32_t second,
-                                         std::uint64_t second_bytes) noexcept;
+/// That of some bytes and `second_bytes` more behind them, of which the sums are known.
+[[nodiscard]] inline std::uint32_t joined_crc32(std::uint32_t first, std::uint32_t second,
+                                                std::uint64_t second_bytes) noexcept {
+  return static_cast<std::uint32_t>(crc32_combine(first, second, static_cast<z_off_t>(second_bytes)));
+}
 
 }  // namespace shaftcull::cli

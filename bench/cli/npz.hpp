@@ -23,17 +23,17 @@ class NpyArray {
 
   template <class T>
   void append(std::span<const T> values) {
-    crc_.add(std::as_bytes(values));
+    crc_ = crc32_of(std::as_bytes(values), crc_);
     spool_.write({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
 
   [[nodiscard]] const NpyFormat& format() const noexcept { return format_; }
-  [[nodiscard]] std::uint32_t crc() const noexcept { return crc_.value(); }
+  [[nodiscard]] std::uint32_t crc() const noexcept { return crc_; }
   [[nodiscard]] Spool& spool() noexcept { return spool_; }
 
  private:
   NpyFormat format_;
-  Crc32 crc_;
+  std::uint32_t crc_ = 0;
   Spool spool_;
 };
 

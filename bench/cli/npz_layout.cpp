@@ -83,9 +83,7 @@ std::uint64_t NpzLayout::place_of_numbers(std::size_t array) const {
 }
 
 std::uint32_t NpzLayout::crc_of(const Entry& entry, std::uint32_t numbers_crc) {
-  Crc32 header;
-  header.add(std::as_bytes(std::span(entry.npy_header)));
-  return joined_crc32(header.value(), numbers_crc, entry.numbers);
+  return joined_crc32(crc32_of(std::as_bytes(std::span(entry.npy_header))), numbers_crc, entry.numbers);
 }
 
 std::string NpzLayout::head(std::size_t array, std::uint32_t numbers_crc) const {

@@ -51,14 +51,14 @@ class NpzPlaces final : public SightPlaces {
   [[nodiscard]] std::size_t other_pieces() const override { return scene_.size(); }
 
   void write_other(std::size_t piece, batch::WrittenFile& file) override {
-    Crc32 crc;
+    std::uint32_t crc = 0;
     PlacedBytes numbers(file, layout_.place_of_numbers(answers_.size() + piece));
     scene_[piece].pour([&](std::span<const std::byte> bytes) {
-      crc.add(bytes);
+      crc = crc32_of(bytes, crc);
       numbers.append(bytes);
     });
     numbers.finish();
-    crcs_[answers_.size() * units_ + piece] = crc.value();
+    crcs_[answers_.size() * units_ + piece] = crc;
   }
 
   void write_unit(std::size_t unit, const UnitAnswer& answer, batch::WrittenFile& file) override {
@@ -67,9 +67,7 @@ class NpzPlaces final : public SightPlaces {
     for (std::size_t array = 0; array != answers_.size(); ++array) {
       std::span<const std::byte> rows = rows_of(answer, array);
       if (array == first_candidate_array) rows = std::as_bytes(std::span(ends));
-      Crc32 crc;
-      crc.add(rows);
-      crcs_[array * units_ + unit] = crc.value();
+      crcs_[array * units_ + unit] = crc32_of(rows);
       file.write_at(place_of(array, unit), rows);
     }
   }
@@ -115,9 +113,8 @@ class NpzPlaces final : public SightPlaces {
   }
 
   [[nodiscard]] std::uint32_t crc_of_answers(std::size_t array) const {
-    Crc32 begin;
-    if (array == first_candidate_array) begin.add(std::as_bytes(std::span(&no_candidate_before, 1)));
-    std::uint32_t crc = begin.value();
+    std::uint32_t crc = 0;
+    if (array == first_candidate_array) crc = crc32_of(std::as_bytes(std::span(&no_candidate_before, 1)));
     const auto of_units = [&](const std::vector<std::uint64_t>& numbers) {
       return std::span(numbers).subspan(array * units_, units_);
     };

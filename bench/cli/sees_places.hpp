@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "batch/written_file.hpp"
 #include "sees_run.hpp"
