@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -13,11 +14,12 @@
 #include <fmt/format.h>
 
 #include "batch/written_file.hpp"
+#include "shaftcull/error.hpp"
 
 namespace shaftcull::batch {
 namespace {
 
-constexpr std::array<char, 8> magic{'S', 'H', 'C', 'B', 'L', 'K', '0', '1'};
+constexpr std::array<char, 8> magic{'S', 'H', 'C', 'B', 'L', 'K', '0', '2'};
 struct Header {
   std::array<char, 8> begins;
   Fingerprint job;
@@ -25,9 +27,10 @@ struct Header {
   std::uint64_t block;
   BlockStore::Sizes bytes;  ///< of each array
   std::uint64_t answers;    ///< checksum of all arrays
-  std::uint64_t header;     ///< checksum of what stands above
+  std::array<std::uint64_t, 2> unused;
+  std::uint64_t header;  ///< checksum of what stands above
 };
-static_assert(sizeof(Header) == 8 * (7 + BlockStore::most_arrays), "no padding is written");
+static_assert(sizeof(Header) == 128, "no padding is written, and arrays begin at a multiple of 64 bytes");
 
 struct CloseStream {
   void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
@@ -38,19 +41,22 @@ std::uint64_t checksum_of(const Header& header) {
   return checksum(std::as_bytes(std::span(&header, 1)).first(offsetof(Header, header)));
 }
 
+/// Whether a file of so many bytes that begins like this is that of a block, and whole.
+bool is_header_of(const Header& header, std::uint64_t file_bytes, const Fingerprint& job, std::uint64_t share,
+                  std::uint64_t block) {
+  return header.begins == magic && header.header == checksum_of(header) && header.job == job && header.share == share &&
+         header.block == block &&
+         file_bytes == std::accumulate(header.bytes.begin(), header.bytes.end(), std::uint64_t{sizeof(header)});
+}
+
 /// Opens a block and reads its header. Null if that is not the one of this block.
 Stream open_block(const std::string& path, const Fingerprint& job, std::uint64_t share, std::uint64_t block,
                   Header& header) {
   Stream file(std::fopen(path.c_str(), "rbe"));
   if (!file || std::fread(&header, sizeof(header), 1, file.get()) != 1) return nullptr;
-  if (header.begins != magic || header.header != checksum_of(header) || header.job != job || header.share != share ||
-      header.block != block) {
-    return nullptr;
-  }
   std::error_code error;
-  std::uint64_t size = sizeof(header);
-  for (const std::uint64_t bytes : header.bytes) size += bytes;
-  if (std::filesystem::file_size(path, error) != size || error) return nullptr;
+  const std::uint64_t file_bytes = std::filesystem::file_size(path, error);
+  if (error || !is_header_of(header, file_bytes, job, share, block)) return nullptr;
   return file;
 }
 
@@ -74,7 +80,7 @@ std::string BlockStore::path(std::uint64_t share, std::uint64_t block) const {
 
 void BlockStore::write_arrays(std::uint64_t share, std::uint64_t block,
                               std::span<const std::span<const std::byte>> arrays) const {
-  Header header{magic, job_, share, block, {}, 0, 0};
+  Header header{magic, job_, share, block, {}, 0, {}, 0};
   RunningChecksum sum;
   for (std::size_t i = 0; i != arrays.size(); ++i) {
     header.bytes[i] = arrays[i].size();
@@ -109,6 +115,23 @@ bool BlockStore::read_arrays(std::uint64_t share, std::uint64_t block, std::span
     sum.add({room, bytes});
   }
   return sum.value() == header.answers;
+}
+
+std::optional<MappedBlock> BlockStore::map(std::uint64_t share, std::uint64_t block) const {
+  MappedBlock mapped;
+  try {
+    mapped.file_ = std::make_unique<MappedFile>(path(share, block));
+  } catch (const InvalidArgument&) {
+    return std::nullopt;  // it is not there
+  }
+  const std::span<const std::byte> file(mapped.file_->data(), static_cast<std::size_t>(mapped.file_->size()));
+  Header header{};
+  if (file.size() < sizeof(header)) return std::nullopt;
+  std::memcpy(&header, file.data(), sizeof(header));
+  const std::span<const std::byte> arrays = file.subspan(sizeof(header));
+  if (!is_header_of(header, file.size(), job_, share, block) || checksum(arrays) != header.answers) return std::nullopt;
+  mapped.bytes_ = arrays.first(static_cast<std::size_t>(header.bytes[0]));
+  return mapped;
 }
 
 std::optional<BlockStore::Sizes> BlockStore::sizes(std::uint64_t share, std::uint64_t block) const {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +14,21 @@
 #include <type_traits>
 
 #include "batch/checksum.hpp"
+#include "batch/mapped_file.hpp"
 
 namespace shaftcull::batch {
+
+/// An array of a block, in its file. Ranks of one machine share its pages, which the system takes back when it needs
+/// them.
+class MappedBlock {
+ public:
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
+
+ private:
+  friend class BlockStore;
+  std::unique_ptr<MappedFile> file_;
+  std::span<const std::byte> bytes_;
+};
 
 /// A file for each block and share, in a folder: a header, then the answers, both with a checksum. It is written under
 /// another name and renamed, so that a run that is killed leaves whole blocks, or none. Nobody waits for the disk: what
@@ -59,6 +73,9 @@ class BlockStore {
     if (!is_whole) return std::nullopt;
     return answer;
   }
+
+  /// The first array of a block where its file is mapped, from a multiple of 64 bytes on; likewise.
+  [[nodiscard]] std::optional<MappedBlock> map(std::uint64_t share, std::uint64_t block) const;
 
   /// How long the arrays of a block are, by its header alone. Nothing if that is not there or damaged.
   [[nodiscard]] std::optional<Sizes> sizes(std::uint64_t share, std::uint64_t block) const;

@@ -2,6 +2,7 @@
 /// The bounds of a job, as they are in their file.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,6 +28,17 @@ class BoundsSource {
   /// Floats of bounds [first, first + count): where they are, or read into `scratch`.
   [[nodiscard]] std::span<const float> read(std::uint64_t first, std::uint64_t count,
                                             std::vector<std::byte>& scratch) const;
+
+  /// Calls take(first, floats, count) for bounds [first, first + count), many at a time, one piece behind the other.
+  template <class Take>
+  void for_pieces(std::uint64_t first, std::uint64_t count, const Take& take) const {
+    constexpr std::uint64_t at_once = std::uint64_t{1} << 20;
+    std::vector<std::byte> scratch;
+    for (std::uint64_t done = 0; done < count; done += at_once) {
+      const std::uint64_t size = std::min(at_once, count - done);
+      take(first + done, read(first + done, size, scratch).data(), static_cast<std::size_t>(size));
+    }
+  }
 
   /// The box around a bound that `floats` describe; around a sphere rounded outwards.
   [[nodiscard]] Box box_around(const float* floats) const noexcept;

@@ -25,11 +25,10 @@
 #include "batch/input_hash.hpp"
 #include "batch/job_folder.hpp"
 #include "batch/job_trees.hpp"
+#include "batch/planned_shares.hpp"
 #include "batch/result_file.hpp"
 #include "batch/shaft_source.hpp"
 #include "batch/share.hpp"
-#include "batch/share_plan.hpp"
-#include "batch/share_tree.hpp"
 #include "batch/work_log.hpp"
 #include "batch/written_file.hpp"
 #include "shaftcull/error.hpp"
@@ -104,12 +103,12 @@ class Run {
       }
       folder_.lock();
     });
-    plan_shares();
+    plan_ = plan_shares(input_->bounds, job_.memory, ranks_, surroundings_);
     describe();
     on_first(ranks_, [&] { folder_.begin(description_); });
     fingerprint_ = fingerprint(bytes_of(text_of(description_)));
     store_ = std::make_unique<BlockStore>(folder_.path(), fingerprint_, ranks_.rank());
-    on_first(ranks_, [&] { store_->make_folders(plan_.shares()); });
+    on_first(ranks_, [&] { store_->make_folders(plan_.count()); });
     find_finished();
     find_left();
     prepare_trees();
@@ -136,50 +135,6 @@ class Run {
              fmt::format("{} has another number of shafts there than for rank 0", job_.shafts));
   }
 
-  /// How many bounds a share may have.
-  [[nodiscard]] std::uint64_t room(bool several) const {
-    if (job_.memory == 0) return most_bounds_a_share;
-    return std::clamp<std::uint64_t>(job_.memory / bytes_a_bound(input_->bounds.kind(), several), 1,
-                                     most_bounds_a_share);
-  }
-
-  void plan_shares() {
-    const BoundsSource& bounds = input_->bounds;
-    const std::uint64_t size = bounds.size();
-    sizes_ = {size};
-    if (size <= room(false)) return;
-    const std::uint64_t most = room(true);
-    const std::uint64_t aimed_at = most - most / 16;  // a sample does not cut all bounds as it does itself
-    std::uint64_t shares = (size + aimed_at - 1) / aimed_at;
-    std::vector<ShareKey> sample;
-    on_all(ranks_, [&] {
-      const std::uint64_t step = size / std::max(least_in_sample, shares * sampled_a_share) + 1;
-      std::vector<std::byte> scratch;
-      for (std::uint64_t i = 0; i < size; i += step) {
-        sample.push_back({middle_of(bounds.box_around(bounds.read(i, 1, scratch).data())), i});
-      }
-    });
-    while (true) {
-      on_all(ranks_, [&] {
-        constexpr std::uint64_t most_shares = 10'000;
-        if (shares > std::min<std::uint64_t>(most_shares, sample.size())) {
-          throw InvalidArgument(
-              fmt::format("--memory: {} bounds would be dealt into {} shares, more than {}; give more", size, shares,
-                          std::min<std::uint64_t>(most_shares, sample.size())));
-        }
-        plan_ = SharePlan(sample, static_cast<std::size_t>(shares));
-      });
-      const auto rank = static_cast<std::uint64_t>(ranks_.rank());
-      const auto count = static_cast<std::uint64_t>(ranks_.size());
-      const std::uint64_t first = size / count * rank + std::min(rank, size % count);
-      const std::uint64_t here = size / count + (rank < size % count ? 1 : 0);
-      on_all(ranks_, [&] { surroundings_.on_threads([&] { sizes_ = share_sizes(bounds, plan_, first, here); }); });
-      ranks_.sum(sizes_);
-      if (std::ranges::max(sizes_) <= most) return;
-      shares += shares / 8 + 1;
-    }
-  }
-
   void describe() {
     const Question& question = job_.question;
     const bool lists = lists_of(question.answer) != 0;
@@ -197,17 +152,17 @@ class Run {
     description_.emplace_back("shafts", hash(*arrays[0]));
     if (arrays.size() > 1) description_.emplace_back("boxes", hash(*arrays[1]));
     description_.emplace_back("block", fmt::format("{}", block_));
-    description_.emplace_back("shares", fmt::format("{}", plan_.shares()));
+    description_.emplace_back("shares", fmt::format("{}", plan_.count()));
     report_.shafts = input_->shafts.size();
     report_.bounds = input_->bounds.size();
     report_.bound_kind = input_->bounds.kind();
     report_.blocks = blocks_;
-    report_.shares = plan_.shares();
+    report_.shares = plan_.count();
   }
 
   /// Which blocks earlier runs have stored: each rank reads its part of them, and all learn of all.
   void find_finished() {
-    finished_.assign(static_cast<std::size_t>(plan_.shares() * blocks_), 0);
+    finished_.assign(static_cast<std::size_t>(plan_.count() * blocks_), 0);
     std::vector<std::uint64_t> resumed{folder_.resumed() ? std::uint64_t{1} : std::uint64_t{0}};
     ranks_.sum(resumed);
     if (resumed[0] != 0) {
@@ -249,7 +204,7 @@ class Run {
 
   /// What is left of each share: all ranks have the same lists, and deal positions in them.
   void find_left() {
-    left_.resize(plan_.shares());
+    left_.resize(plan_.count());
     for (std::size_t i = 0; i != finished_.size(); ++i) {
       if (finished_[i] == 0) left_[i / blocks_].push_back(i % blocks_);
     }
@@ -257,20 +212,19 @@ class Run {
 
   /// Makes trees that several ranks use, or that a later run may.
   void prepare_trees() {
-    trees_.emplace(
-        JobTrees::Given{input_->bounds, plan_, sizes_, folder_.path(), fingerprint_, ranks_, surroundings_, *log_});
+    trees_.emplace(JobTrees::Given{input_->bounds, plan_, folder_.path(), fingerprint_, ranks_, surroundings_, *log_});
     std::vector<std::uint64_t> wanted;
-    for (std::size_t share = 0; share != plan_.shares(); ++share) {
+    for (std::size_t share = 0; share != plan_.count(); ++share) {
       if (!left_[share].empty()) wanted.push_back(share);
     }
     if (wanted.empty()) return;
-    if (plan_.shares() == 1) return trees_->share_in_memory();
+    if (plan_.count() == 1) return trees_->share_in_memory();
     const std::vector<std::uint64_t> missing = trees_->missing(wanted);
     if (missing.empty()) return;
     Dealing dealing(ranks_, surroundings_, 1);
     phase_begin_ = Clock::now();
     const ProgressState state{
-        "sort", 0,       missing.size(), 0, static_cast<double>(report_.bounds) / static_cast<double>(plan_.shares()),
+        "sort", 0,       missing.size(), 0, static_cast<double>(report_.bounds) / static_cast<double>(plan_.count()),
         0,      "bounds"};
     const auto store_tree = [&](std::uint64_t piece) -> Dealing::Rest {
       trees_->store(missing[static_cast<std::size_t>(piece)]);
@@ -281,7 +235,7 @@ class Run {
   }
 
   void compute() {
-    const std::size_t shares = plan_.shares();
+    const std::size_t shares = plan_.count();
     Dealing dealing(ranks_, surroundings_, shares);
     phase_begin_ = Clock::now();
     const std::uint64_t units = shares * blocks_;
@@ -330,7 +284,7 @@ class Run {
 
   [[nodiscard]] BlockAnswer merged(std::uint64_t block) const {
     std::vector<BlockAnswer> shares;
-    for (std::size_t share = 0; share != plan_.shares(); ++share) {
+    for (std::size_t share = 0; share != plan_.count(); ++share) {
       shares.push_back(whole(store_->read<BlockAnswer>(share, block), share, block));
     }
     return merge(std::move(shares), job_.question.answer,
@@ -369,7 +323,7 @@ class Run {
       if (lists_of(answer) == 0) return;
       for (auto block = static_cast<std::uint64_t>(ranks_.rank()); block < blocks_;
            block += static_cast<std::uint64_t>(ranks_.size())) {
-        for (std::size_t share = 0; share != plan_.shares(); ++share) {
+        for (std::size_t share = 0; share != plan_.count(); ++share) {
           const BlockStore::Sizes here = whole(store_->sizes(share, block), share, block);
           for (std::size_t l = 0; l != 2; ++l) {
             totals[static_cast<std::size_t>(2 * block) + l] += here[4 + 2 * l] / sizeof(std::uint64_t);
@@ -437,8 +391,7 @@ class Run {
   std::unique_ptr<Input> input_;
   std::unique_ptr<WorkLog> log_;
   std::unique_ptr<BlockStore> store_;
-  SharePlan plan_;
-  std::vector<std::uint64_t> sizes_;  ///< of the shares
+  PlannedShares plan_;
   JobDescription description_;
   std::uint64_t block_ = 0;
   std::uint64_t blocks_ = 0;

@@ -4,18 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "batch/block_store.hpp"
 #include "batch/bounds_source.hpp"
 #include "batch/checksum.hpp"
 #include "batch/dealing.hpp"
+#include "batch/planned_shares.hpp"
 #include "batch/ranks.hpp"
-#include "batch/share_file.hpp"
-#include "batch/share_plan.hpp"
 #include "batch/share_tree.hpp"
 #include "batch/work_log.hpp"
 
@@ -29,17 +28,17 @@ class JobTrees {
   /// What all ranks know alike. References are to what stays for longer.
   struct Given {
     const BoundsSource& bounds;
-    const SharePlan& plan;
-    const std::vector<std::uint64_t>& sizes;  ///< of the shares
-    std::string folder;                       ///< of the job
+    const PlannedShares& plan;
+    std::string folder;  ///< of the job
     Fingerprint job;
     Ranks& ranks;
     const Surroundings& surroundings;
     WorkLog& log;
   };
-  explicit JobTrees(Given given) : given_(std::move(given)) {}
+  explicit JobTrees(Given given);
 
-  /// The shares that no file has yet: all ranks get the same. None if there is only one share.
+  /// All: the shares among those that no file has yet, the same for all ranks. None if there is only one share. Throws
+  /// as on_all() does.
   [[nodiscard]] std::vector<std::uint64_t> missing(std::span<const std::uint64_t> wanted);
   /// Builds the tree of a share, and stores it.
   void store(std::uint64_t share);
@@ -52,12 +51,12 @@ class JobTrees {
 
  private:
   void build(std::uint64_t share);
-  [[nodiscard]] std::string path(std::uint64_t share) const;
 
   Given given_;
-  std::optional<ShareTree> own_;  ///< built here, or in memory that ranks share
-  std::optional<MappedShare> mapped_;
+  BlockStore store_;                   ///< of trees: block i is that of share i
+  std::optional<MappedBlock> mapped_;  ///< of share `mapped_share_`, which tree_ then lies in
   std::uint64_t mapped_share_ = 0;
+  std::optional<ShareTree> tree_;
 };
 
 }  // namespace shaftcull::batch

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <mutex>
 #include <string>
 #include <type_traits>
 
@@ -16,18 +15,7 @@
 namespace shaftcull::batch {
 namespace {
 
-constexpr std::uint64_t bounds_at_once = std::uint64_t{1} << 20;
 constexpr std::size_t bounds_a_task = std::size_t{1} << 14;
-
-/// Calls take(first, floats, count) for chunks of the bounds, one behind the other.
-template <class Take>
-void for_bounds(const BoundsSource& bounds, std::uint64_t first, std::uint64_t count, const Take& take) {
-  std::vector<std::byte> scratch;
-  for (std::uint64_t done = 0; done < count; done += bounds_at_once) {
-    const std::uint64_t size = std::min(bounds_at_once, count - done);
-    take(first + done, bounds.read(first + done, size, scratch).data(), static_cast<std::size_t>(size));
-  }
-}
 
 /// The bounds of a share, copied from the file.
 struct Kept {
@@ -42,7 +30,7 @@ Kept kept_of(const BoundsSource& bounds, const SharePlan& plan, std::size_t whic
   kept.floats.reserve(static_cast<std::size_t>(size) * columns);
   kept.positions.reserve(static_cast<std::size_t>(size));
   std::vector<std::vector<std::uint32_t>> found;
-  for_bounds(bounds, 0, bounds.size(), [&](std::uint64_t at, const float* floats, std::size_t some) {
+  bounds.for_pieces(0, bounds.size(), [&](std::uint64_t at, const float* floats, std::size_t some) {
     found.resize(some / bounds_a_task + 1);
     for_chunks(some, bounds_a_task, [&](std::size_t begin, std::size_t few) {
       std::vector<std::uint32_t>& here = found[begin / bounds_a_task];
@@ -95,7 +83,7 @@ struct ImageHead {
   std::uint64_t positions;
   std::uint64_t several;
   Box box;
-  std::uint64_t none[3];
+  std::uint64_t unused[3];
 };
 static_assert(sizeof(ImageHead) == 64);
 
@@ -109,24 +97,6 @@ std::uint64_t bytes_a_bound(BoundKind kind, bool several) noexcept {
   const std::uint64_t floats = kind == BoundKind::box ? 24 : kind == BoundKind::sphere ? 16 : 36;
   const std::uint64_t building = kind == BoundKind::triangle ? 110 : 2 * floats + 16;
   return floats + 8 + building + (several ? floats + 8 : 0);
-}
-
-std::vector<std::uint64_t> share_sizes(const BoundsSource& bounds, const SharePlan& plan, std::uint64_t first,
-                                       std::uint64_t count) {
-  std::vector<std::uint64_t> sizes(plan.shares());
-  std::mutex mutex;
-  const std::size_t columns = bounds.array().columns();
-  for_bounds(bounds, first, count, [&](std::uint64_t at, const float* floats, std::size_t size) {
-    for_chunks(size, bounds_a_task, [&](std::size_t begin, std::size_t some) {
-      std::vector<std::uint64_t> here(sizes.size());
-      for (std::size_t i = begin; i != begin + some; ++i) {
-        ++here[plan.share_of({middle_of(bounds.box_around(floats + i * columns)), at + i})];
-      }
-      const std::lock_guard lock(mutex);
-      for (std::size_t s = 0; s != here.size(); ++s) sizes[s] += here[s];
-    });
-  });
-  return sizes;
 }
 
 struct ShareTree::Owned {

@@ -26,10 +26,6 @@ inline constexpr std::uint64_t most_bounds_a_share = 0xfffffffe;
 /// Of a share among several or of all bounds.
 [[nodiscard]] std::uint64_t bytes_a_bound(BoundKind kind, bool several) noexcept;
 
-/// How many bounds each share of a plan has, of those [first, first + count). Parallel.
-[[nodiscard]] std::vector<std::uint64_t> share_sizes(const BoundsSource& bounds, const SharePlan& plan,
-                                                     std::uint64_t first, std::uint64_t count);
-
 /// A tree of a share of the bounds, and which these are. It owns its memory, or lies in an image: bytes that other
 /// ranks, or a file, have.
 class ShareTree {

@@ -223,12 +223,12 @@ def trees():
     while True:
         os.remove("out.h5")
         with subprocess.Popen([program, "batch", "--threads", "1", *map(str, shares)], stdout=subprocess.DEVNULL) as running:
-            while running.poll() is None and stored_blocks("out.h5.parts") == 0:
+            while running.poll() is None and stored_blocks("out.h5.parts") <= count:  # trees, and then blocks
                 pass
             running.kill()
         if not os.path.exists("out.h5"):
             break
-    trees_there = [f"out.h5.parts/share-{share:04}/tree" for share in range(count)]
+    trees_there = [f"out.h5.parts/trees/share-0000/block-{share:09}" for share in range(count)]
     assert all(os.path.exists(tree) for tree in trees_there)
     last = bytearray(content(trees_there[-1]))
     last[len(last) // 2] ^= 1
@@ -236,7 +236,7 @@ def trees():
         file.write(last)
     failed = batch(0, *shares, "--log", "again")
     assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
-    assert f"share-{count - 1:04}/tree: is damaged; the same command does it again" in failed.stderr, failed
+    assert f"block-{count - 1:09}: is damaged; the same command does it again" in failed.stderr, failed
     assert steps("again", 1, "tree") == 0
     run(0, *shares, "--log", "again")
     assert steps("again", 1, "tree") == 1 and content("out.h5") == whole
