@@ -22,7 +22,8 @@ template <class Tree>
 /// Writes the image of a tree: its bounds, their order, nodes and layers, as they lie in memory. Trees of the same
 /// bounds that were built alike have the same image to the byte, whatever the number of threads and the instruction
 /// set. O(image_bytes(tree)), in parallel; the image has a checksum. Allocates nothing itself. Throws InvalidArgument
-/// unless `image` has image_bytes(tree) bytes, NeedsRefit as above.
+/// unless `image` has image_bytes(tree) bytes, at any alignment, or if the tree lies in them; NeedsRefit as above. If
+/// oneTBB cannot start its tasks, std::bad_alloc is thrown, and what is in `image` is no image.
 ///
 /// What is written depends on the version of its format and on the order of bytes of the machine. Images are for the
 /// same version of the library, or for those that say that they read it; keep the bounds as well.

@@ -30,11 +30,11 @@ struct ImageHeader {
   std::array<char, 16> name;
   std::uint32_t format;
   std::uint32_t byte_order;
-  std::uint32_t bound;        ///< floats of one
-  std::uint32_t index_bytes;  ///< of one index
-  std::uint64_t bytes;        ///< of the image
-  std::array<std::uint64_t, 2> none;
-  std::uint64_t checksum;  ///< of all that follows
+  std::uint32_t bound;                  ///< floats of one
+  std::uint32_t index_bytes;            ///< of one index
+  std::uint64_t bytes;                  ///< of the image
+  std::array<std::uint64_t, 2> unused;  ///< 0
+  std::uint64_t checksum;               ///< of all that follows
 
   std::uint64_t size;  ///< of bounds
   double surface_when_built;
@@ -45,7 +45,7 @@ struct ImageHeader {
   std::uint64_t chunks;  ///< of triangles; from here on only theirs
   std::uint64_t short_chunk;
   std::uint64_t missing;
-  std::uint64_t none_yet;
+  std::uint64_t unused_too;
 };
 static_assert(sizeof(ImageHeader) == 2 * line && offsetof(ImageHeader, size) == line);
 static_assert(std::is_trivially_copyable_v<ImageHeader>);
@@ -227,9 +227,8 @@ ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
     refuse("is damaged: " + std::to_string(header.size) + " bounds do not take " + std::to_string(header.bytes) +
            " bytes");
   }
-  if (check == ImageCheck::all && checksum(image.subspan(line)) != header.checksum) {
-    refuse("is damaged: its checksum is another");
-  }
+  const bool is_changed = check == ImageCheck::all && checksum(image.subspan(line)) != header.checksum;
+  if (is_changed || header.unused != ImageHeader().unused) refuse("is damaged: its checksum is another");
   return header;
 }
 
@@ -290,6 +289,7 @@ std::size_t image_bytes(const Tree& tree) {
 template <class Tree>
 void write_image(const Tree& tree, std::span<std::byte> image) {
   const std::size_t bytes = image_bytes(tree);
+  const auto* const parts = kernel::parts_of(tree);
   kernel::require_memory("image", image, "bytes");
   if (image.size() != bytes) {
     throw InvalidArgument("image has " + kernel::counted(image.size(), "byte") + "; that of this tree takes " +
@@ -303,7 +303,10 @@ void write_image(const Tree& tree, std::span<std::byte> image) {
   header.index_bytes = kernel::ImageKind<Tree>::index_bytes;
   header.bytes = bytes;
   std::byte* next = image.data() + sizeof header;
-  if (const auto* const parts = kernel::parts_of(tree)) {
+  if (parts != nullptr) {
+    kernel::for_sections(*parts, [&](std::span<const std::byte> section) {
+      if (kernel::overlap(section, image)) kernel::refuse_shared_memory("write_image", "the image", "the tree");
+    });
     kernel::describe(*parts, header);
     kernel::for_sections(*parts,
                          [&](std::span<const std::byte> section) { next = kernel::copy_section(section, next); });

@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -15,6 +16,10 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
 
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
@@ -104,6 +109,22 @@ void expect_same(const TriangleTree& one, const TriangleTree& other, std::span<c
     ASSERT_EQ(list(shaft, other, std::span(of_other)), kept);
     EXPECT_TRUE(std::equal(of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_other.begin()));
   }
+}
+
+/// Of a bit in any byte.
+template <class Tree>
+void expect_changes_are_noticed(const Tree& tree) {
+  Random random(35);
+  const Pages pages(image_bytes(tree));
+  write_image(tree, pages.bytes());
+  const std::span<std::byte> bytes = pages.bytes();
+  for (std::size_t i = 0; i != bytes.size(); ++i) {
+    const auto flipped = static_cast<std::byte>(1U << random.below(8));
+    bytes[i] ^= flipped;
+    EXPECT_THROW(TreeInImage<Tree>{bytes}, InvalidArgument) << "byte " << i;
+    bytes[i] ^= flipped;
+  }
+  EXPECT_EQ(TreeInImage<Tree>(bytes).tree().size(), tree.size());
 }
 
 /// Sizes around those at which a tree gets another level, or rows that are farther apart.
@@ -197,22 +218,18 @@ TYPED_TEST(TreeImages, AreTheSameForTreesThatWereBuiltAlike) {
     if (!first) first = image;
     EXPECT_EQ(image, *first);
   });
+#if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
+  for (const int threads : {1, 3, 8}) {
+    tbb::task_arena arena(threads);
+    EXPECT_EQ(arena.execute([&] { return image_of(tree_of<TypeParam>(bounds)); }), *first) << threads << " threads";
+  }
+#endif
 }
 
 TYPED_TEST(TreeImages, WhoseBytesWereChangedAreRefused) {
   Random random(35);
   const auto tree = tree_of<TypeParam>(scene<BoundOf<TypeParam>>(random, Shape::uniform, 200));
-  const Pages pages(image_bytes(tree));
-  write_image(tree, pages.bytes());
-  const std::span<std::byte> bytes = pages.bytes();
-  for (std::size_t i = 0; i != bytes.size(); ++i) {
-    if (i == 40) i = 56;  // bytes that say nothing
-    const auto flipped = static_cast<std::byte>(1U << random.below(8));
-    bytes[i] ^= flipped;
-    EXPECT_THROW(TreeInImage<TypeParam>{bytes}, InvalidArgument) << "byte " << i;
-    bytes[i] ^= flipped;
-  }
-  EXPECT_EQ(TreeInImage<TypeParam>(bytes).tree().size(), 200U);
+  expect_changes_are_noticed(tree);
 }
 
 TYPED_TEST(TreeImages, OfTreesThatNeedARefitAreNotWritten) {
@@ -259,19 +276,8 @@ TEST(TriangleTreeImages, AnswerAsTheTreesThatWereWritten) {
 }
 
 TEST(TriangleTreeImages, WhoseBytesWereChangedAreRefused) {
-  Random random(39);
   const std::vector<Triangle> triangles = some_triangles(70);
-  const TriangleTree tree{std::span(triangles)};
-  const Pages pages(image_bytes(tree));
-  write_image(tree, pages.bytes());
-  const std::span<std::byte> bytes = pages.bytes();
-  for (std::size_t i = 0; i != bytes.size(); ++i) {
-    if (i == 40) i = 56;  // bytes that say nothing
-    const auto flipped = static_cast<std::byte>(1U << random.below(8));
-    bytes[i] ^= flipped;
-    EXPECT_THROW(TreeInImage<TriangleTree>{bytes}, InvalidArgument) << "byte " << i;
-    bytes[i] ^= flipped;
-  }
+  expect_changes_are_noticed(TriangleTree{std::span(triangles)});
 }
 
 /// What is said of memory that is no image of a BoxTree.
@@ -323,6 +329,34 @@ TEST(TreeImage, SaysWhyMemoryIsNone) {
   std::vector<std::byte> small(size - 1);
   EXPECT_THAT(message_of<InvalidArgument>([&] { write_image(tree, std::span(small)); }),
               AllOf(HasSubstr(std::to_string(size)), HasSubstr(std::to_string(size - 1))));
+}
+
+TEST(TreeImage, IsNotWrittenOntoTheTreeThatLiesThere) {
+  Random random(41);
+  const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 500);
+  const Pages pages(image_bytes(BoxTree{std::span(boxes)}));
+  write_image(BoxTree{std::span(boxes)}, pages.bytes());
+  const TreeInImage<BoxTree> image(pages.bytes());
+  EXPECT_THAT(message_of<InvalidArgument>([&] { write_image(image.tree(), pages.bytes()); }), HasSubstr("the image"));
+  EXPECT_NO_THROW(TreeInImage<BoxTree>{pages.bytes()});
+}
+
+/// Whoever changes what an image holds has to give it another format: images of before would be read wrongly.
+TEST(TreeImage, IsTheOneOnRecord) {
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> layers;
+  for (std::uint32_t i = 0; i != 1000; ++i) {
+    const auto at = [&](std::uint32_t step) { return static_cast<float>(i * step % 101); };
+    boxes.push_back({{at(7), at(31), at(57)}, {at(7) + 1, at(31) + 2, at(57) + 0.5F}});
+    layers.push_back(1U << i % 5);
+  }
+  BoxTree tree{std::span(boxes)};
+  tree.set_layers(layers);
+  const std::vector<std::byte> image = image_of(tree);
+  ASSERT_EQ(image.size(), 34752U);
+  if constexpr (std::endian::native == std::endian::little) {
+    EXPECT_EQ(kernel::checksum(image), 17498188322843655696U);
+  }
 }
 
 TEST(Checksum, IsXxh64) {
