@@ -12,6 +12,7 @@ namespace shaftcull::cli {
 
 /// The CRC-32 of bytes behind others, whose sum is `before`; that of none is 0.
 [[nodiscard]] inline std::uint32_t crc32_of(std::span<const std::byte> bytes, std::uint32_t before = 0) noexcept {
+  if (bytes.empty()) return before;  // zlib takes null for a question about the sum of nothing
   return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
