@@ -204,11 +204,11 @@ BoxStream stream_of_small_boxes(std::size_t count) {
   return stream;
 }
 
-/// A tree of many more boxes than caches hold takes at most twice the time a box. Trees of fewer than 2²² are built at
+/// A tree of many more boxes than caches hold takes at most twice the time a box. Trees of fewer than 2²¹ are built at
 /// once, and larger ones by regions, so one box less and that many are measured, too.
 void declare_large_builds(Suite& suite) {
   if (suite.quick()) return;
-  constexpr std::size_t least_by_regions = std::size_t{1} << 22U;
+  constexpr std::size_t least_by_regions = std::size_t{1} << 21U;
   constexpr std::size_t most = std::size_t{1} << 26U;
   const unsigned threads = std::min(2U, all_threads());
   const auto name_of = [](std::size_t count) { return fmt::format("tree/build/{}", count); };

@@ -31,7 +31,7 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷; InvalidArgument for more.
 ///
 /// Building takes scratch memory, which is free again when it returns: 56 bytes a box and 48 a sphere, with indices of
-/// 64 bits 8 more. Trees of 2²² bounds and more (up to 2³² − 1) are built region by region, where they will be: that
+/// 64 bits 8 more. Trees of 2²¹ bounds and more (up to 2³² − 1) are built region by region, where they will be: that
 /// takes at most 8 bytes a box and 12 a sphere, with indices of 64 bits 12, and 1 MiB a thread. They ask for huge
 /// pages.
 ///
@@ -129,7 +129,7 @@ class BoundsTree {
 
   /// Sorts the bounds anew as they are now, and refits: the tree becomes the one that would be built of the same bounds
   /// with the same indices, whatever it went through before, so rebuilding it once more moves nothing. Indices stay;
-  /// order() changes. O(n log n); takes as long and as much memory as building; from 2²² bounds on, a copy of the
+  /// order() changes. O(n log n); takes as long and as much memory as building; from 2²¹ bounds on, a copy of the
   /// bounds more.
   void rebuild();
 

@@ -12,7 +12,7 @@ namespace shaftcull::kernel {
 
 /// Which trees are built by regions (tree/regions.hpp), and how large those are. The tree is the same with any of them.
 struct RegionSizes {
-  std::size_t fewest_bounds = std::size_t{1} << 22U;    ///< of a tree that is built by regions
+  std::size_t fewest_bounds = std::size_t{1} << 21U;    ///< of a tree that is built by regions
   std::size_t most_in_region = std::size_t{1} << 18U;   ///< 16 MiB of scratch memory
   std::size_t least_in_region = std::size_t{1} << 14U;  ///< where threads are many, regions are smaller, down to this
 };

@@ -24,8 +24,9 @@ namespace {
 
 using kernel::RegionSizes;
 
-/// The fewest bounds of a tree that is built by regions; a power of two, so that its streams are apart.
-constexpr std::size_t large = RegionSizes().fewest_bounds;
+/// Bounds of a tree that is built by regions; a power of two, so that its streams are apart.
+constexpr std::size_t large = std::size_t{1} << 22U;
+static_assert(large >= RegionSizes().fewest_bounds);
 
 /// Bounds with many equal centres, some of them large, and one empty box.
 template <class Bound>
