@@ -32,7 +32,7 @@ void write_image(const Tree& tree, std::span<std::byte> image);
 
 /// What is checked of an image before it is used.
 enum class ImageCheck : std::uint8_t {
-  all,     ///< that it is an image of such a tree, whole, and what was written: O(bytes), some 10 GB/s
+  all,     ///< that it is an image of such a tree, whole, and what was written: O(bytes), some 8 GB/s
   header,  ///< all but the checksum: O(1). For images that nothing can have damaged: a query of one that was changed
            ///< may read and write any memory
 };
