@@ -117,7 +117,7 @@ bool BlockStore::read_arrays(std::uint64_t share, std::uint64_t block, std::span
   return sum.value() == header.answers;
 }
 
-std::optional<MappedBlock> BlockStore::map(std::uint64_t share, std::uint64_t block) const {
+std::optional<MappedBlock> BlockStore::map(std::uint64_t share, std::uint64_t block, Check check) const {
   MappedBlock mapped;
   try {
     mapped.file_ = std::make_unique<MappedFile>(path(share, block));
@@ -128,16 +128,43 @@ std::optional<MappedBlock> BlockStore::map(std::uint64_t share, std::uint64_t bl
   Header header{};
   if (file.size() < sizeof(header)) return std::nullopt;
   std::memcpy(&header, file.data(), sizeof(header));
-  const std::span<const std::byte> arrays = file.subspan(sizeof(header));
-  if (!is_header_of(header, file.size(), job_, share, block) || checksum(arrays) != header.answers) return std::nullopt;
-  mapped.bytes_ = arrays.first(static_cast<std::size_t>(header.bytes[0]));
+  std::span<const std::byte> arrays = file.subspan(sizeof(header));
+  if (!is_header_of(header, file.size(), job_, share, block)) return std::nullopt;
+  if (check == Check::all && checksum(arrays) != header.answers) return std::nullopt;
+  for (std::size_t i = 0; i != most_arrays; ++i) {
+    const auto bytes = static_cast<std::size_t>(header.bytes[i]);
+    mapped.arrays_[i] = arrays.first(bytes);
+    arrays = arrays.subspan(bytes);
+  }
   return mapped;
+}
+
+void BlockStore::give_up(std::uint64_t share, std::uint64_t block) const {
+  const std::string damaged = path(share, block);
+  std::error_code ignored;
+  std::filesystem::remove(damaged, ignored);
+  throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", damaged));
 }
 
 std::optional<BlockStore::Sizes> BlockStore::sizes(std::uint64_t share, std::uint64_t block) const {
   Header header{};
   if (!open_block(path(share, block), job_, share, block, header)) return std::nullopt;
   return header.bytes;
+}
+
+std::vector<std::uint64_t> missing_blocks(const BlockStore& store, std::span<const std::uint64_t> blocks,
+                                          Ranks& ranks) {
+  std::vector<std::uint64_t> is_missing(blocks.size());
+  on_first(ranks, [&] {
+    store.make_folders(1);
+    for (std::size_t i = 0; i != blocks.size(); ++i) is_missing[i] = store.sizes(0, blocks[i]) ? 0 : 1;
+  });
+  ranks.sum(is_missing);
+  std::vector<std::uint64_t> missing;
+  for (std::size_t i = 0; i != blocks.size(); ++i) {
+    if (is_missing[i] != 0) missing.push_back(blocks[i]);
+  }
+  return missing;
 }
 
 }  // namespace shaftcull::batch

@@ -12,22 +12,26 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "batch/checksum.hpp"
 #include "batch/mapped_file.hpp"
+#include "batch/ranks.hpp"
 
 namespace shaftcull::batch {
 
-/// An array of a block, in its file. Ranks of one machine share its pages, which the system takes back when it needs
+/// The arrays of a block, in its file. Ranks of one machine share its pages, which the system takes back when it needs
 /// them.
 class MappedBlock {
  public:
-  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
+  static constexpr std::size_t most_arrays = 7;
+  /// An array; the first begins at a multiple of 64 bytes, each other one where the one before it ends.
+  [[nodiscard]] std::span<const std::byte> array(std::size_t i) const noexcept { return arrays_[i]; }
 
  private:
   friend class BlockStore;
   std::unique_ptr<MappedFile> file_;
-  std::span<const std::byte> bytes_;
+  std::array<std::span<const std::byte>, most_arrays> arrays_;
 };
 
 /// A file for each block and share, in a folder: a header, then the answers, both with a checksum. It is written under
@@ -38,7 +42,7 @@ class MappedBlock {
 /// of references to them.
 class BlockStore {
  public:
-  static constexpr std::size_t most_arrays = 7;
+  static constexpr std::size_t most_arrays = MappedBlock::most_arrays;
   /// Bytes of each array; 0 for those that an answer does not have.
   using Sizes = std::array<std::uint64_t, most_arrays>;
 
@@ -74,8 +78,16 @@ class BlockStore {
     return answer;
   }
 
-  /// The first array of a block where its file is mapped, from a multiple of 64 bytes on; likewise.
-  [[nodiscard]] std::optional<MappedBlock> map(std::uint64_t share, std::uint64_t block) const;
+  enum class Check : std::uint8_t {
+    all,     ///< arrays are compared with their checksum: O(bytes)
+    header,  ///< how long they are, and that the file is
+  };
+  /// The arrays of a block where its file is mapped; likewise.
+  [[nodiscard]] std::optional<MappedBlock> map(std::uint64_t share, std::uint64_t block, Check check) const;
+
+  /// Removes a block that was whole when the job looked, and no longer is, so that the next run makes it again. Throws
+  /// std::runtime_error, which says so.
+  [[noreturn]] void give_up(std::uint64_t share, std::uint64_t block) const;
 
   /// How long the arrays of a block are, by its header alone. Nothing if that is not there or damaged.
   [[nodiscard]] std::optional<Sizes> sizes(std::uint64_t share, std::uint64_t block) const;
@@ -104,5 +116,10 @@ class BlockStore {
   Fingerprint job_;
   int rank_;
 };
+
+/// All: which blocks of share 0 of a store are not there by their headers, the same for all ranks. Makes the folder.
+/// Throws as on_all() does.
+[[nodiscard]] std::vector<std::uint64_t> missing_blocks(const BlockStore& store, std::span<const std::uint64_t> blocks,
+                                                        Ranks& ranks);
 
 }  // namespace shaftcull::batch

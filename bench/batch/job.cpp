@@ -41,8 +41,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t numbers_a_block = 65'536;  ///< shafts whose answers are a number each
 constexpr std::uint64_t lists_a_block = 16'384;    ///< … or lists
-constexpr std::uint64_t sampled_a_share = 4000;    ///< of the bounds, from whose middles shares are cut
-constexpr std::uint64_t least_in_sample = 10'000;
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
 
@@ -221,16 +219,24 @@ class Run {
     if (plan_.count() == 1) return trees_->share_in_memory();
     const std::vector<std::uint64_t> missing = trees_->missing(wanted);
     if (missing.empty()) return;
+    make_of_bounds("deal", trees_->stretches_to_deal(), plan_.bounds_a_stretch,
+                   [&](std::uint64_t stretch) { trees_->deal(stretch); });
+    make_of_bounds("sort", missing, report_.bounds / plan_.count(), [&](std::uint64_t share) { trees_->store(share); });
+    trees_->have_dealt();
+  }
+
+  /// A phase in which ranks make things of bounds, each of so many.
+  void make_of_bounds(const char* phase, const std::vector<std::uint64_t>& things, std::uint64_t bounds,
+                      const std::function<void(std::uint64_t thing)>& make) {
+    if (things.empty()) return;
     Dealing dealing(ranks_, surroundings_, 1);
     phase_begin_ = Clock::now();
-    const ProgressState state{
-        "sort", 0,       missing.size(), 0, static_cast<double>(report_.bounds) / static_cast<double>(plan_.count()),
-        0,      "bounds"};
-    const auto store_tree = [&](std::uint64_t piece) -> Dealing::Rest {
-      trees_->store(missing[static_cast<std::size_t>(piece)]);
+    const ProgressState state{phase, 0, things.size(), 0, static_cast<double>(bounds), 0, "bounds"};
+    const auto make_piece = [&](std::uint64_t piece) -> Dealing::Rest {
+      make(things[static_cast<std::size_t>(piece)]);
       return {};
     };
-    dealing.on_all_until_stopped([&] { deal(dealing, 0, missing.size(), store_tree, state); }, stopped_text());
+    dealing.on_all_until_stopped([&] { deal(dealing, 0, things.size(), make_piece, state); }, stopped_text());
     if (ranks_.rank() == 0) tell(dealing, state);
   }
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batch/job_trees.hpp"
 
-#include <filesystem>
-#include <stdexcept>
-#include <system_error>
 #include <tuple>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace shaftcull::batch {
 namespace {
@@ -22,27 +17,33 @@ struct StoredTree {
 }  // namespace
 
 JobTrees::JobTrees(Given given)
-    : given_(std::move(given)), store_(given_.folder + "/trees", given_.job, given_.ranks.rank()) {}
+    : given_(std::move(given)),
+      dealt_(given_.bounds, given_.plan, given_.folder, given_.job, given_.ranks.rank()),
+      store_(given_.folder + "/trees", given_.job, given_.ranks.rank()) {}
 
 std::vector<std::uint64_t> JobTrees::missing(std::span<const std::uint64_t> wanted) {
-  std::vector<std::uint64_t> missing;
-  if (given_.plan.count() == 1) return missing;
-  std::vector<std::uint64_t> is_missing(wanted.size());
-  on_first(given_.ranks, [&] {
-    store_.make_folders(1);
-    for (std::size_t i = 0; i != wanted.size(); ++i) is_missing[i] = store_.sizes(0, wanted[i]) ? 0 : 1;
-  });
-  given_.ranks.sum(is_missing);
-  for (std::size_t i = 0; i != wanted.size(); ++i) {
-    if (is_missing[i] != 0) missing.push_back(wanted[i]);
-  }
-  return missing;
+  if (given_.plan.count() == 1) return {};
+  return missing_blocks(store_, wanted, given_.ranks);
+}
+
+std::vector<std::uint64_t> JobTrees::stretches_to_deal() { return dealt_.missing(given_.ranks); }
+
+void JobTrees::deal(std::uint64_t stretch) {
+  given_.log.time("deal", 0, stretch, [&] { dealt_.store(stretch); });
+}
+
+void JobTrees::have_dealt() {
+  on_first(given_.ranks, [&] { dealt_.remove(); });
 }
 
 void JobTrees::build(std::uint64_t share) {
-  const auto which = static_cast<std::size_t>(share);
-  given_.log.time("tree", share, 0,
-                  [&] { tree_.emplace(given_.bounds, given_.plan.cuts, which, given_.plan.sizes[which]); });
+  given_.log.time("tree", share, 0, [&] {
+    if (given_.plan.count() == 1) {
+      tree_.emplace(given_.bounds);
+    } else {
+      tree_.emplace(given_.bounds, dealt_.of(share));
+    }
+  });
 }
 
 void JobTrees::store(std::uint64_t share) {
@@ -80,16 +81,10 @@ const ShareTree& JobTrees::of(std::uint64_t share) {
   }
   if (!mapped_ || mapped_share_ != share) {
     tree_.reset();
-    mapped_ = store_.map(0, share);
-    if (!mapped_) {
-      // The next run builds it again.
-      const std::string path = store_.path(0, share);
-      std::error_code ignored;
-      std::filesystem::remove(path, ignored);
-      throw std::runtime_error(fmt::format("{}: is damaged; the same command does it again", path));
-    }
+    mapped_ = store_.map(0, share, BlockStore::Check::all);
+    if (!mapped_) store_.give_up(0, share);
     mapped_share_ = share;
-    tree_.emplace(given_.bounds.kind(), mapped_->bytes());
+    tree_.emplace(given_.bounds.kind(), mapped_->array(0));
   }
   return *tree_;
 }

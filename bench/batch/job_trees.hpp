@@ -13,6 +13,7 @@
 #include "batch/bounds_source.hpp"
 #include "batch/checksum.hpp"
 #include "batch/dealing.hpp"
+#include "batch/dealt_bounds.hpp"
 #include "batch/planned_shares.hpp"
 #include "batch/ranks.hpp"
 #include "batch/share_tree.hpp"
@@ -40,8 +41,15 @@ class JobTrees {
   /// All: the shares among those that no file has yet, the same for all ranks. None if there is only one share. Throws
   /// as on_all() does.
   [[nodiscard]] std::vector<std::uint64_t> missing(std::span<const std::uint64_t> wanted);
-  /// Builds the tree of a share, and stores it.
+  /// All, before trees of shares are built: the stretches of the bounds that are not dealt yet, the same for all ranks.
+  /// Throws as on_all() does.
+  [[nodiscard]] std::vector<std::uint64_t> stretches_to_deal();
+  /// Deals a stretch to its shares.
+  void deal(std::uint64_t stretch);
+  /// Builds the tree of a share, when all stretches are dealt, and stores it.
   void store(std::uint64_t share);
+  /// All, when trees of all shares are stored: removes what was dealt. Throws as on_all() does.
+  void have_dealt();
   /// All: builds the tree of all bounds where ranks can share it. Throws as on_all() does.
   void share_in_memory();
 
@@ -53,6 +61,7 @@ class JobTrees {
   void build(std::uint64_t share);
 
   Given given_;
+  DealtBounds dealt_;
   BlockStore store_;                   ///< of trees: block i is that of share i
   std::optional<MappedBlock> mapped_;  ///< of share `mapped_share_`, which tree_ then lies in
   std::uint64_t mapped_share_ = 0;

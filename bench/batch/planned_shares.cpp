@@ -19,6 +19,7 @@ constexpr std::uint64_t most_shares = 10'000;
 constexpr std::uint64_t sampled_a_share = 4000;  ///< of the bounds, from whose middles shares are cut
 constexpr std::uint64_t least_in_sample = 10'000;
 constexpr std::size_t bounds_a_task = std::size_t{1} << 14;
+constexpr std::uint64_t most_in_stretch = std::uint64_t{1} << 24;
 
 /// How many bounds a share may have.
 std::uint64_t room(BoundKind kind, std::uint64_t memory, bool several) {
@@ -60,13 +61,11 @@ std::vector<std::uint64_t> share_sizes(const BoundsSource& bounds, const SharePl
 PlannedShares plan_shares(const BoundsSource& bounds, std::uint64_t memory, Ranks& ranks,
                           const Surroundings& surroundings) {
   const std::uint64_t size = bounds.size();
-  PlannedShares plan{{}, {size}};
+  PlannedShares plan{{}, {size}, size};
   if (size <= room(bounds.kind(), memory, false)) return plan;
   const std::uint64_t most = room(bounds.kind(), memory, true);
   const std::uint64_t aimed_at = most - most / 16;  // a sample does not cut all bounds as it does itself
   std::uint64_t shares = (size + aimed_at - 1) / aimed_at;
-  std::vector<ShareKey> sample;
-  on_all(ranks, [&] { sample = sample_of(bounds, std::max(least_in_sample, shares * sampled_a_share)); });
   // Each rank counts its part of the bounds.
   const auto rank = static_cast<std::uint64_t>(ranks.rank());
   const auto parts = static_cast<std::uint64_t>(ranks.size());
@@ -74,17 +73,21 @@ PlannedShares plan_shares(const BoundsSource& bounds, std::uint64_t memory, Rank
   const std::uint64_t count = size / parts + (rank < size % parts ? 1 : 0);
   while (true) {
     on_all(ranks, [&] {
+      // The sample is that of so many shares, whatever memory asked for them.
+      std::vector<ShareKey> sample = sample_of(bounds, std::max(least_in_sample, shares * sampled_a_share));
       if (const std::uint64_t limit = std::min<std::uint64_t>(most_shares, sample.size()); shares > limit) {
         throw InvalidArgument(fmt::format("--memory: {} bounds would be dealt into {} shares, more than {}; give more",
                                           size, shares, limit));
       }
-      plan.cuts = SharePlan(sample, static_cast<std::size_t>(shares));
+      plan.cuts = SharePlan(std::move(sample), static_cast<std::size_t>(shares));
       surroundings.on_threads([&] { plan.sizes = share_sizes(bounds, plan.cuts, first, count); });
     });
     ranks.sum(plan.sizes);
-    if (std::ranges::max(plan.sizes) <= most) return plan;
+    if (std::ranges::max(plan.sizes) <= most) break;
     shares += shares / 8 + 1;
   }
+  plan.bounds_a_stretch = std::min(most_in_stretch, (size + shares - 1) / shares);
+  return plan;
 }
 
 }  // namespace shaftcull::batch

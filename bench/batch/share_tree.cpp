@@ -8,49 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "batch/parallel.hpp"
 #include "shaftcull/error.hpp"
-#include "shaftcull/geometry.hpp"
 
 namespace shaftcull::batch {
 namespace {
-
-constexpr std::size_t bounds_a_task = std::size_t{1} << 14;
-
-/// The bounds of a share, copied from the file.
-struct Kept {
-  std::vector<float> floats;
-  std::vector<std::uint64_t> positions;  ///< in the file
-  Box box = box_around(std::span<const Vec3>());
-};
-
-Kept kept_of(const BoundsSource& bounds, const SharePlan& plan, std::size_t which, std::uint64_t size) {
-  const std::size_t columns = bounds.array().columns();
-  Kept kept;
-  kept.floats.reserve(static_cast<std::size_t>(size) * columns);
-  kept.positions.reserve(static_cast<std::size_t>(size));
-  std::vector<std::vector<std::uint32_t>> found;
-  bounds.for_pieces(0, bounds.size(), [&](std::uint64_t at, const float* floats, std::size_t some) {
-    found.resize(some / bounds_a_task + 1);
-    for_chunks(some, bounds_a_task, [&](std::size_t begin, std::size_t few) {
-      std::vector<std::uint32_t>& here = found[begin / bounds_a_task];
-      here.clear();
-      for (std::size_t i = begin; i != begin + few; ++i) {
-        const ShareKey key{middle_of(bounds.box_around(floats + i * columns)), at + i};
-        if (plan.share_of(key) == which) here.push_back(static_cast<std::uint32_t>(i));
-      }
-    });
-    for (std::size_t chunk = 0; chunk * bounds_a_task < some; ++chunk) {
-      for (const std::uint32_t i : found[chunk]) {
-        const float* const bound = floats + i * columns;
-        kept.box = joined(kept.box, bounds.box_around(bound));
-        kept.floats.insert(kept.floats.end(), bound, bound + columns);
-        kept.positions.push_back(at + i);
-      }
-    }
-  });
-  return kept;
-}
 
 using AnyTree = std::variant<BoxTree, SphereTree, TriangleTree>;
 
@@ -108,17 +69,16 @@ struct ShareTree::InImage {
   std::variant<TreeInImage<BoxTree>, TreeInImage<SphereTree>, TreeInImage<TriangleTree>> tree;
 };
 
-ShareTree::ShareTree(const BoundsSource& bounds, const SharePlan& plan, std::size_t which, std::uint64_t size)
-    : several_(plan.shares() > 1), owned_(std::make_unique<Owned>()) {
-  if (several_) {
-    Kept kept = kept_of(bounds, plan, which, size);
-    owned_->tree = tree_of(bounds, kept.floats, kept.positions);
-    owned_->positions = std::move(kept.positions);
-    box_ = kept.box;
-  } else {
-    std::vector<std::byte> scratch;
-    owned_->tree = tree_of(bounds, bounds.read(0, bounds.size(), scratch), {});
-  }
+ShareTree::ShareTree(const BoundsSource& bounds) : owned_(std::make_unique<Owned>()) {
+  std::vector<std::byte> scratch;
+  owned_->tree = tree_of(bounds, bounds.read(0, bounds.size(), scratch), {});
+  std::visit([&](const auto& tree) { tree_ = &tree; }, owned_->tree);
+}
+
+ShareTree::ShareTree(const BoundsSource& bounds, ShareBounds share)
+    : several_(true), box_(share.box), owned_(std::make_unique<Owned>()) {
+  owned_->tree = tree_of(bounds, share.floats, share.positions);
+  owned_->positions = std::move(share.positions);
   positions_ = owned_->positions;
   std::visit([&](const auto& tree) { tree_ = &tree; }, owned_->tree);
 }

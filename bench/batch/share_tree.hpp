@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "batch/bounds_source.hpp"
+#include "batch/dealt_bounds.hpp"
 #include "batch/question.hpp"
-#include "batch/share_plan.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "shaftcull/triangles.hpp"
@@ -30,9 +30,11 @@ inline constexpr std::uint64_t most_bounds_a_share = 0xfffffffe;
 /// ranks, or a file, have.
 class ShareTree {
  public:
-  /// Reads all bounds, keeps those of share `which`, which are `size`, and sorts them into a tree; parallel. Throws
-  /// InvalidArgument, which names file and row, for a bound that cannot be used.
-  ShareTree(const BoundsSource& bounds, const SharePlan& plan, std::size_t which, std::uint64_t size);
+  /// Sorts all bounds into a tree; parallel. Throws InvalidArgument, which names file and row, for a bound that cannot
+  /// be used.
+  explicit ShareTree(const BoundsSource& bounds);
+  /// Likewise those of one of several shares.
+  ShareTree(const BoundsSource& bounds, ShareBounds share);
   /// The share in an image, which write_image() wrote and which stays where it is. It begins at a multiple of 64 bytes
   /// in memory. Throws InvalidArgument if it cannot be one.
   ShareTree(BoundKind kind, std::span<const std::byte> image);

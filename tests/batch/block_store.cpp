@@ -34,20 +34,23 @@ TEST(BatchBlockStore, WhatWasWrittenComesBack) {
   EXPECT_EQ(store.sizes(1, 8), std::nullopt);
 }
 
-TEST(BatchBlockStore, TheFirstArrayIsMapped) {
+TEST(BatchBlockStore, ArraysAreMapped) {
   const BatchFolder folder;
   const BlockStore store(folder.path("parts"), {1, 2}, 0);
   store.make_folders(2);
   store.write(1, 7, answer);
   store.write(0, 7, BlockAnswer{});
-  const auto mapped = store.map(1, 7);
-  ASSERT_TRUE(mapped);
-  EXPECT_TRUE(std::ranges::equal(mapped->bytes(), std::as_bytes(std::span(answer.rows))));
-  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped->bytes().data()) % 64, 0U);
-  const auto empty = store.map(0, 7);
-  ASSERT_TRUE(empty);
-  EXPECT_TRUE(empty->bytes().empty());
-  EXPECT_FALSE(store.map(1, 8));
+  for (const auto check : {BlockStore::Check::all, BlockStore::Check::header}) {
+    const auto mapped = store.map(1, 7, check);
+    ASSERT_TRUE(mapped);
+    EXPECT_TRUE(std::ranges::equal(mapped->array(0), std::as_bytes(std::span(answer.rows))));
+    EXPECT_TRUE(std::ranges::equal(mapped->array(1), std::as_bytes(std::span(answer.numbers))));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped->array(0).data()) % 64, 0U);
+    const auto empty = store.map(0, 7, check);
+    ASSERT_TRUE(empty);
+    EXPECT_TRUE(empty->array(0).empty());
+    EXPECT_FALSE(store.map(1, 8, check));
+  }
 }
 
 TEST(BatchBlockStore, BlocksOfOtherJobsAndPlacesAreNotTaken) {
@@ -59,7 +62,7 @@ TEST(BatchBlockStore, BlocksOfOtherJobsAndPlacesAreNotTaken) {
   std::filesystem::copy(store.path(0, 1), store.path(0, 2));
   std::filesystem::copy(store.path(0, 1), store.path(1, 1));
   EXPECT_EQ(store.read<BlockAnswer>(0, 2), std::nullopt);
-  EXPECT_FALSE(store.map(0, 2));
+  EXPECT_FALSE(store.map(0, 2, BlockStore::Check::header));
   EXPECT_EQ(store.read<BlockAnswer>(1, 1), std::nullopt);
 }
 
@@ -72,7 +75,7 @@ TEST(BatchBlockStore, ATornBlockIsNotTaken) {
   for (std::size_t size = 0; size != whole.size(); ++size) {
     write_file(store.path(0, 0), whole.substr(0, size));
     ASSERT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt) << size << " of " << whole.size() << " bytes";
-    ASSERT_FALSE(store.map(0, 0)) << size << " of " << whole.size() << " bytes";
+    ASSERT_FALSE(store.map(0, 0, BlockStore::Check::header)) << size << " of " << whole.size() << " bytes";
   }
   write_file(store.path(0, 0), whole + '\0');
   EXPECT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt);
@@ -91,7 +94,7 @@ TEST(BatchBlockStore, AChangedByteIsNoticed) {
     changed[at] = static_cast<char>(changed[at] ^ 0x10);
     write_file(store.path(0, 0), changed);
     ASSERT_EQ(store.read<BlockAnswer>(0, 0), std::nullopt) << "byte " << at;
-    ASSERT_FALSE(store.map(0, 0)) << "byte " << at;
+    ASSERT_FALSE(store.map(0, 0, BlockStore::Check::all)) << "byte " << at;
   }
 }
 

@@ -144,7 +144,7 @@ def on_ranks():
                 assert f"{ranks} rank" in done.stdout and len(done.stdout.splitlines()) == 2, done.stdout
                 lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
                 ends = [line for line in lines if line["blocks_done"] == line["blocks"]]
-                phases = ["sort", "compute", "write"] if more else ["compute", "write"]
+                phases = ["deal", "sort", "compute", "write"] if more else ["compute", "write"]
                 assert [line["phase"] for line in ends] == phases, done.stderr
         assert not os.path.exists("out.h5.parts")
 
@@ -209,37 +209,59 @@ def steps(log, ranks, what):
     return sum(line.startswith(what + ",") for rank in range(ranks) for line in open(f"{log}.{rank}", encoding="ascii"))
 
 
+def damage(path):
+    """Changes the last bit of a file."""
+    all_bytes = bytearray(content(path))
+    all_bytes[-1] ^= 1
+    with open(path, "wb") as file:
+        file.write(all_bytes)
+
+
 def trees():
-    """A tree of all bounds is built once a machine, and trees of shares once a job."""
+    """A tree of all bounds is built once a machine; bounds are dealt, and trees of shares built, once a job."""
     options = [*scene(8, 3000, 20_000), "--answer", "list", "--progress", "none", "--block", 10]
     shares = [*options, "--memory", 1]
     run(0, *options, "--log", "one")
     whole = content("out.h5")
     assert steps("one", 1, "tree") == 1
     count = int(run(0, *shares, "--log", "one").stdout.split(" shares")[0].split()[-1])
-    assert count > 1 and steps("one", 1, "tree") == count and content("out.h5") == whole
+    assert count > 1 and steps("one", 1, "tree") == steps("one", 1, "deal") == count and content("out.h5") == whole
+
+    def answered():
+        return any(blocks for share, _, blocks in os.walk("out.h5.parts") if share.startswith("out.h5.parts/share-"))
 
     # They are there when the job goes on, and one that was damaged is noticed.
     while True:
         os.remove("out.h5")
         with subprocess.Popen([program, "batch", "--threads", "1", *map(str, shares)], stdout=subprocess.DEVNULL) as running:
-            while running.poll() is None and stored_blocks("out.h5.parts") <= count:  # trees, and then blocks
+            while running.poll() is None and not answered():
                 pass
             running.kill()
         if not os.path.exists("out.h5"):
             break
     trees_there = [f"out.h5.parts/trees/share-0000/block-{share:09}" for share in range(count)]
     assert all(os.path.exists(tree) for tree in trees_there)
-    last = bytearray(content(trees_there[-1]))
-    last[len(last) // 2] ^= 1
-    with open(trees_there[-1], "wb") as file:
-        file.write(last)
+    damage(trees_there[-1])
     failed = batch(0, *shares, "--log", "again")
     assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
     assert f"block-{count - 1:09}: is damaged; the same command does it again" in failed.stderr, failed
     assert steps("again", 1, "tree") == 0
+
+    # So is what was dealt: here the tree that is missing cannot be stored at first.
+    os.mkdir(trees_there[-1])
+    failed = batch(0, *shares, "--log", "again")
+    assert failed.returncode == 1 and f"block-{count - 1:09}" in failed.stderr, failed
+    assert steps("again", 1, "deal") == count and steps("again", 1, "tree") == 1
+    for tree in trees_there[:-1]:
+        os.remove(tree)
+    os.rmdir(trees_there[-1])
+    damage("out.h5.parts/bounds/share-0000/block-000000001")
+    failed = batch(0, *shares, "--log", "again")
+    assert failed.returncode == 1 and failed.stderr.count("\n") == 1, failed
+    assert "bounds/share-0000/block-000000001: is damaged; the same command does it again" in failed.stderr, failed
+    assert steps("again", 1, "deal") == 0
     run(0, *shares, "--log", "again")
-    assert steps("again", 1, "tree") == 1 and content("out.h5") == whole
+    assert steps("again", 1, "deal") == 1 and content("out.h5") == whole
 
     if not can_launch():
         return
@@ -249,7 +271,7 @@ def trees():
     if room > 100 << 20:  # else each has its own
         assert steps("ranks", 3, "tree") == 1
     run(3, *shares, "--log", "ranks")
-    assert steps("ranks", 3, "tree") == count and content("out.h5") == whole
+    assert steps("ranks", 3, "tree") == steps("ranks", 3, "deal") == count and content("out.h5") == whole
 
 
 def memory():
