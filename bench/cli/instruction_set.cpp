@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "instruction_set.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
 
 #include "printable.hpp"
 #include "shaftcull/error.hpp"
-#include "shaftcull/isa.hpp"
 
 namespace shaftcull::cli {
+namespace {
+
+std::string available_names() {
+  std::string names;
+  for (const Isa isa : available_isas()) names += fmt::format("{}{}", names.empty() ? "" : ", ", name(isa));
+  return names;
+}
+
+}  // namespace
+
+std::vector<Isa> instruction_sets(const std::vector<std::string>& names) {
+  const std::vector<Isa> available = available_isas();
+  if (names.empty()) {
+    const IsaChoice choice = isa_choice();
+    return choice.asked.empty() || !choice.refusal.empty() ? available : std::vector<Isa>{choice.running};
+  }
+  std::vector<Isa> isas;
+  for (const std::string& text : names) {
+    const auto isa = isa_from_name(text);
+    if (!isa || std::ranges::find(available, *isa) == available.end()) {
+      throw InvalidArgument(
+          fmt::format("--isa {}: no such instruction set here; available: {}", text, available_names()));
+    }
+    isas.push_back(*isa);
+  }
+  return isas;
+}
 
 void InstructionSet::add_option(CLI::App& subcommand) {
   subcommand
@@ -28,9 +55,8 @@ void InstructionSet::select() const {
   }
   const auto isa = isa_from_name(name_);
   if (!isa) {
-    std::string available;
-    for (const Isa each : available_isas()) available += fmt::format("{}{}", available.empty() ? "" : ", ", name(each));
-    throw InvalidArgument(fmt::format("--isa {}: no such instruction set; available here: {}", name_, available));
+    throw InvalidArgument(
+        fmt::format("--isa {}: no such instruction set; available here: {}", name_, available_names()));
   }
   select_isa(*isa);
 }

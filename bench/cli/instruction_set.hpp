@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
-/// The option --isa, and what every subcommand says before it starts if SHAFTCULL_ISA cannot be followed.
+/// The options --isa, and what every subcommand says before it starts if SHAFTCULL_ISA cannot be followed.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "shaftcull/isa.hpp"
+
 namespace shaftcull::cli {
+
+/// Those that a run compares: those that are named; else that of SHAFTCULL_ISA, if this machine has it; else all that
+/// it has. Throws InvalidArgument for a name of none of these.
+[[nodiscard]] std::vector<Isa> instruction_sets(const std::vector<std::string>& names);
 
 class InstructionSet {
  public:

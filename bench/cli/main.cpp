@@ -32,10 +32,11 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo,  add_cull, add_sees,   add_batch,
-                                 add_stats, add_draw, add_verify, add_bench_report};
+constexpr std::array subcommands{add_demo, add_cull,   add_sees, add_batch,       add_stats,
+                                 add_draw, add_verify, add_hash, add_bench_report};
 #else
-constexpr std::array subcommands{add_demo, add_cull, add_sees, add_batch, add_stats, add_draw, add_bench_report};
+constexpr std::array subcommands{add_demo,  add_cull, add_sees, add_batch,
+                                 add_stats, add_draw, add_hash, add_bench_report};
 #endif
 
 std::string version() {
@@ -99,7 +100,7 @@ int run(int argc, char** argv) {
   program.footer(
       "SHAFTCULL_ISA=scalar|portable128|sse4_2|avx2|avx512|neon in the environment forces an instruction set.\n"
       "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
-      "SIGTERM ended demo or verify, which then show what they have, sees or batch; 1 after any other failure.");
+      "SIGTERM ended demo, verify or hash, which then show what they have, sees or batch; 1 after any other failure.");
   for (const auto add : subcommands) add(program);
   try {
     program.parse(argc, argv);

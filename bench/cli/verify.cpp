@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "instruction_sets.hpp"
+#include "instruction_set.hpp"
 #include "interrupt.hpp"
 #include "number.hpp"
 #include "progress.hpp"
@@ -47,25 +47,9 @@ constexpr std::uint64_t cases_per_scene = 4096;
 /// Reproducers that are printed; later failures are only counted.
 constexpr std::uint64_t most_reproducers = 20;
 
-std::vector<Isa> isas_of(const VerifyOptions& options) {
-  if (options.isas.empty()) return isas_under_test();
-  const std::vector<Isa> available = available_isas();
-  std::string names;
-  for (const Isa isa : available) names += fmt::format("{}{}", names.empty() ? "" : ", ", name(isa));
-  std::vector<Isa> isas;
-  for (const std::string& text : options.isas) {
-    const auto isa = isa_from_name(text);
-    if (!isa || std::find(available.begin(), available.end(), *isa) == available.end()) {
-      throw InvalidArgument(fmt::format("--isa {}: no such instruction set here; available: {}", text, names));
-    }
-    isas.push_back(*isa);
-  }
-  return isas;
-}
-
 class Verification {
  public:
-  explicit Verification(const VerifyOptions& options) : options_(options), isas_(isas_of(options)) {}
+  explicit Verification(const VerifyOptions& options) : options_(options), isas_(instruction_sets(options.isas)) {}
 
   /// An interrupt gives up the batch of that moment: its cases do not count, but wrong answers found in it do.
   void run() {

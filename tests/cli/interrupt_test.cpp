@@ -56,6 +56,12 @@ TEST(CliInterrupt, VerifySumsUpTheCasesUntilThen) {
   EXPECT_THAT(outcome.out, HasSubstr("Wrong answers: 0 "));
 }
 
+TEST(CliInterrupt, HashEndsWithTheFamiliesUntilThen) {
+  const Outcome outcome = interrupted({"hash"}, "14 families", SIGINT);
+  EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.error;
+  EXPECT_THAT(outcome.error, HasSubstr("of 14 families"));
+}
+
 TEST(CliInterrupt, FirstSignalIsNoted) {
   const InterruptWatch watch;
   EXPECT_EQ(watch.signal(), 0);

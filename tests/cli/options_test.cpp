@@ -40,6 +40,7 @@ const std::vector<NumberOption> whole_numbers{
     {{"verify"}, "--cases", "1", "1125899906842624"},
     {{"verify"}, "--seed", "0", "18446744073709551615"},
     {{"verify"}, "--threads", "0", "1024"},
+    {{"hash"}, "--threads", "0", "1024"},
 };
 
 const std::vector<NumberOption> real_numbers{{{"demo"}, "--seconds", "0.001", "86400"},
@@ -141,6 +142,7 @@ const std::vector<std::vector<std::string>> writers{{"--help"},
                                                     {"draw", "--svg"},
                                                     {"stats", "--shafts", "1"},
                                                     {"verify", "--cases", "100"},
+                                                    {"hash", "--quick", "--family", "solids"},
                                                     {"sees", "--rooms", "1", "--patches", "4"},
                                                     {"demo", "--bounds", "100", "--frames", "1"}};
 

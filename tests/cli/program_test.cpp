@@ -38,6 +38,8 @@ TEST(Cli, RejectsBadOptionsInOneLine) {
                                                                                          {"demo", "--isa", "mmx"},
                                                                                          {"verify", "--isa", "mmx"},
                                                                                          {"verify", "--cases", "0"},
+                                                                                         {"hash", "--isa", "mmx"},
+                                                                                         {"hash", "--family", "moon"},
                                                                                          {"demo", "--threads", "-3"},
                                                                                          {"draw", "--from", "1,2,3"}}) {
     SCOPED_TRACE(testing::PrintToString(arguments));

@@ -77,6 +77,14 @@ function(answers)
   endif()
 endfunction()
 
+# hashes(text): likewise of the program that parent/hashes.cmake builds.
+function(hashes text)
+  run(${emulator} "${WORK}/a parent/hashes")
+  if(NOT output STREQUAL text)
+    message(FATAL_ERROR "the hashes are\n${output}instead of\n${text}")
+  endif()
+endfunction()
+
 # Whether this machine runs AVX-512, as far as the library uses it.
 set(machine_has_avx512 FALSE)
 if(EXISTS /proc/cpuinfo)

@@ -7,6 +7,8 @@ if(NOT qemu_riscv64)
 endif()
 set(emulator ${qemu_riscv64})
 configure(riscv64-linux-gnu-g++ -D CMAKE_SYSTEM_NAME=Linux -D CMAKE_SYSTEM_PROCESSOR=riscv64 -D CMAKE_EXE_LINKER_FLAGS=-static
-  -D CMAKE_BUILD_TYPE=Release -D SHAFTCULL_WITH_TBB=OFF -D CMAKE_DISABLE_FIND_PACKAGE_xsimd=ON)
+  -D CMAKE_BUILD_TYPE=Release -D SHAFTCULL_WITH_TBB=OFF -D CMAKE_DISABLE_FIND_PACKAGE_xsimd=ON
+  -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/hashes.cmake)
 build()
 answers("scalar: as on record\nportable128: as on record\n")
+hashes("scalar: hashes as on record\nportable128: hashes as on record\n")

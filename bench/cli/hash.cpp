@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+/// `shaftcull hash`: does this machine give the answers that all others give?
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "hashes/hashes.hpp"
+#include "instruction_set.hpp"
+#include "interrupt.hpp"
+#include "name_search.hpp"
+#include "number.hpp"
+#include "progress.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/isa.hpp"
+#include "shaftcull/version.hpp"
+#include "subcommand.hpp"
+#include "table.hpp"
+#include "workers.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+using hashes::Family;
+using hashes::Way;
+
+struct HashOptions {
+  bool quick = false;
+  std::vector<std::string> families;
+  std::vector<std::string> isas;
+  int threads = 0;
+};
+
+std::vector<const Family*> families_of(const HashOptions& options) {
+  std::vector<const Family*> chosen;
+  std::vector<std::string> names;
+  for (const Family& family : hashes::families()) {
+    names.emplace_back(family.name);
+    if (options.families.empty()) chosen.push_back(&family);
+  }
+  for (const std::string& name : options.families) {
+    const auto at = std::ranges::find(names, name);
+    if (at == names.end()) {
+      throw InvalidArgument(
+          fmt::format("--family {}: there is none of that name, but {}", name, closest_names(name, names)));
+    }
+    chosen.push_back(&hashes::families()[static_cast<std::size_t>(at - names.begin())]);
+  }
+  return chosen;
+}
+
+const char* text_of(Way way) {
+  return way == Way::slab ? "slab form" : way == Way::planes ? "plane form" : "many shafts";
+}
+
+class Hashing {
+ public:
+  explicit Hashing(const HashOptions& options)
+      : options_(options), isas_(instruction_sets(options.isas)), families_(families_of(options)) {}
+
+  void run() {
+    const Workers workers(options_.threads);
+    progress_.milestone(fmt::format("{} families, {}, on:{}", families_.size(), size_text(), isa_names()));
+    workers.run([&] {
+      for (const Family* const family : families_) {
+        if (interrupt_.signal() != 0) return;
+        look_at(*family);
+      }
+    });
+  }
+
+  void print() const {
+    fmt::print("{}", table_.text());
+    fmt::print("\nshaftcull {}, {}, on:{}\n", SHAFTCULL_VERSION_STRING, size_text(), isa_names());
+  }
+
+  [[nodiscard]] int interrupted() const noexcept { return done_ < families_.size() ? interrupt_.signal() : 0; }
+  [[nodiscard]] std::size_t done() const noexcept { return done_; }
+  [[nodiscard]] std::size_t wrong() const noexcept { return wrong_; }
+  [[nodiscard]] std::size_t families() const noexcept { return families_.size(); }
+
+ private:
+  [[nodiscard]] const char* size_text() const noexcept {
+    return options_.quick ? "some 10,000 cases of each or more" : "a million cases of each";
+  }
+  [[nodiscard]] std::string isa_names() const {
+    std::string names;
+    for (const Isa isa : isas_) names += fmt::format(" {}", name(isa));
+    return names;
+  }
+
+  /// Asks on all instruction sets, in all ways. Hashes that differ are told one by one, with those that gave them.
+  void look_at(const Family& family) {
+    const std::uint64_t scenes = options_.quick ? family.few : family.many;
+    const std::uint64_t on_record = options_.quick ? family.hash_of_few : family.hash_of_many;
+    std::map<std::uint64_t, std::string> found;
+    for (const Isa isa : isas_) {
+      select_isa(isa);
+      for (const Way way : family.ways) {
+        progress_.update(fmt::format("{} of {} families; {} on {}, {}", done_, families_.size(), family.name, name(isa),
+                                     text_of(way)));
+        std::string& those = found[family.hash_of(scenes, way)];
+        those += fmt::format("{}{} ({})", those.empty() ? "" : ", ", name(isa), text_of(way));
+      }
+    }
+    const bool is_one = found.size() == 1;
+    for (const auto& [hash, those] : found) {
+      const bool is_right = hash == on_record;
+      table_.add_row({family.name, fmt::format("{:016x}", hash),
+                      fmt::format("{}{}", is_right ? "yes" : fmt::format("NO, but {:016x}", on_record),
+                                  is_one ? "" : ": " + those)});
+    }
+    if (!is_one || found.begin()->first != on_record) ++wrong_;
+    ++done_;
+  }
+
+  const HashOptions& options_;
+  std::vector<Isa> isas_;
+  std::vector<const Family*> families_;
+  Table table_{{"family", "hash", "as on record"}};
+  std::size_t done_ = 0;
+  std::size_t wrong_ = 0;
+  Progress progress_;
+  InterruptWatch interrupt_;
+};
+
+void run(const HashOptions& options) {
+  Hashing hashing(options);
+  hashing.run();
+  hashing.print();
+  if (hashing.wrong() != 0) {
+    std::fflush(stdout);
+    throw std::runtime_error(
+        fmt::format("{} of {} families have other answers here than on record", hashing.wrong(), hashing.families()));
+  }
+  if (const int signal = hashing.interrupted(); signal != 0) {
+    throw Interrupted(signal,
+                      fmt::format("hash: interrupted after {} of {} families", hashing.done(), hashing.families()));
+  }
+}
+
+}  // namespace
+
+void add_hash(CLI::App& program) {
+  const auto options = std::make_shared<HashOptions>();
+  CLI::App& hash = *program.add_subcommand("hash", "Compare hashes of answers with those of all other machines");
+  hash.add_flag("--quick", options->quick, "Some 10,000 cases a family, not a million");
+  hash.add_option("--family", options->families, "Families of answers (default: all)")->type_name("NAME");
+  hash.add_option("--isa", options->isas, "Instruction sets to try (default: that of SHAFTCULL_ISA, or all)")
+      ->type_name("NAME");
+  add_number(hash, "--threads", options->threads, 0, most_threads,
+             "Threads, 0 for all there are; hashes do not depend on it (default: 0)")
+      ->type_name("N");
+  hash.footer(
+      "A family is a kind of question, asked about cases that are made of integers and so are the same everywhere: on\n"
+      "each instruction set, in slab and plane form, with one shaft and with many. All must give one hash, which is "
+      "on\n"
+      "record (docs/hashes.md). Exit code 1 if any differs: then an answer is wrong, here or there; please tell us.");
+  hash.callback([options] { run(*options); });
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "hashes/hashes.hpp"
+
+namespace shaftcull::hashes {
+namespace {
+
+constexpr Way one_way[] = {Way::slab};
+constexpr Way one_or_many[] = {Way::slab, Way::many};
+constexpr Way all_ways[] = {Way::slab, Way::planes, Way::many};
+
+constexpr Family all[] = {
+    {"between", "shafts between two boxes, some with added planes; boxes and spheres: kept, inside", all_ways,
+     between_boxes, 600, 3817, 0x1bec58e5794e5972U, 0x7e6ef6257acbc004U},
+    {"between, open", "the same with open contact", all_ways, between_boxes_open, 600, 3817, 0xd109f63602a4369cU,
+     0x39dee2658a060945U},
+    {"moving", "swept boxes with and without an end, shadows; boxes and spheres: kept, inside", all_ways, moving_boxes,
+     600, 3817, 0x88505ac1299f5486U, 0x746f452a79e06e8aU},
+    {"moving, open", "the same with open contact", all_ways, moving_boxes_open, 600, 3817, 0xd4c784b8d488429cU,
+     0x36969a3e8b182bbcU},
+    {"hulls", "convex hulls with and without an end; boxes and spheres: kept, inside", all_ways, convex_hulls, 200,
+     3817, 0x5464da35e3224d44U, 0x267eb03caece0e04U},
+    {"triangles, vertices", "triangles, kept by their vertices", one_way, triangles_by_vertices, 600, 7634,
+     0x9f86b1662b335c9eU, 0xe2487f5892904c7dU},
+    {"triangles, exact", "triangles, kept exactly", one_way, triangles_exactly, 600, 7634, 0x2f6d317107631001U,
+     0x519a275f2e6f5064U},
+    {"blocking", "which boxes block shafts between two boxes", one_way, what_blocks, 600, 7634, 0xb1f14b967916cb32U,
+     0xed50ab6617da627eU},
+    {"first contact", "what moving boxes reach first, and when they reach each bound that they do", all_ways,
+     first_contacts, 600, 3817, 0x27caeb5e952bb7e6U, 0x1923864c03c1de61U},
+    {"trees of boxes", "tree order; lists, counts and first contacts", one_or_many, box_trees, 2, 21,
+     0x38580d059d4c45b0U, 0x5e16d53c1c2344ecU},
+    {"trees of spheres", "the same of spheres", one_or_many, sphere_trees, 2, 21, 0x9aa473044558ac90U,
+     0x96e999e74229791bU},
+    {"trees of triangles", "tree order, and lists of triangles", one_or_many, triangle_trees, 2, 21,
+     0x41f602232f89e84bU, 0xea386fa648ca31efU},
+    {"sights", "what sees what: every answer, and candidates of undecided pairs", one_way, sights, 10, 421,
+     0x370ab3c40909cf0cU, 0x224971ffaa2b6aafU},
+    {"solids", "boxes that are joined, and boxes inside hulls", one_way, solids, 100, 24391, 0xb60212bc1b5d9965U,
+     0x8d8d9514e575687dU},
+};
+
+}  // namespace
+
+std::span<const Family> families() noexcept { return all; }
+
+}  // namespace shaftcull::hashes

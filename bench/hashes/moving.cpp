@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+/// Swept boxes, with and without an end, and shadows: what they keep, and what is reached first.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "columns.hpp"
+#include "hashes/cases.hpp"
+#include "hashes/digest.hpp"
+#include "hashes/hashes.hpp"
+#include "hashes/moving_shaft.hpp"
+#include "shaftcull/compiled.hpp"
+#include "shaftcull/first_contact.hpp"
+
+namespace shaftcull::hashes {
+namespace {
+
+struct Scene {
+  CompiledShaft shaft;
+  std::vector<Box> boxes;
+  std::vector<Sphere> spheres;
+};
+
+/// A fifth of the scenes are of any floats, half of the others on a lattice; many bounds touch.
+Scene scene(std::size_t s, Numbers& numbers) {
+  const bool is_wild = s % 5 == 4;
+  const Number number = is_wild ? &Numbers::any : s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+  const Box a = box(numbers, number);
+  const Box b = box(numbers, number);
+  const int kind = numbers.below(4);
+  Scene scene{moving_shaft(kind, a, b, point(numbers, number)), {}, {}};
+  for (std::size_t i = 0; i != bounds_a_scene; ++i) {
+    const bool touches = !is_wild && numbers.below(2) == 0;
+    const Vec3 p = touches ? edge_point(numbers, scene.shaft.a(), scene.shaft.b()) : point(numbers, number);
+    scene.boxes.push_back(numbers.below(4) == 0 ? Box{p, p} : sorted(p, point(numbers, number)));
+    scene.spheres.push_back({p, numbers.below(4) == 0 ? 0.0F : std::abs((numbers.*number)())});
+  }
+  return scene;
+}
+
+std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact) {
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t s = 0; s != scenes; ++s) {
+    Scene here = scene(s, numbers);
+    set_contact(here.shaft, contact);
+    add_answers(here.shaft, BoxColumns(here.boxes).view(), way, digest);
+    add_answers(here.shaft, SphereColumns(here.spheres).view(), way, digest);
+  }
+  return digest.value();
+}
+
+/// The first contact, and when each of the bounds that are kept is reached.
+template <class View>
+void add_times(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
+  FirstContactOf<std::uint64_t> contact;
+  const Form form = way == Way::planes ? Form::planes : Form::slab;
+  if (way == Way::many) {
+    first_contact_many({&shaft, 1}, view, {&contact, 1});
+  } else {
+    contact = first_contact(shaft, view, form);
+  }
+  digest.add(contact.index);
+  digest.add_float(contact.time);
+  std::vector<std::uint64_t> kept(view.count);
+  kept.resize(list(shaft, view, std::span(kept), form));
+  std::vector<float> times(kept.size());
+  entry_times(shaft, view, std::span<const std::uint64_t>(kept), times);
+  for (const float time : times) digest.add_float(time);
+}
+
+}  // namespace
+
+std::uint64_t moving_boxes(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::closed); }
+std::uint64_t moving_boxes_open(std::uint64_t scenes, Way way) { return answers(scenes, way, Contact::open); }
+
+std::uint64_t first_contacts(std::uint64_t scenes, Way way) {
+  Numbers numbers;
+  Digest digest;
+  for (std::size_t s = 0; s != scenes; ++s) {
+    const Scene here = scene(s, numbers);
+    add_times(here.shaft, BoxColumns(here.boxes).view(), way, digest);
+    add_times(here.shaft, SphereColumns(here.spheres).view(), way, digest);
+  }
+  return digest.value();
+}
+
+}  // namespace shaftcull::hashes
