@@ -10,6 +10,7 @@
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
+#include "support/fail.hpp"
 
 namespace shaftcull {
 namespace kernel {
@@ -134,12 +135,12 @@ IsaChoice isa_choice() {
 
 void select_isa(Isa isa) {
   if (static_cast<std::size_t>(isa) >= std::size(sets)) {
-    throw InvalidArgument("there is no instruction set number " + std::to_string(static_cast<int>(isa)) +
-                          "; this machine has " + list_of_available());
+    kernel::fail(InvalidArgument("there is no instruction set number " + std::to_string(static_cast<int>(isa)) +
+                                 "; this machine has " + list_of_available()));
   }
   if (!available(isa)) {
-    throw InvalidArgument("instruction set " + std::string(name(isa)) + " is not available here; this machine has " +
-                          list_of_available());
+    kernel::fail(InvalidArgument("instruction set " + std::string(name(isa)) +
+                                 " is not available here; this machine has " + list_of_available()));
   }
   chosen.store(&sets[static_cast<std::size_t>(isa)], std::memory_order_relaxed);
 }

@@ -15,6 +15,7 @@
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -82,12 +83,13 @@ bool blocked(const CompiledShaft& shaft, std::span<const Vec3> polygon) {
   kernel::require_two_ends(data, 0);
   kernel::require_memory("polygon", polygon, "corners");
   if (polygon.size() < 3) {
-    throw InvalidArgument("polygon has " + kernel::counted(polygon.size(), "corner") + "; it takes three or more");
+    kernel::fail(
+        InvalidArgument("polygon has " + kernel::counted(polygon.size(), "corner") + "; it takes three or more"));
   }
   for (std::size_t i = 0; i != polygon.size(); ++i) {
     const Vec3& corner = polygon[i];
     if (std::all_of(corner.begin(), corner.end(), [](float x) { return std::isfinite(x); })) continue;
-    throw InvalidArgument("polygon[" + std::to_string(i) + "] is not finite; corners are points");
+    kernel::fail(InvalidArgument("polygon[" + std::to_string(i) + "] is not finite; corners are points"));
   }
   return kernel::in_float_environment([&] { return kernel::polygon_blocks(data, polygon); });
 }

@@ -6,6 +6,7 @@
 #include "flat/batch_job.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/many.hpp"
+#include "support/fail.hpp"
 
 namespace shaftcull {
 namespace {
@@ -17,7 +18,7 @@ template <class View>
 void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, TileCallback callback, bool inside,
                    Form form) {
   const kernel::BatchJob<View> job(shafts, bounds, inside ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
-  if (!callback) throw InvalidArgument("the tile callback is empty; pass something that can be called");
+  if (!callback) kernel::fail(InvalidArgument("the tile callback is empty; pass something that can be called"));
   const kernel::Tiling tiling = kernel::Tiling::ordered(job.bounds(), job.shafts());
   const std::size_t tasks = tiling.blocks() * tiling.groups();
   if (tasks == 0) return;

@@ -8,6 +8,7 @@
 
 #include "formation/rule.hpp"
 #include "formation/trimmed_box.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 
 namespace shaftcull {
@@ -127,9 +128,9 @@ double volume_beyond(const Box& box, const JoiningPlane& plane) noexcept {
 double culled_volume(const Box& box, const JoiningPlane& plane) {
   if (plane.red >= kernel::face_count || plane.blue >= kernel::face_count ||
       kernel::axis_of(plane.red) == kernel::axis_of(plane.blue)) {
-    throw InvalidArgument("culled_volume: faces red = " + std::to_string(plane.red) +
-                          " and blue = " + std::to_string(plane.blue) +
-                          " do not meet in an edge; faces are 0 to 5, and f and f + 3 opposite");
+    kernel::fail(InvalidArgument("culled_volume: faces red = " + std::to_string(plane.red) +
+                                 " and blue = " + std::to_string(plane.blue) +
+                                 " do not meet in an edge; faces are 0 to 5, and f and f + 3 opposite"));
   }
   return kernel::in_float_environment([&] { return volume_beyond(box, plane); });
 }

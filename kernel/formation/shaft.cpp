@@ -12,6 +12,7 @@
 #include "formation/table.hpp"
 #include "formation/usable_box.hpp"
 #include "formation/usable_plane.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -32,11 +33,11 @@ void kernel::require_finite(const Box& box, const char* name) {
     for (const bool is_hi : {false, true}) {
       const float value = is_hi ? hi : lo;
       if (std::isfinite(value)) continue;
-      throw InvalidArgument(box_name + (is_hi ? "hi" : "lo") + axis + " = " + text(value) +
-                            "; a shaft joins finite boxes only");
+      kernel::fail(InvalidArgument(box_name + (is_hi ? "hi" : "lo") + axis + " = " + text(value) +
+                                   "; a shaft joins finite boxes only"));
     }
-    throw InvalidArgument(box_name + "lo" + axis + " = " + text(lo) + " is above hi" + axis + " = " + text(hi) +
-                          "; lo must be at most hi");
+    kernel::fail(InvalidArgument(box_name + "lo" + axis + " = " + text(lo) + " is above hi" + axis + " = " + text(hi) +
+                                 "; lo must be at most hi"));
   }
 }
 
@@ -45,12 +46,13 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
     kernel::require_finite(a, "a");
     kernel::require_finite(b, "b");
     if (!options.outside && !options.inside) {
-      throw InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both");
+      kernel::fail(InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both"));
     }
     if (options.order > PlaneOrder::by_added_volume) {
-      throw InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume");
+      kernel::fail(InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume"));
     }
-    if (options.contact > Contact::open) throw InvalidArgument("ShaftOptions::contact is neither closed nor open");
+    if (options.contact > Contact::open)
+      kernel::fail(InvalidArgument("ShaftOptions::contact is neither closed nor open"));
     for (std::size_t k = 0; k < 3; ++k) {
       box_.lo[k] = std::min(a.lo[k], b.lo[k]);
       box_.hi[k] = std::max(a.hi[k], b.hi[k]);
@@ -79,7 +81,7 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
         join_all(kernel::table729_edges(a_faces, b_faces));
         break;
       default:
-        throw InvalidArgument("ShaftOptions::formation is none of search, table64 and table729");
+        kernel::fail(InvalidArgument("ShaftOptions::formation is none of search, table64 and table729"));
     }
     kernel::sort_planes(a, b, options.order, {joining_.data(), joining_count_});
   });
@@ -87,7 +89,7 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
 
 void kernel::require_usable(const Plane& plane, const PlaneName& name) {
   const auto fail = [&](const std::string& why) {
-    throw InvalidArgument(name.before + std::to_string(name.index) + name.after + ": " + why);
+    kernel::fail(InvalidArgument(name.before + std::to_string(name.index) + name.after + ": " + why));
   };
   for (std::size_t k = 0; k < 3; ++k) {
     if (!std::isfinite(plane.normal[k])) {
@@ -101,8 +103,8 @@ void kernel::require_usable(const Plane& plane, const PlaneName& name) {
 void Shaft::add_plane(const Plane& plane) {
   kernel::in_float_environment([&] { kernel::require_usable(plane, {"added plane ", added_count_, ""}); });
   if (added_count_ == max_added_planes) {
-    throw InvalidArgument("added plane " + std::to_string(added_count_) + ": a shaft has room for " +
-                          std::to_string(max_added_planes) + " added planes only");
+    kernel::fail(InvalidArgument("added plane " + std::to_string(added_count_) + ": a shaft has room for " +
+                                 std::to_string(max_added_planes) + " added planes only"));
   }
   added_[added_count_++] = plane;
 }

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "support/float_environment.hpp"
+#include "support/threads.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/blocked_range2d.h>
@@ -68,7 +69,7 @@ class CachingAllocator {
     ~Cached() { ::operator delete(items, line); }
   };
   static Cached& of_this_thread() noexcept {
-    thread_local Cached cached;
+    SHAFTCULL_OF_THIS_THREAD Cached cached;
     return cached;
   }
 };

@@ -11,6 +11,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -25,8 +26,8 @@ void require_askable(const kernel::ShaftData& shaft, std::size_t count, std::spa
   kernel::require_motion(shaft, 0);
   kernel::require_below("indices", indices, count);
   if (times.size() != indices.size()) {
-    throw InvalidArgument("entry_times: times has room for " + std::to_string(times.size()) + " times; " +
-                          kernel::counted_indices(indices.size()) + " need one each");
+    kernel::fail(InvalidArgument("entry_times: times has room for " + std::to_string(times.size()) + " times; " +
+                                 kernel::counted_indices(indices.size()) + " need one each"));
   }
   kernel::require_memory("times", times, "times");
   kernel::require_apart("entry_times", "times", kernel::bytes_of(times), "indices", kernel::bytes_of(indices));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shaftcull/error.hpp"
+#include "support/fail.hpp"
 #include "support/prefetch.hpp"
 #include "tree/access.hpp"
 
@@ -40,7 +41,7 @@ PositionInTree<Index> places_of(const BoundsTree<Bound, Index>& tree) {
 template <class Bound, class Index>
 void require_refitted(const char* call, const BoundsTree<Bound, Index>& tree) {
   if (tree.needs_refit()) {
-    throw NeedsRefit(std::string(call) + " of a tree whose bounds were updated; call refit() first");
+    kernel::fail(NeedsRefit(std::string(call) + " of a tree whose bounds were updated; call refit() first"));
   }
 }
 

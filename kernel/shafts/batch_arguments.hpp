@@ -10,9 +10,26 @@
 #include "formation/usable_plane.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"
+#include "support/fail.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull::kernel {
+
+/// Does what may find that shaft `index` of many cannot be formed, and throws a BadBound then, which says so. In a
+/// build without exceptions the handler is told what is wrong, but not of which shaft.
+template <class Work>
+void check_shaft(std::size_t index, const Work& work) {
+#if defined(__cpp_exceptions)
+  try {
+    work();
+  } catch (const InvalidArgument& error) {
+    throw BadBound(index, "shaft " + std::to_string(index) + ": " + error.what());
+  }
+#else
+  static_cast<void>(index);
+  work();
+#endif
+}
 
 /// Throws InvalidArgument for the first pair with an index that is not below the number of boxes.
 inline void require_indices(std::span<const IndexPair> pairs, std::size_t a_count, std::size_t b_count) {
@@ -25,8 +42,8 @@ inline void require_indices(std::span<const IndexPair> pairs, std::size_t a_coun
   for (std::size_t i = 0; i != pairs.size(); ++i) {
     const auto require = [&](const char* name, std::size_t index, std::size_t count) {
       if (index < count) return;
-      throw InvalidArgument("pairs[" + std::to_string(i) + "]." + name + " = " + std::to_string(index) +
-                            ", and there are " + std::to_string(count) + " boxes " + name);
+      kernel::fail(InvalidArgument("pairs[" + std::to_string(i) + "]." + name + " = " + std::to_string(index) +
+                                   ", and there are " + std::to_string(count) + " boxes " + name));
     };
     require("a", pairs[i].a, a_count);
     require("b", pairs[i].b, b_count);
@@ -41,8 +58,8 @@ class PlanesOfBoxes {
       : planes_(planes.data()) {
     if (planes.empty()) return;
     if (boxes == 0 || planes.size() % boxes != 0) {
-      throw InvalidArgument("planes." + std::string(name) + " has " + counted(planes.size(), "plane") +
-                            ", not equally many for each of " + std::to_string(boxes) + " boxes " + name);
+      kernel::fail(InvalidArgument("planes." + std::string(name) + " has " + counted(planes.size(), "plane") +
+                                   ", not equally many for each of " + std::to_string(boxes) + " boxes " + name));
     }
     each_ = planes.size() / boxes;
     if (kernels.all_planes_usable(planes.data(), planes.size())) return;
@@ -67,8 +84,9 @@ struct PlanesOfPairs {
   PlanesOfPairs(const Kernels& kernels, const BatchPlanes& planes, std::size_t a_count, std::size_t b_count)
       : a(kernels, planes.a, a_count, "a"), b(kernels, planes.b, b_count, "b") {
     if (a.each() <= max_added_planes && a.each() + b.each() <= max_added_planes) return;
-    throw InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) + " added planes, not for " +
-                          std::to_string(a.each()) + " of box a and " + std::to_string(b.each()) + " of box b");
+    kernel::fail(InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) +
+                                 " added planes, not for " + std::to_string(a.each()) + " of box a and " +
+                                 std::to_string(b.each()) + " of box b"));
   }
   [[nodiscard]] bool empty() const noexcept { return a.each() == 0 && b.each() == 0; }
 };

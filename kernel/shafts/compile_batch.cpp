@@ -14,6 +14,7 @@
 #include "simd/baseline_four_floats.hpp"
 #include "streams/rows.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 
 namespace shaftcull {
@@ -49,11 +50,7 @@ void gather(const BoxView& boxes, std::span<const IndexPair> pairs, GatheredBoxe
 
 /// Throws what the constructor of Shaft throws for the pair, with its index, if it rejects the pair.
 void require_pair(const Box& a, const Box& b, std::size_t index) {
-  try {
-    static_cast<void>(Shaft(a, b));
-  } catch (const InvalidArgument& error) {
-    throw BadBound(index, "shaft " + std::to_string(index) + ": " + error.what());
-  }
+  kernel::check_shaft(index, [&] { static_cast<void>(Shaft(a, b)); });
 }
 
 void require_memory(const BoxView& a, const BoxView& b, std::span<const CompiledShaft> out, const BatchPlanes& planes) {
@@ -112,9 +109,9 @@ void apply_contact(std::span<kernel::ShaftData> shafts, Contact contact) noexcep
 void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out, const BatchPlanes& planes,
                    Contact contact) {
   if (a.count != b.count || a.count != out.size()) {
-    throw InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
-                          std::to_string(a.count) + ", " + std::to_string(b.count) + " and " +
-                          std::to_string(out.size()));
+    kernel::fail(InvalidArgument("compile_batch needs as many boxes a as boxes b and shafts to write, not " +
+                                 std::to_string(a.count) + ", " + std::to_string(b.count) + " and " +
+                                 std::to_string(out.size())));
   }
   require_memory(a, b, out, planes);
   kernel::require_contact(contact);
@@ -146,8 +143,8 @@ void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> 
 void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs, std::span<CompiledShaft> out,
                    const BatchPlanes& planes, Contact contact) {
   if (pairs.size() != out.size()) {
-    throw InvalidArgument("compile_batch needs as many pairs as shafts to write, not " + std::to_string(pairs.size()) +
-                          " and " + std::to_string(out.size()));
+    kernel::fail(InvalidArgument("compile_batch needs as many pairs as shafts to write, not " +
+                                 std::to_string(pairs.size()) + " and " + std::to_string(out.size())));
   }
   require_memory(a, b, out, planes);
   kernel::require_memory("pairs", pairs, "pairs");

@@ -8,6 +8,7 @@
 
 #include "shafts/view.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/padding.hpp"
 #include "support/text.hpp"
@@ -32,7 +33,7 @@ float sum_rounded_up(float x, float y) noexcept {
 float sum_rounded_down(float x, float y) noexcept { return -sum_rounded_up(-x, -y); }
 
 [[noreturn]] void refuse_infinite(const std::string& what, float value) {
-  throw InvalidArgument(what + " = " + kernel::text(value) + " is not finite");
+  kernel::fail(InvalidArgument(what + " = " + kernel::text(value) + " is not finite"));
 }
 
 /// One of the six inequalities of clip space: w_share · w + sign · (row of the matrix) is 0 or more.
@@ -53,7 +54,7 @@ Plane plane_of(std::span<const float, 16> matrix, const ClipRule& rule) noexcept
 }
 
 [[noreturn]] void refuse_plane(const char* call, const ClipRule& rule, const char* why) {
-  throw InvalidArgument(std::string(call) + ": the " + rule.name + " plane " + why);
+  kernel::fail(InvalidArgument(std::string(call) + ": the " + rule.name + " plane " + why));
 }
 
 bool is_finite(const Plane& plane) noexcept {
@@ -70,7 +71,7 @@ Box box_around(std::span<const Vec3> points) {
     for (std::size_t k = 0; k != 3; ++k) {
       const float x = points[i][k];
       if (std::isnan(x)) {
-        throw BadBound(i, "box_around: point " + std::to_string(i) + ": " + "xyz"[k] + " is not a number");
+        kernel::fail(BadBound(i, "box_around: point " + std::to_string(i) + ": " + "xyz"[k] + " is not a number"));
       }
       box.lo[k] = std::min(box.lo[k], x);
       box.hi[k] = std::max(box.hi[k], x);
@@ -104,7 +105,8 @@ Box translated(const Box& box, const Vec3& by) {
 
 Box inflated(const Box& box, float by) {
   if (!std::isfinite(by)) refuse_infinite("inflated: by", by);
-  if (by < 0) throw InvalidArgument("inflated: by = " + kernel::text(by) + " is negative; it must be 0 or more");
+  if (by < 0)
+    kernel::fail(InvalidArgument("inflated: by = " + kernel::text(by) + " is negative; it must be 0 or more"));
   return kernel::in_float_environment([&] {
     Box larger;
     for (std::size_t k = 0; k != 3; ++k) {
@@ -117,8 +119,8 @@ Box inflated(const Box& box, float by) {
 
 ViewPlanes kernel::planes_of_view(const char* call, std::span<const float, 16> matrix, ClipDepth depth) {
   if (depth > ClipDepth::minus_one_to_one) {
-    throw InvalidArgument(std::string(call) + ": depth = " + std::to_string(static_cast<unsigned>(depth)) +
-                          " is neither ClipDepth::zero_to_one nor ClipDepth::minus_one_to_one");
+    kernel::fail(InvalidArgument(std::string(call) + ": depth = " + std::to_string(static_cast<unsigned>(depth)) +
+                                 " is neither ClipDepth::zero_to_one nor ClipDepth::minus_one_to_one"));
   }
   for (std::size_t i = 0; i != matrix.size(); ++i) {
     if (!std::isfinite(matrix[i]))

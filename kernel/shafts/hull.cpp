@@ -14,6 +14,7 @@
 #include "shaftcull/error.hpp"
 #include "shafts/view.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/mutant.hpp"
 #include "support/text.hpp"
@@ -265,26 +266,26 @@ namespace {
 void require_finite(const char* what, std::size_t i, const Vec3& v) {
   for (std::size_t k = 0; k != 3; ++k) {
     if (std::isfinite(v[k])) continue;
-    throw InvalidArgument(std::string("ConvexHull: ") + what + " " + std::to_string(i) + ": " + "xyz"[k] + " = " +
-                          kernel::text(v[k]) + " is not finite");
+    kernel::fail(InvalidArgument(std::string("ConvexHull: ") + what + " " + std::to_string(i) + ": " + "xyz"[k] +
+                                 " = " + kernel::text(v[k]) + " is not finite"));
   }
 }
 
 void require_vertices(std::span<const Vec3> points, std::span<const Vec3> directions) {
   kernel::require_memory("points", points, "points");
   kernel::require_memory("directions", directions, "directions");
-  if (points.empty()) throw InvalidArgument("ConvexHull: there is no point; a hull needs one or more");
+  if (points.empty()) kernel::fail(InvalidArgument("ConvexHull: there is no point; a hull needs one or more"));
   constexpr std::size_t most = ConvexHull::max_vertices;
   if (points.size() > most || directions.size() > most - points.size()) {
-    throw InvalidArgument("ConvexHull: " + std::to_string(points.size()) + " points and " +
-                          std::to_string(directions.size()) + " directions; together there can be " +
-                          std::to_string(most));
+    kernel::fail(InvalidArgument("ConvexHull: " + std::to_string(points.size()) + " points and " +
+                                 std::to_string(directions.size()) + " directions; together there can be " +
+                                 std::to_string(most)));
   }
   for (std::size_t i = 0; i != points.size(); ++i) require_finite("point", i, points[i]);
   for (std::size_t i = 0; i != directions.size(); ++i) {
     require_finite("direction", i, directions[i]);
     if (directions[i] == Vec3{0, 0, 0}) {
-      throw InvalidArgument("ConvexHull: direction " + std::to_string(i) + " is zero");
+      kernel::fail(InvalidArgument("ConvexHull: direction " + std::to_string(i) + " is zero"));
     }
   }
 }
@@ -417,12 +418,13 @@ std::array<Vec3, 4> corners_at(const Matrix& inverse, double depth, bool are_dir
     for (std::size_t r = 0; r != 4; ++r) {
       for (std::size_t c = 0; c != 4; ++c) world[r] += inverse[r][c] * clip[c];
     }
-    if (!are_directions && !(world[3] > 0)) throw InvalidArgument("frustum: a corner is not in front of the eye");
+    if (!are_directions && !(world[3] > 0))
+      kernel::fail(InvalidArgument("frustum: a corner is not in front of the eye"));
     const double length = std::max({std::fabs(world[0]), std::fabs(world[1]), std::fabs(world[2])});
     const double scale = are_directions ? length : world[3];
     for (std::size_t k = 0; k != 3; ++k) {
       corners[i][k] = static_cast<float>(world[k] / scale);
-      if (!std::isfinite(corners[i][k])) throw InvalidArgument("frustum: a corner is beyond all floats");
+      if (!std::isfinite(corners[i][k])) kernel::fail(InvalidArgument("frustum: a corner is beyond all floats"));
     }
   }
   return corners;
@@ -432,7 +434,7 @@ ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth) {
   Matrix matrix{};
   for (std::size_t i = 0; i != 16; ++i) matrix[i / 4][i % 4] = floats[i];
   Matrix inverse{};
-  if (!invert(matrix, inverse)) throw InvalidArgument("frustum: the matrix is not invertible");
+  if (!invert(matrix, inverse)) kernel::fail(InvalidArgument("frustum: the matrix is not invertible"));
   struct End {
     double depth;
     std::array<double, 4> plane;  // that cuts the view off there
@@ -450,13 +452,13 @@ ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth) {
       if (!are_directions) points += 4;
     }
   }
-  if (points == 0) throw InvalidArgument("frustum: the view has no end, neither near nor far");
+  if (points == 0) kernel::fail(InvalidArgument("frustum: the view has no end, neither near nor far"));
   return ConvexHull(std::span(vertex).first(points), std::span(vertex).subspan(points));
 }
 
 /// Throws unless a call can add a vertex, the light or the direction called `what`, to a view.
 void require_extensible(const char* call, const ConvexHull& view, const char* what, const Vec3& added) {
-  const auto refuse = [&](const std::string& why) { throw InvalidArgument(std::string(call) + ": " + why); };
+  const auto refuse = [&](const std::string& why) { kernel::fail(InvalidArgument(std::string(call) + ": " + why)); };
   if (view.points().empty()) refuse("the view was never formed, or was moved from");
   for (std::size_t k = 0; k != 3; ++k) {
     if (!std::isfinite(added[k]))
@@ -497,7 +499,7 @@ ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun) {
   require_extensible("casters_towards", view, "towards_sun", towards_sun);
   kernel::in_float_environment([&] {  // where denormals are not 0
     if (towards_sun == Vec3{0, 0, 0}) {
-      throw InvalidArgument("casters_towards: towards_sun is zero; it must be a direction");
+      kernel::fail(InvalidArgument("casters_towards: towards_sun is zero; it must be a direction"));
     }
   });
   return extended(view, nullptr, &towards_sun);

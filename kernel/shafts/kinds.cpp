@@ -24,6 +24,7 @@
 #include "shafts/batch_arguments.hpp"
 #include "simd/scalar.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -188,8 +189,8 @@ CompiledShaft form(const Movement& movement, std::span<const Plane> planes) noex
 void require_planes(std::span<const Plane> planes) {
   kernel::require_memory("planes", planes, "planes");
   if (planes.size() > max_added_planes) {
-    throw InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) + " added planes only, not for " +
-                          std::to_string(planes.size()));
+    kernel::fail(InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) +
+                                 " added planes only, not for " + std::to_string(planes.size())));
   }
   for (std::size_t i = 0; i != planes.size(); ++i) kernel::require_usable(planes[i], {"planes[", i, "]"});
 }
@@ -197,7 +198,8 @@ void require_planes(std::span<const Plane> planes) {
 void require_vector(const Vec3& vector, const char* name) {
   for (std::size_t k = 0; k != 3; ++k) {
     if (std::isfinite(vector[k])) continue;
-    throw InvalidArgument(std::string(name) + "." + "xyz"[k] + " = " + kernel::text(vector[k]) + " is not finite");
+    kernel::fail(
+        InvalidArgument(std::string(name) + "." + "xyz"[k] + " = " + kernel::text(vector[k]) + " is not finite"));
   }
 }
 
@@ -207,9 +209,9 @@ void require_apart(const Box& light, const Box& occluder) {
   for (std::size_t k = 0; k != 3; ++k) {
     if (light.hi[k] < occluder.lo[k] || occluder.hi[k] < light.lo[k]) return;
   }
-  throw InvalidArgument(
+  kernel::fail(InvalidArgument(
       "shadow: light and occluder overlap or touch, and all of space is in the shadow; they must be apart on some "
-      "axis");
+      "axis"));
 }
 
 /// The light's corners, each opposite to the occluder's corner that moves away from it.
@@ -227,7 +229,8 @@ Movement swept_movement(const Box& body, const Vec3& displacement) {
 Movement endless_movement(const Box& body, const Vec3& direction) {
   kernel::require_finite(body, "body");
   require_vector(direction, "direction");
-  if (direction == Vec3{0, 0, 0}) throw InvalidArgument("swept_without_end: direction is 0, which leads nowhere");
+  if (direction == Vec3{0, 0, 0})
+    kernel::fail(InvalidArgument("swept_without_end: direction is 0, which leads nowhere"));
   return {Kind::swept_without_end, body, twice(direction), 1};
 }
 
@@ -240,7 +243,7 @@ Movement shadow_movement(const Box& light, const Box& occluder) {
 
 void require_reach(float reach) {
   if (reach >= 1 && reach <= largest_float) return;
-  throw InvalidArgument("shadow: reach = " + kernel::text(reach) + "; it must be finite, and 1 or more");
+  kernel::fail(InvalidArgument("shadow: reach = " + kernel::text(reach) + "; it must be finite, and 1 or more"));
 }
 
 Movement shadow_movement(const Box& light, const Box& occluder, float reach) {
@@ -267,11 +270,7 @@ template <class MovementOf, class PositionA, class PositionB>
 void many(std::span<CompiledShaft> out, const kernel::PlanesOfPairs& planes, const kernel::Kernels& kernels,
           const MovementOf& movement_of, const PositionA& a_of, const PositionB& b_of) {
   for (std::size_t i = 0; i != out.size(); ++i) {
-    try {
-      static_cast<void>(movement_of(i));
-    } catch (const InvalidArgument& error) {
-      throw BadBound(i, "shaft " + std::to_string(i) + ": " + error.what());
-    }
+    kernel::check_shaft(i, [&] { static_cast<void>(movement_of(i)); });
   }
   for (std::size_t i = 0; i != out.size(); ++i) {
     ShaftData& shaft = kernel::data_of(out[i]);
@@ -283,8 +282,8 @@ void many(std::span<CompiledShaft> out, const kernel::PlanesOfPairs& planes, con
 
 void require_counts(const char* call, const char* what, std::size_t a, std::size_t b, std::size_t out) {
   if (a == out && b == out) return;
-  throw InvalidArgument(std::string(call) + " needs as many " + what + " and shafts to write, not " +
-                        std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(out));
+  kernel::fail(InvalidArgument(std::string(call) + " needs as many " + what + " and shafts to write, not " +
+                               std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(out)));
 }
 
 /// swept_batch() and swept_without_end_batch().
@@ -342,8 +341,8 @@ void shadow_each(const BoxView& lights, const BoxView& occluders, const float* r
 void shadow_pairs(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs, const float* reach,
                   std::span<CompiledShaft> out, const BatchPlanes& planes) {
   if (pairs.size() != out.size()) {
-    throw InvalidArgument("shadow_batch needs as many pairs as shafts to write, not " + std::to_string(pairs.size()) +
-                          " and " + std::to_string(out.size()));
+    kernel::fail(InvalidArgument("shadow_batch needs as many pairs as shafts to write, not " +
+                                 std::to_string(pairs.size()) + " and " + std::to_string(out.size())));
   }
   require_shadow_memory(lights, occluders, out, planes);
   kernel::require_memory("pairs", pairs, "pairs");

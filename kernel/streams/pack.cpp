@@ -8,6 +8,7 @@
 #include "streams/records.hpp"
 #include "streams/view_reader.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -17,8 +18,8 @@ namespace {
 
 void require_records(const void* start, std::size_t count, const char* name) {
   if (start == nullptr && count != 0) {
-    throw InvalidArgument(std::string(name) + " is null; it must point to the first of " + std::to_string(count) +
-                          " records");
+    kernel::fail(InvalidArgument(std::string(name) + " is null; it must point to the first of " +
+                                 std::to_string(count) + " records"));
   }
 }
 
@@ -104,7 +105,7 @@ template <class Reader>
 void require_legal(const Reader& reader) {
   const std::size_t i = first_illegal(reader, 0, reader.count());
   if (i == reader.count()) return;
-  throw BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i));
+  kernel::fail(BadBound(i, std::string(Reader::noun) + " " + std::to_string(i) + ": " + reader.fault(i)));
 }
 
 template <class Reader, class Stream>
@@ -112,9 +113,9 @@ void pack_all(const Reader& reader, std::size_t first, Stream& stream) {
   const std::size_t count = reader.count();
   const std::size_t size = stream.size();
   if (first > size || count > size - first) {
-    throw InvalidArgument("update of " + std::to_string(count) + " " + (count == 1 ? Reader::noun : Reader::nouns) +
-                          " from position " + std::to_string(first) + " on does not fit a stream of " +
-                          std::to_string(size));
+    kernel::fail(InvalidArgument("update of " + std::to_string(count) + " " +
+                                 (count == 1 ? Reader::noun : Reader::nouns) + " from position " +
+                                 std::to_string(first) + " on does not fit a stream of " + std::to_string(size)));
   }
   if (reader.overlaps(StreamAccess::memory(stream))) {
     refuse_shared_memory("update", "what is packed", "the stream");

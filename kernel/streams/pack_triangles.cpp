@@ -11,6 +11,7 @@
 #include "streams/pack.hpp"
 #include "streams/records.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/overlap.hpp"
 #include "support/text.hpp"
 
@@ -58,20 +59,20 @@ class MeshTriangles {
  public:
   explicit MeshTriangles(const MeshView& mesh) : vertices_(mesh.vertices, mesh.stride), mesh_(mesh) {
     if (mesh.vertices == nullptr && mesh.vertex_count != 0) {
-      throw InvalidArgument("MeshView::vertices is null; it must point to the first of " +
-                            counted(mesh.vertex_count, "record"));
+      kernel::fail(InvalidArgument("MeshView::vertices is null; it must point to the first of " +
+                                   counted(mesh.vertex_count, "record")));
     }
     require_memory("MeshView::indices", mesh.indices, "indices");
     if (mesh.indices.size() % 3 != 0) {
-      throw InvalidArgument("MeshView::indices has " + counted_indices(mesh.indices.size()) +
-                            ", which is not a multiple of three; each triangle takes three");
+      kernel::fail(InvalidArgument("MeshView::indices has " + counted_indices(mesh.indices.size()) +
+                                   ", which is not a multiple of three; each triangle takes three"));
     }
     const auto bad = std::find_if(mesh.indices.begin(), mesh.indices.end(),
                                   [&](std::uint32_t index) { return index >= mesh.vertex_count; });
     if (bad == mesh.indices.end()) return;
-    throw InvalidArgument("MeshView::indices[" + std::to_string(bad - mesh.indices.begin()) +
-                          "] = " + std::to_string(*bad) + " is not below the number of vertices, " +
-                          std::to_string(mesh.vertex_count));
+    kernel::fail(InvalidArgument("MeshView::indices[" + std::to_string(bad - mesh.indices.begin()) +
+                                 "] = " + std::to_string(*bad) + " is not below the number of vertices, " +
+                                 std::to_string(mesh.vertex_count)));
   }
   [[nodiscard]] std::size_t count() const noexcept { return mesh_.size(); }
   void read(std::size_t i, float (&triangle)[coordinates]) const noexcept {
@@ -99,8 +100,8 @@ void require_finite(const Source& source) {
     const auto bad = static_cast<std::size_t>(
         std::find_if(triangle, triangle + coordinates, [](float x) { return !std::isfinite(x); }) - triangle);
     if (bad == coordinates) continue;
-    throw BadBound(i, "triangle " + std::to_string(i) + ": vertex " + std::to_string(bad / 3) + " has " +
-                          "xyz"[bad % 3] + " = " + text(triangle[bad]) + "; vertices must be finite");
+    kernel::fail(BadBound(i, "triangle " + std::to_string(i) + ": vertex " + std::to_string(bad / 3) + " has " +
+                                 "xyz"[bad % 3] + " = " + text(triangle[bad]) + "; vertices must be finite"));
   }
 }
 
@@ -108,8 +109,8 @@ template <class Source>
 void pack_triangles(const Source& source, std::size_t first, TriangleStream& stream) {
   const std::size_t count = source.count();
   if (first > stream.size() || count > stream.size() - first) {
-    throw InvalidArgument("update of " + counted(count, "triangle") + " from position " + std::to_string(first) +
-                          " on does not fit a stream of " + std::to_string(stream.size()));
+    kernel::fail(InvalidArgument("update of " + counted(count, "triangle") + " from position " + std::to_string(first) +
+                                 " on does not fit a stream of " + std::to_string(stream.size())));
   }
   if (source.overlaps(StreamAccess::memory(stream))) refuse_shared_memory("update", "what is packed", "the stream");
   require_finite(source);

@@ -9,6 +9,7 @@
 #include "streams/pack.hpp"
 #include "streams/rows.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/padding.hpp"
 
 namespace shaftcull {
@@ -19,7 +20,7 @@ constexpr std::align_val_t cache_line{64};
 /// Memory for `rows` rows of `count` floats and their padding, not initialised; null for a count of 0.
 float* allocate_rows(std::size_t rows, std::size_t count) {
   if (count == 0) return nullptr;
-  if (count > kernel::most_floats / rows - 127) throw std::bad_array_new_length();
+  if (count > kernel::most_floats / rows - 127) kernel::fail(std::bad_array_new_length());
   return static_cast<float*>(::operator new[](rows* kernel::row_floats(rows, count) * sizeof(float), cache_line));
 }
 

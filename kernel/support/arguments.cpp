@@ -4,28 +4,29 @@
 #include <string>
 
 #include "shaftcull/error.hpp"
+#include "support/fail.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull::kernel {
 
 void refuse_null(const char* what, std::size_t size, const char* noun) {
-  throw InvalidArgument(std::string(what) + " is null; it must point to the first of " + std::to_string(size) + " " +
-                        noun);
+  kernel::fail(InvalidArgument(std::string(what) + " is null; it must point to the first of " + std::to_string(size) +
+                               " " + noun));
 }
 
 void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count) {
   if (count > most_floats) {
-    throw InvalidArgument(std::string(noun) + ".count = " + std::to_string(count) + " is more than memory can hold, " +
-                          std::to_string(most_floats));
+    kernel::fail(InvalidArgument(std::string(noun) + ".count = " + std::to_string(count) +
+                                 " is more than memory can hold, " + std::to_string(most_floats)));
   }
   std::size_t null = 0;
   while (streams[null] != nullptr) ++null;
-  throw InvalidArgument(std::string(noun) + ".stream[" + std::to_string(null) +
-                        "] is null; it must point to the first of " + std::to_string(count) + " floats");
+  kernel::fail(InvalidArgument(std::string(noun) + ".stream[" + std::to_string(null) +
+                               "] is null; it must point to the first of " + std::to_string(count) + " floats"));
 }
 
 void refuse_bound(const char* noun, std::size_t i, const std::string& why) {
-  throw BadBound(i, std::string(noun) + " " + std::to_string(i) + " " + why);
+  kernel::fail(BadBound(i, std::string(noun) + " " + std::to_string(i) + " " + why));
 }
 
 void refuse_order(const char* noun, std::size_t i, std::size_t axis, float lo, float hi) {
@@ -34,60 +35,61 @@ void refuse_order(const char* noun, std::size_t i, std::size_t axis, float lo, f
 }
 
 void refuse_form(Form form) {
-  throw InvalidArgument("form = " + std::to_string(static_cast<unsigned>(form)) +
-                        " is none of Form::fastest, Form::slab and Form::planes");
+  kernel::fail(InvalidArgument("form = " + std::to_string(static_cast<unsigned>(form)) +
+                               " is none of Form::fastest, Form::slab and Form::planes"));
 }
 
 void refuse_contact(Contact contact) {
-  throw InvalidArgument("contact = " + std::to_string(static_cast<unsigned>(contact)) +
-                        " is neither Contact::closed nor Contact::open");
+  kernel::fail(InvalidArgument("contact = " + std::to_string(static_cast<unsigned>(contact)) +
+                               " is neither Contact::closed nor Contact::open"));
 }
 
 void refuse_triangle_test(TriangleTest test) {
-  throw InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
-                        " is neither TriangleTest::vertices nor TriangleTest::exact");
+  kernel::fail(InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
+                               " is neither TriangleTest::vertices nor TriangleTest::exact"));
 }
 
 void refuse_words(const char* what, std::size_t size, std::size_t bounds) {
-  throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
-                        counted(bounds, "bound") + " take " + std::to_string(words_for(bounds)));
+  kernel::fail(InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
+                               counted(bounds, "bound") + " take " + std::to_string(words_for(bounds))));
 }
 
 void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words) {
   const bool overflows = row_words != 0 && shafts > std::numeric_limits<std::size_t>::max() / row_words;
-  throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; " + counted(shafts, "shaft") +
-                        " times words_for(bounds.count) = " + counted(row_words, "word") + " need " +
-                        (overflows ? "more than memory can hold" : std::to_string(shafts * row_words)));
+  kernel::fail(InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; " + counted(shafts, "shaft") +
+                               " times words_for(bounds.count) = " + counted(row_words, "word") + " need " +
+                               (overflows ? "more than memory can hold" : std::to_string(shafts * row_words))));
 }
 
 void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
-  throw InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + "; " + counted(shafts, "shaft") +
-                        " need one each");
+  kernel::fail(InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + "; " +
+                               counted(shafts, "shaft") + " need one each"));
 }
 
 void refuse_room(const char* what, std::size_t size, std::size_t shafts, std::size_t most) {
-  throw InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + " indices; " +
-                        counted(shafts, "shaft") + " need room for most = " + std::to_string(most) + " each");
+  kernel::fail(InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + " indices; " +
+                               counted(shafts, "shaft") + " need room for most = " + std::to_string(most) + " each"));
 }
 
 void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
-  throw InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; one bit for each of " +
-                        counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts)));
+  kernel::fail(InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; one bit for each of " +
+                               counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts))));
 }
 
 void refuse_index_width(const char* call, std::size_t bounds) {
-  throw InvalidArgument(std::string(call) + " got " + std::to_string(bounds) + " bounds, but 32-bit indices reach " +
-                        std::to_string(std::numeric_limits<std::uint32_t>::max()) + "; use 64-bit ones");
+  kernel::fail(InvalidArgument(std::string(call) + " got " + std::to_string(bounds) +
+                               " bounds, but 32-bit indices reach " +
+                               std::to_string(std::numeric_limits<std::uint32_t>::max()) + "; use 64-bit ones"));
 }
 
 void refuse_shared_memory(const char* call, const char* one, const char* other) {
-  throw InvalidArgument(std::string(call) + ": " + one + " and " + other +
-                        " share memory; what is written needs memory of its own");
+  kernel::fail(InvalidArgument(std::string(call) + ": " + one + " and " + other +
+                               " share memory; what is written needs memory of its own"));
 }
 
 void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds) {
-  throw InvalidArgument(std::string(what) + "[" + std::to_string(position) + "] = " + std::to_string(index) +
-                        " is not below the number of bounds, " + std::to_string(bounds));
+  kernel::fail(InvalidArgument(std::string(what) + "[" + std::to_string(position) + "] = " + std::to_string(index) +
+                               " is not below the number of bounds, " + std::to_string(bounds)));
 }
 
 }  // namespace shaftcull::kernel

@@ -14,6 +14,7 @@
 #include "streams/access.hpp"
 #include "support/arguments.hpp"
 #include "support/checksum.hpp"
+#include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "support/text.hpp"
 #include "tree/access.hpp"
@@ -95,7 +96,7 @@ void for_sections(const TriangleParts& parts, const Use& use) {
 /// What a tree holds; null for an empty one.
 template <class Bound, class Index>
 const TreeParts<Bound, Index>* parts_of(const BoundsTree<Bound, Index>& tree) {
-  if (tree.needs_refit()) throw NeedsRefit("the image of a tree whose bounds were updated; call refit() first");
+  if (tree.needs_refit()) kernel::fail(NeedsRefit("the image of a tree whose bounds were updated; call refit() first"));
   return tree.size() == 0 ? nullptr : TreeAccess::parts(tree);
 }
 const TriangleParts* parts_of(const TriangleTree& tree) noexcept {
@@ -188,7 +189,7 @@ bool are_chunks_possible(const ImageHeader& header) noexcept {
          header.missing == header.chunks * each - header.size;
 }
 
-[[noreturn]] void refuse(const std::string& why) { throw InvalidArgument("the image of a tree " + why); }
+[[noreturn]] void refuse(const std::string& why) { kernel::fail(InvalidArgument("the image of a tree " + why)); }
 
 /// The header of an image, which may be one of such a tree.
 template <class Tree>
@@ -196,7 +197,7 @@ ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
   using Kind = ImageKind<Tree>;
   require_memory("image", image, "bytes");
   if (check > ImageCheck::header) {
-    throw InvalidArgument("ImageCheck " + std::to_string(static_cast<unsigned>(check)) + " is none");
+    kernel::fail(InvalidArgument("ImageCheck " + std::to_string(static_cast<unsigned>(check)) + " is none"));
   }
   if (reinterpret_cast<std::uintptr_t>(image.data()) % line != 0) {
     refuse("has to begin at a multiple of 64 bytes in memory; map its file, or read it to aligned memory");
@@ -292,8 +293,8 @@ void write_image(const Tree& tree, std::span<std::byte> image) {
   const auto* const parts = kernel::parts_of(tree);
   kernel::require_memory("image", image, "bytes");
   if (image.size() != bytes) {
-    throw InvalidArgument("image has " + kernel::counted(image.size(), "byte") + "; that of this tree takes " +
-                          std::to_string(bytes));
+    kernel::fail(InvalidArgument("image has " + kernel::counted(image.size(), "byte") + "; that of this tree takes " +
+                                 std::to_string(bytes)));
   }
   kernel::ImageHeader header{};
   header.name = kernel::image_name;

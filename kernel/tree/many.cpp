@@ -6,6 +6,7 @@
 
 #include "parallel/parallel.hpp"
 #include "shaftcull/blocked.hpp"
+#include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "support/list_memory.hpp"
 #include "tree/query.hpp"
@@ -153,7 +154,7 @@ constexpr std::size_t slots_per_thread = 8;
 
 template <class Callback>
 void require_callback(const Callback& callback) {
-  if (!callback) throw InvalidArgument("the shaft callback is empty; pass something that can be called");
+  if (!callback) kernel::fail(InvalidArgument("the shaft callback is empty; pass something that can be called"));
 }
 
 /// Walks with the visitor that visitor_of(slot) makes, for every shaft in parallel, and then calls deliver(s, slot),

@@ -12,6 +12,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/query.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 #include "tree/access.hpp"
@@ -38,7 +39,8 @@ class Query {
         own_per_shaft_(shafts.empty() ? 0 : excluding.own.size() / shafts.size()),
         mask_(excluding.mask),
         only_layers_(excluding.only_layers) {
-    if (parts_.dirty_words != 0) throw NeedsRefit("query of a tree whose bounds were updated; call refit() first");
+    if (parts_.dirty_words != 0)
+      kernel::fail(NeedsRefit("query of a tree whose bounds were updated; call refit() first"));
     require_memory("shafts", shafts, "shafts");
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       if (question == Question::blocking) {
@@ -49,24 +51,26 @@ class Query {
       }
     }
     if (own_per_shaft_ * shafts.size() != own_.size()) {
-      throw InvalidArgument("excluding.own has " + counted_indices(own_.size()) + ", which is not a multiple of the " +
-                            counted(shafts.size(), "shaft") + "; each needs as many");
+      kernel::fail(InvalidArgument("excluding.own has " + counted_indices(own_.size()) +
+                                   ", which is not a multiple of the " + counted(shafts.size(), "shaft") +
+                                   "; each needs as many"));
     }
     require_below("excluding.own", own_, parts_.size);
     require_memory("excluding.mask", mask_, "words");
     if (!mask_.empty() && mask_.size() != words_for(parts_.size)) {
-      throw InvalidArgument("excluding.mask has " + counted(mask_.size(), "word") + "; the bits of " +
-                            counted(parts_.size, "bound") + " take " + std::to_string(words_for(parts_.size)));
+      kernel::fail(InvalidArgument("excluding.mask has " + counted(mask_.size(), "word") + "; the bits of " +
+                                   counted(parts_.size, "bound") + " take " + std::to_string(words_for(parts_.size))));
     }
     require_memory("excluding.only_layers", only_layers_, "sets of layers");
     if (only_layers_.empty()) return;
     if (only_layers_.size() != 1 && only_layers_.size() != shafts.size()) {
-      throw InvalidArgument("excluding.only_layers has " + counted(only_layers_.size(), "set") + " of layers for " +
-                            counted(shafts.size(), "shaft") + "; give one for each, or one for all");
+      kernel::fail(InvalidArgument("excluding.only_layers has " + counted(only_layers_.size(), "set") +
+                                   " of layers for " + counted(shafts.size(), "shaft") +
+                                   "; give one for each, or one for all"));
     }
     if (!parts_.layers.exist() && parts_.size != 0) {
-      throw InvalidArgument(
-          "excluding.only_layers asks for layers, and the tree has none; call set_layers() of the tree first");
+      kernel::fail(InvalidArgument(
+          "excluding.only_layers asks for layers, and the tree has none; call set_layers() of the tree first"));
     }
   }
 

@@ -12,6 +12,7 @@
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
 #include "streams/view_reader.hpp"
+#include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
@@ -91,7 +92,7 @@ void require_legal(const Source& source) {
   });
   const std::size_t i = first_bad.load(std::memory_order_relaxed);
   if (i == none) return;
-  throw BadBound(i, std::string(ReaderOf<Bound>::noun) + " " + std::to_string(i) + ": " + source.fault(i));
+  kernel::fail(BadBound(i, std::string(ReaderOf<Bound>::noun) + " " + std::to_string(i) + ": " + source.fault(i)));
 }
 
 }  // namespace shaftcull::kernel

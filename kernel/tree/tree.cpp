@@ -10,6 +10,7 @@
 #include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 #include "tree/access.hpp"
@@ -25,9 +26,10 @@ template <class Index, class Bounds>
 const Bounds& within_capacity(const Bounds& bounds) {
   constexpr std::uint64_t most = std::min<std::uint64_t>(std::numeric_limits<Index>::max(), kernel::most_bounds);
   if (bounds.count <= most) return bounds;
-  throw InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: with " +
-                        std::to_string(8 * sizeof(Index)) + "-bit indices it can hold " + std::to_string(most) +
-                        (most < kernel::most_bounds ? "; use a BoundsTree<…, std::uint64_t>" : "; build several"));
+  kernel::fail(
+      InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: with " +
+                      std::to_string(8 * sizeof(Index)) + "-bit indices it can hold " + std::to_string(most) +
+                      (most < kernel::most_bounds ? "; use a BoundsTree<…, std::uint64_t>" : "; build several")));
 }
 
 /// A tree's parts, built from `source`.
@@ -107,7 +109,7 @@ auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
 template <class Bound, BoundIndex Index>
 Box BoundsTree<Bound, Index>::box() const {
   static const kernel::TreeParts<Bound, Index> empty;
-  if (needs_refit()) throw NeedsRefit("box() of a tree whose bounds were updated; call refit() first");
+  if (needs_refit()) kernel::fail(NeedsRefit("box() of a tree whose bounds were updated; call refit() first"));
   return kernel::in_float_environment(
       [&] { return kernel::box_around<Bound>(parts_ ? *parts_ : empty, kernel::active_kernels()); });
 }
@@ -181,8 +183,8 @@ template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::set_layers(std::span<const std::uint32_t> layers) {
   kernel::require_memory("layers", layers, "layers");
   if (layers.size() != size()) {
-    throw InvalidArgument("set_layers() of a tree of " + kernel::counted(size(), "bound") + " got those of " +
-                          std::to_string(layers.size()) + "; give those of each");
+    kernel::fail(InvalidArgument("set_layers() of a tree of " + kernel::counted(size(), "bound") + " got those of " +
+                                 std::to_string(layers.size()) + "; give those of each"));
   }
   if (parts_) parts_->layers = kernel::layers_of<Bound, Index>(*parts_, parts_->order, layers);
 }
@@ -191,13 +193,14 @@ template <class Bound, BoundIndex Index>
 void BoundsTree<Bound, Index>::set_layers(std::span<const Index> indices, std::span<const std::uint32_t> layers) {
   kernel::require_memory("layers", layers, "layers");
   if (indices.size() != layers.size()) {
-    throw InvalidArgument("set_layers() got " + kernel::counted_indices(indices.size()) + " and the layers of " +
-                          kernel::counted(layers.size(), "bound") + "; every index needs those of one bound");
+    kernel::fail(InvalidArgument("set_layers() got " + kernel::counted_indices(indices.size()) + " and the layers of " +
+                                 kernel::counted(layers.size(), "bound") + "; every index needs those of one bound"));
   }
   kernel::require_below("set_layers(): indices", indices, size());
   if (indices.empty()) return;
   if (!has_layers()) {
-    throw InvalidArgument("set_layers() of some bounds of a tree without layers; give those of all bounds first");
+    kernel::fail(
+        InvalidArgument("set_layers() of some bounds of a tree without layers; give those of all bounds first"));
   }
   const Index* const place = parts_->places.of(parts_->order);
   for (std::size_t i = 0; i != indices.size(); ++i) {
@@ -224,7 +227,7 @@ std::span<const std::uint32_t> BoundsTree<Bound, Index>::layers() const noexcept
 template <class Bound, BoundIndex Index>
 double BoundsTree<Bound, Index>::growth() const {
   if (!parts_) return 1;
-  if (needs_refit()) throw NeedsRefit("growth() of a tree whose bounds were updated; call refit() first");
+  if (needs_refit()) kernel::fail(NeedsRefit("growth() of a tree whose bounds were updated; call refit() first"));
   return kernel::in_float_environment([&] {
     const double now = kernel::surface(*parts_);
     return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;

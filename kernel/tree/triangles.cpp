@@ -18,6 +18,7 @@
 #include "shaftcull/tree.hpp"
 #include "streams/access.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "support/list_memory.hpp"
 #include "tree/outputs.hpp"
@@ -211,8 +212,8 @@ template <class Source>
 TriangleStream packed(const Source& source, std::size_t count) {
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
   if (count <= most) return TriangleStream(source);
-  throw InvalidArgument("a tree of " + std::to_string(count) + " triangles: with 32-bit indices it can hold " +
-                        std::to_string(most) + "; build several");
+  kernel::fail(InvalidArgument("a tree of " + std::to_string(count) + " triangles: with 32-bit indices it can hold " +
+                               std::to_string(most) + "; build several"));
 }
 
 template <class Parts>

@@ -7,6 +7,7 @@
 #include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/text.hpp"
 #include "tree/write_leaves.hpp"
 
@@ -18,8 +19,8 @@ constexpr std::size_t block_leaves = gap_leaves;
 
 void require_count(std::size_t count, std::size_t size) {
   if (count == size) return;
-  throw InvalidArgument("update of a tree of " + counted(size, "bound") + " got " + std::to_string(count) +
-                        "; give one for each, or the indices of those that changed");
+  kernel::fail(InvalidArgument("update of a tree of " + counted(size, "bound") + " got " + std::to_string(count) +
+                               "; give one for each, or the indices of those that changed"));
 }
 
 /// Tree order reads and writes all over both, so a part of the leaves cannot be their new value.
@@ -49,8 +50,8 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
 template <class Bound, class Index, class Source>
 void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices, const Source& source) {
   if (indices.size() != source.count()) {
-    throw InvalidArgument("update got " + counted_indices(indices.size()) + " and " + counted(source.count(), "bound") +
-                          "; every index needs one bound");
+    kernel::fail(InvalidArgument("update got " + counted_indices(indices.size()) + " and " +
+                                 counted(source.count(), "bound") + "; every index needs one bound"));
   }
   require_below("update: indices", indices, parts.size);
   require_other_memory(parts, source);

@@ -2,6 +2,7 @@
 #include "visibility/arguments.hpp"
 
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull::kernel {
@@ -12,14 +13,15 @@ constexpr std::size_t least_memory = std::size_t{1} << 20;
 }  // namespace
 
 void refuse_sight(const std::string& what, Sight sight, const std::string& whose) {
-  throw InvalidArgument(what + " = " + std::to_string(static_cast<unsigned>(sight)) + whose +
-                        " is none of Sight::undecided, Sight::clear, Sight::blocked and Sight::facing_away");
+  kernel::fail(InvalidArgument(what + " = " + std::to_string(static_cast<unsigned>(sight)) + whose +
+                               " is none of Sight::undecided, Sight::clear, Sight::blocked and Sight::facing_away"));
 }
 
 void require_options(const VisibilityOptions& options) {
   require_contact(options.contact);
   if (options.memory < least_memory) {
-    throw InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more");
+    kernel::fail(
+        InvalidArgument("memory is " + std::to_string(options.memory) + " bytes; it takes 1 MB (1048576) or more"));
   }
 }
 
@@ -28,15 +30,16 @@ void require_rows(std::span<const std::uint64_t> bits, std::size_t a, std::size_
   // No product of such numbers overflows where there are 64-bit sizes; elsewhere no span has so many words.
   const std::uint64_t needed = std::uint64_t{a} * words;
   if (bits.size() != needed) {
-    throw InvalidArgument("bits has " + counted(bits.size(), "word") + "; " + counted(a, "row") +
-                          ", one for each patch of a, of words_for(" + std::to_string(b) + ") = " +
-                          counted(words, "word") + ", a bit for each patch of b, take " + std::to_string(needed));
+    kernel::fail(InvalidArgument("bits has " + counted(bits.size(), "word") + "; " + counted(a, "row") +
+                                 ", one for each patch of a, of words_for(" + std::to_string(b) +
+                                 ") = " + counted(words, "word") + ", a bit for each patch of b, take " +
+                                 std::to_string(needed)));
   }
   require_memory("bits", bits, "words");
 }
 
 void require_callback(const FunctionRef<void(const SightBatch&)>& deliver) {
-  if (!deliver) throw InvalidArgument("deliver is empty; it is called with the answers");
+  if (!deliver) kernel::fail(InvalidArgument("deliver is empty; it is called with the answers"));
 }
 
 }  // namespace shaftcull::kernel

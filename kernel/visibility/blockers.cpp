@@ -11,6 +11,7 @@
 #include "shaftcull/tree.hpp"
 #include "shaftcull/visibility.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -75,7 +76,7 @@ class Addition {
       data_.largest_coordinate = std::max({data_.largest_coordinate, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
     }
     if (data_.boxes.size() == std::numeric_limits<std::uint32_t>::max()) {
-      throw InvalidArgument("there are 2^32 - 1 blockers already; no more can be numbered");
+      kernel::fail(InvalidArgument("there are 2^32 - 1 blockers already; no more can be numbered"));
     }
     data_.boxes.push_back(row);
     data_.first_point.push_back(data_.points.size());
@@ -132,13 +133,13 @@ std::vector<Box> usable_boxes(std::span<const Box> boxes, const char* noun) {
 void require_parts(std::span<const std::size_t> first, std::size_t size, const char* name, const char* noun) {
   if (first.empty() && size == 0) return;
   if (first.empty() || first.front() != 0 || first.back() != size) {
-    throw InvalidArgument(std::string(name) + " must begin with 0 and end with the number of " + noun + ", " +
-                          std::to_string(size));
+    kernel::fail(InvalidArgument(std::string(name) + " must begin with 0 and end with the number of " + noun + ", " +
+                                 std::to_string(size)));
   }
   for (std::size_t i = 1; i < first.size(); ++i) {
     if (first[i] >= first[i - 1]) continue;
-    throw InvalidArgument(std::string(name) + "[" + std::to_string(i) + "] = " + std::to_string(first[i]) +
-                          " is less than the one before it");
+    kernel::fail(InvalidArgument(std::string(name) + "[" + std::to_string(i) + "] = " + std::to_string(first[i]) +
+                                 " is less than the one before it"));
   }
 }
 
@@ -152,9 +153,9 @@ void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<cons
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
     if (part.size() < fewest || part.size() > most) {
-      throw InvalidArgument(std::string(noun) + " " + std::to_string(i) + " has " +
-                            kernel::counted(part.size(), "corner") + "; it takes " + std::to_string(fewest) +
-                            (most < any_number ? " to " + std::to_string(most) : " or more"));
+      kernel::fail(InvalidArgument(std::string(noun) + " " + std::to_string(i) + " has " +
+                                   kernel::counted(part.size(), "corner") + "; it takes " + std::to_string(fewest) +
+                                   (most < any_number ? " to " + std::to_string(most) : " or more")));
     }
     PointBox around;
     for (const Vec3& corner : part) {
@@ -329,7 +330,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
     kernel::require_view(triangles);
     kernel::require_memory("first_triangle", first_triangle, "positions");
     if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
-      throw InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered");
+      kernel::fail(InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered"));
     }
     for (std::size_t i = 0; i != triangles.count; ++i) {
       for (const Vec3& vertex : triangles[i].vertex) {
@@ -361,7 +362,7 @@ std::size_t Blockers::add_triangles(const TriangleView& triangles, std::span<con
     if (has_groups) {
       for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
         if (first_triangle[i] == first_triangle[i + 1]) {
-          throw InvalidArgument("group " + std::to_string(i) + " of triangles is empty");
+          kernel::fail(InvalidArgument("group " + std::to_string(i) + " of triangles is empty"));
         }
         add_group(first_triangle[i], first_triangle[i + 1]);
       }

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
 #include "kernels/siblings/siblings.hpp"
 #include "shaftcull/bounds.hpp"
+#include "support/threads.hpp"
 #include "visibility/box_clumps.hpp"
 
 namespace shaftcull::kernel {
@@ -46,7 +46,7 @@ class MadeOnce {
   /// What make() returns, which must be the same from one call to the next but for forget().
   template <class Make>
   [[nodiscard]] Shared of(const Make& make) const {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     if (made_ == nullptr) made_ = std::make_shared<const Made>(make());
     return made_;
   }
@@ -55,11 +55,11 @@ class MadeOnce {
 
  private:
   [[nodiscard]] Shared made() const {
-    const std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     return made_;
   }
 
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   mutable Shared made_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "shaftcull/visibility.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 #include "visibility/patch_tree.hpp"
@@ -19,11 +20,11 @@ template <class Boxes>
 void require_patches(const Boxes& boxes, std::size_t count, std::span<const Plane> planes) {
   kernel::require_memory("planes", planes, "planes");
   if (!planes.empty() && planes.size() != count) {
-    throw InvalidArgument(kernel::counted(planes.size(), "plane") + " for " + std::to_string(count) +
-                          " patches; there must be one for each, or none");
+    kernel::fail(InvalidArgument(kernel::counted(planes.size(), "plane") + " for " + std::to_string(count) +
+                                 " patches; there must be one for each, or none"));
   }
   if (count >= std::numeric_limits<std::uint32_t>::max()) {
-    throw InvalidArgument(std::to_string(count) + " patches; there may be at most 2^32 - 2");
+    kernel::fail(InvalidArgument(std::to_string(count) + " patches; there may be at most 2^32 - 2"));
   }
   const auto refuse = [](std::size_t i, const char* why) { kernel::refuse_bound("patch", i, why); };
   for (std::size_t i = 0; i != count; ++i) {

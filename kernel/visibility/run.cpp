@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,7 +14,9 @@
 #include "dispatch/active_kernels.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/many.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
+#include "support/threads.hpp"
 #include "visibility/arguments.hpp"
 #include "visibility/ladder.hpp"
 #include "visibility/sight_set.hpp"
@@ -60,8 +61,8 @@ class ProgressTeller {
     if (!at_once && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     if (!modes_([&] { return options_.progress({done, total_}); })) {
-      throw Cancelled("the call was cancelled by its progress callback after " + std::to_string(done) + " of " +
-                      std::to_string(total_) + " pairs");
+      kernel::fail(Cancelled("the call was cancelled by its progress callback after " + std::to_string(done) + " of " +
+                             std::to_string(total_) + " pairs"));
     }
   }
 
@@ -169,7 +170,7 @@ class Run {
   class BorrowedLadder {
    public:
     explicit BorrowedLadder(Run& run) : run_(run) {
-      const std::lock_guard lock(run.ladders_mutex_);
+      const Lock lock(run.ladders_mutex_);
       if (run.ladders_.empty()) {
         run.ladders_.reserve(++run.made_ladders_);  // so that giving back allocates nothing
         ladder_ = std::make_unique<Ladder>(run.job_);
@@ -181,7 +182,7 @@ class Run {
     BorrowedLadder(const BorrowedLadder&) = delete;
     BorrowedLadder& operator=(const BorrowedLadder&) = delete;
     ~BorrowedLadder() {
-      const std::lock_guard lock(run_.ladders_mutex_);
+      const Lock lock(run_.ladders_mutex_);
       run_.ladders_.push_back(std::move(ladder_));
     }
     Ladder* operator->() const noexcept { return ladder_.get(); }
@@ -260,16 +261,20 @@ class Run {
     answers.clear();
     // What is kept of earlier ones must leave room for these, which grow by doubling.
     if (answers.held_bytes() > room_ / 2) answers = {};
+    slot.has_all = false;
+#if defined(__cpp_exceptions)
     const auto give_up = [] { throw TooMany(); };
     const Ladder::Full full = give_up;
     try {
       BorrowedLadder(*this)->answer(task, {answers, most_answers_, full});
       slot.has_all = true;
     } catch (const TooMany&) {
-      slot.has_all = false;
       return;
     }
     resolve(answers);
+#else  // a ladder cannot be left half-way: every product is answered in parts
+    static_cast<void>(task);
+#endif
   }
 
   /// Answers a product whatever there is to say, and hands all over but the last part.
@@ -373,7 +378,7 @@ class Run {
   std::vector<Item> items_;
   std::size_t waiting_bytes_ = 0;
   std::vector<Slot> slots_;
-  std::mutex ladders_mutex_;
+  Mutex ladders_mutex_;
   std::vector<std::unique_ptr<Ladder>> ladders_;
   std::size_t made_ladders_ = 0;
 };

@@ -11,6 +11,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/hull.hpp"
 #include "support/arguments.hpp"
+#include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
 
@@ -228,12 +229,13 @@ std::vector<Box> merged_boxes(std::span<const Box> boxes) {
 Box inscribed_box(std::span<const Vec3> corners) {
   kernel::require_memory("corners", corners, "corners");
   if (corners.size() < 4 || corners.size() > ConvexHull::max_vertices) {
-    throw InvalidArgument("a solid hull has " + kernel::counted(corners.size(), "corner") + "; it takes 4 to " +
-                          std::to_string(ConvexHull::max_vertices));
+    kernel::fail(InvalidArgument("a solid hull has " + kernel::counted(corners.size(), "corner") + "; it takes 4 to " +
+                                 std::to_string(ConvexHull::max_vertices)));
   }
   for (std::size_t i = 0; i != corners.size(); ++i) {
     for (const float x : corners[i]) {
-      if (!std::isfinite(x)) throw InvalidArgument("corner " + std::to_string(i) + " of a solid hull is not finite");
+      if (!std::isfinite(x))
+        kernel::fail(InvalidArgument("corner " + std::to_string(i) + " of a solid hull is not finite"));
     }
   }
   return kernel::in_float_environment([&] { return box_inside(corners); });

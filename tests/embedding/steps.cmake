@@ -69,8 +69,10 @@ endfunction()
 # answers([text]): the client's answers are those on record; what it prints, which `output` is set to, is `text`. Where it is for
 # another processor, `emulator` runs it.
 set(emulator "")
+set(suffix "")
 function(answers)
-  run(${emulator} "${WORK}/a parent/client")
+  run(${emulator} "${WORK}/a parent/client${suffix}")
+  string(REPLACE "\r" "" output "${output}")
   set(output "${output}" PARENT_SCOPE)
   if(ARGN AND NOT output STREQUAL "${ARGN}")
     message(FATAL_ERROR "the client prints\n${output}instead of\n${ARGN}")
@@ -79,7 +81,9 @@ endfunction()
 
 # hashes(text): likewise of the program that parent/hashes.cmake builds.
 function(hashes text)
-  run(${emulator} "${WORK}/a parent/hashes")
+  run(${emulator} "${WORK}/a parent/hashes${suffix}")
+  string(REPLACE "\r" "" output "${output}")
+  set(output "${output}" PARENT_SCOPE)
   if(NOT output STREQUAL text)
     message(FATAL_ERROR "the hashes are\n${output}instead of\n${text}")
   endif()

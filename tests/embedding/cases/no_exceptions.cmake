@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# A program and a library without exceptions: the same answers, and a handler is told of errors.
+needs(g++ -fno-exceptions)
+configure(g++ -D CMAKE_BUILD_TYPE=Debug -D SHAFTCULL_WITH_EXCEPTIONS=OFF -D PARENT_OPTIONS=-fno-exceptions
+  -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/handler.cmake)
+build()
+answers()
+
+execute_process(COMMAND "${WORK}/a parent/handler" --handle RESULT_VARIABLE result OUTPUT_VARIABLE output)
+if(NOT result EQUAL 7 OR NOT output MATCHES "^told: .* is above ")
+  message(FATAL_ERROR "the handler is not told: ${result}, ${output}")
+endif()
+execute_process(COMMAND "${WORK}/a parent/handler" RESULT_VARIABLE result ERROR_VARIABLE output)
+if(result EQUAL 0 OR NOT output MATCHES "^shaftcull: .* is above ")
+  message(FATAL_ERROR "without a handler the program goes on, or does not say why it ends: ${result}, ${output}")
+endif()
