@@ -94,7 +94,7 @@ TEST_F(CliCull, LeavesOutWhatOnlyTouchesIfContactIsOpen) {
       "shelf.obj", obj_of({{"left", 0, 0, 1}, {"right", 10, 0, 1}, {"between", 5, 0, 1}, {"below", 5, -2, 1}}));
   for (const bool tree : {false, true}) {
     std::vector<std::string> arguments = {"cull", shelf, "--from", "left", "--to", "right", "--contact", "closed"};
-    if (tree) arguments.push_back("--tree");
+    if (tree) arguments.emplace_back("--tree");
     EXPECT_THAT(run_program(arguments).out, AllOf(HasSubstr("2 objects may lie between"), HasSubstr("below")));
     arguments[7] = "open";
     const Outcome open = run_program(arguments);
