@@ -137,7 +137,7 @@ struct GroupOnGrid {
       auto& cut = shaft[s].cut;
       cut = {0, false, std::numeric_limits<std::int16_t>::min()};  // nothing is beyond
       if (!shafts[s].is_endless() || !shaft[s].exists) continue;
-      const unsigned first = first_face[s];
+      const unsigned first = first_face[s];  // NOLINT(clang-analyzer-core.uninitialized.Assign): each was written
       if (first == none) {
         cut.least = std::numeric_limits<std::int16_t>::max();  // all may be beyond
         continue;

@@ -17,11 +17,6 @@
 #include "support/text.hpp"
 
 namespace shaftcull {
-namespace {
-
-using kernel::text;
-
-}  // namespace
 
 void kernel::require_finite(const Box& box, const char* name) {
   for (std::size_t k = 0; k < 3; ++k) {

@@ -26,7 +26,9 @@ template <class Index>
 struct PositionInTree {
   const Index* place;
 
-  [[nodiscard]] Index operator()(Index index) const noexcept { return place[index]; }
+  [[nodiscard]] Index operator()(Index index) const noexcept {
+    return place[index];  // NOLINT(clang-analyzer-core.NullDereference): null of a tree that has no index
+  }
   [[gnu::always_inline]] void prefetch(Index index) const noexcept { prefetch_to_second_level(place + index, 1); }
 };
 
