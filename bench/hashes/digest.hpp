@@ -44,7 +44,7 @@ template <class View>
 void add_answers(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
   if (way == Way::many) {
     const GridAnswers among_many = grid_answers(shaft, view, 3);
-    digest.add_all(among_many.kept);
+    digest.add_all(among_many.kept);  // twice, as cull() and classify() below tell it
     digest.add_all(among_many.kept);
     digest.add_all(among_many.inside);
     return;

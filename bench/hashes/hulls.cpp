@@ -18,8 +18,7 @@ std::uint64_t convex_hulls(std::uint64_t scenes, Way way) {
   Numbers numbers;
   Digest digest;
   for (std::size_t h = 0; h != scenes; ++h) {
-    const bool is_wild = h % 5 == 4;
-    const Number number = is_wild ? &Numbers::any : h % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+    const Number number = number_of(h);
     std::vector<Vec3> points;
     for (int left = 1 + numbers.below(8); left != 0; --left) points.push_back(point(numbers, number));
     if (numbers.below(6) == 0) {
@@ -37,7 +36,7 @@ std::uint64_t convex_hulls(std::uint64_t scenes, Way way) {
     std::vector<Box> boxes;
     std::vector<Sphere> spheres;
     for (std::size_t i = 0; i != bounds_a_scene; ++i) {
-      const bool touches = !is_wild && numbers.below(2) == 0;
+      const bool touches = !is_wild(h) && numbers.below(2) == 0;
       const Vec3 p = any_point();
       const Vec3 on = touches ? edge_point(numbers, {p, p}, {any_point(), p}) : point(numbers, number);
       boxes.push_back(numbers.below(4) == 0 ? Box{on, on} : sorted(on, point(numbers, number)));

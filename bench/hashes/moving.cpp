@@ -23,16 +23,15 @@ struct Scene {
   std::vector<Sphere> spheres;
 };
 
-/// A fifth of the scenes are of any floats, half of the others on a lattice; many bounds touch.
+/// Many bounds touch the path of a corner.
 Scene scene(std::size_t s, Numbers& numbers) {
-  const bool is_wild = s % 5 == 4;
-  const Number number = is_wild ? &Numbers::any : s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+  const Number number = number_of(s);
   const Box a = box(numbers, number);
   const Box b = box(numbers, number);
   const int kind = numbers.below(4);
   Scene scene{moving_shaft(kind, a, b, point(numbers, number)), {}, {}};
   for (std::size_t i = 0; i != bounds_a_scene; ++i) {
-    const bool touches = !is_wild && numbers.below(2) == 0;
+    const bool touches = !is_wild(s) && numbers.below(2) == 0;
     const Vec3 p = touches ? edge_point(numbers, scene.shaft.a(), scene.shaft.b()) : point(numbers, number);
     scene.boxes.push_back(numbers.below(4) == 0 ? Box{p, p} : sorted(p, point(numbers, number)));
     scene.spheres.push_back({p, numbers.below(4) == 0 ? 0.0F : std::abs((numbers.*number)())});

@@ -20,8 +20,7 @@ std::uint64_t answers(std::uint64_t scenes, TriangleTest test) {
   Numbers numbers;
   Digest digest;
   for (std::size_t s = 0; s != scenes; ++s) {
-    const bool is_wild = s % 5 == 4;
-    const Number number = is_wild ? &Numbers::any : s % 2 == 0 ? &Numbers::grid : &Numbers::fine;
+    const Number number = number_of(s);
     const Box a = box(numbers, number);
     const Box b = box(numbers, number);
     const Vec3 movement = point(numbers, number);  // first: compilers may draw arguments in any order
@@ -35,7 +34,7 @@ std::uint64_t answers(std::uint64_t scenes, TriangleTest test) {
     for (std::size_t i = 0; i != bounds_a_scene; ++i) {
       Triangle triangle{};
       for (Vec3& vertex : triangle.vertex) {
-        const bool touches = !is_wild && numbers.below(3) == 0;
+        const bool touches = !is_wild(s) && numbers.below(3) == 0;
         vertex = touches ? edge_point(numbers, shaft.a(), shaft.b()) : point(numbers, number);
       }
       if (numbers.below(8) == 0) triangle.vertex[2] = triangle.vertex[numbers.below(2) == 0 ? 0 : 1];
