@@ -29,11 +29,14 @@ struct Piece {
 };
 
 struct Stretch {
-  std::vector<Piece> pieces;          ///< of each share, and behind them one more, whose `count` is their checksum
+  std::vector<Piece> pieces;          ///< of each share
+  std::vector<std::uint64_t> sum;     ///< one checksum, of these
   std::vector<float> floats;          ///< piece after piece
   std::vector<std::uint32_t> places;  ///< in the stretch, likewise
 
-  static auto arrays(const Stretch& stretch) { return std::tie(stretch.pieces, stretch.floats, stretch.places); }
+  static auto arrays(const Stretch& stretch) {
+    return std::tie(stretch.pieces, stretch.sum, stretch.floats, stretch.places);
+  }
 };
 
 template <class Number>
@@ -83,7 +86,8 @@ void DealtBounds::store(std::uint64_t stretch) const {
       ++count[share_of[i]];
     }
   });
-  Stretch dealt{std::vector<Piece>(shares + 1), std::vector<float>(size * columns), std::vector<std::uint32_t>(size)};
+  Stretch dealt{std::vector<Piece>(shares), std::vector<std::uint64_t>(1), std::vector<float>(size * columns),
+                std::vector<std::uint32_t>(size)};
   std::vector<std::size_t> begins(shares + 1);
   std::size_t begin = 0;
   for (std::size_t share = 0; share != shares; ++share) {
@@ -109,13 +113,12 @@ void DealtBounds::store(std::uint64_t stretch) const {
                            checksum_of(std::span<const float>(dealt.floats).subspan(at * columns, count * columns)),
                            checksum_of(std::span<const std::uint32_t>(dealt.places).subspan(at, count))};
   });
-  dealt.pieces[shares].count = checksum_of(std::span<const Piece>(dealt.pieces).first(shares));
+  dealt.sum[0] = checksum_of(std::span<const Piece>(dealt.pieces));
   store_.write(0, stretch, dealt);
 }
 
 ShareBounds DealtBounds::of(std::uint64_t share) const {
   const auto which = static_cast<std::size_t>(share);
-  const std::size_t shares = plan_.count();
   const std::size_t columns = bounds_.array().columns();
   ShareBounds kept{{}, {}, box_around(std::span<const Vec3>())};
   kept.floats.reserve(static_cast<std::size_t>(plan_.sizes[which]) * columns);
@@ -123,9 +126,10 @@ ShareBounds DealtBounds::of(std::uint64_t share) const {
   // Only what is read is compared with its checksum.
   const auto add = [&](const MappedBlock& block, std::uint64_t stretch) {
     const auto pieces = numbers_in<Piece>(block.array(0));
-    const auto floats = numbers_in<float>(block.array(1));
-    const auto places = numbers_in<std::uint32_t>(block.array(2));
-    if (pieces.size() != shares + 1 || pieces[shares].count != checksum_of(pieces.first(shares))) return false;
+    const auto sum = numbers_in<std::uint64_t>(block.array(1));
+    const auto floats = numbers_in<float>(block.array(2));
+    const auto places = numbers_in<std::uint32_t>(block.array(3));
+    if (pieces.size() != plan_.count() || sum.size() != 1 || sum[0] != checksum_of(pieces)) return false;
     std::size_t at = 0;
     for (std::size_t s = 0; s != which; ++s) at += static_cast<std::size_t>(pieces[s].count);
     const auto count = static_cast<std::size_t>(pieces[which].count);

@@ -5,6 +5,7 @@ shaftcull_test(batch
   batch/array_file.cpp
   batch/block_store.cpp
   batch/dealing.cpp
+  batch/dealt_bounds.cpp
   batch/job.cpp
   batch/progress_lines.cpp
   batch/share_plan.cpp)
