@@ -2,8 +2,8 @@
 /// What the library throws. Every message says what is wrong, where, and what would be right.
 ///
 /// *Without exceptions.* Where a toolchain has none (WebAssembly without a runtime, consoles), the library is built
-/// with the CMake option `SHAFTCULL_WITH_EXCEPTIONS=OFF`. What would be thrown is then given to a handler, and if that
-/// returns, the program ends (std::abort); so it does where memory runs out. set_error_handler() says which handler.
+/// with the CMake option `SHAFTCULL_WITH_EXCEPTIONS=OFF`. What would be thrown is then given to a handler, the one of
+/// set_error_handler(), and if that returns, the program ends (std::abort); so it does where memory runs out.
 ///
 /// Destructors are defined in the library, and with them what a `catch` compares: there is one of it, however many
 /// shared libraries a program loads. Standard libraries that compare addresses need that.
@@ -54,9 +54,8 @@ class NeedsRefit : public std::logic_error {
   ~NeedsRefit() override;
 };
 
-/// What a build without exceptions calls in place of throwing an error. It may end the program in its own way, or leave
-/// by longjmp; what the call had allocated is lost then, and its objects should not be used again. It gets no error of
-/// the standard library.
+/// What a build without exceptions calls in place of throwing an error. It ends the program in its own way: the library
+/// cannot go on, and does not leave things as they were. Where operator new finds no memory, it is not called.
 using ErrorHandler = void (*)(const std::exception& error);
 
 /// Sets the handler, and returns the one before. Null, as at first: the message goes to standard error, and the program

@@ -14,3 +14,7 @@ execute_process(COMMAND "${WORK}/a parent/handler" RESULT_VARIABLE result ERROR_
 if(result EQUAL 0 OR NOT output MATCHES "^shaftcull: .* is above ")
   message(FATAL_ERROR "without a handler the program goes on, or does not say why it ends: ${result}, ${output}")
 endif()
+
+# What catches exceptions is not built without them.
+fails("builds the library alone; add -D SHAFTCULL_BUILD_C=OFF" ${CMAKE_COMMAND} -S ${SHAFTCULL} -B ${WORK}/alone -G ${GENERATOR}
+  -D SHAFTCULL_WITH_EXCEPTIONS=OFF -D SHAFTCULL_BUILD_TESTS=OFF -D SHAFTCULL_BUILD_BENCH=OFF -D SHAFTCULL_BUILD_PYTHON=OFF)
