@@ -6,14 +6,15 @@ if(NOT wine)
   skip("there is no wine64 on this machine")
 endif()
 # xsimd by itself, as no include folder of this machine belongs in front of the compiler's own.
-file(STRINGS ${BUILD}/CMakeCache.txt xsimd REGEX "^xsimd_DIR:")
-string(REGEX REPLACE "^[^=]*=" "" xsimd "${xsimd}")
-string(REGEX MATCH "^(.*)/(lib|share)/(.*)$" ignored "${xsimd}")
-file(COPY ${xsimd}/ DESTINATION ${WORK}/prefix/${CMAKE_MATCH_2}/${CMAKE_MATCH_3})
-file(COPY ${CMAKE_MATCH_1}/include/xsimd DESTINATION ${WORK}/prefix/include)
+file(STRINGS ${BUILD}/CMakeCache.txt package REGEX "^xsimd_DIR:")
+string(REGEX REPLACE "^[^=]*=" "" package "${package}")
+string(REGEX REPLACE "/(lib|share)/.*" "" machine "${package}")
+file(RELATIVE_PATH place ${machine} ${package})
+file(COPY ${package}/ DESTINATION ${WORK}/prefix/${place})
+file(COPY ${machine}/include/xsimd DESTINATION ${WORK}/prefix/include)
 configure(x86_64-w64-mingw32-g++-posix -D CMAKE_SYSTEM_NAME=Windows -D CMAKE_SYSTEM_PROCESSOR=x86_64
   -D CMAKE_BUILD_TYPE=Release -D CMAKE_EXE_LINKER_FLAGS=-static -D SHAFTCULL_WITH_TBB=OFF
-  -D xsimd_DIR=${WORK}/prefix/${CMAKE_MATCH_2}/${CMAKE_MATCH_3}
+  -D xsimd_DIR=${WORK}/prefix/${place}
   -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/hashes.cmake)
 build()
 # Wine keeps its files in a folder of its own.
