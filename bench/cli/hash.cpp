@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -28,7 +27,6 @@ namespace shaftcull::cli {
 namespace {
 
 using hashes::Family;
-using hashes::Way;
 
 struct HashOptions {
   bool quick = false;
@@ -53,10 +51,6 @@ std::vector<const Family*> families_of(const HashOptions& options) {
     chosen.push_back(&hashes::families()[static_cast<std::size_t>(at - names.begin())]);
   }
   return chosen;
-}
-
-const char* text_of(Way way) {
-  return way == Way::slab ? "slab form" : way == Way::planes ? "plane form" : "many shafts";
 }
 
 class Hashing {
@@ -95,28 +89,17 @@ class Hashing {
     return names;
   }
 
-  /// Asks on all instruction sets, in all ways. Hashes that differ are told one by one, with those that gave them.
+  /// Adds a row; where hashes differ from the record, one for each of them.
   void look_at(const Family& family) {
-    const std::uint64_t scenes = options_.quick ? family.few : family.many;
-    const std::uint64_t on_record = options_.quick ? family.hash_of_few : family.hash_of_many;
-    std::map<std::uint64_t, std::string> found;
-    for (const Isa isa : isas_) {
-      select_isa(isa);
-      for (const Way way : family.ways) {
-        progress_.update(fmt::format("{} of {} families; {} on {}, {}", done_, families_.size(), family.name, name(isa),
-                                     text_of(way)));
-        std::string& those = found[family.hash_of(scenes, way)];
-        those += fmt::format("{}{} ({})", those.empty() ? "" : ", ", name(isa), text_of(way));
-      }
-    }
-    const bool is_one = found.size() == 1;
-    for (const auto& [hash, those] : found) {
-      const bool is_right = hash == on_record;
+    progress_.update(fmt::format("{} of {} families; {}", done_, families_.size(), family.name));
+    const std::string on_record = fmt::format("{:016x}", options_.quick ? family.hash_of_few : family.hash_of_many);
+    const std::vector<hashes::Deviation> found = hashes::deviations(family, options_.quick, isas_);
+    if (found.empty()) table_.add_row({family.name, on_record, "yes"});
+    for (const auto& [isa, way, hash] : found) {
       table_.add_row({family.name, fmt::format("{:016x}", hash),
-                      fmt::format("{}{}", is_right ? "yes" : fmt::format("NO, but {:016x}", on_record),
-                                  is_one ? "" : ": " + those)});
+                      fmt::format("NO, {} is: {}, {}", on_record, name(isa), name(way))});
     }
-    if (!is_one || found.begin()->first != on_record) ++wrong_;
+    if (!found.empty()) ++wrong_;
     ++done_;
   }
 

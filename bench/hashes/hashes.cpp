@@ -43,4 +43,22 @@ constexpr Family all[] = {
 
 std::span<const Family> families() noexcept { return all; }
 
+std::vector<Deviation> deviations(const Family& family, bool quick, std::span<const Isa> isas) {
+  std::vector<Deviation> found;
+  const Isa before = active_isa();
+  for (const Isa isa : isas) {
+    select_isa(isa);
+    for (const Way way : family.ways) {
+      const std::uint64_t hash = family.hash_of(quick ? family.few : family.many, way);
+      if (hash != (quick ? family.hash_of_few : family.hash_of_many)) found.push_back({isa, way, hash});
+    }
+  }
+  select_isa(before);
+  return found;
+}
+
+const char* name(Way way) noexcept {
+  return way == Way::slab ? "slab form" : way == Way::planes ? "plane form" : "many shafts";
+}
+
 }  // namespace shaftcull::hashes

@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
+
+#include "shaftcull/isa.hpp"
 
 namespace shaftcull::hashes {
 
@@ -24,6 +27,20 @@ struct Family {
 
 /// All of them. Exact answers do not change: if a hash differs from the record, an answer was or is wrong.
 [[nodiscard]] std::span<const Family> families() noexcept;
+
+/// A hash that is not the one on record.
+struct Deviation {
+  Isa isa;
+  Way way;
+  std::uint64_t hash;
+};
+
+/// Asks about the cases of a family in all ways, on instruction sets that this machine has, and tells which hashes are
+/// not on record: none, if all is well. The first cases only for a quick look. The set in use stays the same.
+[[nodiscard]] std::vector<Deviation> deviations(const Family& family, bool quick, std::span<const Isa> isas);
+
+/// "slab form", "plane form", "many shafts".
+[[nodiscard]] const char* name(Way way) noexcept;
 
 // What they are made of.
 std::uint64_t between_boxes(std::uint64_t scenes, Way way);

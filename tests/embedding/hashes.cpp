@@ -10,23 +10,20 @@
 #include "shaftcull/isa.hpp"
 
 int main(int arguments, char** /*argument*/) {
+  using shaftcull::hashes::Deviation;
   using shaftcull::hashes::Family;
-  using shaftcull::hashes::Way;
   bool all_right = true;
   for (const shaftcull::Isa isa : shaftcull::available_isas()) {
-    shaftcull::select_isa(isa);
-    const std::string name(shaftcull::name(isa));
+    const std::string set(name(isa));
     bool right = true;
     for (const Family& family : shaftcull::hashes::families()) {
-      const std::uint64_t on_record = arguments > 1 ? family.hash_of_many : family.hash_of_few;
-      for (const Way way : family.ways) {
-        const std::uint64_t hash = family.hash_of(arguments > 1 ? family.many : family.few, way);
-        if (hash == on_record) continue;
+      for (const Deviation& found : deviations(family, arguments == 1, {&isa, 1})) {
         right = false;
-        std::printf("%s: %s is %016" PRIx64 ", and not %016" PRIx64 "\n", name.c_str(), family.name, hash, on_record);
+        std::printf("%s: %s, %s: %016" PRIx64 " is not on record\n", set.c_str(), family.name, name(found.way),
+                    found.hash);
       }
     }
-    if (right) std::printf("%s: hashes as on record\n", name.c_str());
+    if (right) std::printf("%s: hashes as on record\n", set.c_str());
     all_right = all_right && right;
   }
   return all_right ? 0 : 1;
