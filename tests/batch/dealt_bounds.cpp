@@ -70,7 +70,7 @@ class BatchDealtBounds : public testing::Test {
 TEST_F(BatchDealtBounds, EachShareHasItsOwnInTheOrderOfTheFile) {
   const auto ranks = batch::one_rank();
   EXPECT_EQ(dealt_->missing(*ranks), (std::vector<std::uint64_t>{0, 1, 2}));
-  for (const std::uint64_t stretch : {2, 0, 1}) dealt_->store(stretch);
+  for (const std::uint64_t stretch : {2U, 0U, 1U}) dealt_->store(stretch);
   EXPECT_TRUE(dealt_->missing(*ranks).empty());
   for (std::size_t share = 0; share != 3; ++share) EXPECT_TRUE(are_those_of(share, dealt_->of(share))) << share;
   const Box box = dealt_->of(0).box;
