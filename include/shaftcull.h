@@ -95,6 +95,16 @@ SHAFTCULL_API const char* shaftcull_error_message(void);
 /// from 0 in the array that it came from. Otherwise SHAFTCULL_NONE. Never fails. O(1).
 SHAFTCULL_API uint64_t shaftcull_error_position(void);
 
+/// What a build without exceptions (SHAFTCULL_WITH_EXCEPTIONS=OFF) calls in place of returning why a call failed: the
+/// status that it would return, and what shaftcull_error_message() and shaftcull_error_position() say. It ends the
+/// program in its own way: the library cannot go on, and does not leave things as they were. Where it returns, the
+/// program ends. A callback that ends a call is told of, too.
+typedef void (*shaftcull_error_handler)(shaftcull_status status, const char* message, uint64_t position);
+
+/// Sets the handler, and returns the one before. NULL, as at first: the message goes to standard error, and the program
+/// ends. Builds with exceptions never call it. Never fails. O(1).
+SHAFTCULL_API shaftcull_error_handler shaftcull_set_error_handler(shaftcull_error_handler handler);
+
 /// The name of a status, "bad bound" say; "unknown status" for a number that is none. Valid for ever. Never fails.
 /// O(1).
 SHAFTCULL_API const char* shaftcull_status_name(shaftcull_status status);

@@ -18,10 +18,11 @@
 #include "objects.hpp"
 #include "shaftcull.h"
 #include "shaftcull/shaftcull.hpp"
+#include "status.hpp"
 
 namespace shaftcull::binding {
 
-[[noreturn]] inline void refuse(const std::string& what) { throw InvalidArgument(what); }
+[[noreturn]] inline void refuse(const std::string& what) { fail(InvalidArgument(what)); }
 
 /// What a pointer points to, which must not be NULL.
 template <class T>

@@ -19,7 +19,7 @@ namespace {
 /// Calls back, and ends the call of the library if that is what it says.
 template <class Callback, class Argument>
 void call_back(Callback callback, const Argument& argument, void* user) {
-  if (const std::int32_t returned = callback(&argument, user); returned != 0) throw Stopped(returned);
+  if (const std::int32_t returned = callback(&argument, user); returned != 0) fail(Stopped(returned));
 }
 
 template <class Callback>

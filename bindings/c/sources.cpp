@@ -82,22 +82,31 @@ Source as_source(const shaftcull_source* source, const char* name) {
                   as_span(s.indices, std::uint64_t{triangles} * 3, "source.indices")};
 }
 
-BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) try {
-  const bool are_boxes = use_source(
-      as_source(source, name), [this]<class Records>(const Records& records) requires(
-                                   std::is_constructible_v<BoxStream, const Records&>) {
-        if constexpr (std::is_same_v<Records, BoxView>) {
-          view_ = records;
-        } else {
-          packed_ = BoxStream(records);
-          view_ = packed_.view();
-        }
-      });
-  if (!are_boxes) refuse(std::string(name) + " is a source of other bounds; this call takes boxes");
-} catch (const BadBound& bad) {  // of which array, for a call takes two
-  const std::string what = bad.what();
-  // Streams also take the empty box, which can be no end of a shaft, no patch and no blocker.
-  throw BadBound(bad.index(), std::string(name) + ": " + what.substr(0, what.find(", or the box empty")));
+BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) {
+  const auto take = [&] {
+    const bool are_boxes = use_source(
+        as_source(source, name), [this]<class Records>(const Records& records) requires(
+                                     std::is_constructible_v<BoxStream, const Records&>) {
+          if constexpr (std::is_same_v<Records, BoxView>) {
+            view_ = records;
+          } else {
+            packed_ = BoxStream(records);
+            view_ = packed_.view();
+          }
+        });
+    if (!are_boxes) refuse(std::string(name) + " is a source of other bounds; this call takes boxes");
+  };
+#if defined(__cpp_exceptions)
+  try {
+    take();
+  } catch (const BadBound& bad) {  // of which array, for a call takes two
+    const std::string what = bad.what();
+    // Streams also take the empty box, which can be no end of a shaft, no patch and no blocker.
+    throw BadBound(bad.index(), std::string(name) + ": " + what.substr(0, what.find(", or the box empty")));
+  }
+#else
+  take();
+#endif
 }
 
 std::string name_of_kind(shaftcull_bound_kind kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Exceptions become statuses here, and nowhere else.
+/// Errors become statuses here, and nowhere else. In a build without exceptions the caller's handler is told of them.
 #pragma once
 
 #include <cstdint>
@@ -24,15 +24,33 @@ class Stopped : public std::exception {
 /// Records the exception that is being handled as this thread's last error, and returns its status.
 [[nodiscard]] shaftcull_status record_exception() noexcept;
 
+/// Records an error as this thread's last one, tells the caller's handler, and ends the program if that returns.
+[[noreturn]] void tell_handler(const std::exception& error);
+
+/// Throws an error; in a build without exceptions, tell_handler() of it.
+template <class Error>
+[[noreturn]] void fail(const Error& error) {
+#if defined(__cpp_exceptions)
+  throw error;
+#else
+  tell_handler(error);
+#endif
+}
+
 /// Makes a call of the C++ interface. All functions of the C interface that return a status go through here.
 template <class Call>
 [[nodiscard]] shaftcull_status guarded(Call&& call) noexcept {
+#if defined(__cpp_exceptions)
   try {
     std::forward<Call>(call)();
     return SHAFTCULL_OK;
   } catch (...) {
     return record_exception();
   }
+#else
+  std::forward<Call>(call)();
+  return SHAFTCULL_OK;
+#endif
 }
 
 }  // namespace shaftcull::binding

@@ -89,7 +89,7 @@ class UndecidedInC {
 };
 
 void go_on_if(std::int32_t returned) {
-  if (returned != 0) throw Stopped(returned);
+  if (returned != 0) fail(Stopped(returned));
 }
 
 constexpr const char* sight_enumerators =
@@ -100,7 +100,7 @@ constexpr const char* sight_enumerators =
          " and " + std::to_string(pair.b) + ", is none of " + sight_enumerators);
 }
 
-/// Options as those of C++; callbacks that end the call throw Stopped.
+/// Options as those of C++; callbacks that end the call fail with Stopped.
 VisibilityOptions as_options(const shaftcull_visibility_options* options) {
   VisibilityOptions out;
   if (options == nullptr) return out;

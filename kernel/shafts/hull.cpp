@@ -55,7 +55,7 @@ class Found {
  public:
   /// Whether these vertices lie in one of the planes.
   [[nodiscard]] bool holds(VertexSet vertices) const noexcept {
-    return std::any_of(set_.begin(), set_.begin() + count_, [&](VertexSet set) { return (vertices & ~set) == 0; });
+    return std::any_of(set_.data(), set_.data() + count_, [&](VertexSet set) { return (vertices & ~set) == 0; });
   }
   void add(VertexSet set) noexcept { set_[count_++] = set; }
 
@@ -448,7 +448,7 @@ ConvexHull frustum_of(std::span<const float, 16> floats, ClipDepth depth) {
       const bool is_open = end.plane[0] == 0 && end.plane[1] == 0 && end.plane[2] == 0;
       if (is_open != are_directions) continue;
       const std::array<Vec3, 4> corners = corners_at(inverse, end.depth, are_directions);
-      std::copy(corners.begin(), corners.end(), vertex.begin() + (are_directions ? 4 : points));
+      std::copy(corners.begin(), corners.end(), vertex.data() + (are_directions ? 4 : points));
       if (!are_directions) points += 4;
     }
   }

@@ -42,7 +42,7 @@ class WordWriter {
  private:
   static constexpr std::size_t cached_bytes = std::size_t{16} << 20;
 
-  bool past_caches_;
+  [[maybe_unused]] bool past_caches_;  // on x86
 };
 
 }  // namespace shaftcull::kernel
