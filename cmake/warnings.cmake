@@ -14,6 +14,9 @@ function(shaftcull_warnings target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)  # false alarms, as the manual of GCC says
   endif()
+  if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(${target} PRIVATE -Wno-shorten-64-to-32)  # 64-bit indices number bounds that are in memory
+  endif()
   if(SHAFTCULL_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

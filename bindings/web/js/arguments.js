@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What callers hand over, checked, as typed arrays.
+
+/** Float32 values, `per` of them for each element. Nothing is rounded: a number that is no float32 is an error. */
+export function asFloats(values, per, name) {
+  const floats = values instanceof Float32Array ? values : exactFloats(values, name);
+  if (floats.length % per !== 0) {
+    throw new TypeError(`${name} has ${floats.length} floats, which is no multiple of ${per}`);
+  }
+  return floats;
+}
+
+/** Exactly `count` float32 values. */
+export function asFloatsOf(values, count, name) {
+  const floats = asFloats(values, 1, name);
+  if (floats.length !== count) throw new TypeError(`${name} has ${floats.length} floats instead of ${count}`);
+  return floats;
+}
+
+function exactFloats(values, name) {
+  checkArray(values, name);
+  return Float32Array.from(values, (value, i) => {
+    if (typeof value !== 'number') throw new TypeError(`${name}[${i}] is no number`);
+    if (!Object.is(Math.fround(value), value)) {
+      throw new TypeError(`${name}[${i}] = ${value} is no float32; Math.fround() rounds a number to the nearest one, ` +
+                          'roundOutwards() rounds boxes so that they contain the given ones');
+    }
+    return value;
+  });
+}
+
+/** Integers from 0 to 2³² − 1. */
+export function asIndices(values, name) {
+  if (values instanceof Uint32Array) return values;
+  checkArray(values, name);
+  return Uint32Array.from(values, (value, i) => {
+    if (!Number.isInteger(value) || value < 0 || value > 0xffff_ffff) {
+      throw new TypeError(`${name}[${i}] = ${value} is no integer from 0 to 2^32 - 1`);
+    }
+    return value;
+  });
+}
+
+function checkArray(values, name) {
+  if (typeof values !== 'object' || values === null || !Number.isInteger(values.length)) {
+    throw new TypeError(`${name} is no array of numbers`);
+  }
+}
+
+/** The position of a name among these. */
+export function asEnumerator(value, names, name) {
+  const position = names.indexOf(value);
+  if (position === -1) throw new TypeError(`${name} is ${JSON.stringify(value)}, not one of '${names.join("', '")}'`);
+  return position;
+}
+
+/** An integer from 0 to before `end`. */
+export function asPosition(value, end, name) {
+  if (!Number.isInteger(value) || value < 0 || value >= end) {
+    throw new RangeError(`${name} = ${value} is no integer from 0 to ${end - 1}`);
+  }
+  return value;
+}
+
+/** Refuses options that are none, which may be misspelt. */
+export function checkOptions(options, names) {
+  for (const name of Object.keys(options)) {
+    if (!names.includes(name)) throw new TypeError(`there is no option '${name}'; there are '${names.join("', '")}'`);
+  }
+}
+
+const bits = new DataView(new ArrayBuffer(4));
+
+/** The next float32 below a finite one, or above it. */
+function next(value, up) {
+  bits.setFloat32(0, value);
+  if (value === 0) {
+    bits.setUint32(0, up ? 1 : 0x8000_0001);
+  } else {
+    bits.setUint32(0, bits.getUint32(0) + (value > 0 === up ? 1 : -1));
+  }
+  return bits.getFloat32(0);
+}
+
+function roundedDown(value) {
+  const nearest = Math.fround(value);
+  if (nearest <= value) return nearest;
+  return nearest === Infinity ? 3.4028234663852886e38 : next(nearest, false);
+}
+
+export function roundOutwards(boxes) {
+  checkArray(boxes, 'boxes');
+  if (boxes.length % 6 !== 0) throw new TypeError(`boxes has ${boxes.length} numbers, which is no multiple of 6`);
+  return Float32Array.from(boxes, (value, i) => {
+    if (typeof value !== 'number' || Number.isNaN(value)) throw new TypeError(`boxes[${i}] is no number`);
+    return i % 6 < 3 ? roundedDown(value) : -roundedDown(-value);
+  });
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Bounds in streams and trees, and what they are asked.
+import {asIndices, asPosition, checkOptions} from './arguments.js';
+import {Held, made} from './held.js';
+import {oneShaft, Shafts} from './shafts.js';
+import {meshSource, sourceOf} from './sources.js';
+
+const queryBytes = 88;  // src/layout.cpp
+const indexBits = 32;
+const listsOfIndices = 1;
+
+const wordsFor = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
+
+/** What is the same for all bounds. A holder is 'stream' or 'tree'. */
+class Bounds extends Held {
+  #kind;
+  #isTree;
+
+  constructor(module, kind, holder, values, indices) {
+    let length = 0;
+    super(module, 'shaftcull_bounds_free', module.scratch((scratch) => {
+      const source = indices === undefined ? sourceOf(module, scratch, kind, values, kind) : meshSource(module, scratch, values, indices);
+      length = source.count;
+      return holder === 'tree' ? made(module, 'shaftcull_tree_create', source.pointer, indexBits) :
+                                 made(module, 'shaftcull_stream_create', source.pointer);
+    }));
+    this.length = length;
+    this.#kind = kind;
+    this.#isTree = holder === 'tree';
+  }
+
+  cull(shaft, options = {}) {
+    const {module} = this;
+    const kept = module.resultsOf(4 * wordsFor(this.length));
+    this.ask('shaftcull_cull', shaft, options, kept, BigInt(wordsFor(this.length) / 2));
+    return module.words(kept, Math.ceil(this.length / 32));
+  }
+
+  count(shaft, options = {}) {
+    const count = this.module.resultsOf(8);
+    this.ask('shaftcull_count', shaft, options, count);
+    return this.module.number(count);
+  }
+
+  any(shaft, options = {}) {
+    const any = this.module.resultsOf(4);
+    this.ask('shaftcull_any', shaft, options, any);
+    return this.module.word(any) !== 0;
+  }
+
+  list(shaft, options = {}) {
+    return this.listOf('shaftcull_list', shaft, options);
+  }
+
+  countMany(shafts, options = {}) {
+    const {module} = this;
+    const counts = module.resultsOf(8 * checkedShafts(shafts).length);
+    this.askMany('shaftcull_count_many', shafts, options, counts);
+    return module.numbers(counts, shafts.length);
+  }
+
+  listMany(shafts, options = {}) {
+    const {module} = this;
+    checkedShafts(shafts);
+    const lists = made(module, 'shaftcull_lists_create', listsOfIndices);
+    try {
+      this.askMany('shaftcull_list_many', shafts, options, lists);
+      const offsets = module.numbers(module.call('shaftcull_lists_offsets', lists), shafts.length + 1);
+      const indices = module.words(module.call('shaftcull_lists_indices', lists), offsets[shafts.length]);
+      return {offsets, indices};
+    } finally {
+      module.call('shaftcull_lists_free', lists);
+    }
+  }
+
+  get kind() {
+    return this.#kind;
+  }
+
+  /** Asks a question of one shaft; values are what the C interface takes behind the query. */
+  ask(question, shaft, options, ...values) {
+    checkOptions(options, ['at', 'own']);
+    const asked = oneShaft(shaft, options.at);
+    this.#withQuery(options.own, (query) => this.module.call(question, ...asked, this.handle, query, ...values));
+  }
+
+  /** Likewise of all shafts of an array. */
+  askMany(question, shafts, options, ...values) {
+    checkOptions(options, ['own']);
+    const asked = [shafts.handle, 0n, BigInt(shafts.length)];
+    this.#withQuery(options.own, (query) => this.module.call(question, ...asked, this.handle, query, ...values));
+  }
+
+  /** A list: into the memory that there is, and again if that was too little. */
+  listOf(question, shaft, options) {
+    const {module} = this;
+    for (let room = 1024;;) {
+      room = Math.max(room, module.resultRoom / 4 - 2);
+      const count = module.resultsOf(8 + 4 * room);
+      this.ask(question, shaft, options, count + 8, BigInt(room), count);
+      const found = module.number(count);
+      if (found <= room) return module.words(count + 8, found);
+      room = found;
+    }
+  }
+
+  #withQuery(own, use) {
+    if (own === undefined) return use(0);
+    if (!this.#isTree || this.#kind === 'triangles') throw new TypeError('own is for trees of boxes and spheres');
+    const indices = asIndices(own, 'own');
+    return this.module.scratch((scratch) => {
+      const query = scratch.zeros(queryBytes);
+      this.module.view.setUint32(query + 8, scratch.copy(indices), true);
+      this.module.view.setBigUint64(query + 16, BigInt(indices.length), true);
+      return use(query);
+    });
+  }
+}
+
+function checkedShafts(shafts) {
+  if (!(shafts instanceof Shafts)) throw new TypeError('shafts are made by between(), swept() or shadow()');
+  return shafts;
+}
+
+/** Questions for many triangles at once are those of all bounds. */
+export class TriangleBounds extends Bounds {
+  constructor(module, holder, triangles, indices) {
+    super(module, 'triangles', holder, triangles, indices);
+  }
+}
+
+class SphereOrBoxBounds extends Bounds {
+  classify(shaft, options = {}) {
+    const {module} = this;
+    const words = wordsFor(this.length);
+    const kept = module.resultsOf(8 * words);
+    this.ask('shaftcull_classify', shaft, options, kept, kept + 4 * words, BigInt(words / 2));
+    const used = Math.ceil(this.length / 32);
+    return {kept: module.words(kept, used), inside: module.words(kept + 4 * words, used)};
+  }
+
+  listClassified(shaft, options = {}) {
+    const {module} = this;
+    for (let room = 1024;;) {
+      room = Math.max(room, Math.floor((module.resultRoom - 16) / 8));
+      const counts = module.resultsOf(16 + 8 * room);
+      const [overlap, inside] = [counts + 16, counts + 16 + 4 * room];
+      this.ask('shaftcull_list_classified', shaft, options, overlap, BigInt(room), inside, BigInt(room), counts);
+      const [overlaps, insides] = module.numbers(counts, 2);
+      if (overlaps <= room && insides <= room) {
+        return {overlap: module.words(overlap, overlaps), inside: module.words(inside, insides)};
+      }
+      room = Math.max(overlaps, insides);
+    }
+  }
+
+  first(shaft, options = {}) {
+    const {module} = this;
+    const contact = module.resultsOf(16);
+    this.ask('shaftcull_first_contact', shaft, options, contact);
+    if (module.word(contact + 12) === 0) return undefined;
+    return {index: module.number(contact), time: module.view.getFloat32(contact + 8, true)};
+  }
+
+  entryTimes(shaft, indices, options = {}) {
+    checkOptions(options, ['at']);
+    const {module} = this;
+    const which = asIndices(indices, 'indices');
+    return module.scratch((scratch) => {
+      const times = scratch.zeros(4 * which.length);
+      const asked = oneShaft(shaft, options.at);
+      module.call('shaftcull_entry_times', ...asked, this.handle, scratch.copy(which), times, BigInt(which.length));
+      return module.floats(times, which.length);
+    });
+  }
+}
+
+/** Calls of a tree; the class gets the methods of another one, since a class of JavaScript has one base only. */
+const asTree = (Base) => class extends Base {
+  update(values) {
+    const {module} = this;
+    module.scratch((scratch) => {
+      module.call('shaftcull_tree_update', this.handle, sourceOf(module, scratch, this.kind, values, this.kind).pointer);
+    });
+  }
+
+  get growth() {
+    const {module} = this;
+    const growth = module.resultsOf(8);
+    module.call('shaftcull_tree_growth', this.handle, growth);
+    return module.view.getFloat64(growth, true);
+  }
+
+  rebuild() {
+    this.module.call('shaftcull_tree_rebuild', this.handle);
+  }
+};
+
+export class SphereStream extends SphereOrBoxBounds {
+  constructor(module, spheres) {
+    super(module, 'spheres', 'stream', spheres);
+  }
+}
+
+export const SphereTree = asTree(class extends SphereOrBoxBounds {
+  constructor(module, spheres) {
+    super(module, 'spheres', 'tree', spheres);
+  }
+});
+
+class BoxBounds extends SphereOrBoxBounds {
+  blockedBy(shaft, options = {}) {
+    const index = this.module.resultsOf(8);
+    this.ask('shaftcull_blocked_by', shaft, options, index);
+    const found = this.module.view.getBigUint64(index, true);
+    return found === 0xffff_ffff_ffff_ffffn ? undefined : Number(found);
+  }
+
+  listBlocking(shaft, options = {}) {
+    return this.listOf('shaftcull_list_blocking', shaft, options);
+  }
+}
+
+export class BoxStream extends BoxBounds {
+  constructor(module, boxes) {
+    super(module, 'boxes', 'stream', boxes);
+  }
+}
+
+export const BoxTree = asTree(class extends BoxBounds {
+  constructor(module, boxes) {
+    super(module, 'boxes', 'tree', boxes);
+  }
+});

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+/**
+ * Shaft culling in WebAssembly: what can stand between two boxes, what a moving box hits, what lies in a shadow or in
+ * view. Answers are those of real arithmetic for the floats given, and the same bits on every machine.
+ *
+ *     import {load} from 'shaftcull';
+ *     const shaftcull = await load();
+ *     const tree = shaftcull.boxTree(boxes);            // 6 floats a box: lo x, y, z, hi x, y, z
+ *     const shaft = shaftcull.between(lamp, table);
+ *     for (const i of tree.list(shaft)) console.log(`box ${i} may stand between`);
+ *
+ * Numbers. All floats are float32. Arrays of numbers are taken if each is a float32 exactly; otherwise a call throws a
+ * TypeError, for nothing is rounded silently: `roundOutwards()` makes float32 boxes that contain those of doubles.
+ *
+ * Errors. A call that cannot be answered throws a `ShaftcullError`, which says what is wrong, where, and what would be
+ * right. Objects are as they were.
+ *
+ * Memory. Objects hold memory of the module until `free()`, or until they are garbage. What a call returns is a copy.
+ * The module has 4 GB at most; after 'out of memory' make a new one. It has no threads: a worker makes one of its own.
+ */
+
+/** Float32 values: a Float32Array, or numbers that each are a float32 exactly. */
+export type Floats = Float32Array | readonly number[];
+
+/** What becomes of bounds that touch a shaft without reaching into it: kept, or outside. */
+export type Contact = 'closed' | 'open';
+
+/** Which depths in clip space are in view: `zero_to_one` as in WebGPU, `minus_one_to_one` as in WebGL. */
+export type ClipDepth = 'zero_to_one' | 'minus_one_to_one';
+
+/** What is said of a pair of patches. */
+export type Sight = 'undecided' | 'clear' | 'blocked' | 'facing_away';
+
+/** Why a call failed. */
+export class ShaftcullError extends Error {
+  /** 'invalid argument', 'bad bound', 'needs refit', 'out of memory' or 'internal error'. */
+  readonly status: string;
+  /** Of a bad bound its position in the array that it came from, counted from 0. */
+  readonly position: number | undefined;
+}
+
+/** Instantiates the library: O(its size), some 10 ms. Without an argument, `shaftcull.wasm` beside this module. */
+export function load(wasm?: BufferSource | WebAssembly.Module | URL | string): Promise<Shaftcull>;
+
+/** Boxes of float32, 6 for each of `boxes`, that contain these. Throws a TypeError for a NaN. */
+export function roundOutwards(boxes: ArrayLike<number>): Float32Array;
+
+/** One instance of the library. */
+export interface Shaftcull {
+  /** As of the C++ library, '0.1.0' say. */
+  readonly version: string;
+  /** The names of all sets of instructions, slowest first: 'scalar' and 'portable128'. */
+  readonly instructionSets: readonly string[];
+  /** The one that calls use, the fastest at first. Answers do not depend on it. Throws for a name that is none. */
+  instructionSet: string;
+
+  /** Boxes that are asked one after the other: a checked copy. 6 floats a box: lo x, y, z, hi x, y, z; lo ≤ hi. */
+  boxStream(boxes: Floats): BoxBounds;
+  /** Boxes under a tree, whose questions take what they find. O(n log n). */
+  boxTree(boxes: Floats): BoxTree;
+  /** Spheres that are asked one after the other. 4 floats a sphere: centre x, y, z, radius ≥ 0. */
+  sphereStream(spheres: Floats): SphereBounds;
+  /** Spheres under a tree. */
+  sphereTree(spheres: Floats): SphereTree;
+  /** Triangles that are asked one after the other: 9 floats each, or vertices of 3 floats and 3 indices each. */
+  triangleStream(triangles: Floats, indices?: ArrayLike<number>): TriangleBounds;
+  /** Triangles under a tree. */
+  triangleTree(triangles: Floats, indices?: ArrayLike<number>): TriangleBounds;
+
+  /**
+   * Shafts between box i of `a` and box i of `b`, one of which may be a single box for all; or, with `pairs`, between
+   * box pairs[2 i] of `a` and box pairs[2 i + 1] of `b`. Planes are half-spaces that what any of the shafts keeps must
+   * also meet, 4 floats each: normal x, y, z, which points out, and offset; 16 at most.
+   */
+  between(a: Floats, b: Floats, options?: {pairs?: ArrayLike<number>, contact?: Contact, planes?: Floats}): Shafts;
+  /** What each body sweeps over that moves by its displacement of 3 floats; one of either may be for all. */
+  swept(bodies: Floats, displacements: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
+  /** Likewise without end, in directions of 3 floats. */
+  sweptWithoutEnd(bodies: Floats, directions: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
+  /**
+   * All that occluder i can shadow from light i, which is apart from it: up to `reach` times its distance, 1 or more, or
+   * without end. Pairs and planes are as for `between()`.
+   */
+  shadow(lights: Floats, occluders: Floats,
+         options?: {pairs?: ArrayLike<number>, reach?: number, contact?: Contact, planes?: Floats}): Shafts;
+  /** The convex hull of points, and of what lies from them along directions; at most 32 of both, 3 floats each. */
+  hull(points: Floats, directions?: Floats): Hull;
+  /**
+   * What a view-projection matrix shows: 16 floats in the order of WebGL and three.js, column after column. Without a
+   * far plane it has no end.
+   */
+  frustum(matrix: Floats, depth: ClipDepth): Hull;
+  /** What can cast a shadow into view by a light at a point of 3 floats. */
+  casters(view: Hull, light: Floats): Hull;
+  /** Likewise by a sun in a direction of 3 floats. */
+  castersTowards(view: Hull, sun: Floats): Hull;
+
+  /** Of all pairs of patches, which see each other. Takes what is undecided, and collects all answers. */
+  visibility(scene: VisibilityScene): Visibility;
+
+  /** The families of answers that have a hash on record: docs/hashes.md. */
+  readonly hashFamilies: readonly HashFamily[];
+  /**
+   * Answers a million cases of a family, or with `quick` the first 10,000 or more of them, in one way, and says their
+   * hash and the one on record, 16 hexadecimal digits each. Takes seconds, a quick look some 10 ms.
+   */
+  hash(family: string, way: string, options?: {quick?: boolean}): {hash: string, record: string};
+}
+
+/** Questions of one kind about made-up cases. */
+export interface HashFamily {
+  readonly name: string;
+  /** What is asked. */
+  readonly what: string;
+  /** Ways in which it is asked, all of which give the same hash: 'slab form', 'plane form', 'many shafts'. */
+  readonly ways: readonly string[];
+}
+
+/** Memory of the module. */
+export interface Held {
+  /** Gives the memory back; the object can do nothing more. */
+  free(): void;
+}
+
+/** A convex hull: it goes wherever one shaft goes. */
+export interface Hull extends Held {
+  /** 3 floats each, as they were given. */
+  readonly points: Float32Array;
+  readonly directions: Float32Array;
+}
+
+/** An array of shafts. Questions of one shaft take the first of them, or the one that their option `at` names. */
+export interface Shafts extends Held {
+  readonly length: number;
+  /**
+   * The planes that join the boxes of shaft `at`, in the order in which they are tested: 4 floats each, the normal, which
+   * points out, and the offset. Of shafts between two boxes only.
+   */
+  joiningPlanes(at?: number): Float32Array;
+}
+
+/** Which shaft of an array one is asked, and bounds that trees leave out, by index: the shaft's own two objects, say. */
+export interface AskOptions {
+  at?: number;
+  /** Of trees of boxes and spheres only. */
+  own?: ArrayLike<number>;
+}
+
+/** What all bounds can be asked. Lists ascend; those of trees have the order of the tree. */
+export interface Bounds extends Held {
+  readonly length: number;
+  /** Bit i % 32 of word i / 32 says whether the shaft keeps bound i: whether it is not outside. */
+  cull(shaft: Shafts | Hull, options?: AskOptions): Uint32Array;
+  /** How many it keeps. */
+  count(shaft: Shafts | Hull, options?: AskOptions): number;
+  /** Which it keeps. */
+  list(shaft: Shafts | Hull, options?: AskOptions): Uint32Array;
+  /** Whether it keeps any. */
+  any(shaft: Shafts | Hull, options?: AskOptions): boolean;
+  /** How many each shaft keeps. `own` has as many indices for each shaft. */
+  countMany(shafts: Shafts, options?: {own?: ArrayLike<number>}): Float64Array;
+  /** What shaft s keeps are indices[offsets[s]] to before indices[offsets[s + 1]]. */
+  listMany(shafts: Shafts, options?: {own?: ArrayLike<number>}): {offsets: Float64Array, indices: Uint32Array};
+}
+
+/** Triangles, kept exactly. */
+export interface TriangleBounds extends Bounds {}
+
+/** What spheres and boxes can be asked, too. */
+export interface SphereBounds extends Bounds {
+  /** Bits of what is kept, and of what is inside entirely. */
+  classify(shaft: Shafts | Hull, options?: AskOptions): {kept: Uint32Array, inside: Uint32Array};
+  /** Indices of what overlaps, and of what is inside entirely. */
+  listClassified(shaft: Shafts | Hull, options?: AskOptions): {overlap: Uint32Array, inside: Uint32Array};
+  /** What the moving box of the shaft reaches first, and when, from 0 at the start to 1 at the end. */
+  first(shaft: Shafts, options?: AskOptions): {index: number, time: number} | undefined;
+  /** When it reaches each of these, +∞ if never. Times are rounded down. */
+  entryTimes(shaft: Shafts, indices: ArrayLike<number>, options?: {at?: number}): Float32Array;
+}
+
+/** What boxes can be asked, too, as solids. */
+export interface BoxBounds extends SphereBounds {
+  /** The first solid found that alone hides the one end of the shaft from the other. */
+  blockedBy(shaft: Shafts, options?: AskOptions): number | undefined;
+  /** All that do. */
+  listBlocking(shaft: Shafts, options?: AskOptions): Uint32Array;
+}
+
+/** A tree whose bounds may move. */
+export interface SphereTree extends SphereBounds {
+  /** Gives every bound a new value. O(n). */
+  update(bounds: Floats): void;
+  /** How much larger its nodes have become since it was built, 1 at first; at 2 or 3 `rebuild()` pays. */
+  readonly growth: number;
+  /** Sorts the bounds anew as they are now. */
+  rebuild(): void;
+}
+
+export interface BoxTree extends BoxBounds, SphereTree {}
+
+/** Patches, and what stands between them. Floats are as in streams; a plane is 4: the normal, where it faces, and offset. */
+export interface VisibilityScene {
+  /** Boxes around patches. */
+  patches: Floats;
+  /** A plane for each of them. */
+  planes?: Floats;
+  /** The other set; without it, each two patches of one set are a pair, once. */
+  patchesB?: Floats;
+  planesB?: Floats;
+  /** Boxes that may hide something. They are blockers 0 to n − 1, and what follows is numbered on. */
+  boxes?: Floats;
+  /** Boxes that are solid. */
+  solids?: Floats;
+  /** Triangles of 9 floats, in groups of neighbours that the library makes. */
+  triangles?: Floats;
+  /** Blockers that only touch: 'open' if it is not said. */
+  contact?: Contact;
+}
+
+/** What sees what. */
+export interface Visibility {
+  /** How many pairs there are of each kind. */
+  readonly counts: Readonly<Record<Sight, number>>;
+  /**
+   * Runs of patches by runs of patches of which the same is said, 4 numbers each: position and length of the run in
+   * `orderA`, position and length of the run in `orderB`.
+   */
+  readonly products: Uint32Array;
+  /** What is said of each product. */
+  readonly sights: readonly Sight[];
+  readonly orderA: Uint32Array;
+  readonly orderB: Uint32Array;
+  /** Undecided pairs: two patches each. */
+  readonly undecided: Uint32Array;
+  /** Blockers that reach between pair p are candidates[offsets[p]] to before candidates[offsets[p + 1]]. */
+  readonly offsets: Float64Array;
+  readonly candidates: Uint32Array;
+  /** All pairs of one kind, two patches each; of one set with itself each pair once. */
+  pairs(sight: Sight): Uint32Array;
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The package's interface; shaftcull.d.ts says what each call does.
+import * as bounds from './bounds.js';
+import * as hashes from './hashes.js';
+import {Module} from './module.js';
+import * as shafts from './shafts.js';
+import {visibility} from './visibility.js';
+
+export {roundOutwards} from './arguments.js';
+export {ShaftcullError} from './error.js';
+
+export async function load(wasm = new URL('shaftcull.wasm', import.meta.url)) {
+  return new Shaftcull(await Module.of(await compiled(wasm)));
+}
+
+async function compiled(wasm) {
+  if (wasm instanceof WebAssembly.Module) return wasm;
+  if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm);
+  const url = new URL(wasm, import.meta.url);
+  if (url.protocol === 'file:' && typeof process === 'object') {
+    const files = 'node:fs/promises';  // a name that is not known when the module is bundled for a browser
+    return WebAssembly.compile(await (await import(files)).readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} could not be fetched: ${response.status} ${response.statusText}`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+class Shaftcull {
+  #module;
+
+  constructor(module) {
+    this.#module = module;
+    this.version = module.text(module.call('shaftcull_version_string'));
+    this.instructionSets = Object.freeze(instructionSets(module));
+    this.hashFamilies = hashes.hashFamilies(module);
+  }
+
+  get instructionSet() {
+    return this.#module.text(this.#module.call('shaftcull_active_isa'));
+  }
+
+  set instructionSet(name) {
+    const text = new TextEncoder().encode(`${name}\0    `);
+    const module = this.#module;
+    module.scratch((scratch) => {
+      const pointer = scratch.zeros(text.length);
+      new Uint8Array(module.view.buffer, pointer, text.length).set(text);
+      module.call('shaftcull_select_isa', pointer);
+    });
+  }
+
+  boxStream(boxes) {
+    return new bounds.BoxStream(this.#module, boxes);
+  }
+
+  boxTree(boxes) {
+    return new bounds.BoxTree(this.#module, boxes);
+  }
+
+  sphereStream(spheres) {
+    return new bounds.SphereStream(this.#module, spheres);
+  }
+
+  sphereTree(spheres) {
+    return new bounds.SphereTree(this.#module, spheres);
+  }
+
+  triangleStream(triangles, indices) {
+    return new bounds.TriangleBounds(this.#module, 'stream', triangles, indices);
+  }
+
+  triangleTree(triangles, indices) {
+    return new bounds.TriangleBounds(this.#module, 'tree', triangles, indices);
+  }
+
+  between(a, b, options) {
+    return shafts.between(this.#module, a, b, options);
+  }
+
+  swept(bodies, displacements, options) {
+    return shafts.swept(this.#module, bodies, displacements, options);
+  }
+
+  sweptWithoutEnd(bodies, directions, options) {
+    return shafts.sweptWithoutEnd(this.#module, bodies, directions, options);
+  }
+
+  shadow(lights, occluders, options) {
+    return shafts.shadow(this.#module, lights, occluders, options);
+  }
+
+  hull(points, directions) {
+    return shafts.hull(this.#module, points, directions);
+  }
+
+  frustum(matrix, depth) {
+    return shafts.frustum(this.#module, matrix, depth);
+  }
+
+  casters(view, light) {
+    return shafts.castersOf(this.#module, 'shaftcull_hull_of_casters', view, light, 'light');
+  }
+
+  castersTowards(view, sun) {
+    return shafts.castersOf(this.#module, 'shaftcull_hull_of_casters_towards', view, sun, 'sun');
+  }
+
+  visibility(scene) {
+    return visibility(this.#module, scene);
+  }
+
+  hash(family, way, options) {
+    return hashes.hash(this.#module, this.hashFamilies, family, way, options);
+  }
+}
+
+function instructionSets(module) {
+  return module.scratch((scratch) => {
+    const out = scratch.zeros(8);
+    module.call('shaftcull_isa_count', out);
+    return Array.from({length: module.number(out)}, (_, i) => {
+      module.call('shaftcull_isa_name', BigInt(i), out);
+      return module.text(module.word(out));
+    });
+  });
+}

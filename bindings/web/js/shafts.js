@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Arrays of shafts, and convex hulls.
+import {asEnumerator, asFloats, asFloatsOf, asIndices, asPosition, checkOptions} from './arguments.js';
+import {Held, made} from './held.js';
+import {sourceOf} from './sources.js';
+
+export const contacts = ['closed', 'open'];
+const depths = ['zero_to_one', 'minus_one_to_one'];
+const infoBytes = 64;  // src/layout.cpp
+const planeBytes = 24;
+const maxPlanes = 8;
+
+export class Shafts extends Held {
+  #between;
+
+  /** `between` says that they are between two boxes, so that they have joining planes. */
+  constructor(module, length, between) {
+    super(module, 'shaftcull_shafts_free', made(module, 'shaftcull_shafts_create', BigInt(length)));
+    this.length = length;
+    this.#between = between;
+  }
+
+  joiningPlanes(at = 0) {
+    asPosition(at, this.length, 'at');
+    if (!this.#between) throw new TypeError('only shafts between two boxes have joining planes');
+    const {module} = this;
+    return module.scratch((scratch) => {
+      const info = scratch.zeros(infoBytes);
+      module.call('shaftcull_shafts_describe', this.handle, BigInt(at), info);
+      const shaft = made(module, 'shaftcull_shaft_create', info, info + 24, 0);
+      try {
+        const planes = scratch.zeros(maxPlanes * planeBytes);
+        const count = scratch.zeros(8);
+        module.call('shaftcull_shaft_joining_planes', shaft, planes, count);
+        const floats = new Float32Array(4 * module.number(count));
+        for (let i = 0; i !== floats.length / 4; ++i) floats.set(module.floats(planes + i * planeBytes, 4), 4 * i);
+        return floats;
+      } finally {
+        module.call('shaftcull_shaft_free', shaft);
+      }
+    });
+  }
+}
+
+/** A hull, with the array of one shaft that bounds are asked about. */
+export class Hull extends Held {
+  #asked;
+
+  constructor(module, handle) {
+    super(module, 'shaftcull_hull_free', handle);
+    this.#asked = new Shafts(module, 1, false);
+    module.call('shaftcull_shafts_set_hull', this.#asked.handle, 0n, handle);
+    module.scratch((scratch) => {
+      const floats = scratch.zeros(4 * 96);
+      const counts = scratch.zeros(16);
+      module.call('shaftcull_hull_points', handle, floats, counts, counts + 8);
+      const points = module.number(counts);
+      this.points = module.floats(floats, 3 * points);
+      this.directions = module.floats(floats + 12 * points, 3 * module.number(counts + 8));
+    });
+  }
+
+  get asked() {
+    return this.#asked;
+  }
+
+  free() {
+    this.#asked.free();
+    super.free();
+  }
+}
+
+/** The array and the position of the one shaft that a question is asked of. */
+export function oneShaft(shaft, at = 0) {
+  const shafts = shaft instanceof Hull ? shaft.asked : shaft;
+  if (!(shafts instanceof Shafts)) throw new TypeError('a shaft is made by between(), swept(), shadow(), hull() and so on');
+  return [shafts.handle, BigInt(asPosition(at, shafts.length, 'at'))];
+}
+
+/** How many shafts there are of two arrays, of which one may have a single element for all; and each as many as that. */
+function aligned(a, perA, nameA, b, perB, nameB) {
+  const [countA, countB] = [a.length / perA, b.length / perB];
+  if (countA !== countB && countA !== 1 && countB !== 1) {
+    throw new TypeError(`there are ${countA} ${nameA} and ${countB} ${nameB}; there must be as many of both, or one of either`);
+  }
+  const count = countA === 0 || countB === 0 ? 0 : Math.max(countA, countB);
+  return [repeated(a, count / countA || 0), repeated(b, count / countB || 0), count];
+}
+
+function repeated(floats, times) {
+  if (times === 1) return floats;
+  const all = new Float32Array(floats.length * times);
+  for (let i = 0; i !== times; ++i) all.set(floats, i * floats.length);
+  return all;
+}
+
+/** Planes for all shafts, repeated for each of `count`. */
+function planesFor(planes, count) {
+  const floats = repeated(asFloats(planes ?? [], 4, 'planes'), count);
+  return [floats, BigInt(floats.length / 4)];
+}
+
+function setContact(shafts, contact) {
+  if (contact !== 0) {
+    shafts.module.call('shaftcull_shafts_set_contact', shafts.handle, 0n, BigInt(shafts.length), contact);
+  }
+}
+
+/** Shafts for pairs of two arrays of boxes, as set(shafts, scratch, source of a, source of b, pairs, how many, planes) makes. */
+function ofPairs(module, a, b, names, options, between, set) {
+  let [boxesA, boxesB] = [asFloats(a, 6, names[0]), asFloats(b, 6, names[1])];
+  const pairs = options.pairs === undefined ? undefined : asIndices(options.pairs, 'pairs');
+  if (pairs === undefined) [boxesA, boxesB] = aligned(boxesA, 6, names[0], boxesB, 6, names[1]);
+  if (pairs !== undefined && pairs.length % 2 !== 0) {
+    throw new TypeError(`pairs has ${pairs.length} numbers, which is no multiple of 2`);
+  }
+  const count = pairs === undefined ? boxesA.length / 6 : pairs.length / 2;
+  const shafts = new Shafts(module, count, between);
+  try {
+    module.scratch((scratch) => {
+      const sourceA = sourceOf(module, scratch, 'boxes', boxesA, names[0]);
+      const sourceB = sourceOf(module, scratch, 'boxes', boxesB, names[1]);
+      const [floats, planeCount] = planesFor(options.planes, sourceA.count);
+      const planes = scratch.zeros(32);
+      module.view.setUint32(planes, scratch.copy(floats), true);
+      module.view.setBigUint64(planes + 8, planeCount, true);
+      const named = pairs === undefined ? 0 : scratch.copy(pairs);
+      set(shafts, scratch, sourceA.pointer, sourceB.pointer, named, BigInt(count), planes);
+    });
+  } catch (error) {
+    shafts.free();
+    throw error;
+  }
+  return shafts;
+}
+
+export function between(module, a, b, options = {}) {
+  checkOptions(options, ['pairs', 'contact', 'planes']);
+  const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
+  return ofPairs(module, a, b, ['a', 'b'], options, true, (shafts, scratch, ...what) => {
+    module.call('shaftcull_shafts_set_between_batch', shafts.handle, 0n, ...what, contact);
+  });
+}
+
+export function shadow(module, lights, occluders, options = {}) {
+  checkOptions(options, ['pairs', 'reach', 'contact', 'planes']);
+  const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
+  return ofPairs(module, lights, occluders, ['lights', 'occluders'], options, false, (shafts, scratch, ...what) => {
+    const planes = what.pop();
+    const reach = options.reach === undefined ? 0 : scratch.copy(asFloatsOf([options.reach], 1, 'reach'));
+    module.call('shaftcull_shafts_set_shadow_batch', shafts.handle, 0n, ...what, reach, planes);
+    setContact(shafts, contact);
+  });
+}
+
+function moving(module, make, bodies, vectors, name, options) {
+  checkOptions(options, ['contact', 'planes']);
+  const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
+  const [boxes, travels, count] =
+      aligned(asFloats(bodies, 6, 'bodies'), 6, 'bodies', asFloats(vectors, 3, name), 3, name);
+  const shafts = new Shafts(module, count, false);
+  try {
+    module.scratch((scratch) => {
+      const source = sourceOf(module, scratch, 'boxes', boxes, 'bodies');
+      const [planes, planeCount] = planesFor(options.planes, count);
+      module.call(make, shafts.handle, 0n, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
+      setContact(shafts, contact);
+    });
+  } catch (error) {
+    shafts.free();
+    throw error;
+  }
+  return shafts;
+}
+
+export function swept(module, bodies, displacements, options = {}) {
+  return moving(module, 'shaftcull_shafts_set_swept_batch', bodies, displacements, 'displacements', options);
+}
+
+export function sweptWithoutEnd(module, bodies, directions, options = {}) {
+  return moving(module, 'shaftcull_shafts_set_swept_without_end_batch', bodies, directions, 'directions', options);
+}
+
+export function hull(module, points, directions = []) {
+  const [from, along] = [asFloats(points, 3, 'points'), asFloats(directions, 3, 'directions')];
+  return module.scratch((scratch) => new Hull(module, made(module, 'shaftcull_hull_create', scratch.copy(from),
+      BigInt(from.length / 3), scratch.copy(along), BigInt(along.length / 3))));
+}
+
+export function frustum(module, matrix, depth) {
+  const columns = asFloatsOf(matrix, 16, 'matrix');
+  const rows = columns.map((_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]);
+  const range = asEnumerator(depth, depths, 'depth');
+  return module.scratch(
+      (scratch) => new Hull(module, made(module, 'shaftcull_hull_of_frustum', scratch.copy(rows), range)));
+}
+
+/** What can cast a shadow into view, by a light at a point or by a sun in a direction. */
+export function castersOf(module, make, view, vector, name) {
+  if (!(view instanceof Hull)) throw new TypeError('view is no hull: frustum() and hull() make one');
+  const floats = asFloatsOf(vector, 3, name);
+  return module.scratch((scratch) => new Hull(module, made(module, make, view.handle, scratch.copy(floats))));
+}

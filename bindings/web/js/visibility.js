@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// What sees what, of all pairs of patches.
+import {asEnumerator, asFloats, checkOptions} from './arguments.js';
+import {made} from './held.js';
+import {contacts} from './shafts.js';
+import {sourceOf} from './sources.js';
+
+const sightNames = ['undecided', 'clear', 'blocked', 'facing_away'];
+const names = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 'triangles', 'contact'];
+const optionBytes = 40;  // src/layout.cpp
+const batchBytes = 40;
+const countBytes = 32;
+const productWords = 5;
+
+/** Objects that are released together. */
+class Owned {
+  #module;
+  #held = [];
+
+  constructor(module) {
+    this.#module = module;
+  }
+
+  make(release, create, ...values) {
+    const handle = made(this.#module, create, ...values);
+    this.#held.push([release, handle]);
+    return handle;
+  }
+
+  release() {
+    for (const [release, handle] of this.#held.reverse()) this.#module.call(release, handle);
+  }
+}
+
+function patchesOf(module, scratch, owned, boxes, planes, name) {
+  const source = sourceOf(module, scratch, 'boxes', boxes, name);
+  const floats = asFloats(planes ?? [], 4, 'planes');
+  return owned.make('shaftcull_patches_free', 'shaftcull_patches_create', source.pointer, scratch.copy(floats),
+                    BigInt(floats.length / 4));
+}
+
+function blockersOf(module, scratch, owned, scene) {
+  const blockers = owned.make('shaftcull_blockers_free', 'shaftcull_blockers_create');
+  const source = (kind, name) => sourceOf(module, scratch, kind, scene[name], name).pointer;
+  if (scene.boxes) module.call('shaftcull_blockers_add_boxes', blockers, source('boxes', 'boxes'), 0);
+  if (scene.solids) module.call('shaftcull_blockers_add_solids', blockers, source('boxes', 'solids'), 0);
+  if (scene.triangles) {
+    module.call('shaftcull_blockers_add_triangles', blockers, source('triangles', 'triangles'), 0, 0n, 0);
+  }
+  return blockers;
+}
+
+function orderOf(module, scratch, patches) {
+  const order = scratch.zeros(4);
+  module.call('shaftcull_patches_order', patches, order);
+  return module.words(module.word(order), Number(module.call('shaftcull_patches_count', patches)));
+}
+
+export function visibility(module, scene) {
+  checkOptions(scene, names);
+  const contact = asEnumerator(scene.contact ?? 'open', contacts, 'contact');
+  const owned = new Owned(module);
+  try {
+    return module.scratch((scratch) => {
+      const a = patchesOf(module, scratch, owned, scene.patches, scene.planes, 'patches');
+      const two = scene.patchesB !== undefined;
+      const b = two ? patchesOf(module, scratch, owned, scene.patchesB, scene.planesB, 'patchesB') : 0;
+      const blockers = blockersOf(module, scratch, owned, scene);
+      const options = scratch.zeros(optionBytes);
+      module.call('shaftcull_default_visibility_options', options);
+      module.view.setUint32(options + 8, contact, true);
+      const sights = owned.make('shaftcull_sights_free', 'shaftcull_collect_visibility', a, b, blockers, options);
+      const orderA = orderOf(module, scratch, a);
+      return new Visibility(module, scratch, sights, orderA, two ? orderOf(module, scratch, b) : orderA);
+    });
+  } finally {
+    owned.release();
+  }
+}
+
+class Visibility {
+  constructor(module, scratch, sights, orderA, orderB) {
+    const batch = scratch.zeros(batchBytes);
+    const counts = scratch.zeros(countBytes);
+    module.call('shaftcull_sights_all', sights, batch, counts);
+    const numbers = module.numbers(counts, sightNames.length);
+    this.counts = Object.fromEntries(sightNames.map((name, i) => [name, numbers[i]]));
+    this.orderA = orderA;
+    this.orderB = orderB;
+    this.#readProducts(module, module.word(batch), module.number(batch + 8));
+    this.#readUndecided(module, batch + 16);
+  }
+
+  pairs(sight) {
+    asEnumerator(sight, sightNames, 'sight');
+    if (sight === 'undecided') return this.undecided.slice();
+    const pairs = new Uint32Array(2 * this.counts[sight]);
+    let at = 0;
+    for (let p = 0; p !== this.sights.length; ++p) {
+      if (this.sights[p] !== sight) continue;
+      const [firstA, countA, firstB, countB] = this.products.subarray(4 * p, 4 * p + 4);
+      for (let i = firstA; i !== firstA + countA; ++i) {
+        for (let j = firstB; j !== firstB + countB; ++j) {
+          pairs[at++] = this.orderA[i];
+          pairs[at++] = this.orderB[j];
+        }
+      }
+    }
+    return pairs;
+  }
+
+  #readProducts(module, products, count) {
+    const words = module.words(products, productWords * count);
+    this.products = new Uint32Array(4 * count);
+    this.sights = Array.from({length: count}, (_, p) => {
+      this.products.set(words.subarray(productWords * p, productWords * p + 4), 4 * p);
+      return sightNames[words[productWords * p + 4]];
+    });
+  }
+
+  #readUndecided(module, undecided) {
+    const count = module.number(undecided + 8);
+    this.undecided = module.words(module.word(undecided), 2 * count);
+    this.offsets = count === 0 ? new Float64Array(1) : module.numbers(module.word(undecided + 16), count + 1);
+    this.candidates = module.words(module.word(undecided + 20), this.offsets[count]);
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What shaftcull.js takes for granted of structs: where their fields are.
+#include <cstddef>
+
+#include "shaftcull.h"
+
+namespace {
+
+static_assert(sizeof(void*) == 4);
+
+static_assert(sizeof(shaftcull_source) <= 64);
+
+static_assert(sizeof(shaftcull_shafts_info) == 64);
+static_assert(offsetof(shaftcull_shafts_info, b) == 24);
+
+static_assert(sizeof(shaftcull_joining_plane) == 24);
+
+static_assert(sizeof(shaftcull_query) == 88);
+static_assert(offsetof(shaftcull_query, own) == 8);
+static_assert(offsetof(shaftcull_query, own_count) == 16);
+
+static_assert(sizeof(shaftcull_batch_planes) == 32);
+static_assert(offsetof(shaftcull_batch_planes, a_count) == 8);
+
+static_assert(sizeof(shaftcull_kept_counts) == 16);
+
+static_assert(sizeof(shaftcull_contact_found) == 16);
+static_assert(offsetof(shaftcull_contact_found, time) == 8);
+static_assert(offsetof(shaftcull_contact_found, found) == 12);
+
+static_assert(sizeof(shaftcull_visibility_options) == 40);
+static_assert(offsetof(shaftcull_visibility_options, contact) == 8);
+
+static_assert(sizeof(shaftcull_sight_counts) == 32);
+static_assert(offsetof(shaftcull_sight_counts, clear) == 8);
+static_assert(offsetof(shaftcull_sight_counts, blocked) == 16);
+static_assert(offsetof(shaftcull_sight_counts, facing_away) == 24);
+
+static_assert(sizeof(shaftcull_sight_product) == 20);
+
+static_assert(offsetof(shaftcull_sight_batch, product_count) == 8);
+static_assert(offsetof(shaftcull_sight_batch, undecided) == 16);
+static_assert(sizeof(shaftcull_undecided_pairs) == 24);
+static_assert(offsetof(shaftcull_undecided_pairs, count) == 8);
+static_assert(offsetof(shaftcull_undecided_pairs, first_candidate) == 16);
+static_assert(offsetof(shaftcull_undecided_pairs, candidates) == 20);
+
+}  // namespace

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+// The package as a user has it. SHAFTCULL_PACKAGE names its folder.
+import assert from 'node:assert/strict';
+import {readFile} from 'node:fs/promises';
+import {join} from 'node:path';
+import {env} from 'node:process';
+import {before, describe, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+
+const folder = env.SHAFTCULL_PACKAGE;
+const {load, roundOutwards, ShaftcullError} = await import(pathToFileURL(join(folder, 'shaftcull.js')));
+
+let shaftcull;
+before(async () => {
+  shaftcull = await load();
+});
+
+const lamp = [0, 9, 0, 1, 10, 1];
+const table = [4, 0, 4, 6, 1, 6];
+const scene = [2, 4, 2, 3, 5, 3, 8, 0, 0, 9, 3, 1, 4, -1, 4, 6, 0, 6];
+
+/** Whole numbers, the same everywhere. */
+function random(seed) {
+  let state = seed;
+  return (below) => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return Math.floor((state / 0x1_0000_0000) * below);
+  };
+}
+
+function boxesOf(count, seed, space = 100, size = 6) {
+  const below = random(seed);
+  const boxes = new Float32Array(6 * count);
+  for (let i = 0; i !== count; ++i) {
+    for (let axis = 0; axis !== 3; ++axis) {
+      boxes[6 * i + axis] = below(space);
+      boxes[6 * i + 3 + axis] = boxes[6 * i + axis] + below(size);
+    }
+  }
+  return boxes;
+}
+
+const positionsOf = (bits, count) => Array.from({length: count}, (_, i) => i).filter((i) => bits[i >> 5] >>> (i & 31) & 1);
+const ascending = (indices) => Array.from(indices).sort((a, b) => a - b);
+
+/** A box that moves by whole numbers, asked about another one: when they first touch, by fractions of whole numbers. */
+function touches(body, by, box) {
+  let [enter, leave] = [0, 1];
+  for (let axis = 0; axis !== 3; ++axis) {
+    const [gapLo, gapHi] = [box[axis] - body[3 + axis], box[3 + axis] - body[axis]];
+    if (by[axis] === 0) {
+      if (gapLo > 0 || gapHi < 0) return undefined;
+      continue;
+    }
+    const times = [gapLo / by[axis], gapHi / by[axis]];
+    enter = Math.max(enter, Math.min(...times));
+    leave = Math.min(leave, Math.max(...times));
+  }
+  return enter <= leave ? enter : undefined;
+}
+
+describe('loading', () => {
+  test('takes bytes, a compiled module and an address', async () => {
+    const bytes = await readFile(join(folder, 'shaftcull.wasm'));
+    for (const wasm of [bytes, await WebAssembly.compile(bytes), pathToFileURL(join(folder, 'shaftcull.wasm'))]) {
+      const one = await load(wasm);
+      assert.equal(one.boxTree(scene).count(one.between(lamp, table)), 2);
+    }
+  });
+
+  test('says which version and which instruction sets there are', async () => {
+    const {version} = JSON.parse(await readFile(join(folder, 'package.json')));
+    assert.equal(shaftcull.version, version);
+    assert.deepEqual(shaftcull.instructionSets, ['scalar', 'portable128']);
+    assert.equal(shaftcull.instructionSet, 'portable128');
+    shaftcull.instructionSet = 'scalar';
+    assert.equal(shaftcull.instructionSet, 'scalar');
+    shaftcull.instructionSet = 'portable128';
+    assert.throws(() => (shaftcull.instructionSet = 'avx2'), /avx2 is not available here; this machine has scalar, portable128/);
+  });
+});
+
+describe('bounds', () => {
+  test('boxes in streams and trees are asked the same', () => {
+    const shaft = shaftcull.between(lamp, table);
+    for (const boxes of [shaftcull.boxStream(scene), shaftcull.boxTree(scene)]) {
+      assert.equal(boxes.length, 3);
+      assert.deepEqual(ascending(boxes.list(shaft)), [0, 2]);
+      assert.deepEqual(positionsOf(boxes.cull(shaft), 3), [0, 2]);
+      assert.equal(boxes.count(shaft), 2);
+      assert.equal(boxes.any(shaft), true);
+      const open = shaftcull.between(lamp, table, {contact: 'open'});
+      assert.deepEqual(ascending(boxes.list(open)), [0]);
+    }
+  });
+
+  test('all questions about many boxes agree', () => {
+    const boxes = boxesOf(1000, 1);
+    const ends = boxesOf(40, 2);
+    const shafts = shaftcull.between(ends.subarray(0, 120), ends.subarray(120));
+    for (const holder of [shaftcull.boxStream(boxes), shaftcull.boxTree(boxes)]) {
+      const counts = holder.countMany(shafts);
+      const {offsets, indices} = holder.listMany(shafts);
+      for (let at = 0; at !== shafts.length; ++at) {
+        const {overlap, inside} = holder.listClassified(shafts, {at});
+        const bits = holder.classify(shafts, {at});
+        const kept = ascending([...overlap, ...inside]);
+        assert.equal(kept.length, counts[at]);
+        assert.deepEqual(ascending(holder.list(shafts, {at})), kept);
+        assert.deepEqual(ascending(indices.subarray(offsets[at], offsets[at + 1])), kept);
+        assert.deepEqual(positionsOf(bits.kept, 1000), kept);
+        assert.deepEqual(positionsOf(bits.inside, 1000), ascending(inside));
+        assert.deepEqual(positionsOf(holder.cull(shafts, {at}), 1000), kept);
+        assert.equal(holder.any(shafts, {at}), kept.length !== 0);
+      }
+    }
+    assert(shaftcull.boxTree(boxes).countMany(shafts).some((count) => count > 0));
+  });
+
+  test('lists that are longer than the memory for them', () => {
+    const boxes = boxesOf(200_000, 3);
+    const everything = shaftcull.between([-1, -1, -1, -1, -1, -1], [200, 200, 200, 200, 200, 200]);
+    const around = shaftcull.between([-1, -1, -1, 200, 200, 200], [-1, -1, -1, 200, 200, 200]);
+    const tree = shaftcull.boxTree(boxes);
+    assert.equal(tree.list(around).length, 200_000);
+    assert.equal(tree.listClassified(around).inside.length, 200_000);
+    assert.equal(tree.list(everything).length, tree.count(everything));
+  });
+
+  test('spheres', () => {
+    const spheres = [2, 5, 2, 1, 20, 0, 0, 1];
+    const shaft = shaftcull.between(lamp, table);
+    for (const holder of [shaftcull.sphereStream(spheres), shaftcull.sphereTree(spheres)]) {
+      assert.deepEqual([...holder.list(shaft)], [0]);
+      assert.deepEqual(holder.listClassified(shaft), {overlap: Uint32Array.of(0), inside: new Uint32Array()});
+    }
+  });
+
+  test('triangles, by vertices and by indices', () => {
+    const shaft = shaftcull.between(lamp, table);
+    const vertices = [2, 4, 2, 3, 5, 3, 2, 5, 3, 20, 0, 0, 21, 0, 0, 20, 1, 0];
+    for (const holder of [shaftcull.triangleStream(vertices), shaftcull.triangleTree(vertices),
+                          shaftcull.triangleStream(vertices, [0, 1, 2, 3, 4, 5]), shaftcull.triangleTree(vertices, [0, 1, 2, 3, 4, 5])]) {
+      assert.equal(holder.length, 2);
+      assert.deepEqual([...holder.list(shaft)], [0]);
+      assert.equal(holder.count(shaft), 1);
+    }
+    assert.throws(() => shaftcull.triangleTree(vertices, [0, 1, 6]), /6/);
+  });
+
+  test('trees leave out what a query names', () => {
+    const shafts = shaftcull.between([...lamp, ...lamp], [...table, ...table]);
+    const tree = shaftcull.boxTree(scene);
+    assert.deepEqual([...tree.list(shafts, {own: [2]})], [0]);
+    assert.deepEqual([...tree.countMany(shafts, {own: [0, 1]})], [1, 2]);
+    assert.throws(() => shaftcull.boxStream(scene).list(shafts, {own: [2]}), /own is for trees/);
+  });
+
+  test('trees are updated and rebuilt', () => {
+    const boxes = boxesOf(500, 4);
+    const tree = shaftcull.boxTree(boxes);
+    assert.equal(tree.growth, 1);
+    const moved = boxesOf(500, 5);
+    tree.update(moved);
+    assert(tree.growth > 1);
+    const shaft = shaftcull.between([0, 0, 0, 9, 9, 9], [80, 80, 80, 99, 99, 99]);
+    assert.deepEqual(ascending(tree.list(shaft)), [...shaftcull.boxStream(moved).list(shaft)]);
+    tree.rebuild();
+    assert.equal(tree.growth, 1);
+    assert.deepEqual(ascending(tree.list(shaft)), [...shaftcull.boxStream(moved).list(shaft)]);
+    assert.throws(() => tree.update(boxesOf(499, 5)), ShaftcullError);
+  });
+});
+
+describe('shafts', () => {
+  test('are between pairs, or of one box and many', () => {
+    const tree = shaftcull.boxTree(scene);
+    const pairs = shaftcull.between(scene, [...lamp, ...table], {pairs: [0, 1, 1, 1, 2, 0]});
+    const one = [[0, table], [1, table], [2, lamp]].map(([i, end]) => tree.count(shaftcull.between(scene.slice(6 * i, 6 * i + 6), end)));
+    assert.deepEqual([...tree.countMany(pairs)], one);
+    const fan = shaftcull.between(lamp, scene);
+    assert.equal(fan.length, 3);
+    assert.equal(tree.count(fan, {at: 2}), tree.count(shaftcull.between(lamp, scene.slice(12))));
+    assert.throws(() => shaftcull.between(scene, [...lamp, ...table]), /3 a and 2 b/);
+    assert.equal(shaftcull.between([], lamp).length, 0);
+  });
+
+  test('are cut by planes', () => {
+    const tree = shaftcull.boxTree(scene);
+    assert.deepEqual([...tree.list(shaftcull.between(lamp, table, {planes: [0, 1, 0, 2]}))], [2]);
+    const swept = shaftcull.swept([...lamp, ...lamp], [4, -9, 4], {planes: [0, -1, 0, -1, 0, 1, 0, 20]});
+    assert.deepEqual([...tree.countMany(swept)], [1, 1]);
+  });
+
+  test('have joining planes that no point of their boxes is outside of', () => {
+    const planes = shaftcull.between(lamp, table).joiningPlanes();
+    assert.equal(planes.length, 24);
+    for (let i = 0; i !== 6; ++i) {
+      const [x, y, z, offset] = planes.subarray(4 * i, 4 * i + 4);
+      const most = (box) => x * box[x > 0 ? 3 : 0] + y * box[y > 0 ? 4 : 1] + z * box[z > 0 ? 5 : 2];
+      assert(Math.max(most(lamp), most(table)) <= offset + 1e-5);
+      assert(Math.abs(most(lamp) - most(table)) < 1e-5, 'it joins the two');
+    }
+    assert.throws(() => shaftcull.swept(lamp, [1, 0, 0]).joiningPlanes(), /between two boxes/);
+  });
+
+  test('of moving boxes find what they touch, and when', () => {
+    const boxes = boxesOf(600, 6);
+    const below = random(7);
+    for (const tree of [shaftcull.boxTree(boxes), shaftcull.boxStream(boxes)]) {
+      for (let i = 0; i !== 30; ++i) {
+        const body = [below(100), below(100), below(100)];
+        body.push(...body.map((lo) => lo + below(5)));
+        const by = [below(80) - 40, below(80) - 40, below(80) - 40];
+        const times = Array.from({length: 600}, (_, k) => touches(body, by, boxes.subarray(6 * k, 6 * k + 6)));
+        const kept = times.flatMap((time, k) => (time === undefined ? [] : [k]));
+        const shaft = shaftcull.swept(body, by);
+        assert.deepEqual(ascending(tree.list(shaft)), kept);
+        const entries = tree.entryTimes(shaft, Uint32Array.from(times.keys()));
+        times.forEach((time, k) => {
+          const entry = entries[k];
+          assert(time === undefined ? entry === Infinity : entry <= time && time - entry < 1e-6 * time + 1e-30, `${entry}, ${time}`);
+        });
+        const first = tree.first(shaft);
+        assert.equal(first?.time, kept.length === 0 ? undefined : Math.min(...entries));
+        if (first) assert.equal(entries[first.index], first.time);
+      }
+    }
+  });
+
+  test('without end, and shadows', () => {
+    const tree = shaftcull.boxTree([50, 0, 0, 51, 1, 1, -50, 0, 0, -49, 1, 1]);
+    assert.deepEqual([...tree.list(shaftcull.sweptWithoutEnd([0, 0, 0, 1, 1, 1], [1, 0, 0]))], [0]);
+    const [light, occluder] = [[-10, 0.5, 0.5, -10, 0.5, 0.5], [0, 0, 0, 1, 1, 1]];
+    assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder))], [0]);
+    assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder, {reach: 2}))], []);
+    assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder, {reach: 8, contact: 'open'}))], [0]);
+  });
+
+  test('are blocked by solids', () => {
+    const wall = [3, -9, -9, 4, 9, 9];
+    const solids = [...wall, 3, 0, 0, 4, 0.5, 1, 5, -20, -20, 6, 20, 20];
+    const shaft = shaftcull.between([0, 0, 0, 1, 1, 1], [8, 0, 0, 9, 1, 1]);
+    for (const holder of [shaftcull.boxStream(solids), shaftcull.boxTree(solids)]) {
+      assert.deepEqual(ascending(holder.listBlocking(shaft)), [0, 2]);
+      assert.equal(typeof holder.blockedBy(shaft), 'number');
+    }
+    assert.equal(shaftcull.boxTree(scene).blockedBy(shaftcull.between(lamp, table)), undefined);
+  });
+});
+
+describe('hulls', () => {
+  const orthographic = [0.1, 0, 0, 0, 0, 0.1, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1];  // 10 to each side
+
+  test('go wherever a shaft goes', () => {
+    const tree = shaftcull.boxTree([0, 0, 0, 1, 1, 1, 20, 0, 0, 21, 1, 1]);
+    const hull = shaftcull.hull([-5, -5, -5, 5, -5, -5, 0, 5, -5, 0, 0, 9]);
+    assert.deepEqual([...tree.list(hull)], [0]);
+    assert.deepEqual(hull.points, Float32Array.of(-5, -5, -5, 5, -5, -5, 0, 5, -5, 0, 0, 9));
+    assert.deepEqual([...tree.list(shaftcull.hull([0, 0, 0], [1, 0, 0]))].sort(), [0, 1]);
+    assert.throws(() => tree.first(hull), ShaftcullError);
+  });
+
+  test('are views, and what casts shadows into them', () => {
+    const tree = shaftcull.boxTree([0, 0, 0, 1, 1, 1, 0, 30, 0, 1, 31, 1, 0, -30, 0, 1, -29, 1]);
+    const view = shaftcull.frustum(new Float32Array(orthographic), 'minus_one_to_one');
+    assert.deepEqual([...tree.list(view)], [0]);
+    assert.deepEqual(ascending(tree.list(shaftcull.castersTowards(view, [0, 1, 0]))), [0, 1]);
+    assert.deepEqual(ascending(tree.list(shaftcull.casters(view, [0, 40, 0]))), [0, 1]);
+    // Column after column: what is moved by 30 upwards is the box of index 1.
+    const moved = new Float32Array(orthographic);
+    moved[13] = -3;
+    assert.deepEqual([...tree.list(shaftcull.frustum(moved, 'minus_one_to_one'))], [1]);
+  });
+});
+
+describe('visibility', () => {
+  const row = (y, count) => Array.from({length: count}, (_, x) => [2 * x, y, 0, 2 * x + 1, y, 1]).flat();
+
+  test('says of all pairs whether they see each other', () => {
+    const planes = (y, sign) => Array.from({length: 8}, () => [0, sign, 0, sign * y]).flat();
+    const seen = shaftcull.visibility({
+      patches: row(0, 8), planes: planes(0, 1), patchesB: row(10, 8), planesB: planes(10, -1),
+      solids: [-100, 4, -100, 7, 6, 100], boxes: [9, 4, 0, 9.5, 5, 1],
+    });
+    const {clear, blocked, undecided, facing_away: away} = seen.counts;
+    assert.equal(clear + blocked + undecided + away, 64);
+    assert(clear > 0 && blocked > 0 && undecided > 0);
+    for (const sight of ['clear', 'blocked', 'undecided']) assert.equal(seen.pairs(sight).length, 2 * seen.counts[sight]);
+    const blockedPairs = seen.pairs('blocked');
+    const isBlocked = new Set(Array.from({length: blocked}, (_, p) => `${blockedPairs[2 * p]} ${blockedPairs[2 * p + 1]}`));
+    assert(isBlocked.has('0 0') && !isBlocked.has('7 7'));
+    assert.equal(seen.offsets.length, undecided + 1);
+    assert.equal(seen.candidates.length, seen.offsets[undecided]);
+    assert(seen.candidates.includes(0), 'the box that is not solid');
+    const facing = shaftcull.visibility({patches: row(0, 8), planes: planes(0, -1), patchesB: row(10, 8)});
+    assert.equal(facing.counts.facing_away, 64);
+  });
+
+  test('of one set with itself has each pair once', () => {
+    const seen = shaftcull.visibility({patches: row(0, 20)});
+    assert.equal(seen.counts.clear, 190);
+    const pairs = seen.pairs('clear');
+    const once = new Set(Array.from({length: 190}, (_, p) => ascending(pairs.subarray(2 * p, 2 * p + 2)).join()));
+    assert.equal(once.size, 190);
+  });
+
+  test('takes triangles', () => {
+    const seen = shaftcull.visibility({patches: row(0, 1), patchesB: row(10, 1), triangles: [0, 5, 0, 1, 5, 0, 0, 5, 1]});
+    assert.equal(seen.counts.undecided, 1);
+    assert.deepEqual([...seen.candidates], [0]);
+  });
+});
+
+describe('what cannot be answered is refused', () => {
+  test('by the library, with the position of what is wrong', () => {
+    assert.throws(() => shaftcull.boxTree([...lamp, 0, 0, 2, 1, 1, 1]), (error) => {
+      assert(error instanceof ShaftcullError);
+      assert.deepEqual([error.name, error.status, error.position], ['ShaftcullError', 'bad bound', 1]);
+      assert.match(error.message, /^box 1: lo\.z = 2 is above hi\.z = 1/);
+      return true;
+    });
+    assert.throws(() => shaftcull.between(lamp, [1, 0, 0, 0, 0, 0]), /b/);
+    assert.throws(() => shaftcull.hull([]), ShaftcullError);
+    assert.throws(() => shaftcull.shadow(lamp, lamp), ShaftcullError);
+    assert.equal(shaftcull.boxTree(scene).count(shaftcull.between(lamp, table)), 2, 'and goes on');
+  });
+
+  test('before it, if it is no float32, no index, or no option', () => {
+    for (const [call, message] of [
+      [() => shaftcull.boxTree([0, 0, 0, 0.1, 1, 1]), /boxes\[3\] = 0\.1 is no float32/],
+      [() => shaftcull.boxTree([0, 0, 0, 1, 1]), /boxes has 5 floats, which is no multiple of 6/],
+      [() => shaftcull.boxTree([0, 0, 0, 1, 1, '1']), /boxes\[5\] is no number/],
+      [() => shaftcull.boxTree(7), /boxes is no array/],
+      [() => shaftcull.between(lamp, table, {contacts: 'open'}), /no option 'contacts'/],
+      [() => shaftcull.between(lamp, table, {contact: 'ajar'}), /contact is "ajar", not one of/],
+      [() => shaftcull.between(lamp, table, {pairs: [0.5, 0]}), /pairs\[0\] = 0.5 is no integer/],
+      [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), {at: 1}), /at = 1/],
+      [() => shaftcull.boxTree(scene).list(lamp), /a shaft is made by/],
+      [() => shaftcull.visibility({patches: lamp, walls: []}), /no option 'walls'/],
+      [() => shaftcull.frustum([1], 'zero_to_one'), /16/],
+      [() => shaftcull.hash('none', 'slab form'), /no family 'none'/],
+    ]) {
+      assert.throws(call, message);
+    }
+  });
+
+  test('objects that were freed', () => {
+    const tree = shaftcull.boxTree(scene);
+    tree.free();
+    tree.free();
+    assert.throws(() => tree.count(shaftcull.between(lamp, table)), /was freed/);
+    const hull = shaftcull.hull([0, 0, 0]);
+    hull.free();
+    assert.throws(() => shaftcull.boxTree(scene).count(hull), /was freed/);
+  });
+
+  test('what memory cannot hold, and the next call is answered', async () => {
+    const {boxStream, between} = await load().then((one) => ({boxStream: one.boxStream.bind(one), between: one.between.bind(one)}));
+    const held = [];
+    assert.throws(() => {
+      const boxes = new Float32Array(6 * 20_000_000);
+      for (;;) held.push(boxStream(boxes));
+    }, (error) => error.status === 'out of memory');
+    for (const boxes of held) boxes.free();
+    assert.equal(boxStream(scene).count(between(lamp, table)), 2);
+  });
+});
+
+test('memory of a hundred thousand objects is used again', async () => {
+  const one = await load();
+  for (let i = 0; i !== 100_000; ++i) {
+    const shaft = one.between(lamp, table);
+    const tree = one.boxTree(scene);
+    assert.equal(tree.count(shaft), 2);
+    tree.free();
+    shaft.free();
+    if (i % 1000 === 0) assert.throws(() => one.boxTree([1, 0, 0, 0, 0, 0]));
+  }
+});
+
+test('roundOutwards contains what it is given', () => {
+  const boxes = [0.1, -0.1, 1e-60, 0.1, -0.1, -1e-60, 1e39, -1e39, 0, 1e39, 1e39, -0];
+  const rounded = roundOutwards(boxes);
+  boxes.forEach((value, i) => assert(i % 6 < 3 ? rounded[i] <= value : rounded[i] >= value, `${value}, ${rounded[i]}`));
+  assert.deepEqual(Array.from(roundOutwards([0.1, 1, 2, 0.1, 3, 4])), [0.10000000149011612 - 2 ** -27, 1, 2, 0.10000000149011612, 3, 4]);
+  assert.throws(() => roundOutwards([NaN, 0, 0, 0, 0, 0]), /boxes\[0\] is no number/);
+});
+
+test('all hashes are those on record, on both instruction sets', () => {
+  for (const set of shaftcull.instructionSets) {
+    shaftcull.instructionSet = set;
+    for (const family of shaftcull.hashFamilies) {
+      for (const way of family.ways) {
+        const {hash, record} = shaftcull.hash(family.name, way, {quick: true});
+        assert.equal(hash, record, `${set}, ${family.name}, ${way}`);
+      }
+    }
+  }
+});

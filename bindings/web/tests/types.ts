@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A client in TypeScript, which is compiled and not run: all types are there, and what is wrong is refused.
+import {load, roundOutwards, ShaftcullError} from 'shaftcull';
+import type {BoxTree, Bounds, Floats, Hull, Shafts, Shaftcull, Sight, Visibility} from 'shaftcull';
+
+const shaftcull: Shaftcull = await load(new Uint8Array());
+const boxes: Floats = roundOutwards([0, 0, 0, 1, 1, 1]);
+const tree: BoxTree = shaftcull.boxTree(boxes);
+const shafts: Shafts = shaftcull.between(boxes, [2, 2, 2, 3, 3, 3], {contact: 'open', pairs: [0, 0]});
+const view: Hull = shaftcull.frustum(new Float32Array(16), 'zero_to_one');
+const every: readonly Bounds[] = [tree, shaftcull.sphereStream([]), shaftcull.triangleTree([], [])];
+export const numbers: number[] = every.map((bounds) => bounds.count(view) + bounds.list(shafts, {at: 1}).length);
+export const first: number | undefined = tree.first(shafts)?.time;
+export const blocked: number | undefined = tree.blockedBy(shafts, {own: [0]});
+tree.update(boxes);
+
+const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes});
+const sights: Sight[] = ['clear', 'facing_away'];
+export const pairs: Uint32Array[] = sights.map((sight) => seen.pairs(sight));
+export const position = (error: unknown): number | undefined => (error instanceof ShaftcullError ? error.position : 0);
+export const right: boolean = shaftcull.hashFamilies.every(({name, ways}) => {
+  const {hash, record} = shaftcull.hash(name, ways[0]!, {quick: true});
+  return hash === record;
+});
+
+// @ts-expect-error: there is no such contact
+shaftcull.between(boxes, boxes, {contact: 'ajar'});
+// @ts-expect-error: spheres block nothing
+shaftcull.sphereTree([]).blockedBy(shafts);
+// @ts-expect-error: hulls do not move
+tree.first(view);
