@@ -119,20 +119,20 @@ called "cmake --build"
 # Of what tests of embedding need, this system knows two packages, which are not of one group.
 action=(test)
 tests_need="qemu-user gnuplot-nox valgrind"
-knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-multilib ]]'; }
+knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-12-multilib ]]'; }
 
 scenario="test, sudo"
 system apt-get dpkg-query sudo c++ cmake ctest ninja
 knows
 run 0 INSTALLED="$needed libassimp-dev $tests_need"
 called "apt-get install -qy --no-remove --no-install-recommends clang-19"
-called "apt-get install -qy --no-remove --no-install-recommends g++-multilib"
+called "apt-get install -qy --no-remove --no-install-recommends g++-12-multilib"
 called "ctest --preset release"
 
 scenario="test, sudo, but no network"
 run 0 APT_RESULT=100 INSTALLED="$needed libassimp-dev $tests_need"
 says "goes on without clang-19"
-says "goes on without g++-multilib"
+says "goes on without g++-12-multilib"
 called "ctest --preset release"
 
 scenario="test, neither root nor sudo"
@@ -140,7 +140,7 @@ system apt-get dpkg-query c++ cmake ctest ninja
 knows
 run 0 INSTALLED="$needed libassimp-dev $tests_need"
 says "goes on without clang-19"
-says "goes on without g++-multilib"
+says "goes on without g++-12-multilib"
 not_called apt-get
 called "ctest --preset release"
 

@@ -3,6 +3,7 @@
 # GENERATOR.
 
 set(client ${CMAKE_CURRENT_LIST_DIR}/client.cpp)
+set(with_hashes ${CMAKE_CURRENT_LIST_DIR}/parent/hashes.cmake)
 
 # Ends the case: what it needs is not there.
 macro(skip why)
@@ -58,6 +59,20 @@ function(configure compiler)
   set(commands "${commands}" PARENT_SCOPE)
 endfunction()
 
+# configure_for_processor(cpu): likewise for another processor, which qemu emulates, with the program of hashes; without oneTBB.
+# What is emulated takes fifty times as long, so such cases ask about hashes on the best instruction set only.
+macro(configure_for_processor cpu)
+  needs(${cpu}-linux-gnu-g++)
+  find_program(qemu qemu-${cpu})
+  if(NOT qemu)
+    skip("there is no qemu-${cpu} on this machine")
+  endif()
+  set(emulator ${qemu})
+  configure(${cpu}-linux-gnu-g++ -D CMAKE_SYSTEM_NAME=Linux -D CMAKE_SYSTEM_PROCESSOR=${cpu} -D CMAKE_EXE_LINKER_FLAGS=-static
+    -D CMAKE_BUILD_TYPE=Release -D SHAFTCULL_WITH_TBB=OFF -D CMAKE_DISABLE_FIND_PACKAGE_xsimd=ON
+    -D PARENT_MORE=${with_hashes})
+endmacro()
+
 # build(): builds what configure() made. The log must hold no warning.
 function(build)
   run(${CMAKE_COMMAND} --build "${WORK}/a parent" --parallel 2)
@@ -79,9 +94,9 @@ function(answers)
   endif()
 endfunction()
 
-# hashes(text): likewise of the program that parent/hashes.cmake builds.
+# hashes(text [option…]): likewise of the program that parent/hashes.cmake builds, with these options.
 function(hashes text)
-  run(${emulator} "${WORK}/a parent/hashes${suffix}")
+  run(${emulator} "${WORK}/a parent/hashes${suffix}" ${ARGN})
   string(REPLACE "\r" "" output "${output}")
   set(output "${output}" PARENT_SCOPE)
   if(NOT output STREQUAL text)

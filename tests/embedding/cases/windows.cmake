@@ -15,7 +15,7 @@ file(COPY ${machine}/include/xsimd DESTINATION ${WORK}/prefix/include)
 configure(x86_64-w64-mingw32-g++-posix -D CMAKE_SYSTEM_NAME=Windows -D CMAKE_SYSTEM_PROCESSOR=x86_64
   -D CMAKE_BUILD_TYPE=Release -D CMAKE_EXE_LINKER_FLAGS=-static -D SHAFTCULL_WITH_TBB=OFF
   -D xsimd_DIR=${WORK}/prefix/${place}
-  -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/hashes.cmake)
+  -D PARENT_MORE=${with_hashes})
 build()
 # Wine keeps its files in a folder of its own.
 set(emulator ${CMAKE_COMMAND} -E env WINEPREFIX=${WORK}/wine WINEDEBUG=-all ${wine})
