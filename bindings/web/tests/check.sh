@@ -21,4 +21,4 @@ diff <(node "$types/guide.mjs") <(block text)
 
 export SHAFTCULL_PACKAGE=$build/web/shaftcull SHAFTCULL_PAGE=$build/page/index.html SHAFTCULL_MODULES=$modules
 if [[ -x $build/release/bin/shaftcull ]]; then export SHAFTCULL_PROGRAM=$build/release/bin/shaftcull; fi
-node --test "$here" "$here/../page/tests"
+node --test "$here/package.test.mjs" "$here/../page/tests/page.test.mjs"

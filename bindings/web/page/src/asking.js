@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// One question to the library: which bounds of a scene overlap a volume, are inside it, block it, and are hit first.
+import {Stopwatch} from './stopwatch.js';
+import {VOLUMES, travelUntil} from './volumes.js';
+
+const NONE = new Uint32Array(0);
+
+/** Which of a scene's bounds a question is put to: triangles as they are, or boxes (around them) and spheres. */
+export function boundsFor(scene, question) {
+  const exactly = scene.triangles && question.test === 'triangles' && !VOLUMES[question.kind].hull;
+  return exactly ? scene.triangles : scene.bounds;
+}
+
+/**
+ * Forms the volume of a question: {kind, a, b, contact, test, time}. a and b are boxes, `time` is how far a moving body
+ * has come, from 0 to 1. The caller frees it.
+ */
+function form(library, {kind, a, b, contact}) {
+  return VOLUMES[kind].form(library, a, b, contact);
+}
+
+/**
+ * All answers to a question. `overlap`, `inside` and `blocks` are indices; what blocks is among what overlaps. Of
+ * bodies that move, `first` is what is hit first and when, and `reached` has the indices of what is hit until `time`.
+ * `points` are those of a hull, 3 floats each. `milliseconds` is what the library took.
+ */
+export function ask(library, scene, question) {
+  const kind = VOLUMES[question.kind];
+  const {tree} = boundsFor(scene, question);
+  const stopwatch = new Stopwatch();
+  const volume = form(library, question);
+  try {
+    const answer = {...listed(tree, volume), blocks: NONE, reached: NONE, points: volume.points};
+    if (kind.twoEnds && scene.shape === 'boxes') answer.blocks = scene.bounds.tree.listBlocking(volume);
+    if (kind.moves) {
+      answer.first = scene.bounds.tree.first(volume);  // of triangles, as the boxes around them
+      answer.reached = reached(library, tree, question);
+    }
+    answer.milliseconds = stopwatch.milliseconds();
+    return answer;
+  } finally {
+    volume.free();
+  }
+}
+
+/** Triangles have no answer "inside": those of them are among `overlap`. */
+function listed(bounds, volume) {
+  if (bounds.listClassified) return bounds.listClassified(volume);
+  return {overlap: bounds.list(volume), inside: NONE, keptOnly: true};
+}
+
+/** What a moving body hits until a time: what it sweeps until then keeps. */
+function reached(library, tree, {a, b, contact, time}) {
+  const volume = library.swept(a, travelUntil(a, b, time), {contact});
+  try {
+    return tree.list(volume);
+  } finally {
+    volume.free();
+  }
+}
+
+/** What lists and counts take of a tree and flat, in µs a query: each repeated for some milliseconds. */
+export function measure(library, scene, question) {
+  const {tree, flat} = boundsFor(scene, question);
+  const volume = form(library, question);
+  try {
+    return {
+      listTree: microseconds(() => listed(tree, volume)),
+      listFlat: microseconds(() => listed(flat, volume)),
+      countTree: microseconds(() => tree.count(volume)),
+      countFlat: microseconds(() => flat.count(volume)),
+    };
+  } finally {
+    volume.free();
+  }
+}
+
+/** Repeats a call until it is long enough for the clocks of browsers, which are coarse. */
+function microseconds(call) {
+  const stopwatch = new Stopwatch();
+  let calls = 0;
+  do {
+    call();
+    calls += 1;
+  } while (stopwatch.milliseconds() < 8);
+  return (1000 * stopwatch.milliseconds()) / calls;
+}

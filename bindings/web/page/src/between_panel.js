@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The controls and figures of "What is in the way?".
+import {byId, tableRow, written} from './html.js';
+import {ANSWERS} from './palette.js';
+import {VOLUMES} from './volumes.js';
+
+/** What a row of the counts means. */
+const MEANINGS = {
+  outside: 'outside',
+  overlap: 'overlap',
+  inside: 'inside',
+  blocks: 'of these: block all of the view',
+  cut: 'cut by this step',
+  reached: 'of these: reached by now',
+};
+const NOUNS = {boxes: 'box', spheres: 'sphere', triangles: 'the box around triangle'};
+const FILE = 'file';
+
+export class BetweenPanel {
+  labels = {a: byId('label-a'), b: byId('label-b')};
+  #step = 0;
+  #stepCount = 1;
+  #rows = {};
+  #actions;
+
+  constructor(ownScenes) {
+    fillSelect(byId('scene'), Object.entries(ownScenes).map(([key, {name}]) => [key, name]));
+    fillSelect(byId('kind'), Object.entries(VOLUMES).map(([key, {name}]) => [key, name]));
+    for (const answer of ANSWERS) this.#rows[answer] = this.#addCount(answer);
+    this.#showKind();
+  }
+
+  #addCount(answer) {
+    const number = document.createElement('td');
+    number.className = 'number';
+    const row = document.createElement('tr');
+    row.innerHTML = `<td><label class="check"><input type="checkbox" checked> <span class="swatch ${answer}"></span>
+      <span class="meaning"></span></label></td>`;
+    row.append(number);
+    byId('counts').tBodies[0].append(row);
+    row.querySelector('input').addEventListener('change', () => this.#actions.change());
+    return {row, number, box: row.querySelector('input'), meaning: row.querySelector('.meaning')};
+  }
+
+  /** Ties controls to what they do. */
+  connect(actions) {
+    this.#actions = actions;
+    byId('scene').addEventListener('change', (event) => {
+      if (event.target.value !== FILE) actions.openOwn(event.target.value);
+    });
+    byId('kind').addEventListener('change', () => this.#showKind());
+    for (const id of ['kind', 'test', 'open-contact', 'shaft-shown', 'wander', 'stepping']) {
+      byId(id).addEventListener('change', actions.change);
+    }
+    for (const radio of document.getElementsByName('selected')) radio.addEventListener('change', actions.change);
+    byId('time').addEventListener('input', actions.change);
+    byId('size').addEventListener('input', (event) => actions.resize(2 ** ((event.target.value - 50) / 25)));
+    byId('to-first').addEventListener('click', actions.toFirst);
+    byId('all').addEventListener('click', actions.lookAtAll);
+    byId('near').addEventListener('click', actions.lookAtBoxes);
+    byId('step-back').addEventListener('click', () => this.#goToStep(this.#step - 1));
+    byId('step-on').addEventListener('click', () => this.#goToStep(this.#step + 1));
+    for (const button of document.querySelectorAll('[data-move]')) {
+      button.addEventListener('click', () => actions.move(button.dataset.move.split(' ').map(Number)));
+    }
+  }
+
+  get kind() { return byId('kind').value; }
+  get test() { return byId('test').value; }
+  get contact() { return byId('open-contact').checked ? 'open' : 'closed'; }
+  get time() { return Number(byId('time').value); }
+  get wander() { return byId('wander').checked; }
+  get selected() { return document.querySelector('[name="selected"]:checked').value; }
+  get stepping() { return byId('stepping').checked && Boolean(VOLUMES[this.kind].twoEnds); }
+  get step() { return this.#step; }
+
+  /** Which answers, and whether the volume, are shown. */
+  get shown() {
+    const shown = Object.fromEntries(ANSWERS.map((answer) => [answer, this.#rows[answer].box.checked]));
+    return {...shown, volume: byId('shaft-shown').checked};
+  }
+
+  select(name) {
+    document.querySelector(`[name="selected"][value="${name}"]`).checked = true;
+    this.#actions.change();
+  }
+
+  setTime(time) {
+    byId('time').value = Math.ceil(time * 1000) / 1000;
+    this.#actions.change();
+  }
+
+  #goToStep(step) {
+    this.#step = step;
+    this.#actions.change();
+  }
+
+  #showKind() {
+    const {asks, ends, twoEnds, moves, hull} = VOLUMES[this.kind];
+    byId('asks').textContent = asks;
+    ['a', 'b'].forEach((name, i) => {
+      byId(`name-${name}`).textContent = `${name.toUpperCase()}: ${ends[i]}`;
+      this.labels[name].textContent = `${name.toUpperCase()} ${ends[i].replace(/^box .$/, '')}`;
+    });
+    byId('planes').hidden = !twoEnds;
+    byId('time-row').hidden = !moves;
+    byId('open-contact').disabled = Boolean(hull);
+    byId('test').disabled = Boolean(hull);
+  }
+
+  /** After another scene was opened. A file of the user gets an entry of its own. */
+  showScene({name, shape}) {
+    const select = byId('scene');
+    const file = [...select.options].find((option) => option.value === FILE);
+    if (shape === 'triangles') {
+      const option = file ?? select.appendChild(new Option('', FILE));
+      option.textContent = name;
+      select.value = FILE;
+    } else {
+      file?.remove();
+    }
+    byId('triangle-test').hidden = shape !== 'triangles';
+  }
+
+  /** The slider of sizes, for a factor from 1/4 to 4; points have none. */
+  showSize(factor, isPoint) {
+    byId('size').value = 50 + 25 * Math.log2(factor);
+    byId('size').disabled = Boolean(isPoint);
+  }
+
+  showCounts(counts) {
+    for (const answer of ANSWERS) {
+      const {row, number, meaning} = this.#rows[answer];
+      row.hidden = counts[answer] === undefined;
+      number.textContent = written(counts[answer] ?? 0);
+      meaning.textContent = answer === 'overlap' ? this.#meaningOfOverlap(counts) : MEANINGS[answer];
+    }
+    byId('time-value').textContent = this.time.toFixed(3);
+  }
+
+  #meaningOfOverlap({inside}) {
+    if (this.stepping) return 'left after it';
+    return inside === undefined ? 'overlap or inside' : MEANINGS.overlap;
+  }
+
+  /** What is hit first, of bounds of a shape. */
+  showFirst(first, shape) {
+    const told = (index, time) => `${NOUNS[shape]} ${written(index)} at time ${time.toFixed(4)}, marked in the picture`;
+    byId('first').textContent = first ? `First contact: ${told(first.index, first.time)}.` : 'It hits nothing.';
+    byId('to-first').disabled = !first;
+  }
+
+  /** How many bounds are left after each step; none while they are not stepped through. */
+  showSteps(left, length) {
+    byId('steps').hidden = !left;
+    if (!left) return;
+    this.#stepCount = left.length;
+    this.#step = Math.min(Math.max(this.#step, 0), left.length - 1);
+    byId('step-back').disabled = this.#step === 0;
+    byId('step-on').disabled = this.#step === left.length - 1;
+    byId('step-name').textContent = `step ${this.#step} of ${left.length - 1}: ${nameOfStep(this.#step)}`;
+    byId('step-rows').replaceChildren(...left.map((kept, k) => {
+      const row = tableRow(nameOfStep(k), written((k > 0 ? left[k - 1] : length) - kept), written(kept));
+      row.classList.toggle('current', k === this.#step);
+      return row;
+    }));
+  }
+
+  showTrouble(message = '') {
+    byId('trouble').textContent = message;
+    byId('trouble').hidden = message === '';
+  }
+
+  /** The mean of the last frames; in a corner of the picture, too, with what is kept. */
+  showLibraryTime(milliseconds, {overlap = 0, inside = 0}, length) {
+    const time = Number.isFinite(milliseconds) ? `${milliseconds.toFixed(2)} ms` : '–';
+    byId('library-time').textContent = time;
+    byId('legend').textContent = `${written(overlap + inside)} of ${written(length)} kept, library ${time} a frame`;
+  }
+
+  showSpeed(microseconds) {
+    const ids = {listTree: 'list-tree', listFlat: 'list-flat', countTree: 'count-tree', countFlat: 'count-flat'};
+    for (const [key, id] of Object.entries(ids)) {
+      byId(id).textContent = written(Number(microseconds[key].toPrecision(3)));
+    }
+  }
+
+  /** Tells those who do not see the picture. */
+  announce(counts) {
+    const parts = Object.entries(counts).map(([answer, count]) => `${MEANINGS[answer]} ${written(count)}`);
+    byId('status').textContent = parts.join(', ');
+  }
+}
+
+function nameOfStep(k) {
+  return k === 0 ? 'box around both' : `plane ${k}`;
+}
+
+function fillSelect(select, entries) {
+  select.replaceChildren(...entries.map(([value, text]) => new Option(text, value)));
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What answers amount to: how bounds are painted, and how many get which answer.
+import {VOLUMES} from './volumes.js';
+
+/** Layers to paint, later ones over earlier ones. */
+export function layersOf(answer) {
+  return ['overlap', 'inside', 'blocks', 'reached'].map((name) => ({answer: name, indices: answer[name]}));
+}
+
+/** Likewise of a step through planes: what was left before it is cut, but for what is left after it. */
+export function layersOfStep({left}, step) {
+  const kept = {answer: 'overlap', indices: left[step]};
+  return step > 0 ? [{answer: 'cut', indices: left[step - 1]}, kept] : [kept];
+}
+
+/** How many bounds of a scene get each answer; those that are not asked for are not there. */
+export function countsOf({overlap, inside, blocks, reached, keptOnly}, scene, question) {
+  const kind = VOLUMES[question.kind];
+  const counts = {outside: scene.length - overlap.length - inside.length, overlap: overlap.length};
+  if (!keptOnly) counts.inside = inside.length;
+  if (kind.twoEnds && scene.shape === 'boxes') counts.blocks = blocks.length;
+  if (kind.moves) counts.reached = reached.length;
+  return counts;
+}
+
+export function countsOfStep({left}, scene, step) {
+  const before = step > 0 ? left[step - 1].length : scene.length;
+  return {outside: scene.length - before, cut: before - left[step].length, overlap: left[step].length};
+}
