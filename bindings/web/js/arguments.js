@@ -35,7 +35,7 @@ export function asIndices(values, name) {
   checkArray(values, name);
   return Uint32Array.from(values, (value, i) => {
     if (!Number.isInteger(value) || value < 0 || value > 0xffff_ffff) {
-      throw new TypeError(`${name}[${i}] = ${value} is no integer from 0 to 2^32 - 1`);
+      throw new TypeError(`${name}[${i}] = ${JSON.stringify(value)} is no integer from 0 to 2^32 - 1`);
     }
     return value;
   });
@@ -56,14 +56,18 @@ export function asEnumerator(value, names, name) {
 
 /** An integer from 0 to before `end`. */
 export function asPosition(value, end, name) {
+  if (end === 0) throw new RangeError('there are no shafts to ask');
   if (!Number.isInteger(value) || value < 0 || value >= end) {
-    throw new RangeError(`${name} = ${value} is no integer from 0 to ${end - 1}`);
+    throw new RangeError(`${name} = ${JSON.stringify(value)} is no integer from 0 to ${end - 1}`);
   }
   return value;
 }
 
 /** Refuses options that are none, which may be misspelt. */
 export function checkOptions(options, names) {
+  if (typeof options !== 'object' || options === null) {
+    throw new TypeError(`options are an object with some of '${names.join("', '")}', not ${JSON.stringify(options)}`);
+  }
   for (const name of Object.keys(options)) {
     if (!names.includes(name)) throw new TypeError(`there is no option '${name}'; there are '${names.join("', '")}'`);
   }

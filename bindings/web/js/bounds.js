@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Bounds in streams and trees, and what they are asked.
-import {asIndices, asPosition, checkOptions} from './arguments.js';
+import {asIndices, checkOptions} from './arguments.js';
 import {Held, made} from './held.js';
-import {oneShaft, Shafts} from './shafts.js';
+import {allShafts, Hull, oneShaft} from './shafts.js';
 import {meshSource, sourceOf} from './sources.js';
 
 const queryBytes = 88;  // src/layout.cpp
 const indexBits = 32;
 const listsOfIndices = 1;
+const byVertices = 1;  // how triangles are tested
 
 const wordsFor = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
 
@@ -54,14 +55,15 @@ class Bounds extends Held {
 
   countMany(shafts, options = {}) {
     const {module} = this;
-    const counts = module.resultsOf(8 * checkedShafts(shafts).length);
+    allShafts(module, shafts);
+    const counts = module.resultsOf(8 * shafts.length);
     this.askMany('shaftcull_count_many', shafts, options, counts);
     return module.numbers(counts, shafts.length);
   }
 
   listMany(shafts, options = {}) {
     const {module} = this;
-    checkedShafts(shafts);
+    allShafts(module, shafts);
     const lists = made(module, 'shaftcull_lists_create', listsOfIndices);
     try {
       this.askMany('shaftcull_list_many', shafts, options, lists);
@@ -80,15 +82,18 @@ class Bounds extends Held {
   /** Asks a question of one shaft; values are what the C interface takes behind the query. */
   ask(question, shaft, options, ...values) {
     checkOptions(options, ['at', 'own']);
-    const asked = oneShaft(shaft, options.at);
-    this.#withQuery(options.own, (query) => this.module.call(question, ...asked, this.handle, query, ...values));
+    const test = this.#kind === 'triangles' && shaft instanceof Hull ? byVertices : 0;
+    this.#withQuery(options.own, test, (query) => {
+      this.module.call(question, ...oneShaft(this.module, shaft, options.at), this.handle, query, ...values);
+    });
   }
 
   /** Likewise of all shafts of an array. */
   askMany(question, shafts, options, ...values) {
     checkOptions(options, ['own']);
-    const asked = [shafts.handle, 0n, BigInt(shafts.length)];
-    this.#withQuery(options.own, (query) => this.module.call(question, ...asked, this.handle, query, ...values));
+    this.#withQuery(options.own, 0, (query) => {
+      this.module.call(question, ...allShafts(this.module, shafts), this.handle, query, ...values);
+    });
   }
 
   /** A list: into the memory that there is, and again if that was too little. */
@@ -104,25 +109,22 @@ class Bounds extends Held {
     }
   }
 
-  #withQuery(own, use) {
-    if (own === undefined) return use(0);
-    if (!this.#isTree || this.#kind === 'triangles') throw new TypeError('own is for trees of boxes and spheres');
-    const indices = asIndices(own, 'own');
+  #withQuery(own, test, use) {
+    if (own === undefined && test === 0) return use(0);
+    if (own !== undefined && (!this.#isTree || this.#kind === 'triangles')) {
+      throw new TypeError('own is for trees of boxes and spheres');
+    }
+    const indices = asIndices(own ?? [], 'own');
     return this.module.scratch((scratch) => {
       const query = scratch.zeros(queryBytes);
-      this.module.view.setUint32(query + 8, scratch.copy(indices), true);
+      this.module.view.setUint32(query + 4, test, true);
+      this.module.view.setUint32(query + 8, indices.length === 0 ? 0 : scratch.copy(indices), true);
       this.module.view.setBigUint64(query + 16, BigInt(indices.length), true);
       return use(query);
     });
   }
 }
 
-function checkedShafts(shafts) {
-  if (!(shafts instanceof Shafts)) throw new TypeError('shafts are made by between(), swept() or shadow()');
-  return shafts;
-}
-
-/** Questions for many triangles at once are those of all bounds. */
 export class TriangleBounds extends Bounds {
   constructor(module, holder, triangles, indices) {
     super(module, 'triangles', holder, triangles, indices);
@@ -168,7 +170,7 @@ class SphereOrBoxBounds extends Bounds {
     const which = asIndices(indices, 'indices');
     return module.scratch((scratch) => {
       const times = scratch.zeros(4 * which.length);
-      const asked = oneShaft(shaft, options.at);
+      const asked = oneShaft(module, shaft, options.at);
       module.call('shaftcull_entry_times', ...asked, this.handle, scratch.copy(which), times, BigInt(which.length));
       return module.floats(times, which.length);
     });
@@ -180,7 +182,8 @@ const asTree = (Base) => class extends Base {
   update(values) {
     const {module} = this;
     module.scratch((scratch) => {
-      module.call('shaftcull_tree_update', this.handle, sourceOf(module, scratch, this.kind, values, this.kind).pointer);
+      const source = sourceOf(module, scratch, this.kind, values, this.kind);
+      module.call('shaftcull_tree_update', this.handle, source.pointer);
     });
   }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
  * Shaft culling in WebAssembly: what can stand between two boxes, what a moving box hits, what lies in a shadow or in
- * view. Answers are those of real arithmetic for the floats given, and the same bits on every machine.
+ * view. Answers about boxes and triangles are those of real arithmetic for the floats given; docs/exactness.md says what
+ * is said of spheres. All are the same bits on every machine.
  *
  *     import {load} from 'shaftcull';
  *     const shaftcull = await load();
@@ -12,8 +13,9 @@
  * Numbers. All floats are float32. Arrays of numbers are taken if each is a float32 exactly; otherwise a call throws a
  * TypeError, for nothing is rounded silently: `roundOutwards()` makes float32 boxes that contain those of doubles.
  *
- * Errors. A call that cannot be answered throws a `ShaftcullError`, which says what is wrong, where, and what would be
- * right. Objects are as they were.
+ * Errors. What the library refuses is a `ShaftcullError`, which says what is wrong, where, and what would be right.
+ * Arguments of another type or number, and objects that were freed or are of another module, are a `TypeError`, and a
+ * position that is none a `RangeError`. Objects are as they were.
  *
  * Memory. Objects hold memory of the module until `free()`, or until they are garbage. What a call returns is a copy.
  * The module has 4 GB at most; after 'out of memory' make a new one. It has no threads: a worker makes one of its own.
@@ -39,8 +41,12 @@ export class ShaftcullError extends Error {
   readonly position: number | undefined;
 }
 
-/** Instantiates the library: O(its size), some 10 ms. Without an argument, `shaftcull.wasm` beside this module. */
-export function load(wasm?: BufferSource | WebAssembly.Module | URL | string): Promise<Shaftcull>;
+/**
+ * Instantiates the library: some 20 ms. Without an argument it takes `shaftcull.wasm` beside this script; with one that
+ * file's bytes, a `WebAssembly.Module` of them, or their address: a `URL`, or a string, which is relative to the page or,
+ * in Node.js, to the working directory.
+ */
+export function load(wasm?: string | object): Promise<Shaftcull>;
 
 /** Boxes of float32, 6 for each of `boxes`, that contain these. Throws a TypeError for a NaN. */
 export function roundOutwards(boxes: ArrayLike<number>): Float32Array;
@@ -70,7 +76,7 @@ export interface Shaftcull {
   /**
    * Shafts between box i of `a` and box i of `b`, one of which may be a single box for all; or, with `pairs`, between
    * box pairs[2 i] of `a` and box pairs[2 i + 1] of `b`. Planes are half-spaces that what any of the shafts keeps must
-   * also meet, 4 floats each: normal x, y, z, which points out, and offset; 16 at most.
+   * also meet, 4 floats each: normal x, y, z, which points out, and offset: the inside is x nx + y ny + z nz ≤ offset. 16 at most.
    */
   between(a: Floats, b: Floats, options?: {pairs?: ArrayLike<number>, contact?: Contact, planes?: Floats}): Shafts;
   /** What each body sweeps over that moves by its displacement of 3 floats; one of either may be for all. */
@@ -122,7 +128,10 @@ export interface Held {
   free(): void;
 }
 
-/** A convex hull: it goes wherever one shaft goes. */
+/**
+ * A convex hull: it goes wherever one shaft goes. Triangles are compared with it by their vertices, which keeps some
+ * that are outside.
+ */
 export interface Hull extends Held {
   /** 3 floats each, as they were given. */
   readonly points: Float32Array;
@@ -163,7 +172,7 @@ export interface Bounds extends Held {
   listMany(shafts: Shafts, options?: {own?: ArrayLike<number>}): {offsets: Float64Array, indices: Uint32Array};
 }
 
-/** Triangles, kept exactly. */
+/** Triangles, kept exactly, but for those that hulls are asked about. */
 export interface TriangleBounds extends Bounds {}
 
 /** What spheres and boxes can be asked, too. */
@@ -202,7 +211,7 @@ export interface BoxTree extends BoxBounds, SphereTree {}
 export interface VisibilityScene {
   /** Boxes around patches. */
   patches: Floats;
-  /** A plane for each of them. */
+  /** A plane for each of them: patches see what is outside of it, x nx + y ny + z nz > offset. */
   planes?: Floats;
   /** The other set; without it, each two patches of one set are a pair, once. */
   patchesB?: Floats;
@@ -222,7 +231,7 @@ export interface Visibility {
   /** How many pairs there are of each kind. */
   readonly counts: Readonly<Record<Sight, number>>;
   /**
-   * Runs of patches by runs of patches of which the same is said, 4 numbers each: position and length of the run in
+   * What is decided: runs of patches by runs of patches of which the same is said, 4 numbers each: position and length of the run in
    * `orderA`, position and length of the run in `orderB`.
    */
   readonly products: Uint32Array;
@@ -235,6 +244,8 @@ export interface Visibility {
   /** Blockers that reach between pair p are candidates[offsets[p]] to before candidates[offsets[p + 1]]. */
   readonly offsets: Float64Array;
   readonly candidates: Uint32Array;
+  /** The triangles of each blocker, by their positions in the scene's; none of a box. */
+  readonly triangles: readonly Uint32Array[];
   /** All pairs of one kind, two patches each; of one set with itself each pair once. */
   pairs(sight: Sight): Uint32Array;
 }

@@ -16,7 +16,7 @@ export async function load(wasm = new URL('shaftcull.wasm', import.meta.url)) {
 async function compiled(wasm) {
   if (wasm instanceof WebAssembly.Module) return wasm;
   if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm);
-  const url = new URL(wasm, import.meta.url);
+  const url = new URL(wasm, globalThis.location?.href ?? `file://${process.cwd()}/`);
   if (url.protocol === 'file:' && typeof process === 'object') {
     const files = 'node:fs/promises';  // a name that is not known when the module is bundled for a browser
     return WebAssembly.compile(await (await import(files)).readFile(url));

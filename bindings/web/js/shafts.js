@@ -45,6 +45,8 @@ export class Shafts extends Held {
 /** A hull, with the array of one shaft that bounds are asked about. */
 export class Hull extends Held {
   #asked;
+  #points;
+  #directions;
 
   constructor(module, handle) {
     super(module, 'shaftcull_hull_free', handle);
@@ -55,9 +57,17 @@ export class Hull extends Held {
       const counts = scratch.zeros(16);
       module.call('shaftcull_hull_points', handle, floats, counts, counts + 8);
       const points = module.number(counts);
-      this.points = module.floats(floats, 3 * points);
-      this.directions = module.floats(floats + 12 * points, 3 * module.number(counts + 8));
+      this.#points = module.floats(floats, 3 * points);
+      this.#directions = module.floats(floats + 12 * points, 3 * module.number(counts + 8));
     });
+  }
+
+  get points() {
+    return this.#points.slice();
+  }
+
+  get directions() {
+    return this.#directions.slice();
   }
 
   get asked() {
@@ -71,10 +81,23 @@ export class Hull extends Held {
 }
 
 /** The array and the position of the one shaft that a question is asked of. */
-export function oneShaft(shaft, at = 0) {
+export function oneShaft(module, shaft, at = 0) {
   const shafts = shaft instanceof Hull ? shaft.asked : shaft;
   if (!(shafts instanceof Shafts)) throw new TypeError('a shaft is made by between(), swept(), shadow(), hull() and so on');
-  return [shafts.handle, BigInt(asPosition(at, shafts.length, 'at'))];
+  const position = asPosition(at, shafts.length, 'at');
+  return [ofModule(module, shafts, 'the shaft').handle, BigInt(position)];
+}
+
+/** The array of which all shafts are asked. */
+export function allShafts(module, shafts) {
+  if (!(shafts instanceof Shafts)) throw new TypeError('shafts are made by between(), swept() or shadow()');
+  return [ofModule(module, shafts, 'the shafts').handle, 0n, BigInt(shafts.length)];
+}
+
+/** Refuses an object of another module, whose handle means something else here. */
+function ofModule(module, held, name) {
+  if (held.module !== module) throw new TypeError(`${name} and what is asked are of two modules, made by two calls of load()`);
+  return held;
 }
 
 /** How many shafts there are of two arrays, of which one may have a single element for all; and each as many as that. */
@@ -199,5 +222,6 @@ export function frustum(module, matrix, depth) {
 export function castersOf(module, make, view, vector, name) {
   if (!(view instanceof Hull)) throw new TypeError('view is no hull: frustum() and hull() make one');
   const floats = asFloatsOf(vector, 3, name);
-  return module.scratch((scratch) => new Hull(module, made(module, make, view.handle, scratch.copy(floats))));
+  const {handle} = ofModule(module, view, 'the view');
+  return module.scratch((scratch) => new Hull(module, made(module, make, handle, scratch.copy(floats))));
 }

@@ -35,6 +35,9 @@ class Owned {
 function patchesOf(module, scratch, owned, boxes, planes, name) {
   const source = sourceOf(module, scratch, 'boxes', boxes, name);
   const floats = asFloats(planes ?? [], 4, 'planes');
+  if (planes !== undefined && floats.length !== 4 * source.count) {
+    throw new TypeError(`there are ${floats.length / 4} planes for ${source.count} ${name}; each has one, or there are none`);
+  }
   return owned.make('shaftcull_patches_free', 'shaftcull_patches_create', source.pointer, scratch.copy(floats),
                     BigInt(floats.length / 4));
 }
@@ -50,6 +53,15 @@ function blockersOf(module, scratch, owned, scene) {
   return blockers;
 }
 
+/** What each blocker is made of: triangles of the scene, or none of a box. */
+function trianglesOf(module, scratch, blockers) {
+  const [first, count] = [scratch.zeros(8), scratch.zeros(8)];
+  return Array.from({length: Number(module.call('shaftcull_blockers_count', blockers))}, (_, blocker) => {
+    module.call('shaftcull_blockers_triangles', blockers, BigInt(blocker), first, count);
+    return module.words(module.word(first), module.number(count));
+  });
+}
+
 function orderOf(module, scratch, patches) {
   const order = scratch.zeros(4);
   module.call('shaftcull_patches_order', patches, order);
@@ -58,6 +70,7 @@ function orderOf(module, scratch, patches) {
 
 export function visibility(module, scene) {
   checkOptions(scene, names);
+  if (scene.planesB !== undefined && scene.patchesB === undefined) throw new TypeError('there are planesB, but no patchesB');
   const contact = asEnumerator(scene.contact ?? 'open', contacts, 'contact');
   const owned = new Owned(module);
   try {
@@ -71,7 +84,8 @@ export function visibility(module, scene) {
       module.view.setUint32(options + 8, contact, true);
       const sights = owned.make('shaftcull_sights_free', 'shaftcull_collect_visibility', a, b, blockers, options);
       const orderA = orderOf(module, scratch, a);
-      return new Visibility(module, scratch, sights, orderA, two ? orderOf(module, scratch, b) : orderA);
+      const orderB = two ? orderOf(module, scratch, b) : orderA;
+      return new Visibility(module, scratch, sights, orderA, orderB, trianglesOf(module, scratch, blockers));
     });
   } finally {
     owned.release();
@@ -79,7 +93,7 @@ export function visibility(module, scene) {
 }
 
 class Visibility {
-  constructor(module, scratch, sights, orderA, orderB) {
+  constructor(module, scratch, sights, orderA, orderB, triangles) {
     const batch = scratch.zeros(batchBytes);
     const counts = scratch.zeros(countBytes);
     module.call('shaftcull_sights_all', sights, batch, counts);
@@ -87,6 +101,7 @@ class Visibility {
     this.counts = Object.fromEntries(sightNames.map((name, i) => [name, numbers[i]]));
     this.orderA = orderA;
     this.orderB = orderB;
+    this.triangles = triangles;
     this.#readProducts(module, module.word(batch), module.number(batch + 8));
     this.#readUndecided(module, batch + 16);
   }

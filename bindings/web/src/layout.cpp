@@ -16,6 +16,7 @@ static_assert(offsetof(shaftcull_shafts_info, b) == 24);
 static_assert(sizeof(shaftcull_joining_plane) == 24);
 
 static_assert(sizeof(shaftcull_query) == 88);
+static_assert(offsetof(shaftcull_query, triangle_test) == 4 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
 static_assert(offsetof(shaftcull_query, own) == 8);
 static_assert(offsetof(shaftcull_query, own_count) == 16);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the library needs of the module: errors are told to JavaScript, and there is one thread, which never ends.
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "shaftcull.h"
@@ -13,6 +15,26 @@ extern "C" {
 
 // libc++abi of this system lacks it: destructors of thread-local objects run when their thread ends.
 int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*library*/) { return 0; }
+
+// malloc asks for a little more memory each time that it has none left. Memory grows by a quarter then, since browsers
+// look for garbage each time that it does.
+void* sbrk(std::intptr_t increment) {
+  constexpr std::size_t page = 65536;
+  static std::size_t end = __builtin_wasm_memory_size(0) * page;  // of what malloc has
+  const std::size_t size = __builtin_wasm_memory_size(0) * page;
+  const std::size_t wanted = end + static_cast<std::size_t>(increment);
+  if (increment < 0 || wanted < end) return reinterpret_cast<void*>(-1);
+  if (wanted > size) {
+    const std::size_t pages = (wanted - size + page - 1) / page;
+    const std::size_t more = std::max(pages, size / page / 4);
+    if (__builtin_wasm_memory_grow(0, more) == SIZE_MAX && __builtin_wasm_memory_grow(0, pages) == SIZE_MAX) {
+      return reinterpret_cast<void*>(-1);
+    }
+  }
+  void* const begin = reinterpret_cast<void*>(end);
+  end = wanted;
+  return begin;
+}
 
 }  // extern "C"
 

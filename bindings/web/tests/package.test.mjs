@@ -2,8 +2,8 @@
 // The package as a user has it. SHAFTCULL_PACKAGE names its folder.
 import assert from 'node:assert/strict';
 import {readFile} from 'node:fs/promises';
-import {join} from 'node:path';
-import {env} from 'node:process';
+import {join, relative} from 'node:path';
+import {cwd, env} from 'node:process';
 import {before, describe, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
@@ -62,7 +62,8 @@ function touches(body, by, box) {
 describe('loading', () => {
   test('takes bytes, a compiled module and an address', async () => {
     const bytes = await readFile(join(folder, 'shaftcull.wasm'));
-    for (const wasm of [bytes, await WebAssembly.compile(bytes), pathToFileURL(join(folder, 'shaftcull.wasm'))]) {
+    const file = join(folder, 'shaftcull.wasm');
+    for (const wasm of [bytes, await WebAssembly.compile(bytes), pathToFileURL(file), relative(cwd(), file)]) {
       const one = await load(wasm);
       assert.equal(one.boxTree(scene).count(one.between(lamp, table)), 2);
     }
@@ -259,6 +260,13 @@ describe('hulls', () => {
     assert.deepEqual(hull.points, Float32Array.of(-5, -5, -5, 5, -5, -5, 0, 5, -5, 0, 0, 9));
     assert.deepEqual([...tree.list(shaftcull.hull([0, 0, 0], [1, 0, 0]))].sort(), [0, 1]);
     assert.throws(() => tree.first(hull), ShaftcullError);
+    hull.points.fill(0);
+    assert.equal(hull.points[0], -5, 'points are copies');
+    const triangles = [0, 0, 0, 1, 0, 0, 0, 1, 0, 20, 0, 0, 21, 0, 0, 20, 1, 0];
+    for (const holder of [shaftcull.triangleStream(triangles), shaftcull.triangleTree(triangles)]) {
+      assert.deepEqual([...holder.list(hull)], [0]);
+      assert.equal(holder.count(hull), 1);
+    }
   });
 
   test('are views, and what casts shadows into them', () => {
@@ -309,6 +317,10 @@ describe('visibility', () => {
     const seen = shaftcull.visibility({patches: row(0, 1), patchesB: row(10, 1), triangles: [0, 5, 0, 1, 5, 0, 0, 5, 1]});
     assert.equal(seen.counts.undecided, 1);
     assert.deepEqual([...seen.candidates], [0]);
+    assert.deepEqual(seen.triangles, [Uint32Array.of(0)]);
+    const many = shaftcull.visibility({patches: row(0, 3), boxes: lamp, triangles: boxesOf(150, 8).map((x, i) => x + (i % 9))});
+    assert.equal(many.triangles[0].length, 0, 'a box has none');
+    assert.deepEqual(ascending(many.triangles.flatMap((group) => [...group])), Array.from({length: 100}, (_, i) => i));
   });
 });
 
@@ -338,6 +350,11 @@ describe('what cannot be answered is refused', () => {
       [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), {at: 1}), /at = 1/],
       [() => shaftcull.boxTree(scene).list(lamp), /a shaft is made by/],
       [() => shaftcull.visibility({patches: lamp, walls: []}), /no option 'walls'/],
+      [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), 1), /options are an object with some of 'at', 'own', not 1/],
+      [() => shaftcull.boxTree(scene).list(shaftcull.between([], []), {}), /no shafts to ask/],
+      [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), {at: '0'}), /at = "0" is no integer/],
+      [() => shaftcull.visibility({patches: lamp, planesB: [0, 0, 1, 0]}), /planesB, but no patchesB/],
+      [() => shaftcull.visibility({patches: lamp, planes: []}), /0 planes for 1 patches/],
       [() => shaftcull.frustum([1], 'zero_to_one'), /16/],
       [() => shaftcull.hash('none', 'slab form'), /no family 'none'/],
     ]) {
@@ -353,6 +370,15 @@ describe('what cannot be answered is refused', () => {
     const hull = shaftcull.hull([0, 0, 0]);
     hull.free();
     assert.throws(() => shaftcull.boxTree(scene).count(hull), /was freed/);
+  });
+
+  test('objects of another module', async () => {
+    const other = await load();
+    const [tree, shaft, hull] = [shaftcull.boxTree(scene), other.between(lamp, table), other.hull([0, 0, 0])];
+    for (const call of [() => tree.list(shaft), () => tree.countMany(shaft), () => tree.listMany(shaft), () => tree.count(hull),
+                        () => tree.entryTimes(shaft, [0]), () => shaftcull.casters(hull, [1, 1, 1])]) {
+      assert.throws(call, /of two modules/);
+    }
   });
 
   test('what memory cannot hold, and the next call is answered', async () => {
@@ -377,6 +403,13 @@ test('memory of a hundred thousand objects is used again', async () => {
     shaft.free();
     if (i % 1000 === 0) assert.throws(() => one.boxTree([1, 0, 0, 0, 0, 0]));
   }
+});
+
+test('many objects are kept at once', async () => {
+  const one = await load();
+  const held = Array.from({length: 20_000}, () => one.between(lamp, table));
+  const tree = one.boxTree(scene);
+  assert(held.every((shaft) => tree.count(shaft) === 2));
 });
 
 test('roundOutwards contains what it is given', () => {
