@@ -28,7 +28,7 @@ stand_in() {
 failures=0
 # system TOOL…: what the next run finds on its PATH, besides what every system has.
 system() {
-  rm -f "$work"/bin/{apt-get,apt-cache,dpkg,dpkg-query,sudo,cmake,ctest,c++,ninja}
+  rm -f "$work"/bin/{apt-get,apt-cache,dpkg,dpkg-query,sudo,cmake,ctest,c++,clang++-19,ninja,node,npm}
   for tool in "$@"; do
     case $tool in
       apt-get) stand_in apt-get 'exit ${APT_RESULT:-0}' ;;
@@ -154,6 +154,39 @@ called "apt-get install -qy --no-install-recommends g++-aarch64-linux-gnu qemu-u
 called "cmake --build $work/project/build/arm64"
 called "--target test_same_bits"
 called "ctest --preset arm64"
+
+# The page: it is made in the project's folder, of what npm installs.
+action=(page)
+mkdir -p "$work/project/bindings/web/page"
+cp "$project"/bindings/web/page/package*.json "$work/project/bindings/web/page/"
+chmod 777 "$work/project"
+for name in cp mkdir rm; do ln -s "$(command -v $name)" "$work/bin/"; done
+web_needs="libxsimd-dev libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32"
+scenario="page, sudo"
+system apt-get dpkg-query sudo cmake ninja clang++-19 node npm
+run 0 INSTALLED="lld-19 wasi-libc"
+called "apt-get install -qy --no-install-recommends $web_needs"
+called "--target shaftcull_web"
+called "npm ci --prefix $work/project/build/page-work"
+called "node $work/project/bindings/web/page/build.mjs"
+
+scenario="page, npm does not reach its registry"
+stand_in npm 'exit 1'
+run 1 INSTALLED="lld-19 wasi-libc $web_needs"
+says "The page needs npm's registry, which npm does not reach."
+not_called node
+
+scenario="page, npm reaches its registry, but does not install"
+stand_in npm '[[ $1 == view ]]'
+run 1 INSTALLED="lld-19 wasi-libc $web_needs"
+says "npm reaches its registry, but did not install"
+not_called node
+
+scenario="page, an option that it has not"
+action=(page --chek)
+run 1
+says 'page takes --check or nothing, not "--chek"'
+not_called npm
 
 scenario="everything installed for another processor, not for this one"
 action=(demo)
