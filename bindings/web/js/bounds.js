@@ -12,15 +12,17 @@ const byVertices = 1;  // how triangles are tested
 
 const wordsFor = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
 
-/** What is the same for all bounds. A holder is 'stream' or 'tree'. */
-class Bounds extends Held {
+/** What is the same for all bounds. */
+export class Bounds extends Held {
   #kind;
   #isTree;
 
+  /** A kind is 'boxes', 'spheres' or 'triangles', a holder 'stream' or 'tree'. */
   constructor(module, kind, holder, values, indices) {
     let length = 0;
     super(module, 'shaftcull_bounds_free', module.scratch((scratch) => {
-      const source = indices === undefined ? sourceOf(module, scratch, kind, values, kind) : meshSource(module, scratch, values, indices);
+      const source = indices === undefined ? sourceOf(module, scratch, kind, values, kind) :
+                                             meshSource(module, scratch, values, indices);
       length = source.count;
       return holder === 'tree' ? made(module, 'shaftcull_tree_create', source.pointer, indexBits) :
                                  made(module, 'shaftcull_stream_create', source.pointer);
@@ -125,13 +127,8 @@ class Bounds extends Held {
   }
 }
 
-export class TriangleBounds extends Bounds {
-  constructor(module, holder, triangles, indices) {
-    super(module, 'triangles', holder, triangles, indices);
-  }
-}
-
-class SphereOrBoxBounds extends Bounds {
+/** What spheres and boxes can be asked, too. */
+export class SphereBounds extends Bounds {
   classify(shaft, options = {}) {
     const {module} = this;
     const words = wordsFor(this.length);
@@ -177,7 +174,20 @@ class SphereOrBoxBounds extends Bounds {
   }
 }
 
-/** Calls of a tree; the class gets the methods of another one, since a class of JavaScript has one base only. */
+/** What boxes can be asked, too, as solids. */
+export class BoxBounds extends SphereBounds {
+  blockedBy(shaft, options = {}) {
+    const index = this.module.resultsOf(8);
+    this.ask('shaftcull_blocked_by', shaft, options, index);
+    return this.module.position(index);
+  }
+
+  listBlocking(shaft, options = {}) {
+    return this.listOf('shaftcull_list_blocking', shaft, options);
+  }
+}
+
+/** These under a tree, whose bounds may move. */
 const asTree = (Base) => class extends Base {
   update(values) {
     const {module} = this;
@@ -199,39 +209,5 @@ const asTree = (Base) => class extends Base {
   }
 };
 
-export class SphereStream extends SphereOrBoxBounds {
-  constructor(module, spheres) {
-    super(module, 'spheres', 'stream', spheres);
-  }
-}
-
-export const SphereTree = asTree(class extends SphereOrBoxBounds {
-  constructor(module, spheres) {
-    super(module, 'spheres', 'tree', spheres);
-  }
-});
-
-class BoxBounds extends SphereOrBoxBounds {
-  blockedBy(shaft, options = {}) {
-    const index = this.module.resultsOf(8);
-    this.ask('shaftcull_blocked_by', shaft, options, index);
-    const found = this.module.view.getBigUint64(index, true);
-    return found === 0xffff_ffff_ffff_ffffn ? undefined : Number(found);
-  }
-
-  listBlocking(shaft, options = {}) {
-    return this.listOf('shaftcull_list_blocking', shaft, options);
-  }
-}
-
-export class BoxStream extends BoxBounds {
-  constructor(module, boxes) {
-    super(module, 'boxes', 'stream', boxes);
-  }
-}
-
-export const BoxTree = asTree(class extends BoxBounds {
-  constructor(module, boxes) {
-    super(module, 'boxes', 'tree', boxes);
-  }
-});
+export const SphereTree = asTree(SphereBounds);
+export const BoxTree = asTree(BoxBounds);

@@ -26,7 +26,9 @@ export function hash(module, families, name, way, options = {}) {
   const family = families.findIndex((one) => one.name === name);
   if (family === -1) throw new TypeError(`there is no family '${name}'`);
   const position = families[family].ways.indexOf(way);
-  if (position === -1) throw new TypeError(`'${name}' is asked as '${families[family].ways.join("', '")}', not '${way}'`);
+  if (position === -1) {
+    throw new TypeError(`'${name}' is asked as '${families[family].ways.join("', '")}', not '${way}'`);
+  }
   const quick = options.quick ? 1 : 0;
   return {
     hash: hexadecimal(module.call('hash_of', family, position, quick)),

@@ -3,9 +3,10 @@
 import {ShaftcullError} from './error.js';
 import {wasi} from './wasi.js';
 
-const none = 0xffff_ffff_ffff_ffffn;
+/** A position, or undefined where the C interface says SHAFTCULL_NONE. */
+const positionIn = (number) => (BigInt.asIntN(64, number) === -1n ? undefined : Number(number));
 
-/** What the library is called through. Pointers are numbers; 64-bit integers are BigInts, as everywhere in JavaScript. */
+/** What the library is called through. Pointers are numbers, and 64-bit integers BigInts. */
 export class Module {
   #exports;
   #view;
@@ -88,6 +89,11 @@ export class Module {
     return Float64Array.from(new BigUint64Array(this.view.buffer, pointer, count), Number);
   }
 
+  /** One of these that is a position, or undefined for none. */
+  position(pointer) {
+    return positionIn(this.view.getBigUint64(pointer, true));
+  }
+
   number(pointer) {
     return Number(this.view.getBigUint64(pointer, true));
   }
@@ -112,7 +118,7 @@ export class Module {
 
   #fail(status, message, position) {
     const name = this.text(this.#exports.shaftcull_status_name(status));
-    throw new ShaftcullError(name, this.text(message), BigInt.asUintN(64, position) === none ? undefined : Number(position));
+    throw new ShaftcullError(name, this.text(message), positionIn(position));
   }
 
   #trapped(error) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
  * Shaft culling in WebAssembly: what can stand between two boxes, what a moving box hits, what lies in a shadow or in
- * view. Answers about boxes and triangles are those of real arithmetic for the floats given; docs/exactness.md says what
- * is said of spheres. All are the same bits on every machine.
+ * view. Answers about boxes and triangles are those of real arithmetic for the floats given; docs/exactness.md says
+ * what is said of spheres. All are the same bits on every machine.
  *
  *     import {load} from 'shaftcull';
  *     const shaftcull = await load();
@@ -43,8 +43,8 @@ export class ShaftcullError extends Error {
 
 /**
  * Instantiates the library: some 20 ms. Without an argument it takes `shaftcull.wasm` beside this script; with one that
- * file's bytes, a `WebAssembly.Module` of them, or their address: a `URL`, or a string, which is relative to the page or,
- * in Node.js, to the working directory.
+ * file's bytes, a `WebAssembly.Module` of them, or their address: a `URL`, or a string, which is relative to the page
+ * or, in Node.js, to the working directory.
  */
 export function load(wasm?: string | object): Promise<Shaftcull>;
 
@@ -76,7 +76,8 @@ export interface Shaftcull {
   /**
    * Shafts between box i of `a` and box i of `b`, one of which may be a single box for all; or, with `pairs`, between
    * box pairs[2 i] of `a` and box pairs[2 i + 1] of `b`. Planes are half-spaces that what any of the shafts keeps must
-   * also meet, 4 floats each: normal x, y, z, which points out, and offset: the inside is x nx + y ny + z nz ≤ offset. 16 at most.
+   * also meet, 4 floats each: normal x, y, z, which points out, and offset: the inside is x nx + y ny + z nz ≤ offset.
+   * 16 at most.
    */
   between(a: Floats, b: Floats, options?: {pairs?: ArrayLike<number>, contact?: Contact, planes?: Floats}): Shafts;
   /** What each body sweeps over that moves by its displacement of 3 floats; one of either may be for all. */
@@ -84,8 +85,8 @@ export interface Shaftcull {
   /** Likewise without end, in directions of 3 floats. */
   sweptWithoutEnd(bodies: Floats, directions: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
   /**
-   * All that occluder i can shadow from light i, which is apart from it: up to `reach` times its distance, 1 or more, or
-   * without end. Pairs and planes are as for `between()`.
+   * All that occluder i can shadow from light i, which is apart from it: up to `reach` times its distance, 1 or more,
+   * or without end. Pairs and planes are as for `between()`.
    */
   shadow(lights: Floats, occluders: Floats,
          options?: {pairs?: ArrayLike<number>, reach?: number, contact?: Contact, planes?: Floats}): Shafts;
@@ -142,13 +143,15 @@ export interface Hull extends Held {
 export interface Shafts extends Held {
   readonly length: number;
   /**
-   * The planes that join the boxes of shaft `at`, in the order in which they are tested: 4 floats each, the normal, which
-   * points out, and the offset. Of shafts between two boxes only.
+   * The planes that join the boxes of shaft `at`, in the order in which they are tested: 4 floats each, the normal,
+   * which points out, and the offset. Of shafts between two boxes only.
    */
   joiningPlanes(at?: number): Float32Array;
 }
 
-/** Which shaft of an array one is asked, and bounds that trees leave out, by index: the shaft's own two objects, say. */
+/**
+ * Which shaft of an array one is asked, and bounds that trees leave out, by index: the shaft's own two objects, say.
+ */
 export interface AskOptions {
   at?: number;
   /** Of trees of boxes and spheres only. */
@@ -207,7 +210,10 @@ export interface SphereTree extends SphereBounds {
 
 export interface BoxTree extends BoxBounds, SphereTree {}
 
-/** Patches, and what stands between them. Floats are as in streams; a plane is 4: the normal, where it faces, and offset. */
+/**
+ * Patches, and what stands between them. Floats are as in streams; a plane is 4: the normal, where it faces, and
+ * offset.
+ */
 export interface VisibilityScene {
   /** Boxes around patches. */
   patches: Floats;
@@ -231,8 +237,8 @@ export interface Visibility {
   /** How many pairs there are of each kind. */
   readonly counts: Readonly<Record<Sight, number>>;
   /**
-   * What is decided: runs of patches by runs of patches of which the same is said, 4 numbers each: position and length of the run in
-   * `orderA`, position and length of the run in `orderB`.
+   * What is decided: runs of patches by runs of patches of which the same is said, 4 numbers each: position and length
+   * of the run in `orderA`, position and length of the run in `orderB`.
    */
   readonly products: Uint32Array;
   /** What is said of each product. */

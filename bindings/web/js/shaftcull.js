@@ -51,27 +51,27 @@ class Shaftcull {
   }
 
   boxStream(boxes) {
-    return new bounds.BoxStream(this.#module, boxes);
+    return new bounds.BoxBounds(this.#module, 'boxes', 'stream', boxes);
   }
 
   boxTree(boxes) {
-    return new bounds.BoxTree(this.#module, boxes);
+    return new bounds.BoxTree(this.#module, 'boxes', 'tree', boxes);
   }
 
   sphereStream(spheres) {
-    return new bounds.SphereStream(this.#module, spheres);
+    return new bounds.SphereBounds(this.#module, 'spheres', 'stream', spheres);
   }
 
   sphereTree(spheres) {
-    return new bounds.SphereTree(this.#module, spheres);
+    return new bounds.SphereTree(this.#module, 'spheres', 'tree', spheres);
   }
 
   triangleStream(triangles, indices) {
-    return new bounds.TriangleBounds(this.#module, 'stream', triangles, indices);
+    return new bounds.Bounds(this.#module, 'triangles', 'stream', triangles, indices);
   }
 
   triangleTree(triangles, indices) {
-    return new bounds.TriangleBounds(this.#module, 'tree', triangles, indices);
+    return new bounds.Bounds(this.#module, 'triangles', 'tree', triangles, indices);
   }
 
   between(a, b, options) {

@@ -83,7 +83,7 @@ export class Hull extends Held {
 /** The array and the position of the one shaft that a question is asked of. */
 export function oneShaft(module, shaft, at = 0) {
   const shafts = shaft instanceof Hull ? shaft.asked : shaft;
-  if (!(shafts instanceof Shafts)) throw new TypeError('a shaft is made by between(), swept(), shadow(), hull() and so on');
+  if (!(shafts instanceof Shafts)) throw new TypeError('a shaft is made by between(), swept(), hull() and so on');
   const position = asPosition(at, shafts.length, 'at');
   return [ofModule(module, shafts, 'the shaft').handle, BigInt(position)];
 }
@@ -96,15 +96,18 @@ export function allShafts(module, shafts) {
 
 /** Refuses an object of another module, whose handle means something else here. */
 function ofModule(module, held, name) {
-  if (held.module !== module) throw new TypeError(`${name} and what is asked are of two modules, made by two calls of load()`);
+  if (held.module !== module) {
+    throw new TypeError(`${name} and what is asked are of two modules, made by two calls of load()`);
+  }
   return held;
 }
 
-/** How many shafts there are of two arrays, of which one may have a single element for all; and each as many as that. */
+/** Two arrays as long as there are shafts, and how many these are. An array of one element is repeated for all. */
 function aligned(a, perA, nameA, b, perB, nameB) {
   const [countA, countB] = [a.length / perA, b.length / perB];
   if (countA !== countB && countA !== 1 && countB !== 1) {
-    throw new TypeError(`there are ${countA} ${nameA} and ${countB} ${nameB}; there must be as many of both, or one of either`);
+    const must = 'there must be as many of both, or one of either';
+    throw new TypeError(`there are ${countA} ${nameA} and ${countB} ${nameB}; ${must}`);
   }
   const count = countA === 0 || countB === 0 ? 0 : Math.max(countA, countB);
   return [repeated(a, count / countA || 0), repeated(b, count / countB || 0), count];
@@ -129,7 +132,7 @@ function setContact(shafts, contact) {
   }
 }
 
-/** Shafts for pairs of two arrays of boxes, as set(shafts, scratch, source of a, source of b, pairs, how many, planes) makes. */
+/** Shafts for pairs of boxes, which set(shafts, scratch, source of a, source of b, pairs, how many, planes) makes. */
 function ofPairs(module, a, b, names, options, between, set) {
   let [boxesA, boxesB] = [asFloats(a, 6, names[0]), asFloats(b, 6, names[1])];
   const pairs = options.pairs === undefined ? undefined : asIndices(options.pairs, 'pairs');

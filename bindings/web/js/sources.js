@@ -28,6 +28,7 @@ export function meshSource(module, scratch, vertices, indices) {
   if (corners.length % 3 !== 0) throw new TypeError(`indices has ${corners.length} numbers, which is no multiple of 3`);
   const count = corners.length / 3;
   const pointer = scratch.zeros(sourceBytes);
-  module.call('shaftcull_mesh', pointer, scratch.copy(points), BigInt(points.length / 3), scratch.copy(corners), BigInt(count));
+  const vertexCount = BigInt(points.length / 3);
+  module.call('shaftcull_mesh', pointer, scratch.copy(points), vertexCount, scratch.copy(corners), BigInt(count));
   return {pointer, count};
 }

@@ -35,8 +35,9 @@ class Owned {
 function patchesOf(module, scratch, owned, boxes, planes, name) {
   const source = sourceOf(module, scratch, 'boxes', boxes, name);
   const floats = asFloats(planes ?? [], 4, 'planes');
-  if (planes !== undefined && floats.length !== 4 * source.count) {
-    throw new TypeError(`there are ${floats.length / 4} planes for ${source.count} ${name}; each has one, or there are none`);
+  if (planes && floats.length !== 4 * source.count) {
+    const count = floats.length / 4;
+    throw new TypeError(`there are ${count} planes for ${source.count} ${name}; each has one, or there are none`);
   }
   return owned.make('shaftcull_patches_free', 'shaftcull_patches_create', source.pointer, scratch.copy(floats),
                     BigInt(floats.length / 4));
@@ -53,10 +54,12 @@ function blockersOf(module, scratch, owned, scene) {
   return blockers;
 }
 
-/** What each blocker is made of: triangles of the scene, or none of a box. */
-function trianglesOf(module, scratch, blockers) {
+/** The triangles of the scene in each blocker: none in boxes, which come first, and those of a group in the others. */
+function trianglesOf(module, scratch, blockers, boxes) {
   const [first, count] = [scratch.zeros(8), scratch.zeros(8)];
+  const none = new Uint32Array();
   return Array.from({length: Number(module.call('shaftcull_blockers_count', blockers))}, (_, blocker) => {
+    if (blocker < boxes) return none;
     module.call('shaftcull_blockers_triangles', blockers, BigInt(blocker), first, count);
     return module.words(module.word(first), module.number(count));
   });
@@ -70,13 +73,13 @@ function orderOf(module, scratch, patches) {
 
 export function visibility(module, scene) {
   checkOptions(scene, names);
-  if (scene.planesB !== undefined && scene.patchesB === undefined) throw new TypeError('there are planesB, but no patchesB');
+  if (scene.planesB && !scene.patchesB) throw new TypeError('there are planesB, but no patchesB');
   const contact = asEnumerator(scene.contact ?? 'open', contacts, 'contact');
   const owned = new Owned(module);
   try {
     return module.scratch((scratch) => {
       const a = patchesOf(module, scratch, owned, scene.patches, scene.planes, 'patches');
-      const two = scene.patchesB !== undefined;
+      const two = Boolean(scene.patchesB);
       const b = two ? patchesOf(module, scratch, owned, scene.patchesB, scene.planesB, 'patchesB') : 0;
       const blockers = blockersOf(module, scratch, owned, scene);
       const options = scratch.zeros(optionBytes);
@@ -84,8 +87,9 @@ export function visibility(module, scene) {
       module.view.setUint32(options + 8, contact, true);
       const sights = owned.make('shaftcull_sights_free', 'shaftcull_collect_visibility', a, b, blockers, options);
       const orderA = orderOf(module, scratch, a);
+      const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
       const orderB = two ? orderOf(module, scratch, b) : orderA;
-      return new Visibility(module, scratch, sights, orderA, orderB, trianglesOf(module, scratch, blockers));
+      return new Visibility(module, scratch, sights, orderA, orderB, trianglesOf(module, scratch, blockers, boxes));
     });
   } finally {
     owned.release();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the C library asks the system for: there is a clock, there are no variables of the environment and no files, and what is
-// written is kept until somebody asks why the module ended.
+// What the C library asks the system for: there is a clock, there are no variables of the environment and no files, and
+// what is written is kept until somebody asks why the module ended.
 
 const badFile = 8;  // WASI's errno for a file that is not open
 
