@@ -27,7 +27,7 @@ class Stopped : public std::exception {
 /// Records an error as this thread's last one, tells the caller's handler, and ends the program if that returns.
 [[noreturn]] void tell_handler(const std::exception& error);
 
-/// Throws an error; in a build without exceptions, tell_handler() of it. As kernel/support/fail.hpp, which no binding sees.
+/// Throws an error; in a build without exceptions, tell_handler() of it. kernel/support/fail.hpp does alike.
 template <class Error>
 [[noreturn]] void fail(const Error& error) {
 #if defined(__cpp_exceptions)
