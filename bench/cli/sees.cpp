@@ -30,6 +30,7 @@ void run(const SeesOptions& options) {
   options.isa.select();
   job.prepare();
   const std::span<SightSink* const> sinks = job.open();
+  const std::unique_ptr<OutputFile> picture = job.open_picture();
   const Workers workers(options.threads);
   SeesReport report{};
   {
@@ -38,7 +39,7 @@ void run(const SeesOptions& options) {
     workers.run(
         [&] { report = run_sees(job.scene(), job.patches(), job.work(), job.source(), sinks, progress, interrupt); });
   }
-  job.finish(report);
+  job.finish(report, picture.get());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "sees_job.hpp"
 
 #include <cstdio>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -42,7 +43,6 @@ std::span<SightSink* const> SeesJob::open() {
     file_ = sight_file(options_.out, *scene_, patches_->order(), options_.rays);
     sinks_.push_back(file_.get());
   }
-  open_picture();
   if (SeenShares* const shares = open_shares()) sinks_.push_back(shares);
   return sinks_;
 }
@@ -51,14 +51,14 @@ SeenShares* SeesJob::open_shares() {
   return options_.svg.empty() ? nullptr : &shares_.emplace(patches_->order(), options_.rays);
 }
 
-void SeesJob::open_picture() {
-  if (!options_.svg.empty()) picture_ = std::make_unique<OutputFile>(options_.svg);
+std::unique_ptr<OutputFile> SeesJob::open_picture() const {
+  return options_.svg.empty() ? nullptr : std::make_unique<OutputFile>(options_.svg);
 }
 
-void SeesJob::finish(const SeesReport& report) {
-  if (picture_) {
-    picture_->write(svg_of_shares(*scene_, shares_->shares(), static_cast<std::size_t>(options_.up[0] - 'x')));
-    picture_->finish();
+void SeesJob::finish(const SeesReport& report, OutputFile* picture) {
+  if (picture != nullptr) {
+    picture->write(svg_of_shares(*scene_, shares_->shares(), static_cast<std::size_t>(options_.up[0] - 'x')));
+    picture->finish();
   }
   // Where a file is standard output, the report goes elsewhere.
   const bool is_taken = is_output(options_.out) || is_output(options_.svg);

@@ -47,14 +47,14 @@ class SeesJob {
   [[nodiscard]] const SeesBlocks& patches() const { return *patches_; }
   [[nodiscard]] SeesWork work() const;
 
-  /// Opens the files that are to be written; answers go to these sinks. For one process that has all answers.
+  /// Opens the file of answers that is to be written; answers go to these sinks. For one process that has all answers.
   [[nodiscard]] std::span<SightSink* const> open();
   /// What the picture shows, if one is wanted; null otherwise. For several processes, of which each takes some answers.
   [[nodiscard]] SeenShares* open_shares();
-  /// Opens the picture alone, if one is wanted. To be called by the process that finishes.
-  void open_picture();
-  /// Draws the picture, if one is wanted, and prints the report.
-  void finish(const SeesReport& report);
+  /// Opens the picture, if one is wanted; null otherwise. To be called by the process that finishes.
+  [[nodiscard]] std::unique_ptr<OutputFile> open_picture() const;
+  /// Draws the picture, if there is one, and prints the report.
+  void finish(const SeesReport& report, OutputFile* picture);
 
  private:
   const SeesOptions& options_;
@@ -63,7 +63,6 @@ class SeesJob {
   std::optional<SeesBlocks> patches_;
   std::vector<SightSink*> sinks_;
   std::unique_ptr<SightSink> file_;
-  std::unique_ptr<OutputFile> picture_;
   std::optional<SeenShares> shares_;
 };
 

@@ -109,7 +109,7 @@ class RankedSees {
     if (!out.empty()) places_ = sight_places(out, job_.scene(), job_.patches(), work_.rays);
     shares_ = job_.open_shares();
     if (ranks_.rank() != 0) return;
-    job_.open_picture();
+    picture_ = job_.open_picture();
     if (keeps_) folder_.lock();
     if (keeps_) folder_.begin(description_);
     if (places_) file_.emplace(out, part_);
@@ -238,7 +238,7 @@ class RankedSees {
       report.ranks = ranks_.size();
       report.seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
       report.memory = peak_memory();
-      job_.finish(report);
+      job_.finish(report, picture_.get());
       if (keeps_) folder_.remove();
     });
   }
@@ -258,6 +258,7 @@ class RankedSees {
   std::vector<std::uint64_t> finished_;  ///< 1 for each unit that an earlier run has stored
   std::unique_ptr<SightPlaces> places_;  ///< null if no file of answers is wanted
   std::optional<OutputFile> file_;       ///< of rank 0; answers are written under the name part_
+  std::unique_ptr<OutputFile> picture_;  ///< of rank 0; null if no picture is wanted
   SeenShares* shares_ = nullptr;         ///< null if no picture is wanted
   SeesCounts counts_;                    ///< of units that this rank answered, or found stored
   int threads_ = 0;

@@ -152,6 +152,7 @@ def without_room(whole):
     mixed = subprocess.run([*launch(1), *command, ":", *limited(2, 16)[1:], *command], capture_output=True, text=True,
                            timeout=120, check=False)
     assert mixed.returncode == 1 and len(own_lines(mixed)) == 1 and full in own_lines(mixed)[0], mixed
+    assert os.listdir() == ["seen.npz.parts"]
     # As a rank leaves it that was killed on the way: longer than what it will be, too.
     with open("seen.npz.parts/result", "wb") as file:
         file.write(b"x" * (len(whole["seen.npz"]) + 1000))
