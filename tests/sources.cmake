@@ -33,6 +33,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CMAKE_CXX_FLAGS AND SHAFTCULL_WIT
     message(STATUS "No test packages.conan: there is no python3 on this machine")
   endif()
 endif()
+add_test(NAME compilers COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/compilers.cmake)
 add_test(NAME units COMMAND ${CMAKE_COMMAND} -D KERNEL=${PROJECT_SOURCE_DIR}/kernel -P ${CMAKE_CURRENT_SOURCE_DIR}/units.cmake)
 
 if(SHAFTCULL_BASH)

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "families/roofline_kernels.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::bench {
 
@@ -26,7 +27,7 @@ float slab_arithmetic(std::size_t vectors) noexcept {
   typename L::Vector extreme[chains];
   for (auto& e : extreme) e = L::all(0.125F);
   for (std::size_t v = 0; v < vectors; v += 2) {
-#pragma GCC unroll 12
+    SHAFTCULL_UNROLL(12)
     for (unsigned i = 0; i < 12; ++i) {
       // Hidden from the optimiser, which knows that the same operands give the same result.
       asm volatile("" : "+v"(scale.data), "+v"(shift.data));
@@ -50,7 +51,7 @@ float grid_arithmetic(std::size_t vectors) noexcept {
   typename S::Vector extreme[chains];
   for (auto& e : extreme) e = coordinate;
   for (std::size_t v = 0; v < vectors; v += 4) {  // of floats: two of these
-#pragma GCC unroll 12
+    SHAFTCULL_UNROLL(12)
     for (unsigned i = 0; i < 12; ++i) {
       asm volatile("" : "+v"(scale.data), "+v"(coordinate.data));
       const unsigned e = i % chains;
@@ -72,7 +73,7 @@ float divide(std::size_t vectors) noexcept {
   auto divisor = L::all(3.0F);
   auto quotient = dividend;
   for (std::size_t v = 0; v < vectors; v += 4) {
-#pragma GCC unroll 4
+    SHAFTCULL_UNROLL(4)
     for (unsigned i = 0; i < 4; ++i) {
       asm volatile("" : "+v"(dividend.data), "+v"(divisor.data));
       quotient = L::divide(dividend, divisor);
@@ -89,7 +90,7 @@ float read(const float* const* stream, std::size_t count) noexcept {
   const float* at[6];
   for (unsigned s = 0; s < 6; ++s) at[s] = stream[s];
   for (std::size_t i = 0; i < count; i += 2 * L::width) {
-#pragma GCC unroll 6
+    SHAFTCULL_UNROLL(6)
     for (unsigned s = 0; s < 6; ++s) {
       // A bitwise or with what is in memory: no instruction is cheaper.
       seen[s] = seen[s] | L::load(at[s] + i);

@@ -2,6 +2,7 @@
 #include <immintrin.h>
 
 #include "peers/six_planes.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::bench {
 
@@ -20,7 +21,7 @@ void cull_by_six_planes_avx2(const SixPlanes& planes, const BoxView& boxes, std:
         const __m256 minus_offset = _mm256_set1_ps(-planes[p].offset);
         const __m256 normal[3] = {_mm256_set1_ps(planes[p].normal[0]), _mm256_set1_ps(planes[p].normal[1]),
                                   _mm256_set1_ps(planes[p].normal[2])};
-#pragma GCC unroll 4
+        SHAFTCULL_UNROLL(4)
         for (unsigned v = 0; v < 4; ++v) {
           const std::size_t at = w * 64 + four + v * width;
           __m256 value = _mm256_fmadd_ps(_mm256_loadu_ps(x[p][0] + at), normal[0], minus_offset);
@@ -29,7 +30,7 @@ void cull_by_six_planes_avx2(const SixPlanes& planes, const BoxView& boxes, std:
           farthest[v] = _mm256_max_ps(farthest[v], value);
         }
       }
-#pragma GCC unroll 4
+      SHAFTCULL_UNROLL(4)
       for (unsigned v = 0; v < 4; ++v) {
         const __m256 is_beyond = _mm256_cmp_ps(farthest[v], _mm256_setzero_ps(), _CMP_GT_OQ);
         outside |= static_cast<std::uint64_t>(static_cast<unsigned>(_mm256_movemask_ps(is_beyond)))

@@ -3,6 +3,7 @@
 #include "kernels/boxes/slab.hpp"
 #include "peers/unfiltered.hpp"
 #include "simd/x86/avx2.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -18,10 +19,10 @@ void cull_words(const kernel::ShaftData& shaft, const float* const* stream, std:
   for (unsigned i = 0; i < 6; ++i) x[i] = stream[shaft.slab_near[i]];
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;
-#pragma GCC unroll 2
+    SHAFTCULL_UNROLL(2)
     for (unsigned four = 0; four < kernel::word_bits; four += 4 * L::width) {
       L::Vector length[4];
-#pragma GCC unroll 4
+      SHAFTCULL_UNROLL(4)
       for (unsigned v = 0; v < 4; ++v) {
         const std::size_t at = w * kernel::word_bits + four + v * L::width;
         length[v] = slab.interval_length([&](unsigned i) { return L::load(x[i] + at); });

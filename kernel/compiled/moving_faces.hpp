@@ -5,6 +5,8 @@
 /// user gave: no slope is rounded.
 #pragma once
 
+#include <cmath>
+
 #include "compiled/shaft_data.hpp"
 
 namespace shaftcull::kernel {
@@ -27,7 +29,7 @@ struct MovingFaces {
     minuend = is_shadow ? shaft.a : shaft.motion;
     subtrahend = is_shadow ? shaft.motion : zeros;
     if (shaft.is_endless()) {
-      end_minuend = __builtin_inf();
+      end_minuend = HUGE_VAL;
     } else if (is_shadow) {
       end_minuend = shaft.reach;
       end_subtrahend = 1;
@@ -37,7 +39,7 @@ struct MovingFaces {
 
   [[nodiscard]] double slope(unsigned f) const noexcept { return double{minuend[f]} - double{subtrahend[f]}; }
   [[nodiscard]] double end() const noexcept { return end_minuend - end_subtrahend; }
-  [[nodiscard]] bool is_endless() const noexcept { return end_minuend == __builtin_inf(); }
+  [[nodiscard]] bool is_endless() const noexcept { return end_minuend == HUGE_VAL; }
   [[nodiscard]] bool is_purple(unsigned f) const noexcept { return minuend[f] == subtrahend[f]; }
   /// Whether the face moves outwards: then the shaft box has it where t ends.
   [[nodiscard]] bool is_blue(unsigned f) const noexcept {

@@ -11,6 +11,7 @@
 
 #include "compiled/hull_data.hpp"
 #include "shaftcull/compiled.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -107,10 +108,10 @@ struct alignas(64) ShaftData {
   static constexpr std::uint8_t planes_pending = 0xff;
 
   // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
-  [[nodiscard, gnu::always_inline]] bool is_hull() const noexcept { return slab_form == SlabForm::hull; }
-  [[nodiscard, gnu::always_inline]] bool has_planes() const noexcept { return joining_count != planes_pending; }
-  [[nodiscard, gnu::always_inline]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
-  [[nodiscard, gnu::always_inline]] bool is_endless() const noexcept {
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_hull() const noexcept { return slab_form == SlabForm::hull; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool has_planes() const noexcept { return joining_count != planes_pending; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_endless() const noexcept {
     return kind == Kind::swept_without_end || kind == Kind::shadow_without_end;
   }
 };
@@ -126,10 +127,10 @@ enum class ShaftRow : std::size_t {
 };
 
 /// The bytes of a row.
-[[nodiscard, gnu::always_inline]] inline const void* row_of(const ShaftData& shaft, ShaftRow row) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline const void* row_of(const ShaftData& shaft, ShaftRow row) noexcept {
   return static_cast<const std::byte*>(static_cast<const void*>(&shaft)) + static_cast<std::size_t>(row);
 }
-[[nodiscard, gnu::always_inline]] inline void* row_of(ShaftData& shaft, ShaftRow row) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline void* row_of(ShaftData& shaft, ShaftRow row) noexcept {
   return static_cast<std::byte*>(static_cast<void*>(&shaft)) + static_cast<std::size_t>(row);
 }
 
@@ -150,10 +151,10 @@ static_assert(std::is_trivially_default_constructible_v<ShaftData>, "kernels hav
 static_assert(std::is_standard_layout_v<CompiledShaft>, "its address is that of its storage");
 
 /// The data of a shaft: the one place where a CompiledShaft is looked into.
-[[nodiscard, gnu::always_inline]] inline const ShaftData& data_of(const CompiledShaft& shaft) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline const ShaftData& data_of(const CompiledShaft& shaft) noexcept {
   return *std::launder(reinterpret_cast<const ShaftData*>(&shaft));
 }
-[[nodiscard, gnu::always_inline]] inline ShaftData& data_of(CompiledShaft& shaft) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline ShaftData& data_of(CompiledShaft& shaft) noexcept {
   return *std::launder(reinterpret_cast<ShaftData*>(&shaft));
 }
 

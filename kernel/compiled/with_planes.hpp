@@ -5,6 +5,7 @@
 #include "compiled/joining_planes.hpp"
 #include "compiled/shaft_data.hpp"
 #include "shaftcull/cull.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -12,8 +13,8 @@ namespace shaftcull::kernel {
 
 /// Whether a test for outside reads the joining planes of a shaft. Spheres have a slab form for shafts in the fused and
 /// the endless form alone.
-[[nodiscard, gnu::always_inline]] inline bool outside_needs_planes(const ShaftData& shaft, bool spheres,
-                                                                   Form form) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline bool outside_needs_planes(const ShaftData& shaft, bool spheres,
+                                                                       Form form) noexcept {
   return form == Form::planes ||
          (spheres && shaft.slab_form != ShaftData::SlabForm::fused && shaft.slab_form != ShaftData::SlabForm::endless);
 }
@@ -21,7 +22,7 @@ namespace shaftcull::kernel {
 /// A shaft, or a copy of it with its planes if they are needed and pending.
 class WithPlanes {
  public:
-  [[gnu::always_inline]] WithPlanes(const ShaftData& shaft, bool needs_planes) noexcept : shaft_(&shaft) {
+  SHAFTCULL_ALWAYS_INLINE WithPlanes(const ShaftData& shaft, bool needs_planes) noexcept : shaft_(&shaft) {
     if (!needs_planes || shaft.has_planes()) return;
     completed_ = shaft;
     add_joining_planes(completed_);
@@ -30,7 +31,7 @@ class WithPlanes {
   WithPlanes(const WithPlanes&) = delete;
   WithPlanes& operator=(const WithPlanes&) = delete;
 
-  [[nodiscard, gnu::always_inline]] const ShaftData& shaft() const noexcept { return *shaft_; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] const ShaftData& shaft() const noexcept { return *shaft_; }
 
  private:
   const ShaftData* shaft_;

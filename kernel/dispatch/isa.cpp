@@ -10,7 +10,9 @@
 #include "dispatch/active_kernels.hpp"
 #include "kernels/table.hpp"
 #include "shaftcull/error.hpp"
+#include "support/compiler.hpp"
 #include "support/fail.hpp"
+#include "support/processor.hpp"
 
 namespace shaftcull {
 namespace kernel {
@@ -86,7 +88,7 @@ constexpr char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cas
 constinit std::atomic<const InstructionSet*> chosen = nullptr;
 
 /// Chooses if nobody has; a select_isa() that comes in between wins.
-[[gnu::noinline, gnu::cold]] const InstructionSet& chosen_first() noexcept {
+SHAFTCULL_COLD const InstructionSet& chosen_first() noexcept {
   const InstructionSet* set = nullptr;
   const InstructionSet* const first = &initial_set();
   return chosen.compare_exchange_strong(set, first, std::memory_order_relaxed) ? *first : *set;

@@ -66,7 +66,7 @@ struct Gaps {
     }
   }
 
-  [[nodiscard]] bool is_endless() const noexcept { return end_minuend == __builtin_inf(); }
+  [[nodiscard]] bool is_endless() const noexcept { return end_minuend == HUGE_VAL; }
 };
 
 /// What a step says of a sphere and a shaft.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The third step of the distance between a sphere's centre and a shaft: the sign of f's minimum by expansions.
 #include "exact/gap.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -34,7 +35,7 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
 }
 
 /// The sign of f(t) − r², exactly.
-[[gnu::noinline]] int excess_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
+SHAFTCULL_NOINLINE int excess_at(const Gaps& gaps, const Ratio& t, double radius) noexcept {
   Expansion<most_terms> sum;
   for (unsigned g = 0; g < gaps.count; ++g) {
     const auto gap = scaled_gap(gaps.gap[g], t);
@@ -53,7 +54,7 @@ int derivative_sign(const Gaps& gaps, const Ratio& t) noexcept {
 /// The same gaps are positive there. With starts α and slopes β of those, Lagrange's identity gives
 ///   min f = Σ_{g<h} (α_g β_h − α_h β_g)² / Σ β_g²,
 /// a sum of squares, so nothing cancels.
-[[gnu::noinline]] int excess_between(const Gaps& gaps, const Ratio& low, const Ratio& high, double radius) noexcept {
+SHAFTCULL_NOINLINE int excess_between(const Gaps& gaps, const Ratio& low, const Ratio& high, double radius) noexcept {
   const Gap* active[6];
   unsigned count = 0;
   for (unsigned g = 0; g < gaps.count; ++g) {

@@ -5,17 +5,17 @@
 #include <cmath>
 
 #include "exact/gap.hpp"
+#include "support/compiler_vector.hpp"
 
 namespace shaftcull::kernel {
 
-/// The two gaps of an axis, side by side, as the compilers' own vectors: any processor that has none gets plain
-/// doubles.
-using Two [[gnu::vector_size(16)]] = double;
+/// The two gaps of an axis, side by side. Where a processor has no such vectors, compilers make two doubles of it.
+using Two = CompilerVector<double, 2>::Type;
 
 inline double sum(Two x) noexcept { return x[0] + x[1]; }
 
 /// x where it is positive, and 0 elsewhere; without a branch, which would be mispredicted.
-inline Two where_positive(Two x, Two condition) noexcept { return condition > 0 ? x : Two{}; }
+inline Two where_positive(Two x, Two condition) noexcept { return where(condition > 0, x, Two{}); }
 
 inline double larger(double x, double y) noexcept { return x < y ? y : x; }
 

@@ -11,6 +11,7 @@
 #include "exact/expansion.hpp"
 #include "exact/measured.hpp"
 #include "exact/orientation.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -68,8 +69,8 @@ TriangleGapTerms widened(const Expansion<N>& value) noexcept {
 
 /// Adds `sign` times a product to a sum.
 template <std::size_t N>
-[[gnu::noinline]] void add_product(OrderTerms& sum, const TriangleGapTerms& a, const Expansion<N>& b,
-                                   double sign) noexcept {
+SHAFTCULL_NOINLINE void add_product(OrderTerms& sum, const TriangleGapTerms& a, const Expansion<N>& b,
+                                    double sign) noexcept {
   for (std::size_t i = 0; i < b.size(); ++i) {
     const auto part = a * (sign * b[i]);
     for (std::size_t k = 0; k < part.size(); ++k) sum.grow(part[k]);
@@ -242,8 +243,8 @@ class TriangleGaps {
       }
     });
   }
-  [[nodiscard, gnu::noinline]] KnownSign exactly_at_end(const TriangleGap& gap,
-                                                        const Expansion<2>& end) const noexcept {
+  SHAFTCULL_NOINLINE [[nodiscard]] KnownSign exactly_at_end(const TriangleGap& gap,
+                                                            const Expansion<2>& end) const noexcept {
     OrderTerms sum;
     add_product(sum, start<Expansion<2>>(gap), Expansion<2>(1.0), 1);
     add_product(sum, slope<Expansion<2>>(gap), end, 1);
@@ -266,8 +267,8 @@ class TriangleGaps {
     const bool may_be_at_once = contact_ == Contact::closed || (rising.are_both_flat && falling.are_both_flat);
     return may_be_at_once ? order > 0 : order >= 0;
   }
-  [[nodiscard, gnu::noinline]] KnownSign exact_order(const TriangleGap& rising,
-                                                     const TriangleGap& falling) const noexcept {
+  SHAFTCULL_NOINLINE [[nodiscard]] KnownSign exact_order(const TriangleGap& rising,
+                                                         const TriangleGap& falling) const noexcept {
     OrderTerms sum;
     add_product(sum, start<Expansion<2>>(rising), slope<Expansion<2>>(falling), 1);
     add_product(sum, start<Expansion<2>>(falling), slope<Expansion<2>>(rising), -1);

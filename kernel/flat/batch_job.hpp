@@ -19,6 +19,7 @@
 #include "shaftcull/streams.hpp"
 #include "streams/rows.hpp"
 #include "support/arguments.hpp"
+#include "support/compiler.hpp"
 #include "support/float_environment.hpp"
 #include "support/prefetch.hpp"
 
@@ -108,7 +109,7 @@ class BatchJob {
   // Not inlined, so that the memory of grids is not on the stack of tests in floats.
 
   /// Forms a group's shafts on a grid and tests a block there. Returns false, and does nothing, if they have none.
-  [[gnu::noinline]] bool forms_and_tests_on_grid(IndexRange block, IndexRange group, Rows kept, Rows inside) const {
+  SHAFTCULL_NOINLINE bool forms_and_tests_on_grid(IndexRange block, IndexRange group, Rows kept, Rows inside) const {
     GroupOnGrid this_group;
     form_on_grid(this_group, shafts_.subspan(group.first, group.size), bounds_, block.size);
     if (!this_group.exists()) return false;
@@ -116,8 +117,8 @@ class BatchJob {
     return true;
   }
 
-  [[gnu::noinline]] void test_on_grid(const GroupOnGrid& on_grid, IndexRange block, IndexRange group, Rows kept,
-                                      Rows inside) const {
+  SHAFTCULL_NOINLINE void test_on_grid(const GroupOnGrid& on_grid, IndexRange block, IndexRange group, Rows kept,
+                                       Rows inside) const {
     const std::size_t size = even_tile(block.size, block.size <= most_tile_bounds ? most_tile_bounds : tile_bounds);
     // Coordinates on the grid are made once for all shafts.
     TaskScratch<CacheLine, 64> scratch(words_for(size) * lines_a_word);
@@ -147,8 +148,8 @@ class BatchJob {
   }
 
   // Not inlined, so that the memory of one is not on the stack of the other.
-  [[gnu::noinline]] void test_boxed_tile(const View& tile, std::size_t first, IndexRange group, Rows kept,
-                                         Rows inside) const noexcept {
+  SHAFTCULL_NOINLINE void test_boxed_tile(const View& tile, std::size_t first, IndexRange group, Rows kept,
+                                          Rows inside) const noexcept {
     alignas(64) float box[6][float_tile_bounds];
     kernels_.boxes_around_spheres(tile.stream.data(), tile.count, rows_in(box).data());
     const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
@@ -156,9 +157,9 @@ class BatchJob {
     test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
   }
 
-  [[gnu::noinline]] void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first,
-                                           IndexRange group, Rows kept, Rows inside,
-                                           CacheLine* scratch) const noexcept {
+  SHAFTCULL_NOINLINE void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first,
+                                            IndexRange group, Rows kept, Rows inside,
+                                            CacheLine* scratch) const noexcept {
     const std::size_t row = words_for(tile.count) * 64;
     auto* const snapped = reinterpret_cast<std::int16_t*>(scratch);
     auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
@@ -186,10 +187,11 @@ class BatchJob {
   static constexpr std::size_t lines_a_word =
       (64 * 6 * sizeof(std::int16_t) + batch_shafts * sizeof(UndecidedWord)) / sizeof(CacheLine);
 
-  [[gnu::always_inline]] void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch, const TileExtent& extent,
-                                                 const View& tile, const std::int16_t* const* grid,
-                                                 UndecidedWord* undecided, std::size_t first, IndexRange group,
-                                                 Rows kept, Rows inside) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void test_batch_on_grid(const GroupOnGrid& on_grid, IndexRange batch,
+                                                  const TileExtent& extent, const View& tile,
+                                                  const std::int16_t* const* grid, UndecidedWord* undecided,
+                                                  std::size_t first, IndexRange group, Rows kept,
+                                                  Rows inside) const noexcept {
     const ShaftData* shaft[batch_shafts];
     std::uint64_t* kept_row[batch_shafts];
     std::uint64_t* inside_row[batch_shafts];
@@ -220,18 +222,18 @@ class BatchJob {
 
   /// Prefetches the rows that a later shaft will write. Rows are far apart, often by a power of two, so that caches
   /// soon evict them.
-  [[gnu::always_inline]] static void prefetch_rows(const std::uint64_t* kept, const std::uint64_t* inside,
-                                                   std::size_t words) noexcept {
+  SHAFTCULL_ALWAYS_INLINE static void prefetch_rows(const std::uint64_t* kept, const std::uint64_t* inside,
+                                                    std::size_t words) noexcept {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
     for (std::size_t w = 0; w < words; w += line) {
-      __builtin_prefetch(kept + w, 1);
-      if (inside != nullptr) __builtin_prefetch(inside + w, 1);
+      prefetch_to_write(kept + w);
+      if (inside != nullptr) prefetch_to_write(inside + w);
     }
   }
 
   /// Snaps the boxes around a tile's spheres, a few at a time.
-  [[gnu::noinline]] void snap_spheres(const GridFrame& frame, const View& tile,
-                                      std::int16_t* const* grid) const noexcept {
+  SHAFTCULL_NOINLINE void snap_spheres(const GridFrame& frame, const View& tile,
+                                       std::int16_t* const* grid) const noexcept {
     constexpr std::size_t some = tile_bounds / 8;
     alignas(64) float box[6][some];
     const RowsOf<BoxView> boxes = rows_in(box);
@@ -254,8 +256,8 @@ class BatchJob {
   /// memory. Four shafts or fewer read a tile about as fast as it comes, and the processor's own prefetching does
   /// better; for less than eight it does so, too, where a view may be in a cache. Inlined, as
   /// prefetch_to_second_level() is.
-  [[gnu::always_inline]] void prefetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
-                                                     std::size_t shares) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch_share_of_next(std::size_t next, std::size_t count, std::size_t i,
+                                                      std::size_t shares) const noexcept {
     constexpr std::size_t line = 64 / sizeof(float);
     if (shares < (is_beyond_caches() ? fewest_that_prefetch_from_memory : fewest_that_prefetch)) return;
     const std::size_t lines = std::min(count, bounds_.count - next) / line;

@@ -15,6 +15,7 @@
 #include "flat/tiling.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -98,8 +99,8 @@ struct GroupOnGrid {
 
   /// Cuts shafts without end off where the first of the faces that follow their box leaves all bounds behind. The frame
   /// holds of them what is among the bounds: other faces may have left it by then.
-  [[gnu::noinline]] void form_cut_off(const GridKernels& kernels, std::span<const ShaftData> shafts,
-                                      const SampledBox& around_bounds, bool spheres) noexcept {
+  SHAFTCULL_NOINLINE void form_cut_off(const GridKernels& kernels, std::span<const ShaftData> shafts,
+                                       const SampledBox& around_bounds, bool spheres) noexcept {
     if (!around_bounds.exists) return form_with(kernels, shafts, nullptr, spheres);
     // Shafts of which two faces that move about as fast start at an edge of the frame have no place in it, as sums do
     // not fit into 16 bits. In a frame that is this much wider than bounds are, 2 of 1,000 have none; without, 20.

@@ -9,6 +9,7 @@
 
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -16,7 +17,7 @@ namespace shaftcull::kernel {
 template <class L>
 std::size_t count_set_bits(const std::uint64_t* words, std::size_t count) noexcept {
   std::size_t bits = 0;
-  for (std::size_t w = 0; w != count; ++w) bits += static_cast<std::size_t>(__builtin_popcountll(words[w]));
+  for (std::size_t w = 0; w != count; ++w) bits += static_cast<std::size_t>(popcount(words[w]));
   return bits;
 }
 
@@ -27,9 +28,9 @@ void write_set_bits_by(const std::uint64_t* words, std::size_t count, std::uint3
   std::uint32_t first = 0;
   for (std::size_t w = 0; w != count; ++w, first += word_bits) {
     std::uint64_t word = words[w];
-    std::uint32_t* const end = out + __builtin_popcountll(word);
+    std::uint32_t* const end = out + popcount(word);
     do {
-#pragma GCC unroll 16
+      SHAFTCULL_UNROLL(16)
       for (std::size_t i = 0; i != step; ++i) {
         out[i] = first + L::lowest_bit(word);
         word &= word - 1;

@@ -31,6 +31,7 @@
 #include "kernels/tree/partition.hpp"
 #include "kernels/triangles/stages.hpp"
 #include "shaftcull/cull.hpp"
+#include "support/compiler.hpp"
 #include "support/padding.hpp"
 
 namespace shaftcull::kernel {
@@ -218,8 +219,8 @@ struct UnboxedSphereStages {
 
 /// Writes which bounds are inside of those that are not outside, for callers who do not ask which these are.
 template <class Stages>
-[[gnu::noinline, gnu::cold]] void find_inside_of_kept(const ShaftData& shaft, const float* const* stream,
-                                                      std::size_t count, std::uint64_t* inside) noexcept {
+SHAFTCULL_COLD void find_inside_of_kept(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                        std::uint64_t* inside) noexcept {
   std::uint64_t kept[block_words];
   Stages::cull(shaft, stream, count, kept);
   Stages::find_inside(shaft, stream, count, kept, inside);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shaftcull/error.hpp"
+#include "support/compiler.hpp"
 #include "support/fail.hpp"
 #include "support/prefetch.hpp"
 #include "tree/access.hpp"
@@ -29,7 +30,7 @@ struct PositionInTree {
   [[nodiscard]] Index operator()(Index index) const noexcept {
     return place[index];  // NOLINT(clang-analyzer-core.NullDereference): null of a tree that has no index
   }
-  [[gnu::always_inline]] void prefetch(Index index) const noexcept { prefetch_to_second_level(place + index, 1); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(Index index) const noexcept { prefetch_to_second_level(place + index, 1); }
 };
 
 /// Where the bounds of a tree are, which must not need a refit: nobody may ask for its bounds then, as with all

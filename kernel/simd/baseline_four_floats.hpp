@@ -9,13 +9,15 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
+#include "support/compiler.hpp"
+
+#ifdef SHAFTCULL_TARGET_SSE2
 #include <emmintrin.h>
 #endif
 
 namespace shaftcull::kernel {
 
-#if defined(__SSE2__)
+#ifdef SHAFTCULL_TARGET_SSE2
 
 class FourFloats {
  public:

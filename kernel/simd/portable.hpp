@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// Every operation of operations.hpp in plain C++: what a new instruction set starts from.
 ///
-/// A set derives from these classes and replaces the operations that its processor has instructions for. Vectors are
-/// those of the compilers, g++ and clang: a processor's own types, such as __m128 or float32x4_t, convert from them and
-/// to them. `Set` is a type of the set's namespace: functions are the set's own, since it is compiled with flags of its
-/// own (kernel/kernels/README.md).
+/// A set derives from these classes and replaces the operations that its processor has instructions for. `Set` is a
+/// type of the set's namespace: functions are the set's own, since it is compiled with flags of its own
+/// (kernel/kernels/README.md).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "simd/operations.hpp"
+#include "support/compiler.hpp"
+#include "support/compiler_vector.hpp"
 
 namespace shaftcull::kernel {
-
-/// The compilers' vectors of `count` elements.
-template <class Element, unsigned count>
-struct CompilerVector {
-  typedef Element Type __attribute__((vector_size(count * sizeof(Element))));  // NOLINT: `using` has no such attribute
-};
 
 /// EightFloatOperations on an array. Compilers make vectors of these loops where they can.
 template <class Set>
@@ -40,7 +37,7 @@ struct PortableEightFloats {
   }
   static Vector load(const void* from) noexcept {
     Vector a;
-    __builtin_memcpy(a.of, from, sizeof a.of);
+    std::memcpy(a.of, from, sizeof a.of);
     return a;
   }
   static Vector load_six(const float* from, float rest) noexcept {
@@ -48,12 +45,12 @@ struct PortableEightFloats {
   }
   static Vector load_faces(const void* box) noexcept {
     Vector faces;
-    __builtin_memcpy(faces.of, box, 6 * sizeof(float));
+    std::memcpy(faces.of, box, 6 * sizeof(float));
     faces.of[6] = faces.of[4];
     faces.of[7] = faces.of[5];
     return faces;
   }
-  static void store(void* to, const Vector& a) noexcept { __builtin_memcpy(to, a.of, sizeof a.of); }
+  static void store(void* to, const Vector& a) noexcept { std::memcpy(to, a.of, sizeof a.of); }
   static Vector first_in_all(const Vector& a) noexcept {
     return each([&](unsigned) { return a.of[0]; });
   }
@@ -99,7 +96,7 @@ struct PortableEightFloats {
   }
   static Order order(const void* from) noexcept {
     Order order;
-    __builtin_memcpy(order.from, from, sizeof order.from);
+    std::memcpy(order.from, from, sizeof order.from);
     return order;
   }
   static Vector permuted(const Vector& a, const Order& order) noexcept {
@@ -128,10 +125,10 @@ struct PortableEightFloats {
     return each([&](unsigned i) { return a.of[i] > b.of[i] ? a.of[i] : b.of[i]; });
   }
   static Vector magnitude(const Vector& a) noexcept {
-    return each([&](unsigned i) { return __builtin_fabsf(a.of[i]); });
+    return each([&](unsigned i) { return fabsf(a.of[i]); });
   }
   static Vector minus_magnitude(const Vector& a) noexcept {
-    return each([&](unsigned i) { return -__builtin_fabsf(a.of[i]); });
+    return each([&](unsigned i) { return -fabsf(a.of[i]); });
   }
   static Vector negate_hi(const Vector& a) noexcept {
     return {{a.of[0], a.of[1], a.of[2], -a.of[3], -a.of[4], -a.of[5], a.of[6], a.of[7]}};
@@ -140,7 +137,7 @@ struct PortableEightFloats {
     return each([&](unsigned i) { return is_negative(mask.of[i]) ? a.of[i] : -a.of[i]; });
   }
   static Vector infinite_if_nan(const Vector& a) noexcept {
-    return each([&](unsigned i) { return a.of[i] == a.of[i] ? a.of[i] : __builtin_inff(); });
+    return each([&](unsigned i) { return a.of[i] == a.of[i] ? a.of[i] : INFINITY; });
   }
   static Vector minimum_of_bits(const Vector& a, const Vector& b) noexcept {
     return each([&](unsigned i) { return bits(a.of[i]) < bits(b.of[i]) ? a.of[i] : b.of[i]; });
@@ -186,10 +183,10 @@ struct PortableFloats {
 
   static Vector load(const float* p) noexcept {
     Vector a;
-    __builtin_memcpy(&a, p, sizeof a);
+    std::memcpy(&a, p, sizeof a);
     return a;
   }
-  static void store(float* p, Vector a) noexcept { __builtin_memcpy(p, &a, sizeof a); }
+  static void store(float* p, Vector a) noexcept { std::memcpy(p, &a, sizeof a); }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
     Vector a{};
     for (unsigned i = 0; i < width; ++i) a[i] = p[index[i]];
@@ -197,7 +194,7 @@ struct PortableFloats {
   }
   static void load_columns(const void* const (&rows)[width], Vector (&columns)[4]) noexcept {
     float row[width][4];
-    for (unsigned i = 0; i < width; ++i) __builtin_memcpy(row[i], rows[i], sizeof row[i]);
+    for (unsigned i = 0; i < width; ++i) std::memcpy(row[i], rows[i], sizeof row[i]);
     for (unsigned c = 0; c < 4; ++c) {
       Vector column{};
       for (unsigned i = 0; i < width; ++i) column[i] = row[i][c];
@@ -237,9 +234,9 @@ struct PortableFloats {
     // Floats as integers, since they may be anything.
     void store(float* p, Vector a) const noexcept {
       std::uint32_t lane[width];
-      __builtin_memcpy(lane, &a, sizeof lane);
+      std::memcpy(lane, &a, sizeof lane);
       for (unsigned i = 0; i < width; ++i) {
-        __builtin_memcpy(p, &lane[i], sizeof lane[i]);
+        std::memcpy(p, &lane[i], sizeof lane[i]);
         p += bits_ >> i & 1U;
       }
     }
@@ -251,10 +248,10 @@ struct PortableFloats {
     }
     void store(float* p, Vector a, std::size_t count) const noexcept {
       std::uint32_t lane[width];
-      __builtin_memcpy(lane, &a, sizeof lane);
+      std::memcpy(lane, &a, sizeof lane);
       for (unsigned i = 0; i < width; ++i) {
         if ((bits_ >> i & 1U) == 0 || count == 0) continue;
-        __builtin_memcpy(p++, &lane[i], sizeof lane[i]);
+        std::memcpy(p++, &lane[i], sizeof lane[i]);
         --count;
       }
     }
@@ -269,12 +266,12 @@ struct PortableFloats {
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
   static Vector square_root(Vector a) noexcept {
-    for (unsigned i = 0; i < width; ++i) a[i] = __builtin_sqrtf(a[i]);
+    for (unsigned i = 0; i < width; ++i) a[i] = sqrtf(a[i]);
     return a;
   }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
-  static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
-  static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
+  static Vector minimum(Vector a, Vector b) noexcept { return where(a < b, a, b); }
+  static Vector maximum(Vector a, Vector b) noexcept { return where(a > b, a, b); }
   static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
   static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
@@ -286,7 +283,7 @@ struct PortableFloats {
     // Numbers from 2²³ on are integers. Others are cut off, and one less where that is above them.
     const Mask has_fraction = magnitude(a) < all(0x1p23F);
     const Vector small = choose(has_fraction, a, Vector{});
-    const Vector cut = __builtin_convertvector(__builtin_convertvector(small, Mask), Vector);
+    const Vector cut = converted<Vector>(converted<Mask>(small));
     return choose(has_fraction, cut - choose(small < cut, all(1.0F), Vector{}), a);
   }
   static Vector flip_sign(Vector a, Vector b) noexcept { return floats(integers(a) ^ integers(b)); }
@@ -306,7 +303,7 @@ struct PortableFloats {
   }
   static std::uint64_t bits(Mask mask) noexcept { return joined(mask & bit_of_lane()); }
   static unsigned lowest_bit(std::uint64_t word) noexcept {
-    return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
+    return static_cast<unsigned>(trailing_zeros(word | std::uint64_t{1} << 63));
   }
 
   static Vector either_negative(Vector a, Vector b) noexcept { return choose(b < Vector{}, b, a); }
@@ -343,7 +340,7 @@ struct PortableFloats {
   /// All lanes of a vector, put together by a bitwise or.
   static std::uint64_t joined(Mask a) noexcept {
     std::uint64_t pair[width / 2];
-    __builtin_memcpy(pair, &a, sizeof pair);
+    std::memcpy(pair, &a, sizeof pair);
     for (unsigned i = 1; i < width / 2; ++i) pair[0] |= pair[i];
     return (pair[0] | pair[0] >> 32U) & 0xffffffff;
   }
@@ -369,7 +366,7 @@ struct PortableIntegers16 {
 
   static Vector load(const std::int16_t* p) noexcept {
     Vector a;
-    __builtin_memcpy(&a, p, sizeof a);
+    std::memcpy(&a, p, sizeof a);
     return a;
   }
   static Vector all(std::int16_t a) noexcept { return Vector{} + a; }
@@ -384,8 +381,8 @@ struct PortableIntegers16 {
   }
   static Vector multiply(Vector a, Vector b) noexcept {
     using Wide = typename CompilerVector<std::int32_t, width>::Type;
-    const Wide product = __builtin_convertvector(a, Wide) * __builtin_convertvector(b, Wide);
-    return __builtin_convertvector((product + (1 << 14)) >> 15, Vector);
+    const Wide product = converted<Wide>(a) * converted<Wide>(b);
+    return converted<Vector>((product + (1 << 14)) >> 15);
   }
 
   static void store_rounded(std::int16_t* out, const typename Floats::Vector (&of)[64 / Floats::width],
@@ -398,8 +395,8 @@ struct PortableIntegers16 {
     for (unsigned v = 0; v < 64 / Floats::width; ++v) {
       const auto shifted = Floats::add(Floats::maximum(of[v], least_float), Floats::all(shift));
       const Integers integers = __builtin_bit_cast(Integers, shifted) - __builtin_bit_cast(std::int32_t, shift);
-      const Narrow narrow = __builtin_convertvector(integers, Narrow);
-      __builtin_memcpy(out + v * Floats::width, &narrow, sizeof narrow);
+      const Narrow narrow = converted<Narrow>(integers);
+      std::memcpy(out + v * Floats::width, &narrow, sizeof narrow);
     }
   }
 
@@ -427,7 +424,7 @@ struct PortableIntegers16 {
     for (unsigned i = 0; i < width; ++i) bit[i] = static_cast<std::uint16_t>(1U << i);
     const Bits its_own = bits_of(mask) & bit;
     std::uint64_t four[width / 4];
-    __builtin_memcpy(four, &its_own, sizeof four);
+    std::memcpy(four, &its_own, sizeof four);
     for (unsigned i = 1; i < width / 4; ++i) four[0] |= four[i];
     four[0] |= four[0] >> 32U;
     return (four[0] | four[0] >> 16U) & 0xffff;

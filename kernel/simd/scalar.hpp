@@ -2,11 +2,14 @@
 /// The set `scalar`: one float at a time, on any processor. It has no 16-bit integers, by which it would not gain.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "simd/operations.hpp"
 #include "simd/portable.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel::scalar {
 
@@ -23,7 +26,7 @@ struct Floats {
   static void store(float* p, Vector a) noexcept { *p = a; }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept { return p[*index]; }
   static void load_columns(const void* const (&rows)[1], Vector (&columns)[4]) noexcept {
-    __builtin_memcpy(columns, rows[0], sizeof columns);
+    std::memcpy(columns, rows[0], sizeof columns);
   }
   static void transpose(const Vector (&columns)[8], EightFloats::Vector (&transposed)[1]) noexcept {
     for (unsigned c = 0; c < 8; ++c) transposed[0].of[c] = columns[c];
@@ -51,7 +54,7 @@ struct Floats {
   static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
   static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
   static Vector divide(Vector a, Vector b) noexcept { return a / b; }
-  static Vector square_root(Vector a) noexcept { return __builtin_sqrtf(a); }
+  static Vector square_root(Vector a) noexcept { return sqrtf(a); }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
   static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
   static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
@@ -60,9 +63,11 @@ struct Floats {
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return __builtin_bit_cast(std::uint32_t, a) > __builtin_bit_cast(std::uint32_t, b) ? a : b;
   }
-  static Vector magnitude(Vector a) noexcept { return __builtin_fabsf(a); }
-  static Vector floor(Vector a) noexcept { return __builtin_floorf(a); }
-  static Vector flip_sign(Vector a, Vector b) noexcept { return __builtin_signbitf(b) ? -a : a; }
+  static Vector magnitude(Vector a) noexcept { return fabsf(a); }
+  static Vector floor(Vector a) noexcept { return floorf(a); }
+  static Vector flip_sign(Vector a, Vector b) noexcept {
+    return __builtin_bit_cast(std::uint32_t, b) >> 31U != 0 ? -a : a;
+  }
   static float smallest(Vector a) noexcept { return a; }
   static float largest(Vector a) noexcept { return a; }
 
@@ -73,7 +78,7 @@ struct Floats {
   static Vector choose(Mask mask, Vector a, Vector b) noexcept { return mask ? a : b; }
   static std::uint64_t bits(Mask mask) noexcept { return mask; }
   static unsigned lowest_bit(std::uint64_t word) noexcept {
-    return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
+    return static_cast<unsigned>(trailing_zeros(word | std::uint64_t{1} << 63));
   }
 
   static Vector either_negative(Vector a, Vector b) noexcept { return b < 0 ? b : a; }

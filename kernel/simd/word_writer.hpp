@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstring>
 
-#if defined(__SSE__)
+#include "support/compiler.hpp"
+
+#ifdef SHAFTCULL_TARGET_SSE2
 #include <xmmintrin.h>
 #endif
 
@@ -22,14 +24,14 @@ class WordWriter {
   WordWriter(const WordWriter&) = delete;
   WordWriter& operator=(const WordWriter&) = delete;
   ~WordWriter() {
-#if defined(__SSE__)
+#ifdef SHAFTCULL_TARGET_SSE2
     if (past_caches_) _mm_sfence();
 #endif
   }
 
   void write(float* to, const float* from, std::size_t count) const noexcept {
     std::size_t i = 0;
-#if defined(__SSE__)
+#ifdef SHAFTCULL_TARGET_SSE2
     if (past_caches_) {
       for (; i + 16 <= count; i += 16) {
         for (std::size_t j = 0; j != 16; j += 4) _mm_stream_ps(to + i + j, _mm_load_ps(from + i + j));

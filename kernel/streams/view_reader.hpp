@@ -11,6 +11,7 @@
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
 #include "support/arguments.hpp"
+#include "support/compiler.hpp"
 #include "support/overlap.hpp"
 #include "support/prefetch.hpp"
 
@@ -35,7 +36,7 @@ class ViewReader {
   void read(std::size_t i, float (&bound)[rows]) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) bound[s] = view_.stream[s][i];
   }
-  [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t i) const noexcept {
     for (std::size_t s = 0; s != rows; ++s) prefetch_to_second_level(view_.stream[s] + i, 1);
   }
   template <class Which>

@@ -2,11 +2,15 @@
 /// The floating-point environment that error margins and exact predicates are proven for, and the caller's own.
 #pragma once
 
+#include <cstdint>
+#include "support/compiler.hpp"
+
+#include "support/compiler.hpp"
 #include "support/exact_floats.hpp"
 
-#if defined(__SSE__)
+#if defined(SHAFTCULL_TARGET_SSE2)
 #include <xmmintrin.h>
-#elif !defined(__aarch64__)
+#elif !defined(SHAFTCULL_TARGET_ARM64)
 #include <cfenv>
 #endif
 
@@ -16,7 +20,7 @@ namespace shaftcull::kernel {
 /// happened.
 class FloatState {
  public:
-#if defined(__SSE__)
+#if defined(SHAFTCULL_TARGET_SSE2)
   static FloatState now() noexcept { return FloatState(_mm_getcsr()); }
   void set() const noexcept { _mm_setcsr(mxcsr_); }
   /// The same with the standard modes: round to nearest, keep denormals, no traps.
@@ -26,20 +30,20 @@ class FloatState {
  private:
   explicit FloatState(unsigned mxcsr) noexcept : mxcsr_(mxcsr) {}
   unsigned mxcsr_;
-#elif defined(__aarch64__)
+#elif defined(SHAFTCULL_TARGET_ARM64)
   static FloatState now() noexcept {
     FloatState state;
-    asm volatile("mrs %0, fpcr" : "=r"(state.control_));
-    asm volatile("mrs %0, fpsr" : "=r"(state.flags_));
+    state.control_ = read_fpcr();
+    state.flags_ = read_fpsr();
     return state;
   }
   void set() const noexcept {
-    asm volatile("msr fpcr, %0" : : "r"(control_));
-    asm volatile("msr fpsr, %0" : : "r"(flags_));
+    write_fpcr(control_);
+    write_fpsr(flags_);
   }
   [[nodiscard]] FloatState standard() const noexcept {
     // Of FPCR: AHP, DN, FZ, RMode, FZ16, traps, NEP, AH and FIZ.
-    constexpr unsigned long long modes = 0x07c8'9f07;
+    constexpr std::uint64_t modes = 0x07c8'9f07;
     FloatState state = *this;
     state.control_ &= ~modes;
     return state;
@@ -48,8 +52,8 @@ class FloatState {
 
  private:
   FloatState() noexcept = default;
-  unsigned long long control_ = 0;
-  unsigned long long flags_ = 0;
+  std::uint64_t control_ = 0;
+  std::uint64_t flags_ = 0;
 #else
   // What the standard library knows: it has no word for the flushing of denormals.
   static FloatState now() noexcept {
@@ -90,10 +94,10 @@ class FloatEnvironment {
  public:
   FloatEnvironment() noexcept {
     if (const FloatState standard = saved_.standard(); standard != saved_) standard.set();
-    asm volatile("" : : : "memory");
+    keep_order_of_memory();
   }
   ~FloatEnvironment() {
-    asm volatile("" : : : "memory");
+    keep_order_of_memory();
     saved_.set();  // without reading the flags, which would wait for all arithmetic to end
   }
   FloatEnvironment(const FloatEnvironment&) = delete;
@@ -104,7 +108,7 @@ class FloatEnvironment {
 };
 
 template <class Compute>
-[[gnu::noinline]] decltype(auto) behind_a_call(const Compute& compute) {
+SHAFTCULL_NOINLINE decltype(auto) behind_a_call(const Compute& compute) {
   return compute();
 }
 

@@ -2,6 +2,8 @@
 /// Padding: what stands behind the last bound up to a whole word of 64, so that kernels may test whole vectors.
 #pragma once
 
+#include <cmath>
+
 #include "shaftcull/bounds.hpp"
 
 namespace shaftcull::kernel {
@@ -9,12 +11,9 @@ namespace shaftcull::kernel {
 /// Padding is empty bounds: they are outside of every shaft, and floats alone decide so, without an exact step. In the
 /// order of the streams of BoxView, SphereView and TriangleView. Arrays, because kernels call no function of the
 /// standard library.
-inline constexpr float padding_box[6] = {__builtin_inff(),  __builtin_inff(),  __builtin_inff(),
-                                         -__builtin_inff(), -__builtin_inff(), -__builtin_inff()};
+inline constexpr float padding_box[6] = {INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY};
 inline constexpr float padding_sphere[4] = {0, 0, 0, -1};
-inline constexpr float padding_triangle[9] = {__builtin_nanf(""), __builtin_nanf(""), __builtin_nanf(""),
-                                              __builtin_nanf(""), __builtin_nanf(""), __builtin_nanf(""),
-                                              __builtin_nanf(""), __builtin_nanf(""), __builtin_nanf("")};
+inline constexpr float padding_triangle[9] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
 inline constexpr Box empty_box{{padding_box[0], padding_box[1], padding_box[2]},
                                {padding_box[3], padding_box[4], padding_box[5]}};

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "dispatch/active_kernels.hpp"
+#include "support/compiler.hpp"
 #include "support/large_memory.hpp"
 #include "tree/entries.hpp"
 #include "tree/order.hpp"
@@ -83,8 +84,8 @@ void put_back(const TreeParts<Bound, Index>& parts, float* records) {
     for (std::size_t p = block.first; p != block.end(); ++p) {
       if (p + prefetched_records < block.end()) {
         const float* const soon = records + parts.order[p + prefetched_records] * rows_of<Bound>;
-        __builtin_prefetch(soon, 1);
-        __builtin_prefetch(soon + stream.size() - 1, 1);  // may be in the next cache line
+        prefetch_to_write(soon);
+        prefetch_to_write(soon + stream.size() - 1);  // may be in the next cache line
       }
       float* const record = records + parts.order[p] * rows_of<Bound>;
       for (std::size_t s = 0; s != stream.size(); ++s) record[s] = stream[s][p];

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/leaf_indices.hpp"
 #include "tree/parts.hpp"
@@ -35,7 +36,7 @@ class LayerFilter {
   [[nodiscard]] std::uint64_t nodes(std::size_t k, std::size_t first, std::uint64_t asked) const noexcept {
     return kept(node_ + level_[k].first + first, asked);
   }
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {
     prefetch_to_second_level(leaf_ + first, fanout);
   }
 
@@ -71,7 +72,7 @@ class Exclusion {
   [[nodiscard]] bool is_on() const noexcept { return layers_.is_on() || goes_by_index(); }
 
   /// Leaves first … first + 63 will be asked about.
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {
     indices_.prefetch(first);
     if (layers_.is_on()) layers_.prefetch(first);
   }

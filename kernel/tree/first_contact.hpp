@@ -13,6 +13,7 @@
 #include "compiled/with_planes.hpp"
 #include "exact/first_entry.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/exclusion.hpp"
 #include "tree/parts.hpp"
@@ -93,7 +94,7 @@ class FirstContactWalk {
   }
 
   /// Prefetches a word of entries of level k.
-  [[gnu::always_inline]] void prefetch(std::size_t k, std::size_t word) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t k, std::size_t word) const noexcept {
     if (!prefetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {

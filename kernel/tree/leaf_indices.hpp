@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
@@ -29,7 +30,7 @@ class LeafIndices {
   [[nodiscard]] Index operator[](std::size_t leaf) const noexcept { return order_[leaf]; }
 
   /// Prefetches the indices of the word of leaves from `first` on.
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {
     if (first >= prefetched_) return;
     prefetch_to_second_level(order_ + first, fanout);
     prefetch_to_second_level(order_ + first + fanout - 1, 1);  // a vector does not begin with a cache line

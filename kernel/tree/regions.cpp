@@ -12,6 +12,7 @@
 
 #include "dispatch/active_kernels.hpp"
 #include "parallel/parallel.hpp"
+#include "support/compiler.hpp"
 #include "support/index_range.hpp"
 #include "support/large_memory.hpp"
 #include "tree/build.hpp"
@@ -114,7 +115,7 @@ void carry(const Source& source, std::span<const IndexRange> runs, const std::ui
           const std::size_t soon = next[r + prefetched_runs];
           const std::size_t count = runs[r + prefetched_runs].size / blocks + 1;
           for (float* const at : leaf) {
-            for (std::size_t i = 0; i < count + 16; i += 16) __builtin_prefetch(at + soon + i, 1, 2);
+            for (std::size_t i = 0; i < count + 16; i += 16) prefetch_to_write_later(at + soon + i);
           }
         }
         const std::size_t first = next[r];

@@ -12,6 +12,7 @@
 #include "shaftcull/streams.hpp"
 #include "streams/records.hpp"
 #include "streams/view_reader.hpp"
+#include "support/compiler.hpp"
 #include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "support/prefetch.hpp"
@@ -37,7 +38,7 @@ class RecordSource {
 
   [[nodiscard]] std::size_t count() const noexcept { return reader_.count(); }
   void read(std::size_t i, float (&bound)[rows]) const noexcept { reader_.read(i, bound); }
-  [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t i) const noexcept {
     const char* const record = start_ + i * stride_;
     prefetch_to_second_level(record, 1);
     prefetch_to_second_level(record + sizeof(Bound) - 1, 1);  // may be in the next cache line

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "shaftcull/query.hpp"
+#include "support/compiler.hpp"
 #include "tree/exclusion.hpp"
 #include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
@@ -23,7 +24,7 @@ class IndexList {
  public:
   IndexList(const LeafIndices<Index>& indices, Output& output) noexcept : indices_(indices), output_(output) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
     if (Index* const out = output_.next()) {
@@ -102,7 +103,7 @@ class IndexBits {
  public:
   IndexBits(const LeafIndices<Index>& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) noexcept {
     for (; bits != 0; bits &= bits - 1) set(first + static_cast<std::size_t>(std::countr_zero(bits)));
   }
@@ -158,7 +159,7 @@ class LimitedLister {
   LimitedLister(const List& kept, const SpanOutput<Item>& output, std::size_t most) noexcept
       : kept_(kept), output_(output), most_(most) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
   void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
   [[nodiscard]] bool is_done() const noexcept { return output_.count() >= most_; }
@@ -204,7 +205,7 @@ class KeptLister {
  public:
   explicit KeptLister(const List& kept) noexcept : kept_(kept) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
   void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
 
@@ -218,7 +219,7 @@ class InsideLister {
  public:
   explicit InsideLister(const List& inside) noexcept : inside_(inside) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { inside_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { inside_.prefetch(first); }
   void word(std::size_t first, std::uint64_t /*kept*/, std::uint64_t inside) { inside_.bits(first, inside); }
   void range(std::size_t first, std::size_t size) { inside_.range(first, size); }
 
@@ -232,7 +233,7 @@ class KeptAndInsideLister {
  public:
   KeptAndInsideLister(const List& kept, const List& inside) noexcept : kept_(kept), inside_(inside) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     kept_.bits(first, kept);
     inside_.bits(first, inside);
@@ -253,7 +254,7 @@ class ClassLister {
  public:
   ClassLister(const List& overlap, const List& inside) noexcept : overlap_(overlap), inside_(inside) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { overlap_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { overlap_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     overlap_.bits(first, kept & ~inside);
     inside_.bits(first, inside);
@@ -273,7 +274,7 @@ class Filter {
  public:
   Filter(const Exclusion<Index>& exclusion, Visitor& visitor) noexcept : exclusion_(exclusion), visitor_(visitor) {}
 
-  [[gnu::always_inline]] void prefetch(std::size_t first) const noexcept { exclusion_.prefetch(first); }
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { exclusion_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     const std::uint64_t left = exclusion_.leaves(first, kept);
     if (left != 0) visitor_.word(first, left, inside & left);

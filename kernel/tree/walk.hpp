@@ -17,6 +17,7 @@
 #include "compiled/with_planes.hpp"
 #include "exact/predicates.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"
 
@@ -84,7 +85,7 @@ class Walk {
   static constexpr unsigned many_kept = 48;
 
   /// Prefetches a word of entries of level `k`.
-  [[gnu::always_inline]] void prefetch(std::size_t k, std::size_t word) const noexcept {
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t k, std::size_t word) const noexcept {
     if (!prefetches_) return;
     const std::size_t first = word * fanout;
     if (k == 0) {
@@ -143,8 +144,8 @@ class Walk {
 
   /// Of the nodes from `first` on that are inside, those that do not touch the shaft's surface: flat leaves that lie in
   /// it are outside of a shaft with open contact.
-  [[gnu::noinline, gnu::cold]] std::uint64_t touching_nothing(const BoxView& nodes, std::size_t first,
-                                                              std::uint64_t inside) const noexcept {
+  SHAFTCULL_COLD std::uint64_t touching_nothing(const BoxView& nodes, std::size_t first,
+                                                std::uint64_t inside) const noexcept {
     std::uint64_t strictly = 0;
     for (; inside != 0; inside &= inside - 1) {
       const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(inside));

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "simd/word_writer.hpp"
+#include "support/compiler.hpp"
 #include "support/index_range.hpp"
 #include "tree/parts.hpp"
 #include "tree/source.hpp"
@@ -33,12 +34,12 @@ void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index*
     const std::size_t count = std::min(fanout, range.end() - first);
     // Inlined, as prefetch_to_second_level() is.
     const std::size_t done = first - range.first;
-    const auto prefetch_ahead =
-        [ =, &source, end = parts.is_worth_prefetching() ? size : 0 ](std::size_t i) __attribute__((always_inline)) {
-      const std::size_t soon = done + i + prefetched_leaves;
-      if (soon + 4 > end) return;
-      for (std::size_t p = soon; p != soon + 4; ++p) source.prefetch(order[p]);
-    };
+    const auto prefetch_ahead = [=, &source, end = parts.is_worth_prefetching() ? size : 0](std::size_t i)
+                                    SHAFTCULL_ALWAYS_INLINE_LAMBDA {
+                                      const std::size_t soon = done + i + prefetched_leaves;
+                                      if (soon + 4 > end) return;
+                                      for (std::size_t p = soon; p != soon + 4; ++p) source.prefetch(order[p]);
+                                    };
     read_rows(source, order + done, count, to.data(), prefetch_ahead);
     for (std::size_t s = 0; s != rows; ++s)
       std::copy(row[s] + first + count, row[s] + first + fanout, word[s] + count);  // padding

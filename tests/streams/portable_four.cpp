@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// FourFloats floats without vectors, as other processors have them: the same header, in another namespace.
-#undef __SSE2__
+#include "support/compiler.hpp"
+#undef SHAFTCULL_TARGET_SSE2
 #define shaftcull shaftcull_portable
 #include "simd/baseline_four_floats.hpp"
 #undef shaftcull

@@ -6,12 +6,15 @@
 /// (docs/exactness.md). Comparisons decide the second part, exactly, and leave few boxes.
 #pragma once
 
+#include <cmath>
+
 #include "exact/blocking.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
 #include "kernels/tree/listed_words.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -28,7 +31,7 @@ inline constexpr float blocking_margin = 6 * 0x1p-24F;
 /// Whether the reciprocal of a face's travel is a float with all its bits.
 template <class L>
 bool has_reciprocal(float travel) noexcept {
-  const float length = __builtin_fabsf(travel);
+  const float length = fabsf(travel);
   return length >= 0x1p-126F && length <= 0x1p126F;
 }
 
@@ -104,7 +107,7 @@ class BlockingConstraints {
                                     unsigned lane) const noexcept {
     Mask across = L::both(before(word.load(stream[0], at, lane), largest_lo_[0]),
                           before(smallest_hi_[0], word.load(stream[3], at, lane)));
-#pragma GCC unroll 2
+    SHAFTCULL_UNROLL(2)
     for (unsigned k = 1; k < 3; ++k) {
       across = L::both(across, L::both(before(word.load(stream[k], at, lane), largest_lo_[k]),
                                        before(smallest_hi_[k], word.load(stream[k + 3], at, lane))));
@@ -114,20 +117,21 @@ class BlockingConstraints {
 
   /// Likewise, where some box reaches across the shaft on all axes.
   template <class Word>
-  [[nodiscard, gnu::noinline]] std::uint64_t of_those_across(const float* const* stream, std::size_t at,
-                                                             const Word& word, std::uint64_t across) const noexcept {
+  SHAFTCULL_NOINLINE [[nodiscard]] std::uint64_t of_those_across(const float* const* stream, std::size_t at,
+                                                                 const Word& word,
+                                                                 std::uint64_t across) const noexcept {
     std::uint64_t certain = 0;
     std::uint64_t possible = 0;
     for (unsigned lane = 0; lane < word.bounds; lane += L::width) {
       if ((across & lanes_of<L>(lane)) == 0) continue;
       Vector box[6];
-#pragma GCC unroll 6
+      SHAFTCULL_UNROLL(6)
       for (unsigned f = 0; f < 6; ++f) box[f] = word.load(stream[f], at, lane);
       const Vector sum = largest_sum(box);
       Mask may = L::less_equal(sum, possible_);
       Mask does = L::less(sum, certain_);
       if constexpr (question != BlockingQuestion::nodes) {
-#pragma GCC unroll 3
+        SHAFTCULL_UNROLL(3)
         for (unsigned k = 0; k < 3; ++k) {
           may = L::both(may, L::less_equal(box[k], box[k + 3]));
           if constexpr (closed) {
@@ -152,7 +156,7 @@ class BlockingConstraints {
   [[nodiscard]] Vector largest_sum(const Vector (&box)[6]) const noexcept {
     Vector since[3];
     Vector until[3];
-#pragma GCC unroll 3
+    SHAFTCULL_UNROLL(3)
     for (unsigned k = 0; k < 3; ++k) {
       const Vector lo = L::subtract(box[k], base_[k]);
       const Vector hi = L::subtract(box[k + 3], base_[k + 3]);

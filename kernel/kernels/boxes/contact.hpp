@@ -5,6 +5,7 @@
 
 #include "exact/predicates.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -68,8 +69,8 @@ class TouchableFaces {
 /// Clears the kept bits of boxes that touch one of the faces in `faces`, of a shaft with open contact, unless they lie
 /// in one plane with it and meet it there. Boxes beyond these faces have no kept bits.
 template <class L>
-[[gnu::noinline]] void box_contact_stage(const ShaftData& shaft, unsigned faces, const float* const* stream,
-                                         std::size_t words, std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void box_contact_stage(const ShaftData& shaft, unsigned faces, const float* const* stream,
+                                          std::size_t words, std::uint64_t* kept) noexcept {
   const TouchableFaces<L> touchable(shaft, faces, stream);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;

@@ -3,9 +3,12 @@
 /// lie apart.
 #pragma once
 
+#include <cmath>
+
 #include "exact/predicates.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -18,13 +21,13 @@ class PlanesInLanes {
 
   /// Whether these planes are all that the shaft has, and their margin is finite.
   [[nodiscard]] static bool suits(const ShaftData& shaft) noexcept {
-    return shaft.added_count == 0 && shaft.joining_margin < __builtin_inff();
+    return shaft.added_count == 0 && shaft.joining_margin < INFINITY;
   }
 
   PlanesInLanes(const ShaftData& shaft, const float* const* stream) noexcept
       : corner0_(EightFloats::order(shaft.joining_far0)),
         corner1_(EightFloats::order(shaft.joining_far1)),
-        faces_(EightFloats::negate_hi(EightFloats::load_six(shaft.face, -__builtin_inff()))),
+        faces_(EightFloats::negate_hi(EightFloats::load_six(shaft.face, -INFINITY))),
         two_margins_(2 * shaft.joining_margin) {
     for (unsigned s = 0; s < 6; ++s) stream_[s] = stream[s];
     // Unused lanes have a plane whose value is −∞, so that every box is behind it. For boxes with an infinite
@@ -34,7 +37,7 @@ class PlanesInLanes {
         EightFloats::add(EightFloats::load(shaft.joining_minus_offset), EightFloats::all(shaft.joining_margin));
     normal0_ = EightFloats::choose(exists, EightFloats::load(shaft.joining_normal0), EightFloats::all(0.0F));
     normal1_ = EightFloats::choose(exists, EightFloats::load(shaft.joining_normal1), EightFloats::all(0.0F));
-    shift_ = EightFloats::choose(exists, shift, EightFloats::all(-__builtin_inff()));
+    shift_ = EightFloats::choose(exists, shift, EightFloats::all(-INFINITY));
   }
 
   /// Values of a box, lane by lane.
@@ -73,10 +76,9 @@ inline constexpr unsigned all_eight = 0xff;
 
 /// Writes which of the boxes at `positions` are inside, where some are undecided.
 template <class L>
-[[gnu::noinline, gnu::cold]] void resolve_inside_one_by_one(const ShaftData& shaft, const PlanesInLanes<L>& planes,
-                                                            const float* const* stream, std::size_t words,
-                                                            const Positions<L>& positions,
-                                                            std::uint64_t* inside) noexcept {
+SHAFTCULL_COLD void resolve_inside_one_by_one(const ShaftData& shaft, const PlanesInLanes<L>& planes,
+                                              const float* const* stream, std::size_t words,
+                                              const Positions<L>& positions, std::uint64_t* inside) noexcept {
   using EightFloats = typename L::EightFloats;
   std::uint64_t undecided[most_block_words];
   for (std::size_t w = 0; w < words; ++w) inside[w] = undecided[w] = 0;

@@ -3,6 +3,9 @@
 /// For few boxes that lie apart, which then need not be gathered, nor the shaft be broadcast.
 #pragma once
 
+#include <cfloat>
+#include <cmath>
+
 #include "compiled/slab.hpp"
 #include "exact/predicates.hpp"
 #include "kernels/shared/word.hpp"
@@ -39,7 +42,7 @@ class SlabInLanes {
     const Vector bound = EightFloats::with_last_two(
         EightFloats::multiply_add(EightFloats::permuted(box, corner_), scale_, shift_), ends_);
     const Vector signed_bound = EightFloats::infinite_if_nan(EightFloats::negate_unless(is_upper_, bound));
-    const Vector none = EightFloats::all(__builtin_inff());
+    const Vector none = EightFloats::all(INFINITY);
     return EightFloats::sum_of_smallest(EightFloats::choose(is_upper_, signed_bound, none),
                                         EightFloats::choose(is_upper_, none, signed_bound));
   }
@@ -73,7 +76,7 @@ class EndlessSlabInLanes {
     scale_ =
         EightFloats::choose(is_upper_, scale, EightFloats::multiply(scale, EightFloats::all(1 - shaft.slab_margin)));
     added_ = EightFloats::choose(is_upper_, EightFloats::all(0.0F), EightFloats::all(-relative_denormals));
-    ends_ = EightFloats::sorted_last_two(__FLT_MAX__, -relative_denormals);
+    ends_ = EightFloats::sorted_last_two(FLT_MAX, -relative_denormals);
     p_ = EightFloats::with_last_two(EightFloats::load(row_of(shaft, ShaftRow::shift)), EightFloats::all(0.0F));
   }
 
@@ -82,14 +85,14 @@ class EndlessSlabInLanes {
     const Vector distance = EightFloats::subtract(EightFloats::permuted(EightFloats::gather(stream, i), corner_), p_);
     const Vector bound = EightFloats::with_last_two(EightFloats::multiply_add(distance, scale_, added_), ends_);
     const Vector signed_bound = EightFloats::infinite_if_nan(EightFloats::negate_unless(is_upper_, bound));
-    const Vector none = EightFloats::all(__builtin_inff());
+    const Vector none = EightFloats::all(INFINITY);
     const Vector upper = EightFloats::choose(is_upper_, signed_bound, none);
     const Vector minus_lower = EightFloats::choose(is_upper_, none, signed_bound);
     const float length = EightFloats::sum_of_smallest(upper, minus_lower);
     const float excess = EightFloats::sum_of_smallest(upper, EightFloats::multiply(minus_lower, kept_factor_));
-    return excess > 4 * relative_denormals ? __builtin_inff() : length;
+    return excess > 4 * relative_denormals ? INFINITY : length;
   }
-  [[nodiscard]] float two_margins() const noexcept { return __FLT_MAX__; }
+  [[nodiscard]] float two_margins() const noexcept { return FLT_MAX; }
 
  private:
   typename EightFloats::Order corner_;

@@ -2,6 +2,8 @@
 /// Boxes against planes: outside by near corners, inside by far corners, and added planes.
 #pragma once
 
+#include <cmath>
+
 #include "exact/predicates.hpp"
 #include "kernels/shared/word.hpp"
 
@@ -36,7 +38,7 @@ class JoiningPlanes {
   /// Likewise for several vectors side by side, which share the loads of coefficients: loads are the limit.
   template <unsigned vectors>
   void largest_values(std::size_t at, Vector (&largest)[vectors]) const noexcept {
-    for (Vector& each : largest) each = L::all(-__builtin_inff());
+    for (Vector& each : largest) each = L::all(-INFINITY);
     for (unsigned i = 0; i < count_; ++i) {
       for (unsigned v = 0; v < vectors; ++v) {
         const std::size_t here = at + v * L::width;
@@ -60,7 +62,7 @@ template <class L>
 typename L::Vector largest_joining_value(const ShaftData& shaft, const std::uint8_t* corner0,
                                          const std::uint8_t* corner1, const float* const* stream,
                                          std::size_t at) noexcept {
-  auto largest = L::all(-__builtin_inff());
+  auto largest = L::all(-INFINITY);
   for (unsigned i = 0; i < shaft.joining_count; ++i) {
     const auto partial = L::multiply_add(L::load(stream[corner1[i]] + at), L::all(shaft.joining_normal1[i]),
                                          L::all(shaft.joining_minus_offset[i]));

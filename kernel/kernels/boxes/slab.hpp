@@ -2,9 +2,13 @@
 /// Boxes outside the shaft, in slab form: is there a t between box a's and box b's that satisfies all six constraints?
 #pragma once
 
+#include <cfloat>
+#include <cmath>
+
 #include "exact/predicates.hpp"
 #include "kernels/forming/slab.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -57,24 +61,24 @@ struct Slab {
       end = L::all(TravelFromNearer<L>(shaft).length);
       narrower = L::all(1 - error_margin);
       wider = L::all(1 + error_margin);
-      two_margins = L::all(__FLT_MAX__);
+      two_margins = L::all(FLT_MAX);
     }
     if constexpr (endless) {  // lower bounds carry the margin
       float denormals = relative_denormals;
       if (!exactly) {  // corners of spheres are rounded once more, relatively to where they are
         float largest = 0;
         for (unsigned i = 0; i < 6; ++i) {
-          const float shifted = __builtin_fabsf(shaft.slab_shift[i] * shaft.slab_scale[i]);
-          if (shifted <= __FLT_MAX__) largest = shifted > largest ? shifted : largest;  // purple faces need none
+          const float shifted = fabsf(shaft.slab_shift[i] * shaft.slab_scale[i]);
+          if (shifted <= FLT_MAX) largest = shifted > largest ? shifted : largest;  // purple faces need none
         }
         denormals += endless_corner_margin * largest;
       }
       begin = L::all(-denormals);
-      end = L::all(__FLT_MAX__);
+      end = L::all(FLT_MAX);
       direction = L::all(shaft.slab_scale[0] < 0 ? -0.0F : 0.0F);
       narrower = L::all(-(1 + endless_kept_per_margin * error_margin));
       margin = L::all(3 * denormals);
-      two_margins = L::all(__FLT_MAX__);
+      two_margins = L::all(FLT_MAX);
       for (unsigned i = uppers.count; i < 6; ++i) scale[i] = L::all(shaft.slab_scale[i] * (1 - error_margin));
     }
     if constexpr (fused) {  // lower bounds carry the margin
@@ -107,12 +111,12 @@ struct Slab {
     if constexpr (endless) {
       Vector excess;
       const Vector length = endless_length(coordinate, excess);
-      return L::choose(L::less_equal(L::all(0.0F), excess), L::all(__builtin_inff()), length);
+      return L::choose(L::less_equal(L::all(0.0F), excess), L::all(INFINITY), length);
     }
     // Its own loop, not one that endless_length() shares: g++ 12 then puts four scalar lanes into a register.
     Vector upper = end;
     Vector lower = begin;
-#pragma GCC unroll 6
+    SHAFTCULL_UNROLL(6)
     for (unsigned i = 0; i < 6; ++i) {
       const Vector t = bound(i, coordinate(i));
       if (i < uppers.count) {
@@ -128,7 +132,7 @@ struct Slab {
       // undecided.
       const Vector least = L::multiply_add(upper, narrower, L::all(-relative_denormals));
       const Vector most = L::multiply_add(upper, wider, L::all(relative_denormals));
-      return L::choose(L::less_equal(lower, least), L::all(__builtin_inff()), L::subtract(most, lower));
+      return L::choose(L::less_equal(lower, least), L::all(INFINITY), L::subtract(most, lower));
     } else {
       return L::subtract(margin, L::subtract(lower, upper));
     }
@@ -140,7 +144,7 @@ struct Slab {
   [[nodiscard]] Vector endless_length(Coordinate coordinate, Vector& excess) const noexcept {
     Vector upper = end;
     Vector lower = begin;
-#pragma GCC unroll 6
+    SHAFTCULL_UNROLL(6)
     for (unsigned i = 0; i < 6; ++i) {
       const Vector t = bound(i, coordinate(i));
       if (i < uppers.count) {
@@ -213,13 +217,13 @@ struct ConsecutiveWords {
 /// Writes the kept bits of the words from `first` on that `undecided` has a bit for. It makes what it reads of the
 /// shaft anew: what the caller has stays in registers, which it would have to store for each call to refer to.
 template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class Word>
-[[gnu::noinline, gnu::cold]] void resolve_slab_words(const ShaftData& shaft, float margin, const float* const* stream,
-                                                     const Words& position, std::size_t first, std::uint64_t undecided,
-                                                     const Word& word, std::uint64_t* kept) noexcept {
+SHAFTCULL_COLD void resolve_slab_words(const ShaftData& shaft, float margin, const float* const* stream,
+                                       const Words& position, std::size_t first, std::uint64_t undecided,
+                                       const Word& word, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin, true);
   const BoxCorners<L> corners(shaft, stream);
   for (; undecided != 0; undecided &= undecided - 1) {
-    const std::size_t w = first + static_cast<unsigned>(__builtin_ctzll(undecided));
+    const std::size_t w = first + static_cast<unsigned>(trailing_zeros(undecided));
     const std::size_t at = position(w);
     std::uint64_t outside = 0;
     std::uint64_t near = 0;
@@ -243,15 +247,16 @@ template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class
 /// Writes the kept bits of the word at `at`: exactly, or without the bits of those that are outside for certain.
 /// Returns whether a lane is undecided, so that the word's bits mean nothing yet.
 template <class L, class SlabType, class Corners, class Word>
-[[nodiscard, gnu::always_inline]] inline bool slab_word(const SlabType& slab, const Corners& corners, std::size_t at,
-                                                        const Word& word, std::uint64_t& kept) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline bool slab_word(const SlabType& slab, const Corners& corners,
+                                                            std::size_t at, const Word& word,
+                                                            std::uint64_t& kept) noexcept {
   std::uint64_t outside = 0;
   if constexpr (SlabType::endless && Corners::exactly) {
     std::uint64_t undecided = 0;
     for (std::size_t four = 0; four < word.bounds; four += 4 * L::width) {
       typename L::Vector length[4];
       typename L::Vector excess[4];
-#pragma GCC unroll 4
+      SHAFTCULL_UNROLL(4)
       for (unsigned v = 0; v < 4; ++v) {
         length[v] = slab.endless_length(
             [&](unsigned i) { return corners.coordinate(i, word, at, four + v * L::width); }, excess[v]);
@@ -268,7 +273,7 @@ template <class L, class SlabType, class Corners, class Word>
   // Of vectors that fill a word four at a time, the compiler sees here that they do.
   for (std::size_t four = 0; four < word_bits && four < word.bounds; four += 4 * L::width) {
     typename L::Vector length[4];
-#pragma GCC unroll 4
+    SHAFTCULL_UNROLL(4)
     for (unsigned v = 0; v < 4; ++v) {
       // Not by way of an object for the vector: with one, g++ 12 does not put four scalar lanes into a register.
       length[v] =
@@ -308,8 +313,8 @@ inline constexpr unsigned uppers_of_few<SphereCorners, uppers, ShaftData::SlabFo
 /// Writes the kept bits of the rest behind whole words, as slab_words(). Apart from those, whose loop would be five
 /// times as long with it.
 template <class L, template <class> class Corners, unsigned uppers, ShaftData::SlabForm form, class Words>
-[[gnu::noinline]] void slab_rest(const ShaftData& shaft, float margin, const float* const* stream,
-                                 const Words& position, std::size_t words, std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void slab_rest(const ShaftData& shaft, float margin, const float* const* stream,
+                                  const Words& position, std::size_t words, std::uint64_t* kept) noexcept {
   const Slab<L, uppers, form> slab(shaft, margin, Corners<L>::exactly);
   const Corners<L> corners(shaft, stream);
   const PartialWord<L> rest{position.rest};

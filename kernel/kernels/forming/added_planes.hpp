@@ -6,8 +6,11 @@
 /// bits of one added in a batch.
 #pragma once
 
+#include <cfloat>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "compiled/shaft_data.hpp"
 #include "kernels/forming/slab.hpp"
@@ -105,7 +108,7 @@ void add_plane_vector(const typename L::Vector (&face)[6], const Plane* const (&
                              column[1],
                              column[2],
                              L::subtract(L::all(-0.0F), offset),
-                             L::choose(regular, margin, L::all(__builtin_inff())),
+                             L::choose(regular, margin, L::all(INFINITY)),
                              L::square_root(length_square),
                              L::add(L::multiply(length_sum, L::all(added_slack_per_length)), L::all(added_denormals)),
                              selectors};
@@ -116,7 +119,7 @@ void add_plane_vector(const typename L::Vector (&face)[6], const Plane* const (&
     L::EightFloats::store(&added, row[lane]);
     if constexpr (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) {  // the low bits are in the last byte
       const std::uint8_t last_first[4] = {added.near[3], added.near[2], added.near[1], added.near[0]};
-      __builtin_memcpy(added.near, last_first, sizeof last_first);
+      std::memcpy(added.near, last_first, sizeof last_first);
     }
   }
 }
@@ -124,7 +127,7 @@ void add_plane_vector(const typename L::Vector (&face)[6], const Plane* const (&
 /// Whether every plane is finite and has a normal that is not zero.
 template <class L>
 bool all_planes_usable(const Plane* planes, std::size_t count) noexcept {
-  const auto most = L::all(__FLT_MAX__);
+  const auto most = L::all(FLT_MAX);
   bool usable = true;
   for (std::size_t i = 0; i < count; i += L::width) {
     const Plane* plane[L::width];

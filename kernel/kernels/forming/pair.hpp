@@ -5,6 +5,10 @@
 /// batch.
 #pragma once
 
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+
 #include "kernels/forming/slab.hpp"
 
 namespace shaftcull::kernel {
@@ -30,15 +34,15 @@ bool compile_pair(const Box& a, const Box& b, ShaftData& out) noexcept {
   const float largest_shift = largest.of[1];
   const float least_slope = -largest.of[2];
 
-  if (!(EightFloats::is_ordered(p) && EightFloats::is_ordered(other) && largest_coordinate <= __FLT_MAX__)) [[unlikely]]
+  if (!(EightFloats::is_ordered(p) && EightFloats::is_ordered(other) && largest_coordinate <= FLT_MAX)) [[unlikely]]
     return false;
   EightFloats::store(row_of(out, ShaftRow::a), p);
   EightFloats::store(row_of(out, ShaftRow::b),
                      EightFloats::with_last_two(other, EightFloats::pair_in_all(batch_flags.of[0], batch_flags.of[1])));
 
-  const float length = __builtin_fabsf(EightFloats::first(slope));
-  const float from = __builtin_fabsf(EightFloats::first(p));
-  const float to = __builtin_fabsf(EightFloats::first(other));
+  const float length = fabsf(EightFloats::first(slope));
+  const float from = fabsf(EightFloats::first(p));
+  const float to = fabsf(EightFloats::first(other));
   const float position = (from > to ? from : to) + largest_shift;
   const bool fused_suits = largest_coordinate <= fused_regular_limit && 1 / fused_regular_limit <= least_slope &&
                            position <= length * fused_limit;
@@ -49,7 +53,7 @@ bool compile_pair(const Box& a, const Box& b, ShaftData& out) noexcept {
       EightFloats::permuted(EightFloats::with_last_two(scale, EightFloats::pair_in_all(margin, largest_coordinate)),
                             order.face));
   EightFloats::store(row_of(out, ShaftRow::shift), EightFloats::permuted(shift, order.face));
-  __builtin_memcpy(row_of(out, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
+  std::memcpy(row_of(out, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
   if (!(fused_suits && largest_coordinate <= largest_plain_coordinate)) [[unlikely]]
     rewrite_slab<L>(out, fused_suits);
   return true;

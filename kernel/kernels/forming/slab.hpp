@@ -7,11 +7,15 @@
 /// own bound on t is x itself, an operation less in six. kernel/compiled/slab.hpp has the margins.
 #pragma once
 
+#include <cfloat>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "compiled/shaft_data.hpp"
 #include "compiled/slab.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -30,14 +34,14 @@ bool all_clearly_finite(const float* const* box, std::size_t count) noexcept {
     }
     for (; i < count; ++i) {
       const float extent = hi[i] - lo[i];
-      finite = finite && extent >= 0 && extent <= __FLT_MAX__;
+      finite = finite && extent >= 0 && extent <= FLT_MAX;
     }
   }
   // As integers again: as a float, the −0 of a flat box would pass, and the NaN that it was above with it.
   float lane[L::width];
   L::store(lane, largest);
   for (unsigned i = 0; i < L::width; ++i) {
-    finite = finite && __builtin_bit_cast(std::uint32_t, lane[i]) <= __builtin_bit_cast(std::uint32_t, __FLT_MAX__);
+    finite = finite && __builtin_bit_cast(std::uint32_t, lane[i]) <= __builtin_bit_cast(std::uint32_t, FLT_MAX);
   }
   return finite;
 }
@@ -49,7 +53,7 @@ bool all_finite(const float* const* box, std::size_t count) noexcept {
     return true;
   for (unsigned k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (!(box[k][i] <= box[k + 3][i] && box[k][i] >= -__FLT_MAX__ && box[k + 3][i] <= __FLT_MAX__)) return false;
+      if (!(box[k][i] <= box[k + 3][i] && box[k][i] >= -FLT_MAX && box[k + 3][i] <= FLT_MAX)) return false;
     }
   }
   return true;
@@ -65,10 +69,10 @@ void write_difference_slab(ShaftData& shaft, const float (&slopes)[6]) noexcept 
   bool regular = shaft.largest_coordinate <= regular_limit;
   for (unsigned f = 0; f < 6; ++f) {
     const float slope = slopes[f];
-    const float size = __builtin_fabsf(slope);
+    const float size = fabsf(slope);
     regular = regular && (size == 0 || size >= 1 / regular_limit);
     // A purple face bounds u from above, by +∞ (met) or −∞ (not met).
-    inverse[f] = size == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : 1.0F / slope;
+    inverse[f] = size == 0 ? (f < 3 ? INFINITY : -INFINITY) : 1.0F / slope;
     if (inverse[f] < 0) negative |= 1U << f;
   }
   const SlabOrder& order = slab_orders.by_negative[negative];
@@ -80,7 +84,7 @@ void write_difference_slab(ShaftData& shaft, const float (&slopes)[6]) noexcept 
   }
   shaft.slab_uppers = order.selectors.uppers;
   shaft.slab_form = regular ? ShaftData::SlabForm::difference : ShaftData::SlabForm::exact;
-  shaft.slab_margin = regular ? difference_margin : __builtin_inff();
+  shaft.slab_margin = regular ? difference_margin : INFINITY;
 }
 
 /// How a shaft's faces move from the box nearer to the origin to the farther one.
@@ -93,9 +97,7 @@ struct TravelFromNearer {
 
   explicit TravelFromNearer(const ShaftData& shaft) noexcept : from(shaft.a), to(shaft.b), from_largest(0), length(0) {
     float to_largest = 0;
-    const auto enlarge = [](float& largest, float x) {
-      largest = __builtin_fabsf(x) > largest ? __builtin_fabsf(x) : largest;
-    };
+    const auto enlarge = [](float& largest, float x) { largest = fabsf(x) > largest ? fabsf(x) : largest; };
     for (unsigned f = 0; f < 6; ++f) {
       enlarge(from_largest, from[f]);
       enlarge(to_largest, to[f]);
@@ -120,8 +122,8 @@ bool write_relative_slab(ShaftData& shaft, const TravelFromNearer<L>& travel, co
     const float slope = slopes[f];
     // A purple face as in the difference form. Other scales are 1 or more in magnitude, so that no product loses its
     // sign.
-    scale[f] = slope == 0 ? (f < 3 ? __builtin_inff() : -__builtin_inff()) : travel.length / slope;
-    if (slope != 0 && !(__builtin_fabsf(scale[f]) <= __FLT_MAX__)) return false;
+    scale[f] = slope == 0 ? (f < 3 ? INFINITY : -INFINITY) : travel.length / slope;
+    if (slope != 0 && !(fabsf(scale[f]) <= FLT_MAX)) return false;
     if (scale[f] < 0) negative |= 1U << f;
   }
   const SlabOrder& order = slab_orders.by_negative[negative];
@@ -140,7 +142,7 @@ bool write_relative_slab(ShaftData& shaft, const TravelFromNearer<L>& travel, co
 /// Overwrites the slab coefficients of a shaft whose coordinates are large, or that the fused form does not suit, by
 /// those of the form that does, if that is another.
 template <class L>
-[[gnu::noinline, gnu::cold]] void rewrite_slab(ShaftData& shaft, bool fused_suits) noexcept {
+SHAFTCULL_COLD void rewrite_slab(ShaftData& shaft, bool fused_suits) noexcept {
   float slopes[6];
   if (shaft.largest_coordinate > largest_plain_coordinate) {
     const TravelFromNearer<L> travel(shaft);
@@ -162,7 +164,7 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   Vector p[8];
   Vector other[8];
   Vector slope[6];
-  Vector least_slope = L::all(__builtin_inff());
+  Vector least_slope = L::all(INFINITY);
   for (unsigned f = 0; f < 6; ++f) {
     p[f] = L::load(a[f] + first);
     other[f] = L::load(b[f] + first);
@@ -212,14 +214,14 @@ void compile_slab_vector(const float* const* a, const float* const* b, std::size
   L::transpose(other, b_row);
   for (unsigned lane = 0; lane < width; ++lane) {
     ShaftData& shaft = out[lane];
-    __builtin_prefetch(&shaft + 16, 1);  // strides this long are beyond hardware prefetchers
-    __builtin_prefetch(reinterpret_cast<const char*>(&shaft + 16) + 64, 1);
+    prefetch_to_write(&shaft + 16);  // strides this long are beyond hardware prefetchers
+    prefetch_to_write(reinterpret_cast<const char*>(&shaft + 16) + 64);
     EightFloats::store(row_of(shaft, ShaftRow::a), a_row[lane]);
     EightFloats::store(row_of(shaft, ShaftRow::b), b_row[lane]);
     const SlabOrder& order = slab_orders.by_negative[EightFloats::signs(scale_row[lane]) & 0x3f];
     EightFloats::store(row_of(shaft, ShaftRow::scale), EightFloats::permuted(scale_row[lane], order.face));
     EightFloats::store(row_of(shaft, ShaftRow::shift), EightFloats::permuted(shift_row[lane], order.face));
-    __builtin_memcpy(row_of(shaft, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
+    std::memcpy(row_of(shaft, ShaftRow::selectors), &order.selectors, sizeof order.selectors);
   }
 
   const std::uint64_t plain = fused & L::bits(L::less_equal(largest_coordinate, L::all(largest_plain_coordinate)));
@@ -252,7 +254,7 @@ void compile_slabs(const float* const* a, const float* const* b, std::size_t cou
   ShaftData shafts[L::width];
   compile_slab_vector<L>(rest_a, rest_b, 0, shafts);
   for (std::size_t lane = 0; lane < left; ++lane) {  // what comes before the planes
-    __builtin_memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(ShaftData, added));
+    std::memcpy(static_cast<void*>(&out[i + lane]), &shafts[lane], offsetof(ShaftData, added));
   }
 }
 

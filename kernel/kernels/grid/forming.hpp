@@ -11,6 +11,7 @@
 /// to ½ at b.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -87,8 +88,8 @@ template <class L>
     return shaft.largest_coordinate;
   float largest = 0;
   for (unsigned f = 0; f < 6; ++f) {
-    largest = __builtin_fabsf(shaft.a[f]) > largest ? __builtin_fabsf(shaft.a[f]) : largest;
-    largest = __builtin_fabsf(end[f]) > largest ? __builtin_fabsf(end[f]) : largest;
+    largest = fabsf(shaft.a[f]) > largest ? fabsf(shaft.a[f]) : largest;
+    largest = fabsf(end[f]) > largest ? fabsf(end[f]) : largest;
   }
   return rounded_end_factor * largest;
 }
@@ -97,7 +98,7 @@ template <class L>
 template <class L>
 [[nodiscard]] GridFrame grid_frame(const ShaftData* shafts, std::size_t count, const ClippedEnd* clipped) noexcept {
   float least[6];  // of all faces' coordinates, and from 3 on of their negatives
-  for (float& each : least) each = __builtin_inff();
+  for (float& each : least) each = INFINITY;
   float largest_coordinate = 0;
   for (std::size_t s = 0; s < count; ++s) {
     const float* end = end_on_grid<L>(shafts, s, clipped);
@@ -158,12 +159,12 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* co
     }
     // Where a moving box ends may be rounded, as corners of spheres are.
     const bool suits = shaft[lane]->kind == ShaftData::Kind::between || (frame.suits_spheres && end[lane] != nullptr);
-    column[2 * faces][lane] = suits ? largest_on_grid<L>(*shaft[lane], b) : __builtin_inff();
+    column[2 * faces][lane] = suits ? largest_on_grid<L>(*shaft[lane], b) : INFINITY;
   }
   Vector middle[faces];
   Vector travel[faces];
   Vector size[faces];
-  Vector reference_size = L::all(__builtin_inff());
+  Vector reference_size = L::all(INFINITY);
   Vector reference_travel = zero;
   Vector reference_middle = zero;
   Vector reference = L::all(faces);  // none
@@ -177,7 +178,7 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* co
     travel[f] = L::multiply(L::subtract(b, a), L::all(step));
     size[f] = L::magnitude(travel[f]);
     const auto is_stationary = L::less(size[f], L::all(most_stationary_travel));
-    const Vector moving_size = L::choose(is_stationary, L::all(__builtin_inff()), size[f]);
+    const Vector moving_size = L::choose(is_stationary, L::all(INFINITY), size[f]);
     const auto is_reference = L::less(moving_size, reference_size);
     reference_size = L::choose(is_reference, moving_size, reference_size);
     reference_travel = L::choose(is_reference, travel[f], reference_travel);

@@ -2,11 +2,14 @@
 /// Tests on a grid: the first stage of many shafts against the same bounds (kernel/kernels/grid/forming.hpp).
 #pragma once
 
+#include <cstring>
+
 #include "kernels/boxes/outside_one_by_one.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -44,7 +47,7 @@ template <class S>
   typename S::Vector all = of[0];
   for (unsigned v = 1; v < S::vectors; ++v) all = S::minimum(all, of[v]);
   static_assert(sizeof(all) == sizeof(lane));
-  __builtin_memcpy(lane, &all, sizeof(lane));
+  std::memcpy(lane, &all, sizeof(lane));
   std::int16_t least = lane[0];
   for (unsigned i = 1; i < S::width; ++i) least = lane[i] < least ? lane[i] : least;
   return least;
@@ -52,7 +55,7 @@ template <class S>
 
 /// Whether some bound of these words has a coordinate that was cut off above, and another one that was not.
 template <class L>
-[[gnu::noinline, nodiscard]] bool any_partly_above(const std::int16_t* const* grid, std::size_t words) noexcept {
+SHAFTCULL_NOINLINE [[nodiscard]] bool any_partly_above(const std::int16_t* const* grid, std::size_t words) noexcept {
   constexpr auto top = static_cast<std::int16_t>(grid_top);
   bool any = false;
   for (std::size_t i = 0; i < words * word_bits; ++i) {
@@ -76,7 +79,7 @@ TileExtent tile_extent(const std::int16_t* const* grid, std::size_t words) noexc
     Vector least[S::vectors];
     for (Vector& each : least) each = S::all(top);
     for (std::size_t i = 0; i < words * word_bits; i += word_bits) {
-#pragma GCC unroll 8
+      SHAFTCULL_UNROLL(8)
       for (unsigned v = 0; v < S::vectors; ++v) {
         const Vector x = S::load(grid[s] + i + v * S::width);
         least[v] = S::minimum(least[v], x);
@@ -113,12 +116,12 @@ std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, 
   std::size_t listed = 0;
   for (std::size_t w = 0; w < words; ++w) {
     Vector length[S::vectors];
-#pragma GCC unroll 8
+    SHAFTCULL_UNROLL(8)
     for (unsigned v = 0; v < S::vectors; ++v) {
       const auto coordinate = [&](unsigned i) { return S::load(x[i] + w * word_bits + v * S::width); };
       Vector upper = end;
       Vector lower = moving == 0 ? begin : S::maximum(begin, coordinate(0));
-#pragma GCC unroll 6
+      SHAFTCULL_UNROLL(6)
       for (unsigned i = 1; i < moving; ++i) {
         const Vector t = S::add(S::multiply(coordinate(i), scale[i]), shift[i]);
         if (i <= uppers) {
@@ -128,7 +131,7 @@ std::size_t grid_words(const GridShaft& shaft, const std::int16_t* const* grid, 
         }
       }
       length[v] = S::subtract_saturated(upper, lower);
-#pragma GCC unroll 6
+      SHAFTCULL_UNROLL(6)
       for (unsigned i = moving; i < 6; ++i) length[v] = S::minimum(length[v], S::subtract(shift[i], coordinate(i)));
     }
     const auto outcomes = S::outcomes(length, limit);
@@ -177,11 +180,11 @@ void resolve_in_floats(const ShaftData* const* shaft, const float* const* stream
     const std::uint64_t lanes = undecided[u].lanes & bits;
     if constexpr (L::EightFloats::in_one_register) {
       constexpr int few = 4;  // with more, testing the whole word in vectors is no slower
-      if (__builtin_popcountll(lanes) <= few && SlabInLanes<L>::suits(its_shaft)) {
+      if (popcount(lanes) <= few && SlabInLanes<L>::suits(its_shaft)) {
         bits &= ~outside_one_by_one<L>(its_shaft, stream, word * word_bits, lanes);
         continue;
       }
-      if (__builtin_popcountll(lanes) <= few && EndlessSlabInLanes<L>::suits(its_shaft)) {
+      if (popcount(lanes) <= few && EndlessSlabInLanes<L>::suits(its_shaft)) {
         bits &= ~outside_one_by_one<L, EndlessSlabInLanes<L>>(its_shaft, stream, word * word_bits, lanes);
         continue;
       }

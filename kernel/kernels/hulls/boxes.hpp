@@ -6,13 +6,14 @@
 #include "kernels/boxes/slab.hpp"
 #include "kernels/hulls/planes.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
 /// Clears the bits in `kept` of boxes that miss the hull, for hulls that floats do not suit.
 template <class L>
-[[gnu::noinline, gnu::cold]] std::uint64_t hull_outside_by_predicate(const HullData& hull, const float* const* stream,
-                                                                     std::size_t at, std::uint64_t lanes) noexcept {
+SHAFTCULL_COLD std::uint64_t hull_outside_by_predicate(const HullData& hull, const float* const* stream, std::size_t at,
+                                                       std::uint64_t lanes) noexcept {
   return decide_lanes<L>(lanes,
                          [&](unsigned lane) { return hull_box_outside(hull, BoundAt<L, 6>(stream, at + lane).value); });
 }
@@ -20,8 +21,9 @@ template <class L>
 /// Bits of the boxes of the word at `at` that are beyond a face of the hull that is apart from others, or an edge that
 /// is a face.
 template <class L, bool bounded>
-[[nodiscard, gnu::always_inline]] inline std::uint64_t hull_faces_word(const HullData& hull, const float* const* stream,
-                                                                       std::size_t at) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_faces_word(const HullData& hull,
+                                                                           const float* const* stream,
+                                                                           std::size_t at) noexcept {
   // So many vectors share what a plane takes to prepare.
   constexpr unsigned vectors = word_bits / L::width < 8 ? word_bits / L::width : 8;
   std::uint64_t outside = 0;
@@ -65,9 +67,10 @@ void hull_faces_stage(const HullData& hull, const float* const* stream, std::siz
 /// Which boxes of some vectors are beyond the hull's box, an edge or another face, or empty. Returns the lanes that are
 /// undecided, too.
 template <class L, bool bounded, unsigned vectors>
-[[nodiscard, gnu::always_inline]] inline std::uint64_t hull_edges_vectors(const HullData& hull,
-                                                                          const float* const* stream, std::size_t at,
-                                                                          std::uint64_t& beyond) noexcept {
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_edges_vectors(const HullData& hull,
+                                                                              const float* const* stream,
+                                                                              std::size_t at,
+                                                                              std::uint64_t& beyond) noexcept {
   const auto zero = L::all(0.0F);
   HullDepths<L, vectors, bounded> depths;
   depths.template add_boxes<3, HullCorner::near>(hull, hull.apart, hull.faces, stream, at);

@@ -2,10 +2,12 @@
 /// Bounds against the planes of a convex hull: what the stages of boxes and of spheres share.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "compiled/hull_data.hpp"
+#include "support/compiler.hpp"
 #include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -31,18 +33,18 @@ struct HullDepths {
   Vector least[vectors];  ///< of boxes and a bounded hull it is most − 2 margins, and not kept here
 
   HullDepths() noexcept {
-    for (unsigned v = 0; v < vectors; ++v) most[v] = least[v] = L::all(__builtin_inff());
+    for (unsigned v = 0; v < vectors; ++v) most[v] = least[v] = L::all(INFINITY);
   }
 
   /// Takes planes [first, last), of `coordinates` each, into account, for boxes in six streams.
   template <unsigned coordinates, HullCorner corner>
-  [[gnu::always_inline]] void add_boxes(const HullData& hull, unsigned first, unsigned last, const float* const* stream,
-                                        std::size_t at) noexcept {
+  SHAFTCULL_ALWAYS_INLINE void add_boxes(const HullData& hull, unsigned first, unsigned last,
+                                         const float* const* stream, std::size_t at) noexcept {
     for (unsigned p = first; p < last; ++p) {
       const float* x[coordinates];
       for (unsigned i = 0; i < coordinates; ++i) x[i] = stream[box_stream<corner>(hull.plane[p].near[i])] + at;
       const Coefficients<coordinates> plane(hull.plane[p]);
-#pragma GCC unroll 8
+      SHAFTCULL_UNROLL(8)
       for (unsigned v = 0; v < vectors; ++v) {
         const Vector depth = plane.depth(x, v);
         if constexpr (bounded) {
@@ -58,10 +60,10 @@ struct HullDepths {
 
   /// The same for spheres in four streams. Their radii count as `radius_for_most` and `radius_for_least`.
   template <unsigned coordinates>
-  [[gnu::always_inline]] void add_spheres(const HullData& hull, unsigned first, unsigned last,
-                                          const float* const* stream, std::size_t at,
-                                          const Vector (&radius_for_most)[vectors],
-                                          const Vector (&radius_for_least)[vectors]) noexcept {
+  SHAFTCULL_ALWAYS_INLINE void add_spheres(const HullData& hull, unsigned first, unsigned last,
+                                           const float* const* stream, std::size_t at,
+                                           const Vector (&radius_for_most)[vectors],
+                                           const Vector (&radius_for_least)[vectors]) noexcept {
     for (unsigned p = first; p < last; ++p) {
       const float* x[coordinates];
       for (unsigned i = 0; i < coordinates; ++i) x[i] = stream[hull.plane[p].near[i] % 3] + at;
@@ -88,7 +90,7 @@ struct HullDepths {
  private:
   /// The least that a depth can be: −∞ if that is not a number, as terms overflowed. minimum() and maximum() pass over
   /// a NaN in their first argument.
-  [[nodiscard]] static Vector or_unknown(Vector lower) noexcept { return L::maximum(lower, L::all(-__builtin_inff())); }
+  [[nodiscard]] static Vector or_unknown(Vector lower) noexcept { return L::maximum(lower, L::all(-INFINITY)); }
 
   /// A plane's coefficients in whole vectors.
   template <unsigned coordinates>
@@ -103,14 +105,14 @@ struct HullDepths {
     }
     [[nodiscard]] Vector depth(const float* const (&x)[coordinates], unsigned v) const noexcept {
       Vector sum = offset;
-#pragma GCC unroll 3
+      SHAFTCULL_UNROLL(3)
       for (unsigned i = 0; i < coordinates; ++i) sum = L::multiply_add(L::load(x[i] + v * L::width), inward[i], sum);
       return sum;
     }
     /// At least the magnitudes of all terms of the depth, and of those of a vertex.
     [[nodiscard]] Vector terms(const float* const (&x)[coordinates], unsigned v) const noexcept {
       Vector sum = magnitude;
-#pragma GCC unroll 3
+      SHAFTCULL_UNROLL(3)
       for (unsigned i = 0; i < coordinates; ++i) {
         sum = L::add(sum, L::magnitude(L::multiply(L::load(x[i] + v * L::width), inward[i])));
       }

@@ -6,6 +6,7 @@
 #include "kernels/hulls/spheres.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 #include "support/padding.hpp"
 
 namespace shaftcull::kernel {
@@ -17,8 +18,8 @@ struct HullStages {
   static constexpr unsigned sphere_streams = 4;
 
   /// Writes the kept bits of `count` boxes.
-  [[gnu::noinline]] static void cull_boxes(const HullData& hull, const float* const* stream, std::size_t count,
-                                           std::uint64_t* kept) noexcept {
+  SHAFTCULL_NOINLINE static void cull_boxes(const HullData& hull, const float* const* stream, std::size_t count,
+                                            std::uint64_t* kept) noexcept {
     in_whole_words<L>(stream, count, kept, padding_box,
                       [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
                         hull_faces_stage<L>(hull, all, words, bits, ConsecutiveWords<L>{});
@@ -32,24 +33,24 @@ struct HullStages {
 
   // Of `count` bounds, these clear the bits of those that are not what the name says. Bits behind the last stay clear.
 
-  [[gnu::noinline]] static void find_boxes_inside(const HullData& hull, const float* const* stream, std::size_t count,
-                                                  std::uint64_t* inside) noexcept {
+  SHAFTCULL_NOINLINE static void find_boxes_inside(const HullData& hull, const float* const* stream, std::size_t count,
+                                                   std::uint64_t* inside) noexcept {
     run_on_survivors<L, box_streams>(stream, count, inside,
                                      [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
                                        hull_inside_stage<L>(hull, some, words, bits);
                                      });
   }
 
-  [[gnu::noinline]] static void cull_spheres(const HullData& hull, const float* const* stream, std::size_t count,
-                                             std::uint64_t* kept) noexcept {
+  SHAFTCULL_NOINLINE static void cull_spheres(const HullData& hull, const float* const* stream, std::size_t count,
+                                              std::uint64_t* kept) noexcept {
     run_on_survivors<L, sphere_streams>(stream, count, kept,
                                         [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
                                           hull_spheres_stage<L, false>(hull, some, words, bits);
                                         });
   }
 
-  [[gnu::noinline]] static void find_spheres_inside(const HullData& hull, const float* const* stream, std::size_t count,
-                                                    std::uint64_t* inside) noexcept {
+  SHAFTCULL_NOINLINE static void find_spheres_inside(const HullData& hull, const float* const* stream,
+                                                     std::size_t count, std::uint64_t* inside) noexcept {
     run_on_survivors<L, sphere_streams>(stream, count, inside,
                                         [&](const float* const* some, std::size_t words, std::uint64_t* bits) {
                                           hull_spheres_stage<L, true>(hull, some, words, bits);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -28,9 +29,9 @@ class Positions {
       const auto first = static_cast<unsigned>(w * word_bits);
       std::uint64_t left = bits[w];
       std::uint16_t* out = end;
-      end += __builtin_popcountll(left);
+      end += popcount(left);
       do {
-#pragma GCC unroll 3
+        SHAFTCULL_UNROLL(3)
         for (unsigned i = 0; i < at_once; ++i, left &= left - 1)
           out[i] = static_cast<std::uint16_t>(first + L::lowest_bit(left));
         out += at_once;
@@ -85,7 +86,7 @@ class Survivors {
   void write_back(std::uint64_t* bits) const noexcept {
     for (unsigned w = 0; w < words(); ++w) {
       for (std::uint64_t cleared = all(w) & ~bits_[w]; cleared != 0; cleared &= cleared - 1) {
-        const unsigned i = position_[w * word_bits + static_cast<unsigned>(__builtin_ctzll(cleared))];
+        const unsigned i = position_[w * word_bits + static_cast<unsigned>(trailing_zeros(cleared))];
         bits[i / word_bits] &= ~(std::uint64_t{1} << (i % word_bits));
       }
     }
@@ -108,8 +109,8 @@ class Survivors {
 template <class L>
 [[nodiscard]] bool are_sparse(const std::uint64_t* bits, std::size_t words) noexcept {
   unsigned count = 0;
-#pragma GCC unroll 8
-  for (std::size_t w = 0; w < words; ++w) count += static_cast<unsigned>(__builtin_popcountll(bits[w]));
+  SHAFTCULL_UNROLL(8)
+  for (std::size_t w = 0; w < words; ++w) count += static_cast<unsigned>(popcount(bits[w]));
   return count * dense_share <= words * word_bits;
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "shaftcull/compiled.hpp"
+#include "support/compiler.hpp"
 #include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -25,12 +26,12 @@ inline constexpr std::size_t most_block_words = 40;
 
 /// Bits 0 … count − 1, fewer than 64. Always inlined, as words_of(): one copy for all instruction sets would be that of
 /// any.
-[[gnu::always_inline]] constexpr std::uint64_t first_bits(unsigned count) noexcept {
+SHAFTCULL_ALWAYS_INLINE constexpr std::uint64_t first_bits(unsigned count) noexcept {
   return (std::uint64_t{1} << count) - 1;
 }
 
 /// How many words the bits of `count` bounds take.
-[[gnu::always_inline]] constexpr std::size_t words_of(std::size_t count) noexcept {
+SHAFTCULL_ALWAYS_INLINE constexpr std::size_t words_of(std::size_t count) noexcept {
   return (count + word_bits - 1) / word_bits;
 }
 
@@ -122,12 +123,12 @@ void in_whole_words(const float* const* stream, std::size_t count, std::uint64_t
 /// Calls decide(lane), an exact predicate, for every bit of `lanes`, and returns the bits for which it was true. A
 /// vector type may have a note_undecided(), which is told of the lanes: tests count by it.
 template <class L, class Decide>
-[[gnu::noinline, gnu::cold]] std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
+SHAFTCULL_COLD std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
   if constexpr (requires { L::note_undecided(lanes); }) L::note_undecided(lanes);
   if (drops_exact_step) return 0;
   std::uint64_t yes = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<unsigned>(__builtin_ctzll(lanes));
+    const auto lane = static_cast<unsigned>(trailing_zeros(lanes));
     if (decide(lane)) yes |= std::uint64_t{1} << lane;
   }
   return yes;

@@ -8,6 +8,7 @@
 #include "exact/pair.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/siblings/form.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -73,7 +74,7 @@ class SolidInLanes {
   template <bool closed>
   [[nodiscard]] Mask reaches_across(const Siblings& siblings, unsigned lane) const noexcept {
     Mask across = reaches_across<closed>(siblings, lane, 0);
-#pragma GCC unroll 2
+    SHAFTCULL_UNROLL(2)
     for (unsigned k = 1; k < 3; ++k) across = L::both(across, reaches_across<closed>(siblings, lane, k));
     return across;
   }
@@ -99,7 +100,7 @@ class SolidInLanes {
     std::uint64_t reached = 0;
     for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
       Mask reaches = L::less_equal(L::all(0.0F), L::all(0.0F));
-#pragma GCC unroll 3
+      SHAFTCULL_UNROLL(3)
       for (unsigned k = 0; k < 3; ++k) {
         const Vector lo = L::load(siblings.other[k] + lane);
         const Vector hi = L::load(siblings.other[k + 3] + lane);
@@ -116,7 +117,7 @@ class SolidInLanes {
     Vector since[3];
     Vector until[3];
     const Vector none = L::all(0.0F);
-#pragma GCC unroll 3
+    SHAFTCULL_UNROLL(3)
     for (unsigned k = 0; k < 3; ++k) {
       const Vector lo = L::subtract(face_[k], L::load(&siblings.outer[k][lane]));
       const Vector hi = L::subtract(L::load(&siblings.outer[k + 3][lane]), face_[k + 3]);

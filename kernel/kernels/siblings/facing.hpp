@@ -6,9 +6,12 @@
 /// computed sign is right.
 #pragma once
 
+#include <cstring>
+
 #include "exact/pair.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/siblings/siblings.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -60,7 +63,7 @@ std::uint64_t behind_plane(const PlaneRow& plane, const float* const* boxes, uns
 template <class L, bool is_group>
 typename L::Vector farthest_value(const PlaneStreams& planes, unsigned lane, const float* box) noexcept {
   typename L::Vector sum = L::all(0.0F);
-#pragma GCC unroll 3
+  SHAFTCULL_UNROLL(3)
   for (unsigned k = 0; k < 3; ++k) {
     const auto lo = L::all(box[k]);
     const auto hi = L::all(box[k + 3]);
@@ -110,7 +113,7 @@ std::uint64_t points_behind_planes(const PlaneStreams& planes, unsigned count, c
                                    std::uint64_t asked) noexcept {
   for (std::size_t i = 0; i != size && asked != 0; ++i) {
     ThreeFloats<L> point;
-    __builtin_memcpy(point.of, &points[i], sizeof point.of);
+    std::memcpy(point.of, &points[i], sizeof point.of);
     std::uint64_t undecided = 0;
     for (unsigned lane = 0; lane < count; lane += L::width) {
       if ((asked & lanes_of<L>(lane)) == 0) continue;
@@ -155,7 +158,7 @@ std::uint64_t behind_group(const PlaneRow& group, const float* const* boxes, uns
   std::uint64_t behind = 0;
   for (unsigned lane = 0; lane < count; lane += L::width) {
     typename L::Vector sum = L::all(0.0F);
-#pragma GCC unroll 3
+    SHAFTCULL_UNROLL(3)
     for (unsigned k = 0; k < 3; ++k) {
       const auto lo = L::load(boxes[k] + lane);
       const auto hi = L::load(boxes[k + 3] + lane);

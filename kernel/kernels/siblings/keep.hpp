@@ -9,6 +9,7 @@
 #include "exact/pair.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/siblings/form.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -54,7 +55,7 @@ class BoundInLanes {
   /// Whether it reaches into a shaft's box.
   [[nodiscard]] Mask reaches_box(const Siblings& siblings, unsigned lane) const noexcept {
     Mask reaches = reaches_axis(siblings, lane, 0);
-#pragma GCC unroll 2
+    SHAFTCULL_UNROLL(2)
     for (unsigned k = 1; k < 3; ++k) reaches = L::both(reaches, reaches_axis(siblings, lane, k));
     return reaches;
   }
@@ -79,7 +80,7 @@ class BoundInLanes {
     Vector since[3];
     Vector until[3];
     const Vector none = L::all(0.0F);
-#pragma GCC unroll 3
+    SHAFTCULL_UNROLL(3)
     for (unsigned k = 0; k < 3; ++k) {
       const Vector lo = L::subtract(L::load(&siblings.inner[k][lane]), face_[k + 3]);
       const Vector hi = L::subtract(face_[k], L::load(&siblings.inner[k + 3][lane]));

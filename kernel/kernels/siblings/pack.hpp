@@ -4,6 +4,7 @@
 
 #include "kernels/shared/word.hpp"
 #include "kernels/siblings/siblings.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -23,7 +24,7 @@ void pack_siblings(const float* const* other, unsigned count, std::uint64_t lane
     if (some == 0) continue;
     const typename L::Compressor compressor(some);
     for (unsigned f = 0; f < 6; ++f) compressor.store(packed.face[f] + at, L::load(other[f] + lane));
-    at += static_cast<unsigned>(__builtin_popcountll(some));
+    at += static_cast<unsigned>(popcount(some));
   }
 }
 

@@ -2,6 +2,8 @@
 /// The boxes around spheres: what the slab form tests first.
 #pragma once
 
+#include <cmath>
+
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {
@@ -11,7 +13,7 @@ namespace shaftcull::kernel {
 template <class L>
 void boxes_around_spheres(const float* const* sphere, std::size_t count, float* const* box) noexcept {
   const auto zero = L::all(0.0F);
-  const auto minus_infinity = L::all(-__builtin_inff());
+  const auto minus_infinity = L::all(-INFINITY);
   const auto box_word = [&](const auto& word, std::size_t at) {
     for (std::size_t lane = 0; lane < word_bits; lane += L::width) {
       auto radius = word.load(sphere[3], at, lane);

@@ -2,6 +2,9 @@
 /// Spheres: a cheap stage that culls most, one that accepts most of the rest, and the exact predicate for what is left.
 #pragma once
 
+#include <cfloat>
+#include <cmath>
+
 #include "exact/predicates.hpp"
 #include "kernels/boxes/planes.hpp"
 #include "kernels/boxes/slab.hpp"
@@ -29,7 +32,7 @@ struct OuterFaces {
     const bool is_rounded = shaft.kind != ShaftData::Kind::between;
     for (unsigned f = 0; f < 6; ++f) {
       const float x = shaft.face[f];
-      const float step = is_rounded ? __builtin_fabsf(x) * (4 * float_unit) + __FLT_DENORM_MIN__ : 0.0F;
+      const float step = is_rounded ? fabsf(x) * (4 * float_unit) + FLT_TRUE_MIN : 0.0F;
       face[f] = f < 3 ? x - step : x + step;
     }
   }
@@ -46,7 +49,7 @@ void sphere_planes_stage(const ShaftData& shaft, const float* const* stream, std
   // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
   const auto minus_widened = L::all(-(1.0F + 8 * float_unit * radius_margin_factor));
   const auto zero = L::all(0.0F);
-  const auto largest = L::all(__FLT_MAX__);  // beyond it a sum has overflowed and proves nothing
+  const auto largest = L::all(FLT_MAX);  // beyond it a sum has overflowed and proves nothing
   const OuterFaces<L> outer(shaft);
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t outside = 0;
@@ -94,11 +97,11 @@ class SquareDistance {
     }
     if (shaft.slab_form == ShaftData::SlabForm::endless) {
       const unsigned first_face = (shaft.slab_near[0] + 3U) % 6U;
-      t_at_b = __builtin_fabsf(b[first_face] - a[first_face]);
+      t_at_b = fabsf(b[first_face] - a[first_face]);
     }
     t_at_a_ = L::all(t_at_a);
-    first_ = L::all(__builtin_fminf(t_at_a, t_at_b));
-    last_ = L::all(__builtin_fmaxf(t_at_a, t_at_b));
+    first_ = L::all(fminf(t_at_a, t_at_b));
+    last_ = L::all(fmaxf(t_at_a, t_at_b));
     inverse_travel_ = L::all(1 / (t_at_b - t_at_a));
     float slopes = 0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -110,14 +113,14 @@ class SquareDistance {
       minus_hi_slope_[k] = L::all(-hi_slope);
       lo_square_[k] = L::all(lo_slope * lo_slope);
       hi_square_[k] = L::all(hi_slope * hi_slope);
-      slopes += __builtin_fmaxf(__builtin_fabsf(lo_slope), __builtin_fabsf(hi_slope));
+      slopes += fmaxf(fabsf(lo_slope), fabsf(hi_slope));
     }
     // docs/exactness.md, spheres.
     const float largest_coordinate = shaft.largest_coordinate;
     const float error =
         bound_margin_factor * float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
     // Products with slopes may overflow: nothing is certain. Nor is it of a box that moves on from b.
-    error_ = L::all(largest_coordinate > fused_regular_limit || shaft.is_endless() ? __builtin_inff() : error);
+    error_ = L::all(largest_coordinate > fused_regular_limit || shaft.is_endless() ? INFINITY : error);
     error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * largest_coordinate + 25 * slopes));
   }
 
@@ -249,7 +252,7 @@ void sphere_distance_stage(const ShaftData& shaft, const float* const* stream, s
         const Vector value =
             L::multiply_add(radius, L::all(-plane.length), added_value<L, Corner::near>(plane, centres.stream, at));
         const Vector margin = L::multiply_add(radius, L::all(plane.slack), L::all(plane.margin));
-        const auto finite = L::less_equal(L::magnitude(value), L::all(__FLT_MAX__));  // a sum may have overflowed
+        const auto finite = L::less_equal(L::magnitude(value), L::all(FLT_MAX));  // a sum may have overflowed
         const std::uint64_t positive = L::bits(L::both(finite, L::less(margin, value))) << lane;
         const std::uint64_t negative = L::bits(L::both(finite, L::less(L::add(value, margin), zero))) << lane;
         kept[w] &= ~positive;

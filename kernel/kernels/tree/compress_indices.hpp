@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernels/shared/word.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -16,7 +17,7 @@ std::size_t compress_indices(const std::uint32_t* from, std::uint64_t bits, std:
     for (unsigned i = 0; i < word_bits; i += L::width) {
       const std::uint64_t lanes = bits >> i & lanes_of<L>(0);
       typename L::Compressor(lanes).store(out, from + i);
-      out += __builtin_popcountll(lanes);
+      out += popcount(lanes);
     }
   }
   return static_cast<std::size_t>(out - start);

@@ -8,6 +8,7 @@
 #include "kernels/shared/word.hpp"
 #include "kernels/spheres/planes.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -24,7 +25,7 @@ template <class L, unsigned streams, class Use>
 void for_each_word(const float* const* stream, const std::uint32_t* word, std::size_t words, const std::uint64_t* bits,
                    unsigned least, Use use) noexcept {
   for (std::size_t i = 0; i < words; ++i) {
-    if (static_cast<unsigned>(__builtin_popcountll(bits[i])) < least) continue;
+    if (static_cast<unsigned>(popcount(bits[i])) < least) continue;
     const float* at[streams];
     for (unsigned s = 0; s < streams; ++s) at[s] = stream[s] + std::size_t{word[i]} * word_bits;
     use(at, i);
@@ -42,8 +43,8 @@ void run_on_listed_survivors(const float* const* stream, const std::uint32_t* wo
 
 /// As HullStages::cull_boxes, for words of a list; not inlined for the same reason.
 template <class L>
-[[gnu::noinline]] void cull_listed_by_hull(const HullData& hull, const float* const* stream, const std::uint32_t* word,
-                                           std::size_t words, std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void cull_listed_by_hull(const HullData& hull, const float* const* stream, const std::uint32_t* word,
+                                            std::size_t words, std::uint64_t* kept) noexcept {
   hull_faces_stage<L>(hull, stream, words, kept, ListedWords<L>{word});
   run_on_listed_survivors<L, 6>(
       stream, word, words, kept,

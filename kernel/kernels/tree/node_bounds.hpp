@@ -2,6 +2,8 @@
 /// Boxes around whole words of bounds: the nodes of a bounds tree.
 #pragma once
 
+#include <cmath>
+
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {
@@ -40,7 +42,7 @@ std::uint64_t node_bounds_of_boxes(const float* const* stream, std::size_t words
 /// At least a unit in the last place of x, of denormals too.
 template <class L>
 float rounding_of(float x) noexcept {
-  return __builtin_fabsf(x) * 0x1p-23F + 0x1p-149F;
+  return fabsf(x) * 0x1p-23F + 0x1p-149F;
 }
 
 /// As NodeBounds in kernels/table.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word: what
@@ -49,14 +51,14 @@ float rounding_of(float x) noexcept {
 template <class L>
 std::uint64_t node_bounds_of_spheres(const float* const* stream, std::size_t words, float* const* node) noexcept {
   const auto zero = L::all(0.0F);
-  const auto minus_infinity = L::all(-__builtin_inff());
+  const auto minus_infinity = L::all(-INFINITY);
   std::uint64_t gaps = 0;
   for (std::size_t w = 0; w < words; ++w) {
     std::uint64_t absent = 0;
     typename L::Vector lo[3];
     typename L::Vector hi[3];
     for (unsigned k = 0; k < 3; ++k) {
-      lo[k] = L::all(__builtin_inff());
+      lo[k] = L::all(INFINITY);
       hi[k] = minus_infinity;
     }
     for (unsigned i = 0; i < word_bits; i += L::width) {

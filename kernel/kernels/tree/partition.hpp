@@ -2,7 +2,10 @@
 /// Halving entries of a bounds tree: one pass without a branch that depends on a key.
 #pragma once
 
+#include <cstring>
+
 #include "kernels/tree/pivot.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -22,12 +25,12 @@ void partition_by(float* const* from, float* const* to, std::size_t count, unsig
     const std::uint64_t is_low = L::bits(L::less(L::load(from[axis] + i), limits));
     const typename L::Compressor low_ones(is_low);
     const typename L::Compressor high_ones(~is_low & lanes_of<L>(0));
-    const auto lows = static_cast<std::size_t>(__builtin_popcountll(is_low));
+    const auto lows = static_cast<std::size_t>(popcount(is_low));
     const bool has_room = moved + L::width <= count;
     for (unsigned s = 0; s < streams; ++s) {
-      __builtin_prefetch(to[s] + moved + prefetched_floats, 1);
-      __builtin_prefetch(from[s] + kept + prefetched_floats, 1);
-      __builtin_prefetch(from[s] + i + prefetched_floats);
+      prefetch_to_write(to[s] + moved + prefetched_floats);
+      prefetch_to_write(from[s] + kept + prefetched_floats);
+      prefetch_to_read(from[s] + i + prefetched_floats);
       const auto x = L::load(from[s] + i);
       low_ones.store(from[s] + kept, x);  // what was there has been read
       if (has_room) {
@@ -71,8 +74,8 @@ void split_entries(float* const* from, float* const* to, std::size_t count, std:
   }
   partition_by<L, streams>(equals, larger, count - less, halving.axis, next, equal);
   for (unsigned s = 0; s < streams; ++s) {
-    __builtin_memcpy(from[s] + less, to[s] + less, (first_half - less) * sizeof(float));
-    __builtin_memcpy(to[s] + less + equal, from[s] + less + equal, (count - less - equal) * sizeof(float));
+    std::memcpy(from[s] + less, to[s] + less, (first_half - less) * sizeof(float));
+    std::memcpy(to[s] + less + equal, from[s] + less + equal, (count - less - equal) * sizeof(float));
   }
 }
 
@@ -87,10 +90,10 @@ class EntryWriter {
   /// Writes those of some vectors' lanes, one vector of each stream, whose bits are set.
   void write(std::uint64_t lanes, const typename L::Vector (&x)[streams]) noexcept {
     const typename L::Compressor ones(lanes);
-    const auto count = static_cast<std::size_t>(__builtin_popcountll(lanes));
+    const auto count = static_cast<std::size_t>(popcount(lanes));
     const bool has_room = left_ >= L::width;
     for (unsigned s = 0; s < streams; ++s) {
-      __builtin_prefetch(to_[s] + prefetched_floats, 1);
+      prefetch_to_write(to_[s] + prefetched_floats);
       if (has_room) {
         ones.store(to_[s], x[s]);
       } else {

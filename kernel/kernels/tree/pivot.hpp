@@ -6,8 +6,11 @@
 /// 1975).
 #pragma once
 
+#include <cmath>
+
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -89,7 +92,7 @@ std::size_t count_less(const float* key, std::size_t count, float limit) noexcep
   std::size_t i = 0;
   if constexpr (L::width > 1) {
     for (; i + L::width <= count; i += L::width) {
-      less += static_cast<std::size_t>(__builtin_popcountll(L::bits(L::less(L::load(key + i), limits))));
+      less += static_cast<std::size_t>(popcount(L::bits(L::less(L::load(key + i), limits))));
     }
   }
   for (; i < count; ++i) less += key[i] < limit ? 1 : 0;
@@ -99,7 +102,7 @@ std::size_t count_less(const float* key, std::size_t count, float limit) noexcep
 /// The smallest key that is not less than a limit; there is one.
 template <class L>
 float smallest_from(const float* key, std::size_t count, float limit) noexcept {
-  const auto none = L::all(__builtin_inff());
+  const auto none = L::all(INFINITY);
   auto smallest = none;
   std::size_t i = 0;
   for (; i + L::width <= count; i += L::width) {
@@ -113,7 +116,7 @@ float smallest_from(const float* key, std::size_t count, float limit) noexcept {
 /// The largest key that is less than a limit; there is one.
 template <class L>
 float largest_below(const float* key, std::size_t count, float limit) noexcept {
-  const auto none = L::all(-__builtin_inff());
+  const auto none = L::all(-INFINITY);
   auto largest = none;
   std::size_t i = 0;
   for (; i + L::width <= count; i += L::width) {
@@ -178,7 +181,7 @@ SampleBracket bracket_of(const float* const* entry, std::size_t count, std::size
   // cuts.
   const double share = static_cast<double>(rank) / static_cast<double>(count);
   const double middle = share * static_cast<double>(samples);
-  const double off = 3 * __builtin_sqrt(middle * (1 - share));
+  const double off = 3 * sqrt(middle * (1 - share));
   const auto lo = static_cast<std::size_t>(middle > off ? middle - off : 0);
   const auto hi = static_cast<std::size_t>(middle + off + 1);
   return {axis, pivot_at<L>(scratch[axis], samples, lo, range.stream[axis]).key,
@@ -198,9 +201,9 @@ BracketCounts collect_in_bracket(const float* key, std::size_t count, const Samp
     const auto keys = L::load(key + i);
     const std::uint64_t is_below = L::bits(L::less(keys, froms));
     const std::uint64_t is_between = L::bits(L::less_equal(keys, tos)) & ~is_below;
-    below += static_cast<std::size_t>(__builtin_popcountll(is_below));
+    below += static_cast<std::size_t>(popcount(is_below));
     typename L::Compressor(is_between).store(some + between, keys);
-    between += static_cast<std::size_t>(__builtin_popcountll(is_between));
+    between += static_cast<std::size_t>(popcount(is_between));
   }
   for (; i < count; ++i) {
     if (key[i] < bracket.from) {

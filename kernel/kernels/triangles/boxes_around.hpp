@@ -2,6 +2,8 @@
 /// The boxes around triangles: what the slab form tests first.
 #pragma once
 
+#include <cmath>
+
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {
@@ -14,8 +16,8 @@ void boxes_around_triangles(const float* const* triangle, std::size_t count, flo
   const float* x[9];  // in registers, which the caller's are not while boxes are written
   for (unsigned s = 0; s < 9; ++s) x[s] = triangle[s];
   // Minimum and maximum pass over a NaN in their first operand.
-  const auto infinity = L::all(__builtin_inff());
-  const auto minus_infinity = L::all(-__builtin_inff());
+  const auto infinity = L::all(INFINITY);
+  const auto minus_infinity = L::all(-INFINITY);
   const auto box_word = [&](const auto& word, std::size_t at) {
     for (std::size_t lane = 0; lane < word.bounds; lane += L::width) {
       for (unsigned k = 0; k < 3; ++k) {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "compiled/triangle_shaft.hpp"
+#include "support/compiler.hpp"
 #include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
@@ -226,7 +227,7 @@ class TriangleGaps {
  private:
   static constexpr unsigned count = 17;
 
-  [[gnu::always_inline]] void set(unsigned i, Vector at_zero, Vector slope, Vector margin) noexcept {
+  SHAFTCULL_ALWAYS_INLINE void set(unsigned i, Vector at_zero, Vector slope, Vector margin) noexcept {
     at_zero_[i] = at_zero;
     slope_[i] = slope;
     margin_[i] = margin;

@@ -2,6 +2,9 @@
 /// The stages of a triangle's tests: the box around it, added planes at its vertices, and all separating axes.
 #pragma once
 
+#include <cfloat>
+#include <cmath>
+
 #include "exact/triangle.hpp"
 #include "kernels/boxes/contact.hpp"
 #include "kernels/boxes/slab.hpp"
@@ -10,6 +13,7 @@
 #include "kernels/shared/word.hpp"
 #include "kernels/triangles/boxes_around.hpp"
 #include "kernels/triangles/separating_axes.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -37,10 +41,10 @@ struct PlanesAtVertices {
     for (unsigned i = 0; i < count; ++i) {
       const ShaftData::AddedPlane& plane = shaft.added[i];
       // A plane that no margin holds for is 0 everywhere: undecided.
-      const float scale = plane.margin <= __FLT_MAX__ ? 1 / plane.length : 0;
+      const float scale = plane.margin <= FLT_MAX ? 1 / plane.length : 0;
       for (unsigned k = 0; k < 3; ++k) normal[i][k] = plane.normal[k] * scale;
       minus_offset[i] = plane.minus_offset * scale;
-      const float offset = __builtin_fabsf(minus_offset[i]);
+      const float offset = fabsf(minus_offset[i]);
       largest_offset = largest_offset < offset ? offset : largest_offset;
     }
   }
@@ -56,8 +60,8 @@ struct PlanesAtVertices {
   }
   /// How far the vertex nearest to the inner side of a plane is beyond it: the largest of all planes.
   [[nodiscard]] Vector distance_beyond(const Vector (&x)[9]) const noexcept {
-    Vector distance = L::all(-__builtin_inff());
-#pragma GCC unroll 1
+    Vector distance = L::all(-INFINITY);
+    SHAFTCULL_UNROLL(1)
     for (unsigned i = 0; i < count; ++i) {
       const Vector at_origin = L::all(minus_offset[i]);
       Vector value[3] = {at_origin, at_origin, at_origin};
@@ -153,8 +157,8 @@ void triangle_gaps_stage(const ShaftData& shaft, const MovingBox<L>& box, const 
 
 /// Writes the bits of `count` triangles of a block, at most triangle_block, the boxes around which meet the shaft.
 template <class L>
-[[gnu::noinline]] void cull_boxes_around(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                                         std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void cull_boxes_around(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                          std::uint64_t* kept) noexcept {
   alignas(64) float box[6][triangle_block];
   boxes_around_triangles<L>(stream, count, box);
   const float* boxes[6];
@@ -176,8 +180,8 @@ void run_on_triangles(const float* const* stream, std::size_t count, std::uint64
 // Stages of a block, on what is left. Not inlined, so that their memory is not on the stack at the same time.
 
 template <class L>
-[[gnu::noinline]] void cull_by_added_planes(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                                            std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void cull_by_added_planes(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                             std::uint64_t* kept) noexcept {
   run_on_triangles<L>(stream, count, kept, [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
     triangle_added_stage<L>(shaft, some, n, bits);
   });
@@ -185,8 +189,8 @@ template <class L>
 
 /// Clears the bits of triangles with a vertex that is certainly in the shaft: most of those that meet it.
 template <class L>
-[[gnu::noinline]] void clear_those_with_a_vertex_in(const ShaftData& shaft, const float* const* stream,
-                                                    std::size_t count, std::uint64_t* left) noexcept {
+SHAFTCULL_NOINLINE void clear_those_with_a_vertex_in(const ShaftData& shaft, const float* const* stream,
+                                                     std::size_t count, std::uint64_t* left) noexcept {
   using enum ShaftData::SlabForm;
   using Stage = void(const ShaftData&, const float* const*, std::size_t, std::uint64_t*) noexcept;
   const auto stage_of = [](ShaftData::SlabForm form) -> Stage* {
@@ -214,8 +218,8 @@ template <class L>
 
 /// Those with a vertex in the shaft are found first, which takes a tenth as long as all axes: few are left for these.
 template <class L>
-[[gnu::noinline]] void cull_by_axes(const ShaftData& shaft, const float* const* stream, std::size_t count,
-                                    std::uint64_t* kept) noexcept {
+SHAFTCULL_NOINLINE void cull_by_axes(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                     std::uint64_t* kept) noexcept {
   std::uint64_t left[triangle_block / word_bits];
   for (std::size_t w = 0; w < words_of(count); ++w) left[w] = kept[w];
   clear_those_with_a_vertex_in<L>(shaft, stream, count, left);

@@ -10,6 +10,7 @@
 #include "simd/left_packing.hpp"
 #include "simd/operations.hpp"
 #include "simd/portable.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel::neon {
 
@@ -134,7 +135,7 @@ struct Floats {
     return vaddvq_u32(vandq_u32(mask, bit));
   }
   static unsigned lowest_bit(std::uint64_t word) noexcept {
-    return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
+    return static_cast<unsigned>(trailing_zeros(word | std::uint64_t{1} << 63));
   }
 
   static Vector either_negative(Vector a, Vector b) noexcept { return vbslq_f32(vcltzq_f32(b), b, a); }

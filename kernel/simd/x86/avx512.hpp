@@ -13,6 +13,8 @@
 #define xsimd xsimd_avx512
 #include "simd/operations.hpp"
 #include "simd/x86/vectors_of_8.hpp"
+#include "support/compiler.hpp"
+#include "support/processor.hpp"
 
 namespace shaftcull::kernel::avx512 {
 
@@ -165,18 +167,18 @@ struct Floats {
   /// for VBMI2: this is the one place that asks the processor itself.
   struct PositionCompressor {
     static constexpr unsigned at_once = 16;
-    static bool is_available() noexcept { return __builtin_cpu_supports("avx512vbmi2") != 0; }
+    static bool is_available() noexcept { return processor_has(ProcessorFeature::avx512vbmi2); }
 
     /// Writes 64 w + i for every set bit i of every word w, ascending, and up to 16 positions that are none.
-    [[gnu::target("avx512vbmi2"), gnu::noinline]] static void write(const std::uint64_t* words, std::size_t count,
-                                                                    std::uint32_t* out) noexcept {
+    SHAFTCULL_NOINLINE SHAFTCULL_TARGET("avx512vbmi2") static void write(const std::uint64_t* words, std::size_t count,
+                                                                         std::uint32_t* out) noexcept {
       alignas(64) std::uint8_t in_order[64];
       for (unsigned i = 0; i != 64; ++i) in_order[i] = static_cast<std::uint8_t>(i);
       const __m512i all = _mm512_load_si512(in_order);
       __m512i first = _mm512_setzero_si512();
       for (std::size_t w = 0; w != count; ++w) {
         __m512i packed = _mm512_maskz_compress_epi8(words[w], all);
-        std::uint32_t* const end = out + __builtin_popcountll(words[w]);
+        std::uint32_t* const end = out + popcount(words[w]);
         do {
           // Masks of all lanes: GCC 12 warns of what its unmasked intrinsics leave undefined (GCC bug 105593).
           const __m512i sixteen = _mm512_maskz_cvtepu8_epi32(0xffff, _mm512_maskz_extracti32x4_epi32(0xf, packed, 0));

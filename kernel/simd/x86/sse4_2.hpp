@@ -14,6 +14,7 @@
 #include "simd/left_packing.hpp"
 #include "simd/operations.hpp"
 #include "simd/portable.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel::sse4_2 {
 
@@ -132,7 +133,7 @@ struct Floats {
   static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }
   static std::uint64_t bits(Mask mask) noexcept { return static_cast<std::uint32_t>(_mm_movemask_ps(mask)); }
   static unsigned lowest_bit(std::uint64_t word) noexcept {
-    return static_cast<unsigned>(__builtin_ctzll(word | std::uint64_t{1} << 63));
+    return static_cast<unsigned>(trailing_zeros(word | std::uint64_t{1} << 63));
   }
 
   static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }

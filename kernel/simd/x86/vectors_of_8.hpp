@@ -8,8 +8,10 @@
 
 #include <immintrin.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #ifndef xsimd
 #error "the header of an instruction set says what xsimd is called there"
@@ -40,7 +42,7 @@ struct EightFloatsOf {
   static Vector load_faces(const void* box) noexcept {
     const auto* const faces = static_cast<const float*>(box);
     double last_two;
-    __builtin_memcpy(&last_two, faces + 4, sizeof last_two);
+    std::memcpy(&last_two, faces + 4, sizeof last_two);
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(faces)), _mm_castpd_ps(_mm_set1_pd(last_two)), 1);
   }
   static void store(void* to, Vector a) noexcept { _mm256_storeu_ps(static_cast<float*>(to), a); }
@@ -96,7 +98,7 @@ struct EightFloatsOf {
   static Vector negate_unless(Mask mask, Vector a) noexcept {
     return _mm256_xor_ps(a, _mm256_andnot_ps(mask, all(-0.0F)));
   }
-  static Vector infinite_if_nan(Vector a) noexcept { return _mm256_min_ps(a, all(__builtin_inff())); }
+  static Vector infinite_if_nan(Vector a) noexcept { return _mm256_min_ps(a, all(INFINITY)); }
   static Vector minimum_of_bits(Vector a, Vector b) noexcept {
     return _mm256_castsi256_ps(_mm256_min_epu32(_mm256_castps_si256(a), _mm256_castps_si256(b)));
   }
