@@ -47,12 +47,17 @@
 
 #include <stdint.h>
 
-/* SHAFTCULL_SHARED comes with the CMake target, and with pkg-config's flags, where the library is a shared one. */
-#if defined(SHAFTCULL_SHARED) && defined(__GNUC__) && !defined(_WIN32)
-#define SHAFTCULL_API __attribute__((visibility("default")))
-#else
+/* SHAFTCULL_SHARED comes with the CMake target, and with pkg-config's flags, where the library is a shared one;
+   shaftcull_c_EXPORTS with the sources of a shared library that CMake builds. */
+#if !defined(SHAFTCULL_SHARED)
 /// Stands before each function: makes it visible in a shared library.
 #define SHAFTCULL_API
+#elif !defined(_WIN32)
+#define SHAFTCULL_API __attribute__((visibility("default")))
+#elif defined(shaftcull_c_EXPORTS)
+#define SHAFTCULL_API __declspec(dllexport)
+#else
+#define SHAFTCULL_API __declspec(dllimport)
 #endif
 
 #ifdef __cplusplus
