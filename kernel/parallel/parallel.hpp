@@ -37,23 +37,27 @@
 namespace shaftcull::kernel {
 
 /// Allocates whole cache lines, for T of any alignment up to that. Each thread keeps one small array that it freed,
-/// and reuses it.
+/// and reuses it, where it can free that at its end.
 template <class T>
 class CachingAllocator {
  public:
   [[nodiscard]] T* allocate(std::size_t count) {
-    Cached& cached = of_this_thread();
-    if (cached.items != nullptr && count <= cached.count) return std::exchange(cached.items, nullptr);
+    if constexpr (thread_objects_may_have_destructors) {
+      Cached& cached = of_this_thread();
+      if (cached.items != nullptr && count <= cached.count) return std::exchange(cached.items, nullptr);
+    }
     return static_cast<T*>(::operator new(count * sizeof(T), line));
   }
   void deallocate(T* items, std::size_t count) noexcept {
-    Cached& cached = of_this_thread();
-    if (cached.items == nullptr && count * sizeof(T) <= most_cached_bytes) {
-      cached.items = items;
-      cached.count = count;
-    } else {
-      ::operator delete(items, line);
+    if constexpr (thread_objects_may_have_destructors) {
+      Cached& cached = of_this_thread();
+      if (cached.items == nullptr && count * sizeof(T) <= most_cached_bytes) {
+        cached.items = items;
+        cached.count = count;
+        return;
+      }
     }
+    ::operator delete(items, line);
   }
 
  private:

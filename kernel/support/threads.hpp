@@ -30,4 +30,12 @@ using Lock = std::lock_guard<std::mutex>;
 
 #endif
 
+/// Whether objects of a thread may have destructors. On Windows, g++ keeps such objects in memory that is freed when
+/// the thread ends, before it destroys them.
+#if defined(__MINGW32__) && !defined(__clang__)
+inline constexpr bool thread_objects_may_have_destructors = false;
+#else
+inline constexpr bool thread_objects_may_have_destructors = true;
+#endif
+
 }  // namespace shaftcull::kernel
