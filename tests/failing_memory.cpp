@@ -2,7 +2,6 @@
 #include "failing_memory.hpp"
 
 #include <atomic>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -10,9 +9,8 @@
 #if __has_include(<dlfcn.h>)
 #include <dlfcn.h>
 #endif
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
+
+#include "aligned_heap.hpp"
 
 namespace shaftcull {
 namespace {
@@ -27,16 +25,8 @@ std::atomic<bool> any_failed = false;
 std::atomic<std::size_t> live = 0;
 std::atomic<std::size_t> peak = 0;
 
-std::size_t bytes_of([[maybe_unused]] void* memory) noexcept {
-#ifdef __GLIBC__
-  return memory == nullptr ? 0 : malloc_usable_size(memory);
-#else
-  return 0;
-#endif
-}
-
 void* counted(void* memory) noexcept {
-  const std::size_t now = live += bytes_of(memory);
+  const std::size_t now = live += allocated_bytes_of(memory);
   for (std::size_t before = peak; before < now && !peak.compare_exchange_weak(before, now);) {
   }
   return memory;
@@ -63,8 +53,7 @@ void* allocate(std::size_t bytes, std::size_t alignment, const void* caller) noe
     }
   }
   asked += bytes;
-  // aligned_alloc() wants a multiple of the alignment.
-  return counted(std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment));
+  return counted(allocate_aligned(bytes, alignment));
 }
 
 void* allocate_or_throw(std::size_t bytes, std::size_t alignment, const void* caller) {
@@ -75,8 +64,8 @@ void* allocate_or_throw(std::size_t bytes, std::size_t alignment, const void* ca
 
 /// Not inlined: where only operator delete is, g++ takes the pair for a mismatched one.
 [[gnu::noinline]] void release(void* memory) noexcept {
-  live -= bytes_of(memory);
-  std::free(memory);
+  live -= allocated_bytes_of(memory);
+  free_aligned(memory);
 }
 
 constexpr std::size_t usual = alignof(std::max_align_t);

@@ -2,9 +2,6 @@
 /// Memory that ends where the process may not read.
 #pragma once
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -13,32 +10,28 @@
 #include <tuple>
 #include <vector>
 
+#include "pages.hpp"
+
 namespace shaftcull {
 
 /// A copy of some floats whose last one lies just before a page that cannot be touched.
 class GuardedFloats {
  public:
-  explicit GuardedFloats(const std::vector<float>& floats) {
-    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    const std::size_t bytes = floats.size() * sizeof(float);
-    const std::size_t room = (bytes + page - 1) / page * page;
-    size_ = room + page;
-    memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory_ == MAP_FAILED) throw std::bad_alloc();
-    char* const end = static_cast<char*>(memory_) + room;
-    mprotect(end, page, PROT_NONE);
-    floats_ = reinterpret_cast<float*>(end - bytes);
-    if (bytes != 0) std::memcpy(floats_, floats.data(), bytes);
-  }
-  ~GuardedFloats() { munmap(memory_, size_); }
-  GuardedFloats(const GuardedFloats&) = delete;
-  GuardedFloats& operator=(const GuardedFloats&) = delete;
+  explicit GuardedFloats(const std::vector<float>& floats)
+      : GuardedFloats(floats, floats.size() * sizeof(float), Pages::page_bytes()) {}
 
   [[nodiscard]] const float* floats() const noexcept { return floats_; }
 
  private:
-  void* memory_;
-  std::size_t size_;
+  GuardedFloats(const std::vector<float>& floats, std::size_t bytes, std::size_t page)
+      : pages_((bytes + page - 1) / page * page + page) {
+    const std::size_t end = pages_.bytes().size() - page;
+    if (!pages_.forbid_from(end)) throw std::bad_alloc();
+    floats_ = reinterpret_cast<float*>(pages_.bytes().data() + end - bytes);
+    if (bytes != 0) std::memcpy(floats_, floats.data(), bytes);
+  }
+
+  Pages pages_;
   float* floats_;
 };
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// The program `shaftcull`.
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -13,7 +10,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -25,6 +21,7 @@
 #include "name_search.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/version.hpp"
+#include "standard_streams.hpp"
 #include "subcommand.hpp"
 
 namespace {
@@ -56,15 +53,6 @@ int finish_output(int code) {
   return complain(fmt::format("standard output cannot be written{}", why), exit_failure);
 }
 
-/// Opens standard streams that the program was started without. Otherwise the first file that it opens would get the
-/// number of one of them, and be written to as standard output.
-void open_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // Opened for the wrong direction, so that using it fails, as using a closed one does.
-    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-  }
-}
-
 /// What is wrong with a command line that names no subcommand.
 std::string missing_subcommand(const CLI::App& program) {
   std::vector<std::string> names;
@@ -88,12 +76,12 @@ std::string missing_subcommand(const CLI::App& program) {
 
 /// Reports options that cannot be used. Of processes that were launched together, with the same ones, the first does
 /// so; the others end well, or the launcher might end the first before it has.
-int complain_of_options(int argc, char** argv, const std::string& what) {
-  const bool batch = argc > 1 && std::string_view(argv[1]) == "batch";
+int complain_of_options(const std::vector<std::string>& words, const std::string& what) {
+  const bool batch = words.size() > 1 && words[1] == "batch";
   return batch && shaftcull::batch::launch().process != 0 ? exit_ok : complain(what, exit_bad_input);
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& words) {
   CLI::App program{"Shaft culling: which of millions of bounds may lie between two boxes?", "shaftcull"};
   program.set_version_flag("--version", version, "Tell the version, and which instruction set runs");
   program.require_subcommand(1);
@@ -103,14 +91,14 @@ int run(int argc, char** argv) {
       "SIGTERM ended demo, verify or hash, which then show what they have, sees or batch; 1 after any other failure.");
   for (const auto add : subcommands) add(program);
   try {
-    program.parse(argc, argv);
+    // The last one first, without the name of the program.
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
       const bool known = !program.get_subcommands().empty();
       return complain_of_options(
-          argc, argv,
-          fmt::format("{} (see shaftcull {}--help)", known ? error.what() : missing_subcommand(program),
-                      known ? program.get_subcommands().front()->get_name() + ' ' : ""));
+          words, fmt::format("{} (see shaftcull {}--help)", known ? error.what() : missing_subcommand(program),
+                             known ? program.get_subcommands().front()->get_name() + ' ' : ""));
     }
     std::ostringstream text;
     program.exit(error, text, text);
@@ -122,15 +110,17 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::vector<std::string> words;
   try {
-    open_standard_streams();
-    return run(argc, argv);
+    prepare_standard_streams();
+    words = command_line(argc, argv);
+    return run(words);
   } catch (const Interrupted& interrupted) {
     return finish_output(complain(interrupted.what(), 128 + interrupted.signal()));
   } catch (const EarlyExit& exit) {
     return exit.code();
   } catch (const std::invalid_argument& error) {
-    return complain_of_options(argc, argv, error.what());
+    return complain_of_options(words, error.what());
   } catch (const std::bad_alloc&) {
     return complain("out of memory; ask for fewer bounds or shafts", exit_failure);
   } catch (const std::exception& error) {

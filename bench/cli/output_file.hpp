@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "output_place.hpp"
 
 namespace shaftcull::cli {
 
@@ -37,7 +40,7 @@ class OutputFile {
   explicit OutputFile(std::string path);
   /// Of a file that others write into, under the name `part` on the same file system, until it is finished. What is
   /// called so is removed before.
-  OutputFile(std::string path, std::string part);
+  OutputFile(std::string path, const std::string& part);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
@@ -49,16 +52,16 @@ class OutputFile {
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// Where bytes that will be part of it may be kept: beside it, or if it is a stream where temporary files are.
-  [[nodiscard]] const std::string& folder() const noexcept { return folder_; }
+  [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
 
  private:
-  /// Takes the open file; if it is none, says why.
-  void begin(int file);
+  /// If it could not be opened, says why.
+  void begin();
 
   std::string path_;
-  std::string folder_;
-  std::string part_;   ///< the name until it is finished; empty if there is none to remove
-  std::string final_;  ///< the name that it gets: the path behind all symbolic links
+  OutputPlace place_;
+  std::filesystem::path folder_;
+  std::filesystem::path part_;  ///< the name until it is finished; empty if there is none to remove
   std::unique_ptr<std::FILE, CloseFile> file_;
 };
 

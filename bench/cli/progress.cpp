@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "progress.hpp"
 
-#include <unistd.h>
+#include "standard_streams.hpp"
 
 namespace shaftcull::cli {
 namespace {
@@ -9,7 +9,7 @@ constexpr auto pause_on_terminal = std::chrono::milliseconds(100);
 constexpr auto pause_elsewhere = std::chrono::seconds(5);
 }  // namespace
 
-Progress::Progress() : Progress(stderr, isatty(STDERR_FILENO) == 1, Clock::now()) {}
+Progress::Progress() : Progress(stderr, errors_go_to_terminal(), Clock::now()) {}
 
 Progress::Progress(std::FILE* file, bool is_terminal, Clock::time_point now)
     : file_(file), terminal_(is_terminal), last_(now) {}

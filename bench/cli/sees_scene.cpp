@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sees_scene.hpp"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "mesh_parts.hpp"
+#include "name_pattern.hpp"
 #include "name_search.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/triangles.hpp"
@@ -31,7 +30,7 @@ std::vector<bool> objects_of(const MeshScene& mesh, std::span<const std::string>
     }
     bool found = false;
     for (std::size_t i = 0; i < mesh.names.size(); ++i) {
-      if (fnmatch(name.c_str(), mesh.names[i].c_str(), 0) != 0) continue;
+      if (!matches(name, mesh.names[i])) continue;
       chosen[i] = true;
       found = true;
     }

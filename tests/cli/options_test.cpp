@@ -133,36 +133,5 @@ TEST(CliBoxes, CornersInTheWrongOrderAreNamed) {
   EXPECT_THAT(refusal_of({"draw", "--from", "0,0,5,1,1,1"}), HasSubstr("lo z = 5 is greater than hi z = 1"));
 }
 
-/// Whatever writes to standard output.
-const std::vector<std::vector<std::string>> writers{{"--help"},
-                                                    {"--version"},
-                                                    {"draw", "--help"},
-                                                    {"draw"},
-                                                    {"draw", "--size", "400"},
-                                                    {"draw", "--svg"},
-                                                    {"stats", "--shafts", "1"},
-                                                    {"verify", "--cases", "100"},
-                                                    {"hash", "--quick", "--family", "solids"},
-                                                    {"sees", "--rooms", "1", "--patches", "4"},
-                                                    {"demo", "--bounds", "100", "--frames", "1"}};
-
-TEST(CliOutput, ThatCannotBeWrittenIsAnError) {
-  for (const std::vector<std::string>& arguments : writers) {
-    SCOPED_TRACE(testing::PrintToString(arguments));
-    const Outcome full = run_program(arguments, "", ">/dev/full");
-    EXPECT_EQ(full.exit_code, 1);
-    EXPECT_THAT(full.error, HasSubstr("shaftcull: standard output cannot be written"));
-    const Outcome closed = run_program(arguments, "", ">&-");
-    EXPECT_EQ(closed.exit_code, 1);
-    EXPECT_THAT(closed.error, HasSubstr("shaftcull: standard output cannot be written"));
-  }
-}
-
-TEST(CliOutput, ErrorsThatNobodyCanReadKeepTheirExitCode) {
-  EXPECT_EQ(run_program({"fly"}, "", "2>/dev/full").exit_code, 2);
-  EXPECT_EQ(run_program({"draw"}, "SHAFTCULL_ISA=mmx", "2>/dev/full").exit_code, 0);
-  EXPECT_EQ(run_program({"demo", "--bounds", "100", "--frames", "1"}, "", "2>/dev/full").exit_code, 0);
-}
-
 }  // namespace
 }  // namespace shaftcull::test

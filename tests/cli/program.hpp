@@ -2,8 +2,6 @@
 /// The program `shaftcull`, run from outside as a user runs it.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,8 +16,13 @@ struct Outcome {
   std::string error;
 };
 
-/// Runs the program of the environment variable SHAFTCULL_CLI, or else of this build. `environment` holds
-/// assignments, "NAME=value"; `redirection` sends standard output elsewhere, ">/dev/full".
+/// The program of the environment variable SHAFTCULL_CLI, or else of this build.
+[[nodiscard]] std::string program_path();
+
+[[nodiscard]] std::string bytes_of_file(const std::string& path);
+
+/// Runs that program. `environment` is an assignment, "NAME=value"; in a POSIX shell it may be several, or other
+/// commands. `redirection`, which only such a shell does, sends standard output elsewhere, ">/dev/full".
 [[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments, const std::string& environment = "",
                                   const std::string& redirection = "");
 
@@ -51,33 +54,10 @@ class ScratchFolder {
 
   /// Writes a file and returns its path.
   [[nodiscard]] std::string write(const std::string& name, std::string_view content) const;
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.string() + '/' + name; }
 
  private:
   std::filesystem::path folder_;
-};
-
-/// The program while it runs, to send it signals. It is killed at the end if it still runs.
-class RunningProgram {
- public:
-  explicit RunningProgram(const std::vector<std::string>& arguments);
-  RunningProgram(const RunningProgram&) = delete;
-  RunningProgram& operator=(const RunningProgram&) = delete;
-  ~RunningProgram();
-
-  /// Reads standard error until `text` has come. False if it ends without.
-  [[nodiscard]] bool wait_for(std::string_view text);
-  void send(int signal) const;
-  /// Waits for the end. The exit code of a program that a signal ended is -1.
-  [[nodiscard]] Outcome finish();
-
- private:
-  bool read_error();
-
-  ScratchFolder folder_;
-  std::string error_;
-  int error_pipe_ = -1;
-  pid_t process_ = -1;
 };
 
 }  // namespace shaftcull::test

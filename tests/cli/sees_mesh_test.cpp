@@ -130,5 +130,9 @@ TEST_F(CliSeesMesh, TrianglesWithoutAnAreaGiveNoPatches) {
   EXPECT_THAT(refusal_of({"sees", line}), HasSubstr("no triangle has an area"));
 }
 
+TEST_F(CliSeesMesh, AFileIsTakenByOptionToo) {
+  EXPECT_THAT(refusal_of({"sees", "--scene", "none.obj"}), HasSubstr("none.obj: there is no such file"));
+}
+
 }  // namespace
 }  // namespace shaftcull::test

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "environment.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
 
@@ -29,11 +30,7 @@ bool is_available(Isa isa) {
 
 /// Says on standard error what is chosen with SHAFTCULL_ISA set to `wanted`, or left alone if that is null.
 [[noreturn]] void say_choice(const char* wanted) {
-  if (wanted == nullptr) {
-    unsetenv("SHAFTCULL_ISA");
-  } else {
-    setenv("SHAFTCULL_ISA", wanted, 1);
-  }
+  set_environment("SHAFTCULL_ISA", wanted);
   std::cerr << "chosen: " << name(active_isa()) << '.';
   const IsaChoice choice = isa_choice();
   std::cerr << " asked: " << choice.asked << ". running: " << name(choice.running) << ". refused: " << choice.refusal

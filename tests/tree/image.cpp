@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <bit>
@@ -24,6 +23,7 @@
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/cases/triangles.hpp"
+#include "pages.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/query.hpp"
@@ -37,25 +37,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-/// Memory of whole pages. It can be made such that whoever writes to it ends the program.
-class Pages {
- public:
-  explicit Pages(std::size_t bytes)
-      : bytes_(bytes), memory_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
-    if (memory_ == MAP_FAILED) throw std::bad_alloc();
-  }
-  Pages(const Pages&) = delete;
-  Pages& operator=(const Pages&) = delete;
-  ~Pages() { munmap(memory_, bytes_); }
-
-  [[nodiscard]] std::span<std::byte> bytes() const { return {static_cast<std::byte*>(memory_), bytes_}; }
-  void forbid_writing() const { ASSERT_EQ(mprotect(memory_, bytes_, PROT_READ), 0); }
-
- private:
-  std::size_t bytes_;
-  void* memory_;
-};
 
 template <class Tree>
 std::vector<std::byte> image_of(const Tree& tree) {
@@ -147,7 +128,7 @@ TYPED_TEST(TreeImages, AnswerAsTheTreesThatWereWritten) {
     }
     const Pages pages(image_bytes(tree));
     write_image(tree, pages.bytes());
-    pages.forbid_writing();
+    ASSERT_TRUE(pages.forbid_writing());
     const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
     for (const ImageCheck check : {ImageCheck::all, ImageCheck::header}) {
       TreeInImage<TypeParam> image(pages.bytes(), check);
@@ -165,7 +146,7 @@ TYPED_TEST(TreeImages, AnswerQuestionsAboutLayersAndCandidates) {
   tree.set_layers(layers);
   const Pages pages(image_bytes(tree));
   write_image(tree, pages.bytes());
-  pages.forbid_writing();
+  ASSERT_TRUE(pages.forbid_writing());
   const TreeInImage<TypeParam> image(pages.bytes());
   using Index = IndexOf<TypeParam>;
   const std::uint32_t two_layers[] = {5};
@@ -189,7 +170,7 @@ TYPED_TEST(TreeImages, CopiesOfTheTreeOwnTheirMemory) {
   auto tree = tree_of<TypeParam>(bounds);
   std::optional<Pages> pages(std::in_place, image_bytes(tree));
   write_image(tree, pages->bytes());
-  pages->forbid_writing();
+  ASSERT_TRUE(pages->forbid_writing());
   TypeParam copy = TreeInImage<TypeParam>(pages->bytes()).tree();
   pages.reset();
   const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
@@ -262,7 +243,7 @@ TEST(TriangleTreeImages, AnswerAsTheTreesThatWereWritten) {
     const TriangleTree tree{std::span(triangles)};
     std::optional<Pages> pages(std::in_place, image_bytes(tree));
     write_image(tree, pages->bytes());
-    pages->forbid_writing();
+    ASSERT_TRUE(pages->forbid_writing());
     const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
     std::optional<TriangleTree> copy;
     {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "file_path.hpp"
 #include "report/json_text.hpp"
 #include "shaftcull/error.hpp"
 
@@ -96,7 +97,7 @@ std::optional<double> BenchSummary::speed(const std::string& name) const {
 
 BenchSummary read_summary(const std::string& path) {
   constexpr const char* remedy = "; make one with ./cmake/run bench";
-  std::ifstream file(path);
+  std::ifstream file(file_path(path), std::ios::binary);
   if (!file) throw InvalidArgument(fmt::format("--in {}: there is no such file, or it cannot be read{}", path, remedy));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) throw InvalidArgument(fmt::format("--in {}: it cannot be read{}", path, remedy));
