@@ -13,7 +13,7 @@ update=
 if [[ ${1:-} == --update ]]; then update=yes && shift; fi
 source=$1
 program=("${@:2}")
-printed=$("${program[@]}") || { echo "${program[*]} ended with an error" && exit 1; }
+printed=$(set -o pipefail && "${program[@]}" | tr -d '\r') || { echo "${program[*]} ended with an error" && exit 1; }
 
 # part NAME: the lines of the source between [[NAME]] and [[end]].
 part() {

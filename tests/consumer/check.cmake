@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the library below WORK, builds the consumer against what is installed there, and checks what it prints.
-# Given: BUILD (the library's build tree), WORK, CONFIG, GENERATOR, COMPILER, FLAGS; and for another processor TOOLCHAIN, a file of
-# CMake's, and EMULATOR, which runs programs.
+# Given: BUILD (the library's build tree), WORK, CONFIG, GENERATOR, COMPILER, FLAGS; for another processor TOOLCHAIN, a file of
+# CMake's, and EMULATOR, which runs programs; and SUFFIX, which names of programs end in.
 
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -9,6 +9,7 @@ function(run)
     list(JOIN ARGV " " command)
     message(FATAL_ERROR "${command}\nfailed with ${result}:\n${output}")
   endif()
+  string(REPLACE "\r\n" "\n" output "${output}")  # lines as Windows ends them
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
@@ -18,21 +19,22 @@ foreach(component IN ITEMS shaftcull_runtime shaftcull_development)
 endforeach()
 set(toolchain "")
 if(TOOLCHAIN)
-  set(toolchain -D CMAKE_TOOLCHAIN_FILE=${TOOLCHAIN})
+  # A toolchain may look for packages in its own folders alone.
+  set(toolchain -D CMAKE_TOOLCHAIN_FILE=${TOOLCHAIN} -D CMAKE_FIND_ROOT_PATH=${WORK}/prefix)
 endif()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_BUILD_TYPE=${CONFIG}
   -D CMAKE_RUNTIME_OUTPUT_DIRECTORY=${WORK}/bin -D CMAKE_RUNTIME_OUTPUT_DIRECTORY_${CONFIG}=${WORK}/bin
   -D CMAKE_PREFIX_PATH=${WORK}/prefix ${toolchain})
 run(${CMAKE_COMMAND} --build ${WORK}/build --config ${CONFIG})
-run(${EMULATOR} ${WORK}/bin/consumer)
+run(${EMULATOR} ${WORK}/bin/consumer${SUFFIX})
 if(NOT output STREQUAL "kept 1\n")
   message(FATAL_ERROR "the consumer printed \"${output}\" instead of \"kept 1\"")
 endif()
 
 # The same from C, where the C interface was built.
 if(EXISTS ${WORK}/prefix/include/shaftcull.h)
-  run(${EMULATOR} ${WORK}/bin/consumer_c)
+  run(${EMULATOR} ${WORK}/bin/consumer_c${SUFFIX})
   if(NOT output STREQUAL "kept 1\n")
     message(FATAL_ERROR "the consumer in C printed \"${output}\" instead of \"kept 1\"")
   endif()

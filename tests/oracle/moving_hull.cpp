@@ -63,11 +63,7 @@ Rational extreme_height(const RationalPlane& plane, const Box& box, int side) {
 }
 
 /// More than any t that matters: the largest float over the smallest.
-Rational no_end() {
-  Rational most = 1;
-  mpq_mul_2exp(most.get_mpq_t(), most.get_mpq_t(), 1000);
-  return most;
-}
+Rational no_end() { return Rational(1) << 1000U; }
 
 }  // namespace
 

@@ -75,6 +75,25 @@ inline float product(float a, float b) {
   return product;
 }
 
+/// a · b + c, rounded once: what std::fma() should be, and is not in mingw-w64's library. The product is exact in
+/// doubles. If their sum is not, its last digit is made odd, by which the float next to it is the right one.
+inline float fused(float a, float b, float c) {
+  const double x = double{a} * double{b};
+  const double y = c;
+  const volatile double sum = x + y;
+  const double s = sum;
+  if (!std::isfinite(s) || s == 0) return static_cast<float>(s);
+  const volatile double of_y = s - x;
+  const volatile double of_x = s - of_y;
+  const volatile double y_left = y - of_y;
+  const volatile double x_left = x - of_x;
+  const double left = x_left + y_left;
+  const auto digits = std::bit_cast<std::uint64_t>(s);
+  if (left == 0 || digits % 2 != 0) return static_cast<float>(s);
+  const bool is_farther_from_zero = (left > 0) == (s > 0);
+  return static_cast<float>(std::bit_cast<double>(is_farther_from_zero ? digits + 1 : digits - 1));
+}
+
 /// Runs check(a, b, c) with vectors of `width` floats, so that every pair of values, and many a triple, meets in some
 /// lane.
 template <class Check>

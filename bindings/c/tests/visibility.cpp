@@ -270,9 +270,9 @@ TEST(CVisibility, RefusalsSpeakOfWhatTheCallerWrote) {
   shaftcull_sight_counts counts;
   EXPECT_EQ(shaftcull_count_visibility(scene.c.get(), nullptr, scene.blockers_c.get(), &options, &counts),
             SHAFTCULL_INVALID_ARGUMENT);
-  EXPECT_THAT(shaftcull_error_message(),
-              testing::MatchesRegex("verdicts.0. = 4, of patches [0-9]+ and [0-9]+, is none of "
-                                    "SHAFTCULL_SIGHT_UNDECIDED, .* and SHAFTCULL_SIGHT_FACING_AWAY"));
+  EXPECT_THAT(shaftcull_error_message(), testing::AllOf(testing::StartsWith("verdicts[0] = 4, of patches "),
+                                                        testing::HasSubstr(", is none of SHAFTCULL_SIGHT_UNDECIDED, "),
+                                                        testing::EndsWith(" and SHAFTCULL_SIGHT_FACING_AWAY")));
   std::uint64_t bits = 0;
   EXPECT_EQ(shaftcull_visibility_bits(scene.c.get(), nullptr, scene.blockers_c.get(), nullptr, SHAFTCULL_SIGHT_CLEAR,
                                       &bits, 1, nullptr),
