@@ -155,6 +155,24 @@ called "cmake --build $work/project/build/arm64"
 called "--target test_same_bits"
 called "ctest --preset arm64"
 
+# For Windows, nothing is emulated or drawn: neither qemu nor gnuplot is asked for.
+action=(test --preset windows --only same_bits)
+windows_needs="libz-mingw-w64-dev libboost-dev"
+scenario="test of Windows, sudo"
+system apt-get dpkg-query sudo cmake ctest ninja
+run 0 INSTALLED="wine64 googletest libxsimd-dev libcli11-dev libfmt-dev nlohmann-json3-dev"
+called "apt-get install -qy --no-install-recommends g++-mingw-w64-x86-64-posix $windows_needs"
+not_called dpkg
+called "cmake --build $work/project/build/windows"
+called "--target test_same_bits"
+called "ctest --preset windows"
+
+scenario="test of Windows, neither root nor sudo"
+system apt-get dpkg-query cmake ctest ninja
+run 1 INSTALLED="wine64 googletest libxsimd-dev libcli11-dev libfmt-dev nlohmann-json3-dev"
+says "  apt-get update && apt-get install --no-install-recommends g++-mingw-w64-x86-64-posix $windows_needs"
+not_called cmake
+
 # The page: it is made in the project's folder, of what npm installs.
 action=(page)
 mkdir -p "$work/project/bindings/web/page"

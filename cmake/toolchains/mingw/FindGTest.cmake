@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+# GoogleTest of its sources (Debian: googletest), which the tests are built with.
+find_path(SHAFTCULL_GOOGLETEST_SOURCES googlemock/CMakeLists.txt PATHS /usr/src/googletest NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+mark_as_advanced(SHAFTCULL_GOOGLETEST_SOURCES)
+if(SHAFTCULL_GOOGLETEST_SOURCES AND NOT TARGET GTest::gmock)
+  set(INSTALL_GTEST OFF)
+  add_subdirectory(${SHAFTCULL_GOOGLETEST_SOURCES} ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
+endif()
+if(TARGET GTest::gmock)
+  set(GTest_FOUND TRUE)
+endif()
