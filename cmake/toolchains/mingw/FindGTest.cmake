@@ -4,6 +4,7 @@ find_path(SHAFTCULL_GOOGLETEST_SOURCES googlemock/CMakeLists.txt PATHS /usr/src/
 mark_as_advanced(SHAFTCULL_GOOGLETEST_SOURCES)
 if(SHAFTCULL_GOOGLETEST_SOURCES AND NOT TARGET GTest::gmock)
   set(INSTALL_GTEST OFF)
+  set(BUILD_SHARED_LIBS OFF)  # each DLL would have the compiler's libraries in it
   add_subdirectory(${SHAFTCULL_GOOGLETEST_SOURCES} ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
 endif()
 if(TARGET GTest::gmock)
