@@ -21,6 +21,7 @@ compile neon aarch64-linux-gnu-g++
 # loop SET FUNCTION: the longest loop that has no other one in it, of the function whose mangled name contains FUNCTION.
 loop() {
   awk -v name="$2" '
+    BEGIN { number = loops = 0 }
     /^_Z[^ ]*:/ && index($0, name) && !number { inside = 1; next }
     inside && /^[ \t]*\.size/ { inside = 0 }
     !inside { next }
