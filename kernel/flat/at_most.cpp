@@ -2,12 +2,12 @@
 /// count_at_most_many() and list_at_most_many(): a task tests its bounds tile by tile, each with those shafts only that
 /// have not found enough.
 #include <algorithm>
-#include <atomic>
 
 #include "dispatch/active_kernels.hpp"
 #include "flat/batch_job.hpp"
 #include "flat/index_writer.hpp"
 #include "parallel/parallel.hpp"
+#include "parallel/shared_number.hpp"
 #include "shaftcull/many.hpp"
 
 namespace shaftcull {
@@ -29,12 +29,12 @@ void count_some(std::span<const kernel::ShaftData> shafts, const View& bounds, s
       const View tile = bounds.slice(first, std::min(kernel::float_tile_bounds, block.end() - first));
       bool are_all_done = true;
       for (std::size_t s = group.first; s != group.end(); ++s) {
-        const std::atomic_ref<std::uint64_t> sum(counts[s]);
-        if (sum.load(std::memory_order_relaxed) >= most) continue;
+        const kernel::SharedNumber<std::uint64_t> sum(counts[s]);
+        if (sum.load() >= most) continue;
         are_all_done = false;
         std::uint64_t kept[words_for(kernel::float_tile_bounds)];
         test(shafts[s], tile.stream.data(), tile.count, kept, nullptr);
-        sum.fetch_add(kernels.set_bits.count(kept, words_for(tile.count)), std::memory_order_relaxed);
+        sum.add(kernels.set_bits.count(kept, words_for(tile.count)));
       }
       if (are_all_done) return;
       first += tile.count;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// count_many() and count_classified_many(): a task counts its own bits and adds the counts to the user's at the end.
 #include <algorithm>
-#include <atomic>
 
 #include "flat/batch_job.hpp"
 #include "parallel/parallel.hpp"
+#include "parallel/shared_number.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/many.hpp"
 
@@ -27,8 +27,8 @@ void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::
     job.test(block, group, {kept, words});
     for (std::size_t s = 0; s != group.size; ++s) {
       // Sums of integers do not depend on the order in which tasks get here.
-      const std::atomic_ref<std::uint64_t> sum(counts[group.first + s]);
-      sum.fetch_add(set_bits.count(kept + s * words, words), std::memory_order_relaxed);
+      const kernel::SharedNumber<std::uint64_t> sum(counts[group.first + s]);
+      sum.add(set_bits.count(kept + s * words, words));
     }
   });
 }
@@ -49,11 +49,11 @@ void count_classes(std::span<const CompiledShaft> shafts, const View& bounds, st
     std::uint64_t* const inside = kept + group.size * words;
     job.test(block, group, {kept, words}, {inside, words});
     for (std::size_t s = 0; s != group.size; ++s) {
-      const std::uint64_t insides = set_bits.count(inside + s * words, words);
-      const std::uint64_t overlaps = set_bits.count(kept + s * words, words) - insides;  // what is inside is kept
+      const std::size_t insides = set_bits.count(inside + s * words, words);
+      const std::size_t overlaps = set_bits.count(kept + s * words, words) - insides;  // what is inside is kept
       KeptCounts& sums = counts[group.first + s];
-      std::atomic_ref(sums.overlap).fetch_add(overlaps, std::memory_order_relaxed);
-      std::atomic_ref(sums.inside).fetch_add(insides, std::memory_order_relaxed);
+      kernel::SharedNumber(sums.overlap).add(overlaps);
+      kernel::SharedNumber(sums.inside).add(insides);
     }
   });
 }

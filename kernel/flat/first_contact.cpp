@@ -4,7 +4,6 @@
 #include "shaftcull/first_contact.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 
 #include "compiled/answers.hpp"
@@ -12,6 +11,7 @@
 #include "flat/batch_job.hpp"
 #include "flat/chunks.hpp"
 #include "parallel/parallel.hpp"
+#include "parallel/shared_number.hpp"
 #include "parallel/task_memory.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -36,14 +36,14 @@ void offer(kernel::FirstEntry<View>& first, const View& bounds, std::size_t from
 /// Makes bound `index` the first one that shaft s reaches, unless the one in `first` comes before it.
 template <class View>
 void hand_over(const kernel::ShaftData& shaft, const View& bounds, std::uint64_t index, std::uint64_t& first) noexcept {
-  const std::atomic_ref<std::uint64_t> best(first);
-  std::uint64_t other = best.load(std::memory_order_relaxed);
+  const kernel::SharedNumber<std::uint64_t> best(first);
+  std::uint64_t other = best.load();
   for (;;) {
     kernel::FirstEntry<View> both(shaft);
     both.offer(bounds.stream.data(), index, index);
     if (other != ContactInView::none) both.offer(bounds.stream.data(), other, other);
     if (both.index() == other) return;
-    if (best.compare_exchange_weak(other, index, std::memory_order_relaxed)) return;
+    if (best.exchange(other, index)) return;
   }
 }
 

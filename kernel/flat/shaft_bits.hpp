@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +11,7 @@
 
 #include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
+#include "parallel/shared_number.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull::kernel {
@@ -27,11 +27,11 @@ void find_by_shaft(std::size_t shafts, const View& bounds, std::span<std::uint64
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
     const std::uint64_t all = ~std::uint64_t{0} >> (group_shafts - group.size);
-    const std::atomic_ref<std::uint64_t> found(found_bits[g]);
+    const SharedNumber<std::uint64_t> found(found_bits[g]);
     for (std::size_t first = block.first; first != block.end();) {
       const View tile = bounds.slice(first, std::min(float_tile_bounds, block.end() - first));
       std::uint64_t found_here = 0;
-      std::uint64_t left = all & ~found.load(std::memory_order_relaxed);
+      std::uint64_t left = all & ~found.load();
       if (left == 0) return;
       for (; left != 0; left &= left - 1) {
         const auto s = static_cast<std::size_t>(std::countr_zero(left));
@@ -41,7 +41,7 @@ void find_by_shaft(std::size_t shafts, const View& bounds, std::span<std::uint64
             std::any_of(bits, bits + words_for(tile.count), [](std::uint64_t word) { return word != 0; });
         found_here |= std::uint64_t{is_any} << s;
       }
-      found.fetch_or(found_here, std::memory_order_relaxed);
+      found.set_bits(found_here);
       first += tile.count;
     }
   });

@@ -3,7 +3,6 @@
 #include "shaftcull/triangles.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
@@ -13,6 +12,7 @@
 #include "flat/shaft_bits.hpp"
 #include "kernels/table.hpp"
 #include "parallel/parallel.hpp"
+#include "parallel/shared_number.hpp"
 #include "parallel/task_memory.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
@@ -186,8 +186,8 @@ void count_many(std::span<const CompiledShaft> shafts, const TriangleView& trian
     kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
     job.test(block, group, {bits.get(), words});
     for (std::size_t s = 0; s != group.size; ++s) {
-      const std::atomic_ref<std::uint64_t> sum(kept_counts[group.first + s]);
-      sum.fetch_add(job.set_bits().count(bits.get() + s * words, words), std::memory_order_relaxed);
+      const kernel::SharedNumber<std::uint64_t> sum(kept_counts[group.first + s]);
+      sum.add(job.set_bits().count(bits.get() + s * words, words));
     }
   });
 }

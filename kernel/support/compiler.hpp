@@ -29,6 +29,8 @@
 
 #include <intrin.h>
 
+#include <atomic>
+
 // Multiply-adds are fused only where the code says so. Others are told by a flag (kernel/CMakeLists.txt).
 #pragma fp_contract(off)
 
@@ -69,6 +71,25 @@ SHAFTCULL_ALWAYS_INLINE inline void prefetch_to_read_later(const void* line) noe
 SHAFTCULL_ALWAYS_INLINE inline void prefetch_to_write(const void* line) noexcept { __builtin_prefetch(line, 1); }
 SHAFTCULL_ALWAYS_INLINE inline void prefetch_to_write_later(const void* line) noexcept {
   __builtin_prefetch(line, 1, 2);
+}
+
+/// Of a number that other threads use at the same time. Relaxed: no other access is put in order by it.
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline Number atomic_load(const Number* number) noexcept {
+  return __atomic_load_n(number, __ATOMIC_RELAXED);
+}
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline void atomic_add(Number* number, Number more) noexcept {
+  __atomic_fetch_add(number, more, __ATOMIC_RELAXED);
+}
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline void atomic_or(Number* number, Number bits) noexcept {
+  __atomic_fetch_or(number, bits, __ATOMIC_RELAXED);
+}
+/// Makes the number `wanted` if it is `expected`; otherwise, or for no reason, sets `expected` to what it is.
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline bool atomic_exchange(Number* number, Number& expected, Number wanted) noexcept {
+  return __atomic_compare_exchange_n(number, &expected, wanted, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
 }
 
 #ifdef SHAFTCULL_TARGET_SSE2
@@ -139,6 +160,23 @@ SHAFTCULL_ALWAYS_INLINE inline void prefetch_to_read_later(const void* line) noe
 SHAFTCULL_ALWAYS_INLINE inline void prefetch_to_write(const void* line) noexcept { prefetch_to_read(line); }
 SHAFTCULL_ALWAYS_INLINE inline void prefetch_to_write_later(const void* line) noexcept { prefetch_to_read_later(line); }
 #endif
+
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline Number atomic_load(const Number* number) noexcept {
+  return std::atomic_ref(const_cast<Number&>(*number)).load(std::memory_order_relaxed);
+}
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline void atomic_add(Number* number, Number more) noexcept {
+  std::atomic_ref(*number).fetch_add(more, std::memory_order_relaxed);
+}
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline void atomic_or(Number* number, Number bits) noexcept {
+  std::atomic_ref(*number).fetch_or(bits, std::memory_order_relaxed);
+}
+template <class Number>
+SHAFTCULL_ALWAYS_INLINE inline bool atomic_exchange(Number* number, Number& expected, Number wanted) noexcept {
+  return std::atomic_ref(*number).compare_exchange_weak(expected, wanted, std::memory_order_relaxed);
+}
 
 #ifdef SHAFTCULL_TARGET_SSE2
 SHAFTCULL_ALWAYS_INLINE inline void cpuid(std::uint32_t leaf, std::uint32_t (&registers)[4]) noexcept {

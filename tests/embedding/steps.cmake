@@ -73,6 +73,18 @@ macro(configure_for_processor cpu)
     -D PARENT_MORE=${with_hashes})
 endmacro()
 
+# configure_with_libcxx(version): likewise by clang 19 with a libc++ that `./cmake/run test` has unpacked; not optimised.
+macro(configure_with_libcxx version)
+  needs(clang++-19)
+  get_filename_component(libcxx ${BUILD}/../libcxx/${version}/usr/lib/llvm-${version} ABSOLUTE)
+  if(NOT EXISTS ${libcxx}/lib/libc++.a)
+    skip("${libcxx} has no libc++")
+  endif()
+  configure(clang++-19 -D "PARENT_OPTIONS=-O0 -nostdinc++ -nostdlib++ -isystem ${libcxx}/include/c++/v1"
+    -D "CMAKE_CXX_STANDARD_LIBRARIES=${libcxx}/lib/libc++.a ${libcxx}/lib/libc++abi.a -pthread"
+    -D SHAFTCULL_WITH_TBB=OFF)
+endmacro()
+
 # build(): builds what configure() made. The log must hold no warning.
 function(build)
   run(${CMAKE_COMMAND} --build "${WORK}/a parent" --parallel 2)
