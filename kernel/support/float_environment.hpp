@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include "support/compiler.hpp"
 
 #include "support/compiler.hpp"
 #include "support/exact_floats.hpp"

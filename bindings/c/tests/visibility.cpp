@@ -294,8 +294,9 @@ TEST(CVisibility, SolidsAreMergedAndInscribedAsInCpp) {
   Random random(1803);
   std::vector<Box> boxes;
   for (std::size_t i = 0; i != 30; ++i) {
+    const std::size_t row = i / 5 * (i % 7 == 0 ? 2 : 1);
     const float x = static_cast<float>(i % 5);
-    const float y = static_cast<float>(i / 5 * (i % 7 == 0 ? 2 : 1));
+    const float y = static_cast<float>(row);
     boxes.push_back({{x, y, 0}, {x + 1, y + 1, 3}});
   }
   const std::vector<Box> wanted = merged_boxes(boxes);
