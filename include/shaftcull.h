@@ -47,8 +47,8 @@
 
 #include <stdint.h>
 
-/* SHAFTCULL_SHARED comes with the CMake target, and with pkg-config's flags, where the library is a shared one;
-   shaftcull_c_EXPORTS with the sources of a shared library that CMake builds. */
+/* SHAFTCULL_SHARED comes with the CMake target, and with pkg-config's flags, where the library is a shared one. */
+/* shaftcull_c_EXPORTS comes with the sources of a shared library that CMake builds. */
 #if !defined(SHAFTCULL_SHARED)
 /// Stands before each function: makes it visible in a shared library.
 #define SHAFTCULL_API

@@ -57,9 +57,9 @@ continued { continued = /\\$/; print; next }
   gsub(/\/[\/*].*/, "", code)
   gsub(/"[^"]*"/, "", code)
   if (!open && body == 0 && code !~ /^ *}/) {
-    if (code ~ /^(class|struct) |^class alignas/) {
+    if (code ~ /^(class|struct) /) {
       class = code
-      sub(/^(class|struct) (alignas\([0-9]*\) )?/, "", class)
+      sub(/^(class|struct) (SHAFTCULL_EXPORT )?/, "", class)
       sub(/[ :;].*/, "", class)
     }
     if (!documented && !after_template && $0 !~ /\/\/\/<|\/\*\*</) {

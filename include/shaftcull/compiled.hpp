@@ -23,7 +23,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// What it holds is the library's own affair, and may change with any version and any processor: keep the boxes, not
 /// the bytes. Its members take some nanoseconds, never fail and allocate nothing; const ones are safe to call from many
 /// threads.
-class SHAFTCULL_API CompiledShaft {
+class SHAFTCULL_EXPORT CompiledShaft {
  public:
   /// Never formed. Writes 8 of the bytes: the others mean nothing until then.
   CompiledShaft() noexcept {
@@ -59,17 +59,17 @@ class SHAFTCULL_API CompiledShaft {
 
 /// Compiles a formed shaft, joining planes included. Never fails. Forming a Shaft and compiling it take some 180 ns
 /// together. No allocation; safe to call from many threads.
-[[nodiscard]] SHAFTCULL_API CompiledShaft compile(const Shaft& shaft) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Shaft& shaft) noexcept;
 
 /// Forms and compiles the shaft between boxes `a` and `b`, ready for queries in slab form: some 12 ns with AVX2.
 ///
 /// It answers everything and equals compile(Shaft(a, b)), but for joining planes, which are left pending as those of
 /// compile_batch() are. Throws InvalidArgument as the constructor of Shaft does, if a box is not finite or has lo > hi.
 /// No allocation; safe to call from many threads.
-[[nodiscard]] SHAFTCULL_API CompiledShaft compile(const Box& a, const Box& b);
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b);
 
 /// The same with a choice of what becomes of bounds that only touch the shaft: that of set_contact().
-[[nodiscard]] SHAFTCULL_API CompiledShaft compile(const Box& a, const Box& b, Contact contact);
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, Contact contact);
 
 /// Planes that compile_batch() adds to its shafts as Shaft::add_plane() would: those of a shaft's box a, then those of
 /// its box b. The planes of a patch and of what it faces, say.
@@ -95,8 +95,8 @@ struct BatchPlanes {
 /// or has lo > hi. Nothing is written then. O(pairs and planes); no allocation; safe to call from many threads.
 ///
 /// `contact` is that of all shafts: what becomes of bounds that only touch them (set_contact()).
-SHAFTCULL_API void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out,
-                                 const BatchPlanes& planes = {}, Contact contact = Contact::closed);
+SHAFTCULL_EXPORT void compile_batch(const BoxView& a, const BoxView& b, std::span<CompiledShaft> out,
+                                    const BatchPlanes& planes = {}, Contact contact = Contact::closed);
 
 /// Two boxes, by their positions in views.
 struct IndexPair {
@@ -109,13 +109,13 @@ struct IndexPair {
 /// same planes twice: {.a = planes, .b = planes}. Boxes that no pair names are not looked at, and may be anything;
 /// planes may not. Throws InvalidArgument if `pairs` and `out` differ in size, for the first pair with an index that is
 /// not below the number of boxes, and as above.
-SHAFTCULL_API void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs,
-                                 std::span<CompiledShaft> out, const BatchPlanes& planes = {},
-                                 Contact contact = Contact::closed);
+SHAFTCULL_EXPORT void compile_batch(const BoxView& a, const BoxView& b, std::span<const IndexPair> pairs,
+                                    std::span<CompiledShaft> out, const BatchPlanes& planes = {},
+                                    Contact contact = Contact::closed);
 
 /// Computes pending joining planes, some 65 ns; does nothing to a shaft that has them, or that was never formed. No
 /// allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
-SHAFTCULL_API void complete(CompiledShaft& shaft) noexcept;
+SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 
 /// Chooses what becomes of bounds that only touch a shaft, between two boxes or of a moving box (kinds.hpp). All
 /// questions follow it, in both forms, of views and of trees: bits, counts, lists, callbacks, refining. Answers are
@@ -134,8 +134,8 @@ SHAFTCULL_API void complete(CompiledShaft& shaft) noexcept;
 /// Some 10 ns a shaft; may be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that
 /// was never formed and for a convex hull (hull.hpp), which has closed contact only, by its position; and if `contact`
 /// is none of Contact. No allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
-SHAFTCULL_API void set_contact(CompiledShaft& shaft, Contact contact);
+SHAFTCULL_EXPORT void set_contact(CompiledShaft& shaft, Contact contact);
 /// Likewise for all of `shafts`.
-SHAFTCULL_API void set_contact(std::span<CompiledShaft> shafts, Contact contact);
+SHAFTCULL_EXPORT void set_contact(std::span<CompiledShaft> shafts, Contact contact);
 
 }  // namespace shaftcull

@@ -42,89 +42,90 @@ enum class Form : std::uint8_t {
 
 /// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft. Bits past
 /// the last bound in the last word are zero. `kept` must have exactly words_for(count of the view) words.
-SHAFTCULL_API void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
-                        Form form = Form::fastest);
-SHAFTCULL_API void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
-                        Form form = Form::fastest);
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
+                           Form form = Form::fastest);
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
+                           Form form = Form::fastest);
 
 /// Classifies: `kept` as in cull(), and bit i of `inside` set iff bound i is fully inside the shaft (and of
 /// every added plane). The three answers are outside = not kept, inside, and overlap = kept and not inside.
 /// Inside is always decided by planes. Both spans have words_for(count of the view) words and share no memory.
-SHAFTCULL_API void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
-                            std::span<std::uint64_t> inside, Form form = Form::fastest);
-SHAFTCULL_API void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
-                            std::span<std::uint64_t> inside, Form form = Form::fastest);
+SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
+                               std::span<std::uint64_t> inside, Form form = Form::fastest);
+SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
+                               std::span<std::uint64_t> inside, Form form = Form::fastest);
 
 /// Sets bit i of `inside` as classify() does, without deciding which of the others are outside: the only question that
 /// a shaft formed for inside alone answers. `inside` has words_for(count of the view) words.
-SHAFTCULL_API void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside);
-SHAFTCULL_API void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
+SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside);
+SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
 
 /// How many bounds the shaft keeps.
-[[nodiscard]] SHAFTCULL_API std::size_t count(const CompiledShaft& shaft, const BoxView& boxes,
-                                              Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t count(const CompiledShaft& shaft, const SphereView& spheres,
-                                              Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const BoxView& boxes,
+                                                 Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const SphereView& spheres,
+                                                 Form form = Form::fastest);
 
 /// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many, as any(). To learn
 /// whether there are more than n, ask for n + 1.
-[[nodiscard]] SHAFTCULL_API std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes,
-                                                      std::size_t most, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres,
-                                                      std::size_t most, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes,
+                                                         std::size_t most, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres,
+                                                         std::size_t most, Form form = Form::fastest);
 
 /// How many bounds overlap the shaft, and how many are inside.
-[[nodiscard]] SHAFTCULL_API KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes,
-                                                        Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres,
-                                                        Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes,
+                                                           Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres,
+                                                           Form form = Form::fastest);
 
 /// Writes the indices of the bounds that the shaft keeps, ascending, and returns how many there are; results.hpp says
 /// what happens if they do not fit. Throws InvalidArgument if there are more bounds than 32-bit indices can tell apart.
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
-                                             std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
-                                             std::span<std::uint64_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
-                                             std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
-                                             std::span<std::uint64_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
+                                                std::span<std::uint32_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
+                                                std::span<std::uint64_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
+                                                std::span<std::uint32_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
+                                                std::span<std::uint64_t> kept, Form form = Form::fastest);
 
 /// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
 /// there, as any(), and does not say whether there are more. Throws InvalidArgument as list().
-[[nodiscard]] SHAFTCULL_API std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
-                                                     std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
-                                                     std::span<std::uint64_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
-                                                     std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
-                                                     std::span<std::uint64_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
+                                                        std::span<std::uint32_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
+                                                        std::span<std::uint64_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
+                                                        std::span<std::uint32_t> kept, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
+                                                        std::span<std::uint64_t> kept, Form form = Form::fastest);
 
 /// As list(), but bounds that overlap and bounds inside apart. The two spans share no memory.
-[[nodiscard]] SHAFTCULL_API KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
-                                                       std::span<std::uint32_t> overlap,
-                                                       std::span<std::uint32_t> inside, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
-                                                       std::span<std::uint64_t> overlap,
-                                                       std::span<std::uint64_t> inside, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
-                                                       std::span<std::uint32_t> overlap,
-                                                       std::span<std::uint32_t> inside, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
-                                                       std::span<std::uint64_t> overlap,
-                                                       std::span<std::uint64_t> inside, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
+                                                          std::span<std::uint32_t> overlap,
+                                                          std::span<std::uint32_t> inside, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
+                                                          std::span<std::uint64_t> overlap,
+                                                          std::span<std::uint64_t> inside, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
+                                                          std::span<std::uint32_t> overlap,
+                                                          std::span<std::uint32_t> inside, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
+                                                          std::span<std::uint64_t> overlap,
+                                                          std::span<std::uint64_t> inside, Form form = Form::fastest);
 
 /// Whether the shaft keeps any bound. Looks at bounds from the first on, in chunks of 512 at first and of 16,384 at
 /// most, and stops after the first chunk of which one is kept.
-[[nodiscard]] SHAFTCULL_API bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API bool any(const CompiledShaft& shaft, const SphereView& spheres, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const SphereView& spheres,
+                                        Form form = Form::fastest);
 
 /// Clears the bits of bounds that are in none of some layers, as trees leave them out (ExcludingOf::only_layers): bit i
 /// stays set iff layers[i] & only_layers is not 0. `bits` are any that a call for one shaft wrote, or a row of those
 /// for many: words_for(layers.size()) words. Throws InvalidArgument for another size, or if the two spans share memory.
-SHAFTCULL_API void keep_layers(std::span<std::uint64_t> bits, std::span<const std::uint32_t> layers,
-                               std::uint32_t only_layers);
+SHAFTCULL_EXPORT void keep_layers(std::span<std::uint64_t> bits, std::span<const std::uint32_t> layers,
+                                  std::uint32_t only_layers);
 
 /// What a shaft says of one bound.
 enum class Answer : std::uint8_t {
@@ -136,11 +137,11 @@ enum class Answer : std::uint8_t {
 /// Whether the shaft keeps this one bound. Some 20 ns for a box with AVX2, about half of what a view of one box takes:
 /// a loop over a few bounds that lie about in memory need not make a view of them first. Of many, cull() of a view
 /// takes a hundredth of that for each.
-[[nodiscard]] SHAFTCULL_API bool cull(const CompiledShaft& shaft, const Box& box);
-[[nodiscard]] SHAFTCULL_API bool cull(const CompiledShaft& shaft, const Sphere& sphere);
+[[nodiscard]] SHAFTCULL_EXPORT bool cull(const CompiledShaft& shaft, const Box& box);
+[[nodiscard]] SHAFTCULL_EXPORT bool cull(const CompiledShaft& shaft, const Sphere& sphere);
 
 /// Which of the three answers the shaft has for this one bound.
-[[nodiscard]] SHAFTCULL_API Answer classify(const CompiledShaft& shaft, const Box& box);
-[[nodiscard]] SHAFTCULL_API Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
+[[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Box& box);
+[[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
 
 }  // namespace shaftcull

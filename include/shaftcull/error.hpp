@@ -19,7 +19,7 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// An argument broke a rule of the function that was called; nothing was changed.
-class SHAFTCULL_API InvalidArgument : public std::invalid_argument {
+class SHAFTCULL_EXPORT InvalidArgument : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
   InvalidArgument(const InvalidArgument&) = default;
@@ -30,7 +30,7 @@ class SHAFTCULL_API InvalidArgument : public std::invalid_argument {
 /// A bound or point in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent, or a value
 /// that is not finite where the call needs finite ones. Of a batch of shafts (kinds.hpp): the first that cannot be
 /// formed.
-class SHAFTCULL_API BadBound : public InvalidArgument {
+class SHAFTCULL_EXPORT BadBound : public InvalidArgument {
  public:
   /// `index` is what index() tells, and `what` the message.
   BadBound(std::size_t index, const std::string& what) : InvalidArgument(what), index_(index) {}
@@ -46,7 +46,7 @@ class SHAFTCULL_API BadBound : public InvalidArgument {
 
 /// A tree was asked after update() by index and before refit(). Not an InvalidArgument: the arguments are fine, the
 /// order of calls is not. The tree stays as it is; call refit() or rebuild() and ask again.
-class SHAFTCULL_API NeedsRefit : public std::logic_error {
+class SHAFTCULL_EXPORT NeedsRefit : public std::logic_error {
  public:
   using std::logic_error::logic_error;
   NeedsRefit(const NeedsRefit&) = default;
@@ -60,6 +60,6 @@ using ErrorHandler = void (*)(const std::exception& error);
 
 /// Sets the handler, and returns the one before. Null, as at first: the message goes to standard error, and the program
 /// ends. Builds with exceptions never call it. Safe to call from any thread.
-SHAFTCULL_API ErrorHandler set_error_handler(ErrorHandler handler) noexcept;
+SHAFTCULL_EXPORT ErrorHandler set_error_handler(ErrorHandler handler) noexcept;
 
 }  // namespace shaftcull

@@ -59,46 +59,46 @@ struct FirstContactOf {
 using FirstContact = FirstContactOf<std::uint32_t>;
 
 /// First contact among the bounds of a view. O(count).
-[[nodiscard]] SHAFTCULL_API FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft,
-                                                                        const BoxView& boxes,
-                                                                        Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_API FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft,
-                                                                        const SphereView& spheres,
-                                                                        Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft,
+                                                                           const BoxView& boxes,
+                                                                           Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft,
+                                                                           const SphereView& spheres,
+                                                                           Form form = Form::fastest);
 
 /// First contact among the bounds of a tree. Visits near nodes first and no node that is reached later than the first
 /// bound found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API FirstContactOf<Index> first_contact(
+[[nodiscard]] SHAFTCULL_EXPORT FirstContactOf<Index> first_contact(
     const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
 /// fewer.
-SHAFTCULL_API void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                      std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
-SHAFTCULL_API void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                      std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                         std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                         std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                      std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
-                                      const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                         std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
+                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Entry times of bounds that a list names: times[i] becomes that of bound indices[i], rounded down, or +∞ if the shaft
 /// does not keep it. Indices are positions in the view, or the user's indices in a tree. O(indices.size()), some 50 ns
 /// for a box and 400 ns for a sphere. Throws InvalidArgument for an index not below the number of bounds, unless there
 /// are as many times as indices, if the two share memory, or as count(), and NeedsRefit for a tree that needs a refit.
 /// Allocates nothing, but for a tree what refine() allocates.
-SHAFTCULL_API void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint32_t> indices,
-                               std::span<float> times);
-SHAFTCULL_API void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> indices,
-                               std::span<float> times);
-SHAFTCULL_API void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
-                               std::span<const std::uint32_t> indices, std::span<float> times);
-SHAFTCULL_API void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
-                               std::span<const std::uint64_t> indices, std::span<float> times);
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoxView& boxes,
+                                  std::span<const std::uint32_t> indices, std::span<float> times);
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoxView& boxes,
+                                  std::span<const std::uint64_t> indices, std::span<float> times);
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
+                                  std::span<const std::uint32_t> indices, std::span<float> times);
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
+                                  std::span<const std::uint64_t> indices, std::span<float> times);
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                               std::type_identity_t<std::span<const Index>> indices, std::span<float> times);
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                  std::type_identity_t<std::span<const Index>> indices, std::span<float> times);
 
 }  // namespace shaftcull

@@ -16,21 +16,21 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// The smallest box around all points; the empty box if there are none. Throws BadBound for the first point with a NaN,
 /// InvalidArgument for a null span that is not empty. O(points.size()).
-[[nodiscard]] SHAFTCULL_API Box box_around(std::span<const Vec3> points);
+[[nodiscard]] SHAFTCULL_EXPORT Box box_around(std::span<const Vec3> points);
 
 /// The smallest box around both. The empty box adds nothing. Coordinates must not be NaN.
-[[nodiscard]] SHAFTCULL_API Box joined(const Box& a, const Box& b) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT Box joined(const Box& a, const Box& b) noexcept;
 
 /// The box moved by a vector: the smallest box of floats that contains the exact result, so lo is rounded down and hi
 /// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite. Coordinates must not be NaN. A face
 /// that would pass the largest float becomes infinite, which no Shaft takes.
 ///
 /// What a box sweeps over is swept() (kinds.hpp), which rounds nothing.
-[[nodiscard]] SHAFTCULL_API Box translated(const Box& box, const Vec3& by);
+[[nodiscard]] SHAFTCULL_EXPORT Box translated(const Box& box, const Vec3& by);
 
 /// The box with every face moved out by a distance, rounded outwards as in translated(). The empty box stays empty.
 /// Throws InvalidArgument if `by` is negative or not finite. Coordinates must not be NaN.
-[[nodiscard]] SHAFTCULL_API Box inflated(const Box& box, float by);
+[[nodiscard]] SHAFTCULL_EXPORT Box inflated(const Box& box, float by);
 
 /// Which depths in clip space are in view.
 enum class ClipDepth : std::uint8_t {
@@ -61,6 +61,6 @@ struct ViewPlanes {
 /// enumerator.
 ///
 /// G. Gribb and K. Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix", 2001.
-[[nodiscard]] SHAFTCULL_API ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth);
+[[nodiscard]] SHAFTCULL_EXPORT ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth);
 
 }  // namespace shaftcull

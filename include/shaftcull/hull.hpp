@@ -34,7 +34,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// one of the points' hull along these.
 ///
 /// Const members are safe to call from many threads, copies are deep. Forming one allocates some 7 KB; copies do, too.
-class SHAFTCULL_API ConvexHull {
+class SHAFTCULL_EXPORT ConvexHull {
  public:
   static constexpr std::size_t max_vertices = 32;  ///< points and directions together
 
@@ -77,14 +77,14 @@ class SHAFTCULL_API ConvexHull {
 /// The matrix is as for view_planes(). Corners are computed in doubles and rounded to the nearest floats; the hull is
 /// exact for these. Throws InvalidArgument if the matrix is not finite or not invertible, if a corner is not a float or
 /// not in front of the eye, if a plane of the matrix leaves nothing in view, or if `depth` is no enumerator.
-[[nodiscard]] SHAFTCULL_API ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth);
+[[nodiscard]] SHAFTCULL_EXPORT ConvexHull frustum(std::span<const float, 16> matrix, ClipDepth depth);
 
 /// What can cast a shadow into `view` by a light at a point: the hull of both. Throws InvalidArgument if the light is
 /// not finite, or if the view has max_vertices already or was never formed.
-[[nodiscard]] SHAFTCULL_API ConvexHull casters(const ConvexHull& view, const Vec3& light);
+[[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters(const ConvexHull& view, const Vec3& light);
 
 /// What can cast a shadow into `view` by a sun: the view and all that lies from it towards the sun. Throws
 /// InvalidArgument if the direction is not finite or zero, or if the view has max_vertices already or was never formed.
-[[nodiscard]] SHAFTCULL_API ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
+[[nodiscard]] SHAFTCULL_EXPORT ConvexHull casters_towards(const ConvexHull& view, const Vec3& towards_sun);
 
 }  // namespace shaftcull

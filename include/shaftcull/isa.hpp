@@ -35,16 +35,16 @@ enum class Isa : std::uint8_t {
 
 /// "scalar", "portable128", "sse4_2" (which includes POPCNT), "avx2" (which includes FMA, BMI and BMI2), "avx512"
 /// (those and F, CD, DQ, BW and VL) or "neon"; "unknown" for a value that is no enumerator.
-[[nodiscard]] SHAFTCULL_API std::string_view name(Isa isa) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT std::string_view name(Isa isa) noexcept;
 
 /// The instruction set of that name, in upper or lower case, or nothing.
-[[nodiscard]] SHAFTCULL_API std::optional<Isa> isa_from_name(std::string_view text) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT std::optional<Isa> isa_from_name(std::string_view text) noexcept;
 
 /// What this build has kernels for and this machine can run, slowest first; never empty.
-[[nodiscard]] SHAFTCULL_API std::vector<Isa> available_isas();
+[[nodiscard]] SHAFTCULL_EXPORT std::vector<Isa> available_isas();
 
 /// What calls use from now on, in every thread.
-[[nodiscard]] SHAFTCULL_API Isa active_isa() noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT Isa active_isa() noexcept;
 
 /// What was asked for, and what runs.
 struct IsaChoice {
@@ -55,11 +55,11 @@ struct IsaChoice {
 };
 /// Reads the environment, so no other thread may change it meanwhile. This and available_isas() allocate, and throw
 /// std::bad_alloc if memory runs out.
-[[nodiscard]] SHAFTCULL_API IsaChoice isa_choice();
+[[nodiscard]] SHAFTCULL_EXPORT IsaChoice isa_choice();
 
 /// Uses `isa` from now on, in every thread; wins over SHAFTCULL_ISA. Safe to call at any time: a call that
 /// is under way goes on with the instruction set it began with.
 /// Throws InvalidArgument, listing what there is, if `isa` is not available.
-SHAFTCULL_API void select_isa(Isa isa);
+SHAFTCULL_EXPORT void select_isa(Isa isa);
 
 }  // namespace shaftcull

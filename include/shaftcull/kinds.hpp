@@ -24,15 +24,15 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// What a body sweeps over that moves by a displacement: all body + t · displacement, t from 0 to 1. A displacement of
 /// 0 leaves the body itself. Throws InvalidArgument if `displacement` is not finite.
-[[nodiscard]] SHAFTCULL_API CompiledShaft swept(const Box& body, const Vec3& displacement,
-                                                std::span<const Plane> planes = {});
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft swept(const Box& body, const Vec3& displacement,
+                                                   std::span<const Plane> planes = {});
 
 /// What a body sweeps over that moves in a direction without end: all body + t · direction, t ≥ 0. What can cast the
 /// sun's shadow on a receiver is swept_without_end(receiver, towards_sun); what can be below something that falls,
 /// swept_without_end(body, down). The direction need not have unit length. Throws InvalidArgument if it is not finite,
 /// or 0.
-[[nodiscard]] SHAFTCULL_API CompiledShaft swept_without_end(const Box& body, const Vec3& direction,
-                                                            std::span<const Plane> planes = {});
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft swept_without_end(const Box& body, const Vec3& direction,
+                                                               std::span<const Plane> planes = {});
 
 /// All that an occluder can shadow from a light: every point p such that some segment from the light to p meets the
 /// occluder. It holds the occluder, and goes on behind it without end. A light, or a viewpoint, may be a point: then it
@@ -41,13 +41,13 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 ///
 /// Throws InvalidArgument unless light and occluder are apart. If they touch, segments from a common point meet the
 /// occluder at once, so that all of space is in its shadow.
-[[nodiscard]] SHAFTCULL_API CompiledShaft shadow(const Box& light, const Box& occluder,
-                                                 std::span<const Plane> planes = {});
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft shadow(const Box& light, const Box& occluder,
+                                                    std::span<const Plane> planes = {});
 
 /// The same up to `reach` times the distance of the occluder: every l + s (o − l), s from 1 to reach, for points l of
 /// the light and o of the occluder. Throws InvalidArgument if `reach` is below 1 or not finite, too.
-[[nodiscard]] SHAFTCULL_API CompiledShaft shadow(const Box& light, const Box& occluder, float reach,
-                                                 std::span<const Plane> planes = {});
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft shadow(const Box& light, const Box& occluder, float reach,
+                                                    std::span<const Plane> planes = {});
 
 /// swept(bodies[i], displacements[i]) into out[i]. Bodies have equally many planes, k = planes.size() / bodies.count
 /// each: body i has planes k · i to k · i + k − 1.
@@ -56,26 +56,26 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// each box, not finite or without a normal. Throws BadBound, with the position i, for the first shaft that cannot be
 /// formed: a box, vector or pair that the call for one shaft refuses. Nothing is written then. O(shafts and planes),
 /// some 0.5 µs a shaft; no allocation; safe to call from many threads.
-SHAFTCULL_API void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements, std::span<CompiledShaft> out,
-                               std::span<const Plane> planes = {});
+SHAFTCULL_EXPORT void swept_batch(const BoxView& bodies, std::span<const Vec3> displacements,
+                                  std::span<CompiledShaft> out, std::span<const Plane> planes = {});
 
 /// swept_without_end(bodies[i], directions[i]) into out[i], as above.
-SHAFTCULL_API void swept_without_end_batch(const BoxView& bodies, std::span<const Vec3> directions,
-                                           std::span<CompiledShaft> out, std::span<const Plane> planes = {});
+SHAFTCULL_EXPORT void swept_without_end_batch(const BoxView& bodies, std::span<const Vec3> directions,
+                                              std::span<CompiledShaft> out, std::span<const Plane> planes = {});
 
 /// shadow(lights[i], occluders[i]) into out[i]. `planes.a` are those of the lights, `planes.b` those of the occluders.
-SHAFTCULL_API void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<CompiledShaft> out,
-                                const BatchPlanes& planes = {});
+SHAFTCULL_EXPORT void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<CompiledShaft> out,
+                                   const BatchPlanes& planes = {});
 /// The same up to `reach`, one for all; throws as shadow() does if it is below 1 or not finite.
-SHAFTCULL_API void shadow_batch(const BoxView& lights, const BoxView& occluders, float reach,
-                                std::span<CompiledShaft> out, const BatchPlanes& planes = {});
+SHAFTCULL_EXPORT void shadow_batch(const BoxView& lights, const BoxView& occluders, float reach,
+                                   std::span<CompiledShaft> out, const BatchPlanes& planes = {});
 
 /// shadow(lights[pairs[i].a], occluders[pairs[i].b]) into out[i]. Throws InvalidArgument for the first pair with an
 /// index that is not below the number of boxes, too. Boxes that no pair names are not looked at; planes are.
-SHAFTCULL_API void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs,
-                                std::span<CompiledShaft> out, const BatchPlanes& planes = {});
+SHAFTCULL_EXPORT void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs,
+                                   std::span<CompiledShaft> out, const BatchPlanes& planes = {});
 /// The same up to a reach, which is one for all.
-SHAFTCULL_API void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs,
-                                float reach, std::span<CompiledShaft> out, const BatchPlanes& planes = {});
+SHAFTCULL_EXPORT void shadow_batch(const BoxView& lights, const BoxView& occluders, std::span<const IndexPair> pairs,
+                                   float reach, std::span<CompiledShaft> out, const BatchPlanes& planes = {});
 
 }  // namespace shaftcull

@@ -43,53 +43,53 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// Bits: row s (words_for(count of the view) words, rows one behind the other) gets what cull(shafts[s], …) gives.
 /// `kept_rows` has exactly as many words as all rows.
 /// Like all calls of this header that write bits or numbers, it allocates nothing but task memory of oneTBB.
-SHAFTCULL_API void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                             std::span<std::uint64_t> kept_rows, Form form = Form::fastest);
-SHAFTCULL_API void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                             std::span<std::uint64_t> kept_rows, Form form = Form::fastest);
+SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                std::span<std::uint64_t> kept_rows, Form form = Form::fastest);
+SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                std::span<std::uint64_t> kept_rows, Form form = Form::fastest);
 
 /// Bits of both kinds, as classify(), in rows as those of cull_many(). Throws InvalidArgument if the two spans share
 /// memory.
-SHAFTCULL_API void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                 std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                 Form form = Form::fastest);
-SHAFTCULL_API void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                 std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                 Form form = Form::fastest);
+SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
+                                    Form form = Form::fastest);
+SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
+                                    Form form = Form::fastest);
 
 /// Bits of those inside alone, as contained(), in rows as those of cull_many().
-SHAFTCULL_API void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                  std::span<std::uint64_t> inside_rows);
-SHAFTCULL_API void contained_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                  std::span<std::uint64_t> inside_rows);
+SHAFTCULL_EXPORT void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                     std::span<std::uint64_t> inside_rows);
+SHAFTCULL_EXPORT void contained_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                     std::span<std::uint64_t> inside_rows);
 
 /// Counts: kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
-SHAFTCULL_API void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                              std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
-SHAFTCULL_API void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                              std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                 std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                 std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
 
 /// kept_counts[s] becomes count_at_most(shafts[s], …, most). One count for each shaft. A shaft that has found so many
 /// is not tested with later tiles of bounds, as with any_many().
-SHAFTCULL_API void count_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                                      std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
-SHAFTCULL_API void count_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                      std::size_t most, std::span<std::uint64_t> kept_counts,
-                                      Form form = Form::fastest);
+SHAFTCULL_EXPORT void count_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                                         std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void count_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                         std::size_t most, std::span<std::uint64_t> kept_counts,
+                                         Form form = Form::fastest);
 
 /// Counts of both kinds: counts[s] becomes what count_classified(shafts[s], …) returns. One for each shaft.
-SHAFTCULL_API void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                         std::span<KeptCounts> counts, Form form = Form::fastest);
-SHAFTCULL_API void count_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                         std::span<KeptCounts> counts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                            std::span<KeptCounts> counts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                            std::span<KeptCounts> counts, Form form = Form::fastest);
 
 /// One bit a shaft: bit s of `any` (word s / 64, bit s % 64) is set iff shafts[s] keeps any bound; bits past the last
 /// shaft are zero. `any` has words_for(shafts.size()) words. A shaft that has kept one is not tested with later tiles
 /// of bounds, so that time depends on where bounds are and, a little, on threads; bits do not.
-SHAFTCULL_API void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> any,
-                            Form form = Form::fastest);
-SHAFTCULL_API void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                            std::span<std::uint64_t> any, Form form = Form::fastest);
+SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                               std::span<std::uint64_t> any, Form form = Form::fastest);
+SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                               std::span<std::uint64_t> any, Form form = Form::fastest);
 
 /// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
 template <BoundIndex Index>
@@ -110,39 +110,39 @@ using IndexLists = IndexListsOf<std::uint32_t>;
 /// Lists what each shaft keeps. Reuses the memory of `lists`; if this throws, they are as they were or empty. Throws
 /// InvalidArgument if there are more bounds than an Index can tell apart, std::bad_alloc if memory runs out.
 template <BoundIndex Index>
-SHAFTCULL_API void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists,
-                             Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists,
+                                Form form = Form::fastest);
 template <BoundIndex Index>
-SHAFTCULL_API void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                             IndexListsOf<Index>& lists, Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                IndexListsOf<Index>& lists, Form form = Form::fastest);
 
 /// Writes for each shaft what list_at_most() writes, the first indices of what it keeps, `most` of them or fewer: those
 /// of shaft s from kept[s * most] on, and how many they are to kept_counts[s]. What is behind them is not written.
 /// `kept` has room for exactly `most` indices a shaft, and kept_counts for one count. A shaft that has found so many is
 /// not tested with later tiles of bounds. Work is divided by shafts alone. Throws InvalidArgument if there are more
 /// bounds than an index can tell apart, and if the two spans share memory.
-SHAFTCULL_API void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                                     std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts,
-                                     Form form = Form::fastest);
-SHAFTCULL_API void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                                     std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts,
-                                     Form form = Form::fastest);
-SHAFTCULL_API void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
-                                     std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts,
-                                     Form form = Form::fastest);
-SHAFTCULL_API void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
-                                     std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts,
-                                     Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                                        std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts,
+                                        Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
+                                        std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts,
+                                        Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                        std::size_t most, std::span<std::uint32_t> kept,
+                                        std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                        std::size_t most, std::span<std::uint64_t> kept,
+                                        std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
 
 /// Lists bounds that overlap and bounds inside apart. As list_many(), and InvalidArgument if both are the same lists.
 template <BoundIndex Index>
-SHAFTCULL_API void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                        IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-                                        Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
+                                           Form form = Form::fastest);
 template <BoundIndex Index>
-SHAFTCULL_API void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                        IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-                                        Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
+                                           Form form = Form::fastest);
 
 /// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.
@@ -160,16 +160,16 @@ using TileCallback = FunctionRef<void(const TileAnswers&)>;
 /// Calls back once for every tile and shaft, one call at a time, ordered by tile and then by shaft; with bits of both
 /// kinds for for_each_classified_tile(). An exception ends the call and reaches the caller; tiles after it are not
 /// delivered. Throws InvalidArgument if the callback is empty. Allocates some tiles' bits for each thread.
-SHAFTCULL_API void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
-                                 Form form = Form::fastest);
-SHAFTCULL_API void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                 TileCallback callback, Form form = Form::fastest);
-SHAFTCULL_API void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                            TileCallback callback, Form form = Form::fastest);
-SHAFTCULL_API void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                            TileCallback callback, Form form = Form::fastest);
+SHAFTCULL_EXPORT void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
+                                    Form form = Form::fastest);
+SHAFTCULL_EXPORT void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                    TileCallback callback, Form form = Form::fastest);
+SHAFTCULL_EXPORT void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                               TileCallback callback, Form form = Form::fastest);
+SHAFTCULL_EXPORT void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                               TileCallback callback, Form form = Form::fastest);
 
 /// How many threads a call from here would use (1 in a build without oneTBB).
-[[nodiscard]] SHAFTCULL_API int concurrency() noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT int concurrency() noexcept;
 
 }  // namespace shaftcull

@@ -90,76 +90,78 @@ using Excluding = ExcludingOf<std::uint32_t>;
 /// words_for(tree.size()) words. O(size() / 64) for the words, and then as every query: a scan writes the bits of a
 /// shaft that keeps much of what there is faster than a tree.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::span<std::uint64_t> kept,
-                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                           std::span<std::uint64_t> kept,
+                           const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Classifies: `kept` as in cull(), and in `inside` the bits of bounds that are fully inside the shaft. Both have
 /// exactly words_for(tree.size()) words.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                            std::span<std::uint64_t> kept, std::span<std::uint64_t> inside,
-                            const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                               std::span<std::uint64_t> kept, std::span<std::uint64_t> inside,
+                               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Sets the bits of bounds that are fully inside: the only question that a shaft formed for inside alone answers.
 /// `inside` has exactly words_for(tree.size()) words.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void contained(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                             std::span<std::uint64_t> inside,
-                             const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                std::span<std::uint64_t> inside,
+                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Whether the shaft keeps any bound. Stops at the first one that it finds.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API bool any(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// How many bounds the shaft keeps.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                              const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many. To learn whether there
 /// are more than n, ask for n + 1.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API std::size_t count_at_most(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                                      std::size_t most,
-                                                      const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count_at_most(
+    const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::size_t most,
+    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// How many bounds overlap the shaft, and how many are inside it. Nothing below a node that is inside is tested.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API KeptCounts count_classified(const CompiledShaft& shaft,
-                                                        const BoundsTree<Bound, Index>& tree,
-                                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts
+count_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes the indices of the bounds that the shaft keeps, and returns how many there are.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                             std::type_identity_t<std::span<Index>> kept,
-                                             const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                                std::type_identity_t<std::span<Index>> kept,
+                                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
 /// there, and does not say whether there are more.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API std::size_t list_at_most(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                                     std::type_identity_t<std::span<Index>> kept,
-                                                     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft,
+                                                        const BoundsTree<Bound, Index>& tree,
+                                                        std::type_identity_t<std::span<Index>> kept,
+                                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes the ranges of leaves that the shaft keeps, each as long as can be, and returns how many there are.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                             std::type_identity_t<std::span<LeafRangeOf<Index>>> kept,
-                                             const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                                std::type_identity_t<std::span<LeafRangeOf<Index>>> kept,
+                                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// As list(), but bounds that overlap and bounds inside apart. Nothing below a node that is inside is tested.
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                                       std::type_identity_t<std::span<Index>> overlap,
-                                                       std::type_identity_t<std::span<Index>> inside,
-                                                       const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(
+    const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree, std::type_identity_t<std::span<Index>> overlap,
+    std::type_identity_t<std::span<Index>> inside, const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                                       std::type_identity_t<std::span<LeafRangeOf<Index>>> overlap,
-                                                       std::type_identity_t<std::span<LeafRangeOf<Index>>> inside,
-                                                       const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts
+list_classified(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                std::type_identity_t<std::span<LeafRangeOf<Index>>> overlap,
+                std::type_identity_t<std::span<LeafRangeOf<Index>>> inside,
+                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 // Many shafts, in parallel, as many.hpp says. Results do not depend on the number of threads. If memory runs out
 // (std::bad_alloc), bits and counts are unspecified, and lists are as they were or empty.
@@ -167,42 +169,42 @@ template <class Bound, BoundIndex Index>
 /// Row s of the bits (words_for(tree.size()) words, rows one behind the other) gets what cull(shafts[s], …) gives, or
 /// classify() or contained(). There are exactly as many rows as shafts.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void cull_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                             std::span<std::uint64_t> kept_rows,
-                             const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                std::span<std::uint64_t> kept_rows,
+                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void classify_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                 std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
+                                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void contained_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                  std::span<std::uint64_t> inside_rows,
-                                  const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void contained_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                     std::span<std::uint64_t> inside_rows,
+                                     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// One bit a shaft: bit s % 64 of word s / 64 of `any` is set iff shafts[s] keeps any bound; bits past the last shaft
 /// are zero. `any` has exactly words_for(shafts.size()) words.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void any_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                            std::span<std::uint64_t> any,
-                            const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                               std::span<std::uint64_t> any,
+                               const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                              std::span<std::uint64_t> kept_counts,
-                              const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                 std::span<std::uint64_t> kept_counts,
+                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// kept_counts[s] becomes count_at_most(shafts[s], tree, most, …). One count for each shaft.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                      std::size_t most, std::span<std::uint64_t> kept_counts,
-                                      const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                         std::size_t most, std::span<std::uint64_t> kept_counts,
+                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// counts[s] becomes count_classified(shafts[s], …). One for each shaft.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                         std::span<KeptCounts> counts,
-                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                            std::span<KeptCounts> counts,
+                                            const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Leaf ranges in compressed sparse rows: those of shaft s are ranges[offsets[s] … offsets[s + 1]), ascending.
 template <BoundIndex Index>
@@ -223,32 +225,32 @@ using LeafRangeLists = LeafRangeListsOf<std::uint32_t>;
 /// Lists what each shaft keeps, as indices or as leaf ranges. Reuses the memory of `lists`; if this throws, they are as
 /// they were or empty.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                             IndexListsOf<Index>& lists,
-                             const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                IndexListsOf<Index>& lists,
+                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                             LeafRangeListsOf<Index>& lists,
-                             const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                LeafRangeListsOf<Index>& lists,
+                                const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Writes for each shaft what list_at_most() writes, `most` indices or fewer: those of shaft s from kept[s * most] on,
 /// and how many they are to kept_counts[s]. The rest of each row may be overwritten with anything. `kept` has room for
 /// exactly `most` indices a shaft, and kept_counts for one count; the two share no memory.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                     std::size_t most, std::type_identity_t<std::span<Index>> kept,
-                                     std::span<std::uint64_t> kept_counts,
-                                     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                        std::size_t most, std::type_identity_t<std::span<Index>> kept,
+                                        std::span<std::uint64_t> kept_counts,
+                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// Likewise, but bounds that overlap and bounds inside apart.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                        IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
+                                           const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                        LeafRangeListsOf<Index>& overlap, LeafRangeListsOf<Index>& inside,
-                                        const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                           LeafRangeListsOf<Index>& overlap, LeafRangeListsOf<Index>& inside,
+                                           const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 
 /// What one shaft keeps, as leaf ranges, for a callback. The ranges are the library's and valid during the callback
 /// only.
@@ -276,11 +278,11 @@ using ClassifiedRanges = ClassifiedRangesOf<std::uint32_t>;
 /// any thread of the arena (many.hpp). Throws InvalidArgument if it is empty. Allocates the ranges of eight shafts for
 /// each thread.
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                 std::type_identity_t<FunctionRef<void(const KeptRangesOf<Index>&)>> callback,
-                                 const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                    std::type_identity_t<FunctionRef<void(const KeptRangesOf<Index>&)>> callback,
+                                    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void for_each_classified(
+SHAFTCULL_EXPORT void for_each_classified(
     std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
     std::type_identity_t<FunctionRef<void(const ClassifiedRangesOf<Index>&)>> callback,
     const std::type_identity_t<ExcludingOf<Index>>& excluding = {});

@@ -29,35 +29,35 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// call from many threads; at most 64 KiB of the stack. Nothing is allocated, but for a tree that was never updated by
 /// index nor refined: its first such call looks up the leaf of every index, O(tree.size()), and keeps that, so it may
 /// throw std::bad_alloc.
-[[nodiscard]] SHAFTCULL_API std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
-                                               std::span<const std::uint32_t> candidates,
-                                               std::span<std::uint32_t> kept);
-[[nodiscard]] SHAFTCULL_API std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
-                                               std::span<const std::uint64_t> candidates,
-                                               std::span<std::uint64_t> kept);
-[[nodiscard]] SHAFTCULL_API std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
-                                               std::span<const std::uint32_t> candidates,
-                                               std::span<std::uint32_t> kept);
-[[nodiscard]] SHAFTCULL_API std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
-                                               std::span<const std::uint64_t> candidates,
-                                               std::span<std::uint64_t> kept);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
+                                                  std::span<const std::uint32_t> candidates,
+                                                  std::span<std::uint32_t> kept);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
+                                                  std::span<const std::uint64_t> candidates,
+                                                  std::span<std::uint64_t> kept);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
+                                                  std::span<const std::uint32_t> candidates,
+                                                  std::span<std::uint32_t> kept);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
+                                                  std::span<const std::uint64_t> candidates,
+                                                  std::span<std::uint64_t> kept);
 template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_API std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                               std::type_identity_t<std::span<const Index>> candidates,
-                                               std::type_identity_t<std::span<Index>> kept);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
+                                                  std::type_identity_t<std::span<const Index>> candidates,
+                                                  std::type_identity_t<std::span<Index>> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
 /// gathered once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`;
 /// if this throws, they are as they were or empty. Errors as refine(), InvalidArgument if candidates are a part of
 /// `lists`, and std::bad_alloc if memory runs out.
 template <BoundIndex Index>
-SHAFTCULL_API void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                               std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
+SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
+                                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 template <BoundIndex Index>
-SHAFTCULL_API void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                               std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
+SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 template <class Bound, BoundIndex Index>
-SHAFTCULL_API void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                               std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
+SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
+                                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
 
 }  // namespace shaftcull

@@ -74,7 +74,7 @@ inline constexpr std::size_t max_added_planes = 16;
 /// and planes added by the user. A value: no heap memory, and nothing here allocates but the message of an exception.
 /// Const members and culled_volume() are safe to call from many threads; nobody may use a shaft while another thread
 /// adds a plane to it. Different shafts are independent.
-class SHAFTCULL_API Shaft {
+class SHAFTCULL_EXPORT Shaft {
  public:
   /// The shaft between boxes `a` and `b`. Both must be finite with lo ≤ hi; points, flat, equal, nested and
   /// touching boxes are legal. Throws InvalidArgument otherwise, if options ask for no answer at all, or if one of them
@@ -113,6 +113,6 @@ class SHAFTCULL_API Shaft {
 
 /// Volume of the part of box `box` that `plane` (one zero normal component) cuts off, in the coordinates' unit cubed; 0
 /// if it cuts off nothing. Throws InvalidArgument if its faces are not two neighbouring ones of 0 to 5. O(1).
-[[nodiscard]] SHAFTCULL_API double culled_volume(const Box& box, const JoiningPlane& plane);
+[[nodiscard]] SHAFTCULL_EXPORT double culled_volume(const Box& box, const JoiningPlane& plane);
 
 }  // namespace shaftcull

@@ -86,8 +86,8 @@ struct SphereRecords {
 };
 
 /// Records of an array of Box or Sphere.
-[[nodiscard]] SHAFTCULL_API MinMaxRecords records(std::span<const Box> boxes) noexcept;
-[[nodiscard]] SHAFTCULL_API SphereRecords records(std::span<const Sphere> spheres) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT MinMaxRecords records(std::span<const Box> boxes) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT SphereRecords records(std::span<const Sphere> spheres) noexcept;
 
 /// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box, and at most 63 boxes of
 /// padding so that streams end with a whole word of answers, 64 more if streams would be a multiple of 1 MiB apart.
@@ -101,7 +101,7 @@ struct SphereRecords {
 /// extent that are both infinite on an axis throws BadBound, which names the first bad record and what is wrong with
 /// it. Whatever is thrown, std::bad_alloc included, leaves the stream unchanged. Const members are safe to call from
 /// many threads; update() of disjoint ranges too.
-class SHAFTCULL_API BoxStream {
+class SHAFTCULL_EXPORT BoxStream {
  public:
   BoxStream() noexcept = default;
   /// `count` empty boxes.
@@ -139,7 +139,7 @@ class SHAFTCULL_API BoxStream {
  private:
   friend struct StreamAccess;  // the library writes rows without a copy
   struct NotWritten {};
-  struct SHAFTCULL_API Free {
+  struct SHAFTCULL_EXPORT Free {
     void operator()(float* rows) const noexcept;
   };
 
@@ -153,7 +153,7 @@ class SHAFTCULL_API BoxStream {
 /// Spheres in memory of its own: four aligned streams, 16 bytes a sphere and padding as in BoxStream. Packing throws
 /// BadBound for a NaN, a centre that is not finite or a negative radius. Trees do so, too: no tree is made of a
 /// SphereStream(count) whose empty spheres were not all updated.
-class SHAFTCULL_API SphereStream {
+class SHAFTCULL_EXPORT SphereStream {
  public:
   SphereStream() noexcept = default;
   /// `count` empty spheres: of radius −1, which no shaft keeps.
@@ -187,7 +187,7 @@ class SHAFTCULL_API SphereStream {
  private:
   friend struct StreamAccess;  // the library writes rows without a copy
   struct NotWritten {};
-  struct SHAFTCULL_API Free {
+  struct SHAFTCULL_EXPORT Free {
     void operator()(float* rows) const noexcept;
   };
 

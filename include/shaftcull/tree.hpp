@@ -144,10 +144,10 @@ class BoundsTree {
   std::unique_ptr<Parts> parts_;  // null for a tree that was never given any bounds
 };
 
-extern template class SHAFTCULL_API BoundsTree<Box>;
-extern template class SHAFTCULL_API BoundsTree<Sphere>;
-extern template class SHAFTCULL_API BoundsTree<Box, std::uint64_t>;
-extern template class SHAFTCULL_API BoundsTree<Sphere, std::uint64_t>;
+extern template class SHAFTCULL_EXPORT BoundsTree<Box>;
+extern template class SHAFTCULL_EXPORT BoundsTree<Sphere>;
+extern template class SHAFTCULL_EXPORT BoundsTree<Box, std::uint64_t>;
+extern template class SHAFTCULL_EXPORT BoundsTree<Sphere, std::uint64_t>;
 
 /// Trees with 32-bit indices.
 using BoxTree = BoundsTree<Box>;

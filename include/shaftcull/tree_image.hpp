@@ -17,7 +17,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 ///
 /// Tree is a BoundsTree of any kind or a TriangleTree, here and below.
 template <class Tree>
-[[nodiscard]] SHAFTCULL_API std::size_t image_bytes(const Tree& tree);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t image_bytes(const Tree& tree);
 
 /// Writes the image of a tree: its bounds, their order, nodes and layers, as they lie in memory. Trees of the same
 /// bounds that were built alike have the same image to the byte, whatever the number of threads and the instruction
@@ -28,7 +28,7 @@ template <class Tree>
 /// What is written depends on the version of its format and on the order of bytes of the machine. Images are for the
 /// same version of the library, or for those that say that they read it; keep the bounds as well.
 template <class Tree>
-SHAFTCULL_API void write_image(const Tree& tree, std::span<std::byte> image);
+SHAFTCULL_EXPORT void write_image(const Tree& tree, std::span<std::byte> image);
 
 /// What is checked of an image before it is used.
 enum class ImageCheck : std::uint8_t {

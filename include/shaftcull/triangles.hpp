@@ -109,7 +109,7 @@ struct MeshView {
 /// that no memory can hold. Packing throws BadBound, with the position of the first bad triangle, for a coordinate that
 /// is not finite. Whatever is thrown leaves the stream unchanged. Const members are safe to call from many threads;
 /// update() of disjoint ranges too.
-class SHAFTCULL_API TriangleStream {
+class SHAFTCULL_EXPORT TriangleStream {
  public:
   TriangleStream() noexcept = default;
   /// `count` empty triangles: all of NaN, which no shaft keeps. Until update() has replaced them, packing them into a
@@ -146,7 +146,7 @@ class SHAFTCULL_API TriangleStream {
  private:
   friend struct StreamAccess;  // the library writes rows without a copy
   struct NotWritten {};
-  struct SHAFTCULL_API Free {
+  struct SHAFTCULL_EXPORT Free {
     void operator()(float* rows) const noexcept;
   };
 
@@ -166,7 +166,7 @@ class SHAFTCULL_API TriangleStream {
 /// bytes a triangle, 4 for its index, and less than one for boxes. It throws what TriangleStream throws, and
 /// InvalidArgument for 2³² triangles or more. Const members and queries are safe to call from many threads. Copies are
 /// deep; moves are O(1) and leave an empty tree.
-class SHAFTCULL_API TriangleTree {
+class SHAFTCULL_EXPORT TriangleTree {
  public:
   static constexpr std::size_t chunk_size = 32;  ///< triangles a chunk
 
@@ -202,65 +202,65 @@ class SHAFTCULL_API TriangleTree {
 
 /// Sets bit i of `kept` iff triangle i is not outside; bits past the last one are zero. `kept` has exactly
 /// words_for(count of the view) words.
-SHAFTCULL_API void cull(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint64_t> kept,
-                        TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint64_t> kept,
+                           TriangleTest test = TriangleTest::exact);
 /// How many triangles the shaft keeps.
-[[nodiscard]] SHAFTCULL_API std::size_t count(const CompiledShaft& shaft, const TriangleView& triangles,
-                                              TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const TriangleView& triangles,
+                                                 TriangleTest test = TriangleTest::exact);
 /// Whether the shaft keeps any. Looks at triangles from the first on, in chunks of 512 at first and of 16,384 at most,
 /// and stops after the first chunk of which one is kept.
-[[nodiscard]] SHAFTCULL_API bool any(const CompiledShaft& shaft, const TriangleView& triangles,
-                                     TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const TriangleView& triangles,
+                                        TriangleTest test = TriangleTest::exact);
 /// Writes the indices of the triangles that the shaft keeps, ascending, and returns how many there are; results.hpp
 /// says what happens if they do not fit. Throws InvalidArgument if there are more triangles than 32-bit indices can
 /// tell apart.
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
-                                             std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
-                                             std::span<std::uint64_t> kept, TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
+                                                std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
+                                                std::span<std::uint64_t> kept, TriangleTest test = TriangleTest::exact);
 /// Whether the shaft keeps this one triangle. Some 100 ns.
-[[nodiscard]] SHAFTCULL_API bool cull(const CompiledShaft& shaft, const Triangle& triangle,
-                                      TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT bool cull(const CompiledShaft& shaft, const Triangle& triangle,
+                                         TriangleTest test = TriangleTest::exact);
 
 // Many shafts and a view, in parallel, as in many.hpp.
 
 /// Row s of `kept_rows`, words_for(count of the view) words, gets what cull(shafts[s], …) gives.
-SHAFTCULL_API void cull_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                             std::span<std::uint64_t> kept_rows, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
+                                std::span<std::uint64_t> kept_rows, TriangleTest test = TriangleTest::exact);
 /// kept_counts[s] becomes count(shafts[s], …). One count for each shaft.
-SHAFTCULL_API void count_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                              std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
+                                 std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
 /// Bit s of `any` is set iff shafts[s] keeps any triangle. `any` has words_for(shafts.size()) words.
-SHAFTCULL_API void any_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                            std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
+                               std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
 /// Lists what each shaft keeps, ascending. Reuses the memory of `lists`; if this throws, they are as they were or
 /// empty.
 template <BoundIndex Index>
-SHAFTCULL_API void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                             IndexListsOf<Index>& lists, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
+                                IndexListsOf<Index>& lists, TriangleTest test = TriangleTest::exact);
 
 // The same of a tree. Bits are by the user's index, in words_for(tree.size()) words a row. Lists hold the user's
 // indices, in tree order (order()). Errors and allocation as above; time grows with what is found.
 
 /// What the call of the same name says of a view, of a tree: bits by the user's index, lists of the user's indices in
 /// tree order.
-SHAFTCULL_API void cull(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint64_t> kept,
-                        TriangleTest test = TriangleTest::exact);
-[[nodiscard]] SHAFTCULL_API std::size_t count(const CompiledShaft& shaft, const TriangleTree& tree,
-                                              TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint64_t> kept,
+                           TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const TriangleTree& tree,
+                                                 TriangleTest test = TriangleTest::exact);
 /// Stops at the first chunk that holds a triangle which the shaft keeps.
-[[nodiscard]] SHAFTCULL_API bool any(const CompiledShaft& shaft, const TriangleTree& tree,
-                                     TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const TriangleTree& tree,
+                                        TriangleTest test = TriangleTest::exact);
 /// What the calls of the same names say of a view, of a tree.
-[[nodiscard]] SHAFTCULL_API std::size_t list(const CompiledShaft& shaft, const TriangleTree& tree,
-                                             std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_API void cull_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
-                             std::span<std::uint64_t> kept_rows, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_API void count_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
-                              std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_API void any_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
-                            std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_API void list_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, IndexLists& lists,
-                             TriangleTest test = TriangleTest::exact);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleTree& tree,
+                                                std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
+                                std::span<std::uint64_t> kept_rows, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
+                                 std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
+                               std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, IndexLists& lists,
+                                TriangleTest test = TriangleTest::exact);
 
 }  // namespace shaftcull

@@ -67,11 +67,11 @@ enum class Sight : std::uint8_t {
 };
 
 /// Its name, as in files and in Python: "undecided", "clear", "blocked", "facing_away".
-[[nodiscard]] SHAFTCULL_API const char* name(Sight sight) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT const char* name(Sight sight) noexcept;
 
 /// Patches, in a tree. It holds copies of what it is made of; copies of it share them. One that was moved from has no
 /// patches.
-class SHAFTCULL_API PatchSet {
+class SHAFTCULL_EXPORT PatchSet {
  public:
   /// No patches.
   PatchSet() noexcept = default;
@@ -110,7 +110,7 @@ class SHAFTCULL_API PatchSet {
 /// Solids that are one larger box together are found by the first call of visibility() and the like that gets blockers
 /// after some were added: some O(n log n) of all solids, on one thread, and 32 bytes for each box that is found. Copies
 /// made after that share them.
-class SHAFTCULL_API Blockers {
+class SHAFTCULL_EXPORT Blockers {
  public:
   Blockers();
   Blockers(const Blockers& other);
@@ -246,7 +246,7 @@ struct VisibilityOptions {
 };
 
 /// What is thrown if a callback wants a call to end.
-class SHAFTCULL_API Cancelled : public std::runtime_error {
+class SHAFTCULL_EXPORT Cancelled : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
   ~Cancelled() override;
@@ -260,23 +260,24 @@ class SHAFTCULL_API Cancelled : public std::runtime_error {
 /// usual. Allocates what VisibilityOptions::memory says. If there is a `resolve`, its verdicts are counted. Throws
 /// InvalidArgument for options that are no enumerator or for memory of less than 1 MB, std::bad_alloc, Cancelled, and
 /// what callbacks throw.
-[[nodiscard]] SHAFTCULL_API SightCounts count_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
-                                                         const VisibilityOptions& options = {});
+[[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& a, const PatchSet& b,
+                                                            const Blockers& blockers,
+                                                            const VisibilityOptions& options = {});
 /// Of one set with itself: of each two patches once.
-[[nodiscard]] SHAFTCULL_API SightCounts count_visibility(const PatchSet& patches, const Blockers& blockers,
-                                                         const VisibilityOptions& options = {});
+[[nodiscard]] SHAFTCULL_EXPORT SightCounts count_visibility(const PatchSet& patches, const Blockers& blockers,
+                                                            const VisibilityOptions& options = {});
 
 /// Calls deliver(batch) again and again until every pair was in one batch, once: in one of its products, or undecided.
 /// Returns how many there were of each kind, as they were delivered. `resolve` runs before: a pair with a verdict of
 /// its own is delivered in a product of one pair. If `resolve` or deliver() throws, what was delivered stays so, and
 /// nothing more is. Costs, memory and errors are those of count_visibility(), and 20 bytes are written a product, 16
 /// and 4 for each candidate an undecided pair. Throws InvalidArgument for an empty deliver, too.
-SHAFTCULL_API SightCounts visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
-                                     FunctionRef<void(const SightBatch&)> deliver,
-                                     const VisibilityOptions& options = {});
-SHAFTCULL_API SightCounts visibility(const PatchSet& patches, const Blockers& blockers,
-                                     FunctionRef<void(const SightBatch&)> deliver,
-                                     const VisibilityOptions& options = {});
+SHAFTCULL_EXPORT SightCounts visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+                                        FunctionRef<void(const SightBatch&)> deliver,
+                                        const VisibilityOptions& options = {});
+SHAFTCULL_EXPORT SightCounts visibility(const PatchSet& patches, const Blockers& blockers,
+                                        FunctionRef<void(const SightBatch&)> deliver,
+                                        const VisibilityOptions& options = {});
 
 /// All answers, in memory.
 struct Visibility {
@@ -290,20 +291,21 @@ struct Visibility {
 /// Collects what visibility() delivers. Memory is not bounded: 20 bytes a product, of which there may be a tenth to a
 /// fifth as many as pairs; 16 bytes an undecided pair and 4 a candidate; while a vector grows, up to three times that.
 /// Use visibility() where that is too much. Costs and errors are those of visibility().
-[[nodiscard]] SHAFTCULL_API Visibility collect_visibility(const PatchSet& a, const PatchSet& b,
-                                                          const Blockers& blockers,
-                                                          const VisibilityOptions& options = {});
-[[nodiscard]] SHAFTCULL_API Visibility collect_visibility(const PatchSet& patches, const Blockers& blockers,
-                                                          const VisibilityOptions& options = {});
+[[nodiscard]] SHAFTCULL_EXPORT Visibility collect_visibility(const PatchSet& a, const PatchSet& b,
+                                                             const Blockers& blockers,
+                                                             const VisibilityOptions& options = {});
+[[nodiscard]] SHAFTCULL_EXPORT Visibility collect_visibility(const PatchSet& patches, const Blockers& blockers,
+                                                             const VisibilityOptions& options = {});
 
 /// Writes a bit for every pair: rows of words_for(b.size()) words, one for each patch of `a`. Bit j of row i says
 /// whether patches i and j are of that kind. Of one set with itself both bits of a pair are written, and the diagonal
 /// is 0. If there is a `resolve`, its verdicts are written. If the call throws for something else than its arguments,
 /// bits hold anything. Throws InvalidArgument if `bits` has not exactly a.size() rows, or if `sight` is no enumerator.
 /// Otherwise as visibility(); costs O(pairs of the kind) more.
-SHAFTCULL_API SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Blockers& blockers, Sight sight,
-                                          std::span<std::uint64_t> bits, const VisibilityOptions& options = {});
-SHAFTCULL_API SightCounts visibility_bits(const PatchSet& patches, const Blockers& blockers, Sight sight,
-                                          std::span<std::uint64_t> bits, const VisibilityOptions& options = {});
+SHAFTCULL_EXPORT SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+                                             Sight sight, std::span<std::uint64_t> bits,
+                                             const VisibilityOptions& options = {});
+SHAFTCULL_EXPORT SightCounts visibility_bits(const PatchSet& patches, const Blockers& blockers, Sight sight,
+                                             std::span<std::uint64_t> bits, const VisibilityOptions& options = {});
 
 }  // namespace shaftcull
