@@ -60,7 +60,7 @@ endif()
 # Generators of bindings read it: no bit-fields, no macros with code, no other headers than stdint.h.
 string(REGEX MATCHALL "\n#[^\n]*" directives "${text}")
 foreach(directive IN LISTS directives)
-  if(NOT directive MATCHES "^\n#(ifndef|ifdef|if|else|endif|define SHAFTCULL_(H|API|NONE|HEADER_VERSION)( |$)|include <stdint.h>)")
+  if(NOT directive MATCHES "^\n#(ifndef|ifdef|if|elif|else|endif|define SHAFTCULL_(H|API|NONE|HEADER_VERSION)( |$)|include <stdint.h>)")
     message(SEND_ERROR "${HEADER} has${directive}")
   endif()
 endforeach()
