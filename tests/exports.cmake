@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Checks that a shared library exports the interface and nothing else: every symbol is named in a public header, and none is
-# in shaftcull::kernel. Given: NM, LIBRARY, INCLUDE (the folder of the public headers).
+# in shaftcull::kernel; and that what is not inline is marked for DLLs, which export by mark and not by namespace. Given: NM,
+# LIBRARY, INCLUDE (the folder of the public headers).
 cmake_minimum_required(VERSION 3.22)
 
 # Every program has its own copies of these, all the same.
@@ -22,6 +23,7 @@ string(REGEX REPLACE "[][;]" "_" output "${output}")  # these would split a list
 string(REGEX MATCHALL "[^\n]+" lines "${output}")
 set(interface 0)
 set(others "")
+set(unmarked "")
 foreach(line IN LISTS lines)
   string(REGEX REPLACE "^[0-9a-f]+ [A-Za-z] " "" symbol "${line}")
   if(symbol MATCHES "${of_the_compiler}")
@@ -37,9 +39,30 @@ foreach(line IN LISTS lines)
   else()
     math(EXPR interface "${interface} + 1")
   endif()
+  # What is not inline is a T, or a W where a template of a function was instantiated.
+  string(REGEX MATCH "^[0-9a-f]+ ([TW]) ([^(]*)\\(" function "${line}")
+  set(type "${CMAKE_MATCH_1}")
+  set(scope "${CMAKE_MATCH_2}")
+  if(function AND (type STREQUAL "T" OR scope MATCHES " shaftcull::[a-z_]+<"))
+    while(scope MATCHES "<[^<>]*>")
+      string(REGEX REPLACE "<[^<>]*>" "" scope "${scope}")
+    endwhile()
+    string(REGEX REPLACE "^.* " "" scope "${scope}")
+    if(scope MATCHES "^shaftcull::([a-z_]+)$")
+      set(mark "SHAFTCULL_EXPORT [^;{}()]*[^A-Za-z_]${CMAKE_MATCH_1}[(]")
+    else()
+      string(REGEX REPLACE "^(.*::)?([A-Za-z]+)::[^:]*$" "(class|struct) SHAFTCULL_EXPORT \\2[ <]" mark "${scope}")
+    endif()
+    if(NOT declared MATCHES "${mark}")
+      string(APPEND unmarked "\n  ${symbol}")
+    endif()
+  endif()
 endforeach()
 if(others)
   message(FATAL_ERROR "${LIBRARY} exports what is not of the interface:${others}")
+endif()
+if(unmarked)
+  message(FATAL_ERROR "SHAFTCULL_EXPORT is missing in public headers before:${unmarked}")
 endif()
 if(interface EQUAL 0)
   message(FATAL_ERROR "${LIBRARY} exports nothing of the interface")
