@@ -1269,7 +1269,8 @@ SHAFTCULL_API const char* shaftcull_active_isa(void);
 SHAFTCULL_API shaftcull_status shaftcull_select_isa(const char* name);
 
 /// What the environment variable SHAFTCULL_ISA asks for, empty if it is not set; and why that cannot be followed, empty
-/// if it can. Both are valid until this thread calls this again. No other thread may change the environment meanwhile.
+/// if it can; cut off after 255 and 511 bytes. Both are valid until this thread calls this again. No other thread may
+/// change the environment meanwhile.
 SHAFTCULL_API shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal);
 
 #ifdef __cplusplus

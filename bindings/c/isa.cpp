@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Instruction sets and threads.
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,13 @@ namespace {
 
 /// Names end with a 0, as those of the C++ interface are literals.
 const char* text(Isa isa) noexcept { return shaftcull::name(isa).data(); }
+
+/// What a thread was last told of the environment. Plain memory, so that it may ask while it ends.
+struct Asked {
+  char asked[256];
+  char refusal[512];
+};
+constinit thread_local Asked last_asked = {"", ""};
 
 }  // namespace
 
@@ -61,10 +69,11 @@ shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal) {
   return guarded([&] {
     const char*& asked_out = given(asked, "asked");
     const char*& refusal_out = given(refusal, "refusal");
-    thread_local shaftcull::IsaChoice choice;
-    choice = shaftcull::isa_choice();
-    asked_out = choice.asked.c_str();
-    refusal_out = choice.refusal.c_str();
+    const shaftcull::IsaChoice choice = shaftcull::isa_choice();
+    std::snprintf(last_asked.asked, sizeof last_asked.asked, "%s", choice.asked.c_str());
+    std::snprintf(last_asked.refusal, sizeof last_asked.refusal, "%s", choice.refusal.c_str());
+    asked_out = last_asked.asked;
+    refusal_out = last_asked.refusal;
   });
 }
 

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "environment.hpp"
 #include "handles.hpp"
 #include "shaftcull.h"
 #include "shaftcull/shaftcull.hpp"
@@ -73,6 +75,20 @@ TEST(CErrors, AreCutOffIfTheyAreLong) {
   const std::string message = shaftcull_error_message();
   EXPECT_GT(message.size(), 900U);
   EXPECT_LT(message.size(), name.size());
+}
+
+TEST(CErrors, SoIsWhatTheEnvironmentAsksFor) {
+  const char* const before = std::getenv("SHAFTCULL_ISA");
+  const std::string kept = before == nullptr ? "" : before;
+  set_environment("SHAFTCULL_ISA", std::string(5000, 'x').c_str());
+  const char* asked = nullptr;
+  const char* refusal = nullptr;
+  const shaftcull_status status = shaftcull_isa_asked(&asked, &refusal);
+  set_environment("SHAFTCULL_ISA", before == nullptr ? nullptr : kept.c_str());
+  ok(status);
+  EXPECT_EQ(asked, std::string(255, 'x'));
+  EXPECT_EQ(std::string(refusal).size(), 511U);
+  EXPECT_THAT(refusal, testing::StartsWith("SHAFTCULL_ISA=xxx"));
 }
 
 TEST(CErrors, OfBatchesSayWhichBoxes) {
