@@ -11,22 +11,26 @@
 #include "kernels/table.hpp"
 #include "shaftcull/compiled.hpp"
 #include "support/fail.hpp"
+#include "support/telling_instead.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull::kernel {
 
-/// Does what may find that shaft `index` of many cannot be formed, and throws a BadBound then, which says so. In a
-/// build without exceptions the handler is told what is wrong, but not of which shaft.
+/// Does what may find that shaft `index` of many cannot be formed, and fails with a BadBound then, which says so.
 template <class Work>
 void check_shaft(std::size_t index, const Work& work) {
+  const auto bad_shaft = [index](const InvalidArgument& error) {
+    return BadBound(index, "shaft " + std::to_string(index) + ": " + error.what());
+  };
 #if defined(__cpp_exceptions)
   try {
     work();
   } catch (const InvalidArgument& error) {
-    throw BadBound(index, "shaft " + std::to_string(index) + ": " + error.what());
+    throw bad_shaft(error);
   }
 #else
-  static_cast<void>(index);
+  const TellingInstead::Other other = bad_shaft;
+  const TellingInstead telling(other);
   work();
 #endif
 }
