@@ -179,7 +179,7 @@ mkdir -p "$work/project/bindings/web/page"
 cp "$project"/bindings/web/page/package*.json "$work/project/bindings/web/page/"
 chmod 777 "$work/project"
 for name in cp mkdir rm; do ln -s "$(command -v $name)" "$work/bin/"; done
-web_needs="libxsimd-dev libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32"
+web_needs="libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32"
 scenario="page, sudo"
 system apt-get dpkg-query sudo cmake ninja clang++-19 node npm
 run 0 INSTALLED="lld-19 wasi-libc"
@@ -205,6 +205,13 @@ action=(page --chek)
 run 1
 says 'page takes --check or nothing, not "--chek"'
 not_called npm
+
+scenario="WebAssembly, sudo"
+action=(test --preset wasm)
+system apt-get dpkg-query sudo cmake ninja clang++-19 node ctest
+run 0 INSTALLED="lld-19 wasi-libc $web_needs"
+called "apt-get install -qy --no-install-recommends googletest libboost-dev"
+called "--target shaftcull_tests"
 
 scenario="everything installed for another processor, not for this one"
 action=(demo)

@@ -2,15 +2,16 @@
 /// Reads the reference answers in tests/golden/, which the paper's original C code gave (see the README there).
 #pragma once
 
-#include <charconv>
+#include <algorithm>
 #include <cstddef>
-#include <fstream>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
+#include "support/fail.hpp"
+#include "text_of.hpp"
 
 namespace shaftcull::golden {
 
@@ -48,28 +49,28 @@ struct SphereRow {
 /// file is missing, or a row is not `columns` numbers.
 inline std::vector<std::vector<double>> read_numbers(const std::string& file_name, std::size_t columns) {
   const std::string path = std::string(SHAFTCULL_GOLDEN_DIR) + "/" + file_name;
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read the reference data " + path);
+  const std::string text = text_of(path);
+  if (text.empty()) kernel::fail(std::runtime_error("cannot read the reference data " + path));
   std::vector<std::vector<double>> rows;
-  std::string line;
-  std::getline(file, line);  // the heading
-  while (std::getline(file, line)) {
+  std::size_t begin = text.find('\n') + 1;  // behind the heading
+  for (std::size_t end = 0; begin < text.size(); begin = end + 1) {
+    end = std::min(text.find('\n', begin), text.size());
     std::vector<double>& row = rows.emplace_back();
-    const char* at = line.data();
-    const char* const end = at + line.size();
-    for (double number = 0; at < end; ++at) {
-      const std::from_chars_result read = std::from_chars(at, end, number);
-      if (read.ec != std::errc{}) break;
-      row.push_back(number);
-      at = read.ptr;
-      if (at == end || *at != ',') break;
+    const char* at = text.c_str() + begin;
+    for (char* next = nullptr; row.size() != columns; at = next + 1) {
+      row.push_back(std::strtod(at, &next));
+      if (next == at) row.pop_back();
+      if (next == at || *next != ',') {
+        at = next;
+        break;
+      }
     }
-    if (row.size() != columns || (at != end && *at != '\r')) {
-      throw std::runtime_error(path + ":" + std::to_string(rows.size() + 1) + ": not " + std::to_string(columns) +
-                               " numbers");
+    if (row.size() != columns || (*at != '\0' && *at != '\r' && *at != '\n')) {
+      kernel::fail(std::runtime_error(path + ":" + std::to_string(rows.size() + 1) + ": not " +
+                                      std::to_string(columns) + " numbers"));
     }
   }
-  if (rows.empty()) throw std::runtime_error(path + " has no rows");
+  if (rows.empty()) kernel::fail(std::runtime_error(path + " has no rows"));
   return rows;
 }
 
@@ -88,7 +89,7 @@ inline std::vector<ShaftRow> load_shafts() {
     shafts.push_back(
         {static_cast<std::size_t>(row[0]), box_at(row, 1), box_at(row, 7), static_cast<std::size_t>(row[13])});
     if (shafts.back().shaft + 1 != shafts.size()) {
-      throw std::runtime_error("shafts.csv: rows are not numbered in order");
+      kernel::fail(std::runtime_error("shafts.csv: rows are not numbered in order"));
     }
   }
   return shafts;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pages.hpp"
+#include "support/fail.hpp"
 
 namespace shaftcull {
 
@@ -26,7 +27,7 @@ class GuardedFloats {
   GuardedFloats(const std::vector<float>& floats, std::size_t bytes, std::size_t page)
       : pages_((bytes + page - 1) / page * page + page) {
     const std::size_t end = pages_.bytes().size() - page;
-    if (!pages_.forbid_from(end)) throw std::bad_alloc();
+    if (!pages_.forbid_from(end)) kernel::fail(std::bad_alloc());
     floats_ = reinterpret_cast<float*>(pages_.bytes().data() + end - bytes);
     if (bytes != 0) std::memcpy(floats_, floats.data(), bytes);
   }

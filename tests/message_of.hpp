@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
+#include "caught.hpp"
 #include "shaftcull/error.hpp"
 
 namespace shaftcull {
@@ -13,11 +15,7 @@ namespace shaftcull {
 /// The message of the error that `call` throws; fails the test if it throws none.
 template <class Error = InvalidArgument, class Call>
 std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
+  if (const std::optional<Error> error = caught<Error>(call)) return error->what();
   ADD_FAILURE() << "nothing was thrown";
   return {};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Memory of whole pages, which can be made such that whoever touches it ends the program.
+/// Memory of whole pages, which can be made such that whoever touches it ends the program. WebAssembly lets everybody
+/// read and write everything, so there it stays as it was.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@ namespace shaftcull {
 
 class Pages {
  public:
-  /// Zeros, at least so many bytes. Throws std::bad_alloc.
+  /// Zeros, at least so many bytes. Throws std::bad_alloc where the system has no memory for them.
   explicit Pages(std::size_t bytes);
   Pages(const Pages&) = delete;
   Pages& operator=(const Pages&) = delete;

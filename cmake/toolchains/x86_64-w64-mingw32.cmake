@@ -16,7 +16,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 # Debian has few libraries of Windows. Those that can be had without are found by the modules there.
-list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/mingw)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/from_sources)
 
 find_program(SHAFTCULL_WINE NAMES wine64 wine PATHS /usr/lib/wine)
 get_property(shaftcull_tries_to_compile GLOBAL PROPERTY IN_TRY_COMPILE)

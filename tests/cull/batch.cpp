@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "compiled/shaft_data.hpp"
 #include "cull/agreement.hpp"
@@ -249,13 +250,10 @@ TEST(CompileBatch, BoxesThatNoPairNamesMayBeAnything) {
     EXPECT_NO_THROW(compile_batch(memory.view(), memory.view(), pairs, out));
     pairs[size - 1] = {0, 9};
     kernel::data_of(out[0]).added_count = 99;
-    try {
-      compile_batch(memory.view(), memory.view(), pairs, out);
-      ADD_FAILURE() << "nothing was thrown";
-    } catch (const BadBound& error) {
-      EXPECT_EQ(error.index(), size - 1);
-      EXPECT_THAT(error.what(), testing::HasSubstr("box b: lo.z = 2"));
-    }
+    const auto error = caught<BadBound>([&] { compile_batch(memory.view(), memory.view(), pairs, out); });
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->index(), size - 1);
+    EXPECT_THAT(error->what(), testing::HasSubstr("box b: lo.z = 2"));
     EXPECT_EQ(kernel::data_of(out[0]).added_count, 99);
   }
 }
@@ -329,13 +327,10 @@ TEST(CompileBatch, ABadBoxIsNamedAndNothingIsWritten) {
       (in_first ? b : a)[23] = bad;
       std::vector<CompiledShaft> out(30);
       kernel::data_of(out[0]).added_count = 99;
-      try {
-        compile_batch(BoxColumns(a).view(), BoxColumns(b).view(), out);
-        ADD_FAILURE() << "nothing was thrown";
-      } catch (const BadBound& error) {
-        EXPECT_EQ(error.index(), 17U);
-        EXPECT_THAT(error.what(), testing::HasSubstr("17"));
-      }
+      const auto error = caught<BadBound>([&] { compile_batch(BoxColumns(a).view(), BoxColumns(b).view(), out); });
+      ASSERT_TRUE(error);
+      EXPECT_EQ(error->index(), 17U);
+      EXPECT_THAT(error->what(), testing::HasSubstr("17"));
       EXPECT_EQ(kernel::data_of(out[0]).added_count, 99);
     }
   }

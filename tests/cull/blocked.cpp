@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "dispatch/active_kernels.hpp"

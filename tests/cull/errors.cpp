@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "instruction_sets.hpp"
+#include "message_of.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -28,19 +30,6 @@ CompiledShaft shaft_for(bool outside, bool inside, bool spheres) {
   return compile(Shaft(first_box, second_box, options));
 }
 
-/// The message of the InvalidArgument that a call throws; empty, and a failure, if it throws none.
-template <class Call>
-std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const InvalidArgument& error) {
-    EXPECT_STRNE(error.what(), "");
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {};
-}
-
 class CullErrors : public testing::Test {
  protected:
   const BoxColumns boxes_{std::vector<Box>(100, first_box)};
@@ -51,9 +40,9 @@ class CullErrors : public testing::Test {
 
 TEST_F(CullErrors, AnOutsideOnlyShaftDoesNotClassify) {
   const CompiledShaft shaft = shaft_for(true, false, true);
-  EXPECT_THAT(refusal([&] { classify(shaft, boxes_.view(), kept_, inside_); }), HasSubstr("inside"));
-  EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("inside"));
-  EXPECT_THAT(refusal([&] { (void)classify(shaft, first_box); }), HasSubstr("inside"));
+  EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), kept_, inside_); }), HasSubstr("inside"));
+  EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("inside"));
+  EXPECT_THAT(message_of([&] { (void)classify(shaft, first_box); }), HasSubstr("inside"));
   EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
   EXPECT_NO_THROW(cull(shaft, boxes_.view(), kept_));
   EXPECT_NO_THROW(cull(shaft, spheres_.view(), kept_));
@@ -61,16 +50,16 @@ TEST_F(CullErrors, AnOutsideOnlyShaftDoesNotClassify) {
 
 TEST_F(CullErrors, AnInsideOnlyShaftDoesNotCull) {
   const CompiledShaft shaft = shaft_for(false, true, true);
-  EXPECT_THAT(refusal([&] { cull(shaft, boxes_.view(), kept_); }), HasSubstr("outside"));
-  EXPECT_THAT(refusal([&] { cull(shaft, spheres_.view(), kept_, Form::planes); }), HasSubstr("outside"));
+  EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), kept_); }), HasSubstr("outside"));
+  EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), kept_, Form::planes); }), HasSubstr("outside"));
   EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
 }
 
 TEST_F(CullErrors, AShaftWithoutSpheresDoesNotTestThem) {
   const CompiledShaft shaft = shaft_for(true, true, false);
-  EXPECT_THAT(refusal([&] { cull(shaft, spheres_.view(), kept_); }), HasSubstr("sphere"));
-  EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("sphere"));
-  EXPECT_THAT(refusal([&] { (void)classify(shaft, Sphere{{0, 0, 0}, 1}); }), HasSubstr("sphere"));
+  EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), kept_); }), HasSubstr("sphere"));
+  EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, inside_); }), HasSubstr("sphere"));
+  EXPECT_THAT(message_of([&] { (void)classify(shaft, Sphere{{0, 0, 0}, 1}); }), HasSubstr("sphere"));
   EXPECT_NO_THROW(classify(shaft, boxes_.view(), kept_, inside_));
 }
 
@@ -80,8 +69,8 @@ TEST_F(CullErrors, SpansThatShareMemoryAreRefused) {
   const std::vector<std::uint64_t> before = both;
   const std::span<std::uint64_t> kept = std::span(both).first(2);
   const auto names_them = HasSubstr("classify: kept and inside share memory");
-  EXPECT_THAT(refusal([&] { classify(shaft, boxes_.view(), kept, kept); }), names_them);
-  EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept, std::span(both).last(2)); }), names_them);
+  EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), kept, kept); }), names_them);
+  EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept, std::span(both).last(2)); }), names_them);
   EXPECT_EQ(both, before);
 }
 
@@ -90,10 +79,10 @@ TEST_F(CullErrors, SpansOfTheWrongSizeAreRefusedWithBothSizes) {
   for (const std::size_t size : {0U, 1U, 3U}) {
     std::vector<std::uint64_t> wrong(size, 7);
     const auto names_sizes = testing::AllOf(HasSubstr(std::to_string(size)), HasSubstr("2"));
-    EXPECT_THAT(refusal([&] { cull(shaft, boxes_.view(), wrong); }), names_sizes);
-    EXPECT_THAT(refusal([&] { cull(shaft, spheres_.view(), wrong); }), names_sizes);
-    EXPECT_THAT(refusal([&] { classify(shaft, boxes_.view(), wrong, inside_); }), names_sizes);
-    EXPECT_THAT(refusal([&] { classify(shaft, spheres_.view(), kept_, wrong); }), names_sizes);
+    EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), wrong); }), names_sizes);
+    EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), wrong); }), names_sizes);
+    EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), wrong, inside_); }), names_sizes);
+    EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, wrong); }), names_sizes);
     EXPECT_EQ(wrong, std::vector<std::uint64_t>(size, 7));
   }
   EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7));
@@ -131,7 +120,7 @@ TEST(IsaChoice, AnUnavailableInstructionSetIsRefusedWithAListOfWhatThereIs) {
   const Isa before = active_isa();
   // Beyond the last, there is one that no build has.
   const Isa missing = isas.size() == 5 ? static_cast<Isa>(5) : static_cast<Isa>(isas.size());
-  const std::string message = refusal([&] { select_isa(missing); });
+  const std::string message = message_of([&] { select_isa(missing); });
   for (const Isa isa : isas) EXPECT_THAT(message, HasSubstr(std::string(name(isa))));
   EXPECT_EQ(active_isa(), before);
 }

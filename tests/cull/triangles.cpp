@@ -219,7 +219,8 @@ Triangle needle(Random& random, const ShaftInput& input) {
     const auto from = static_cast<double>(v0[k]);
     v2[k] = random.nudge(static_cast<float>(from + t * (static_cast<double>(v1[k]) - from)));
   }
-  std::rotate(triangle.vertex.begin(), triangle.vertex.begin() + random.below(3), triangle.vertex.end());
+  std::rotate(triangle.vertex.begin(), triangle.vertex.begin() + static_cast<std::ptrdiff_t>(random.below(3)),
+              triangle.vertex.end());
   if (random.one_in(2)) std::swap(v0, v1);
   return triangle;
 }

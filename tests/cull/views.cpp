@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "guarded_floats.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include "caught.hpp"
 #include "message_of.hpp"
 #include "shaftcull/shaft.hpp"
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "caught.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "shaftcull/shaftcull.hpp"
+#include "text_of.hpp"
 
 namespace sc = shaftcull;
 
@@ -166,11 +165,6 @@ TEST(ReadmeQuestions, ATriangleBesideTheShaftIsNotInTheWayThoughItsBoxIs) {
   EXPECT_TRUE(cull(shaft, beside, sc::TriangleTest::vertices));
 }
 
-std::string text_of(const char* path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Whether a question above has this code.
 bool is_asked_here(const std::string& code) {
   const std::vector<Question> all = questions();
@@ -191,13 +185,13 @@ std::vector<std::string> code_in(const std::string& text) {
 }
 
 TEST(ReadmeQuestions, AreAskedOnThePageOfKindsAsHere) {
-  const std::vector<std::string> code = code_in(text_of(SHAFTCULL_KINDS_PAGE));
+  const std::vector<std::string> code = code_in(sc::text_of(SHAFTCULL_KINDS_PAGE));
   for (const std::string& each : code) EXPECT_TRUE(is_asked_here(each)) << each << " is compiled by no test";
   EXPECT_GE(code.size(), 8U);
 }
 
 TEST(ReadmeQuestions, AreAskedInTheReadmeAsHere) {
-  const std::string readme = text_of(SHAFTCULL_README);
+  const std::string readme = sc::text_of(SHAFTCULL_README);
   const std::size_t begin = readme.find("| question | code |");
   ASSERT_NE(begin, std::string::npos);
   const std::vector<std::string> code = code_in(readme.substr(begin, readme.find("\n\n", begin) - begin));

@@ -6,13 +6,12 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "shaftcull/shaftcull.hpp"
+#include "text_of.hpp"
 
 namespace shaftcull {
 namespace {
@@ -260,8 +259,7 @@ std::string row_text(const std::array<const char*, 5>& row) {
 }
 
 TEST(Verbs, AreThoseOfTheTableInTheReadme) {
-  std::ifstream file(SHAFTCULL_README);
-  const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string readme = text_of(SHAFTCULL_README);
   ASSERT_FALSE(readme.empty()) << "cannot read " << SHAFTCULL_README;
   for (const auto& row : table) {
     EXPECT_NE(readme.find(row_text(row) + "\n"), std::string::npos) << "the README lacks the row\n" << row_text(row);

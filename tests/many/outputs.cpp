@@ -19,6 +19,7 @@ namespace shaftcull {
 namespace {
 
 constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
+constexpr KeptCounts untouched_counts{SIZE_MAX / 3, SIZE_MAX / 3};
 
 /// Counts of bounds on either side of words, of tiles and of blocks of tiles.
 constexpr std::size_t bound_counts[] = {0, 1, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 2560, 2561, 5000};
@@ -97,7 +98,7 @@ TEST(Outputs, ContainedManyWritesTheInsideRowsThatClassifyGives) {
 
 TEST(Outputs, CountClassifiedManyCountsWhatOneShaftCounts) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows&) {
-    std::vector<KeptCounts> counts(shafts.size(), KeptCounts{sentinel, sentinel});
+    std::vector<KeptCounts> counts(shafts.size(), untouched_counts);
     count_classified_many(shafts, view, counts);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       EXPECT_EQ(counts[s], count_classified(shafts[s], view)) << "shaft " << s;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace shaftcull::oracle {
 
@@ -28,14 +29,14 @@ inline Interval operator+(Interval x, Interval y) { return Interval::around(x.lo
 inline Interval operator-(Interval x, Interval y) { return Interval::around(x.lo - y.hi, x.hi - y.lo); }
 
 inline Interval operator*(Interval x, Interval y) {
-  const auto [low, high] = std::minmax({x.lo * y.lo, x.lo * y.hi, x.hi * y.lo, x.hi * y.hi});
-  return Interval::around(low, high);
+  const std::initializer_list<double> ends = {x.lo * y.lo, x.lo * y.hi, x.hi * y.lo, x.hi * y.hi};
+  return Interval::around(std::min(ends), std::max(ends));
 }
 
 /// 0 is not in y.
 inline Interval operator/(Interval x, Interval y) {
-  const auto [low, high] = std::minmax({x.lo / y.lo, x.lo / y.hi, x.hi / y.lo, x.hi / y.hi});
-  return Interval::around(low, high);
+  const std::initializer_list<double> ends = {x.lo / y.lo, x.lo / y.hi, x.hi / y.lo, x.hi / y.hi};
+  return Interval::around(std::min(ends), std::max(ends));
 }
 
 inline Interval minimum(Interval x, Interval y) { return {std::min(x.lo, y.lo), std::min(x.hi, y.hi)}; }

@@ -15,6 +15,7 @@
 #include "oracle/random.hpp"
 #include "shaftcull/isa.hpp"
 #include "simd/table.hpp"
+#include "support/fail.hpp"
 
 namespace shaftcull::simd_test {
 
@@ -38,7 +39,7 @@ inline const Table& table_of(Isa isa) {
 #undef SHAFTCULL_NOT_BUILT
     break;
   }
-  throw std::logic_error("no operations of " + std::string(name(isa)) + " are built");
+  kernel::fail(std::logic_error("no operations of " + std::string(name(isa)) + " are built"));
 }
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();

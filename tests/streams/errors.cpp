@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "caught.hpp"
 #include "message_of.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -34,13 +35,10 @@ class Packing {
       bounds[index] = bad;
       bounds[299] = bad;
       const auto expect = [&](const auto& call) {
-        try {
-          call();
-          ADD_FAILURE() << "accepted at " << index;
-        } catch (const BadBound& error) {
-          EXPECT_EQ(error.index(), index);
-          EXPECT_THAT(error.what(), AllOf(HasSubstr(noun + " " + std::to_string(index) + ": "), what));
-        }
+        const auto error = caught<BadBound>(call);
+        ASSERT_TRUE(error) << "accepted at " << index;
+        EXPECT_EQ(error->index(), index);
+        EXPECT_THAT(error->what(), AllOf(HasSubstr(noun + " " + std::to_string(index) + ": "), what));
       };
       expect([&] { stream_.update(0, bounds); });
       expect([&] { Stream{bounds}; });
@@ -107,17 +105,12 @@ std::string centre_extent_fault(const Record& record) {
   const std::array<Record, 3> records = {legal, legal, record};
   BoxStream stream(3);
   const Box before = stream[0];
-  try {
-    stream.update(0, CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof(Record), 3});
-  } catch (const BadBound& error) {
-    EXPECT_EQ(error.index(), 2U);
+  const CentreExtentRecords given{records[0].data(), records[0].data() + 3, sizeof(Record), 3};
+  if (const auto error = caught<BadBound>([&] { stream.update(0, given); })) {
+    EXPECT_EQ(error->index(), 2U);
     EXPECT_EQ(stream[0], before);
-    EXPECT_EQ(
-        message_of([&] {
-          const BoxStream packed(CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof(Record), 3});
-        }),
-        error.what());
-    return error.what();
+    EXPECT_EQ(message_of([&] { const BoxStream packed(given); }), error->what());
+    return error->what();
   }
   ADD_FAILURE() << "accepted";
   return {};

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "caught.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/streams.hpp"
 

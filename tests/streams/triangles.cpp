@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "message_of.hpp"
 #include "oracle/cases/triangles.hpp"
@@ -115,13 +116,10 @@ TEST(TriangleStreams, RefuseWhatTheyCannotPack) {
   TriangleStream stream{std::span<const Triangle>(triangles)};
   std::vector<Triangle> bad = triangles;
   bad[7].vertex[1][2] = inf;
-  try {
-    stream.update(0, bad);
-    ADD_FAILURE();
-  } catch (const BadBound& error) {
-    EXPECT_EQ(error.index(), 7U);
-    EXPECT_STREQ(error.what(), "triangle 7: vertex 1 has z = inf; vertices must be finite");
-  }
+  const auto error = caught<BadBound>([&] { stream.update(0, bad); });
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->index(), 7U);
+  EXPECT_STREQ(error->what(), "triangle 7: vertex 1 has z = inf; vertices must be finite");
   EXPECT_THAT(message_of([&] { stream.update(5, triangles); }),
               HasSubstr("update of 10 triangles from position 5 on does not fit a stream of 10"));
   EXPECT_THAT(message_of([&] { stream.update(0, stream.view()); }), HasSubstr("share memory"));

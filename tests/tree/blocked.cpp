@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "message_of.hpp"

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "caught.hpp"
 #include "many/workload.hpp"
 #include "message_of.hpp"
 #include "parallel/parallel.hpp"

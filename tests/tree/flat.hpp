@@ -12,6 +12,7 @@
 #include "columns.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/query.hpp"
+#include "support/fail.hpp"
 
 namespace shaftcull {
 
@@ -51,7 +52,7 @@ inline std::vector<std::uint64_t> bits_of(const Indices& indices, std::size_t bo
 template <class Index>
 std::uint32_t narrow(Index index) {
   const auto narrow = static_cast<std::uint32_t>(index);
-  if (narrow != index) throw std::out_of_range("an index of more than 32 bits: " + std::to_string(index));
+  if (narrow != index) kernel::fail(std::out_of_range("an index of more than 32 bits: " + std::to_string(index)));
   return narrow;
 }
 

@@ -20,6 +20,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include "caught.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/cases/triangles.hpp"

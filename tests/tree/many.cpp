@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "caught.hpp"
 #include "many/workload.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
@@ -140,6 +141,7 @@ TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRangesOfEachShaft) {
   }
 }
 
+#if defined(__cpp_exceptions)
 TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheCall) {
   using Index = IndexOf<TypeParam>;
   std::size_t calls = 0;
@@ -151,6 +153,7 @@ TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheCall) {
                std::domain_error);
   EXPECT_EQ(calls, 8U);
 }
+#endif
 
 TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   using Index = IndexOf<TypeParam>;

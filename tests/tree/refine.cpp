@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/refine.hpp"

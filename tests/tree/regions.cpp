@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "caught.hpp"
 #include "many/workload.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/error.hpp"
@@ -132,12 +133,11 @@ TYPED_TEST(TreeRegions, TheFirstBadBoundIsNamed) {
   for (const std::size_t i : {19000U, 17003U}) {
     std::memset(&bounds[i], 0xff, sizeof(Bound));  // NaN
   }
-  try {
+  const auto error = caught<BadBound>([&] {
     built<Bound, Index>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), by_regions[0]);
-    FAIL() << "no exception";
-  } catch (const BadBound& error) {
-    EXPECT_EQ(error.index(), 17003U);
-  }
+  });
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->index(), 17003U);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "message_of.hpp"
 #include "shaftcull/many.hpp"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "caught.hpp"
 #include "columns.hpp"
 #include "message_of.hpp"
 #include "shaftcull/query.hpp"

@@ -296,6 +296,7 @@ TEST(TreeOrder, IndicesComeBackFromEntries) {
   const kernel::EntryStreams<std::uint32_t> narrow = {nullptr, nullptr, nullptr, parts};
   const kernel::EntryStreams<std::uint64_t> wide = {nullptr, nullptr, nullptr, parts, parts + 1};
   for (const std::uint64_t index : {0x0ULL, 0x1ULL, 0x7fa00001ULL, 0xffffffffULL, 0x100000000ULL, 0x1fffffffffULL}) {
+    if (index > SIZE_MAX) break;  // no tree has so many bounds there
     for (std::size_t s = 3; s != 5; ++s) parts[s - 3] = kernel::index_bits(index, s);
     EXPECT_EQ(kernel::index_of<std::uint64_t>(wide, 0), index);
     EXPECT_EQ(kernel::index_of<std::uint32_t>(narrow, 0), static_cast<std::uint32_t>(index));

@@ -342,6 +342,11 @@ describe('what cannot be answered is refused', () => {
       return true;
     });
     assert.throws(() => shaftcull.between(lamp, [1, 0, 0, 0, 0, 0]), /b/);
+    assert.throws(() => shaftcull.shadow([...lamp, ...lamp], [...table, ...lamp]), (error) => {
+      assert.deepEqual([error.status, error.position], ['bad bound', 1]);
+      assert.match(error.message, /^shaft 1: shadow: light and occluder overlap or touch/);
+      return true;
+    });
     assert.throws(() => shaftcull.hull([]), ShaftcullError);
     assert.throws(() => shaftcull.shadow(lamp, lamp), ShaftcullError);
     assert.equal(shaftcull.boxTree(scene).count(shaftcull.between(lamp, table)), 2, 'and goes on');

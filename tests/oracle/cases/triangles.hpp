@@ -104,7 +104,8 @@ inline Triangle touching_triangle(Random& random, const ShaftInput& input) {
   for (Vec3& vertex : triangle.vertex) {
     for (float& x : vertex) x = random.one_in(3) ? random.nudge(x) : x;
   }
-  std::rotate(triangle.vertex.begin(), triangle.vertex.begin() + random.below(3), triangle.vertex.end());
+  std::rotate(triangle.vertex.begin(), triangle.vertex.begin() + static_cast<std::ptrdiff_t>(random.below(3)),
+              triangle.vertex.end());
   return sometimes_degenerate(random, triangle);
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Libraries of headers alone are the same for every system, so this machine's do for Windows, too.
+# Libraries of headers alone are the same for every system, so those of this machine do for others, too.
 
 # shaftcull_header_library(TARGET FOLDER): the imported target TARGET, if this machine has its headers, as FOLDER/…. Its include
 # path leads to a folder that has them and nothing else: /usr/include would come before the compiler's own headers.
