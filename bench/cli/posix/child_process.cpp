@@ -28,6 +28,11 @@ bool run_child(std::vector<std::string> words, const ChildStreams& streams) {
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw std::system_error(errno, std::generic_category());
   }
+  // Where posix_spawn() cannot tell in time that there is no such program, its child ends so (as under qemu).
+  constexpr int was_not_found = 127;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == was_not_found) {
+    throw std::system_error(ENOENT, std::generic_category());
+  }
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
