@@ -11,11 +11,12 @@
 namespace shaftcull::cli {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "bytes are written as they are in memory");
-
+/// Little-endian, as all numbers of headers are.
 template <class T>
 void put_number(std::string& bytes, std::type_identity_t<T> value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  for (std::size_t byte = 0; byte != sizeof(T); ++byte) {
+    bytes += static_cast<char>(static_cast<unsigned char>(std::uint64_t{value} >> (8 * byte)));
+  }
 }
 
 using Two = std::uint16_t;
@@ -52,8 +53,9 @@ std::string npy_header_of(const NpyFormat& format, std::uint64_t rows) {
   std::string shape;
   for (const std::size_t n : format.columns) shape += fmt::format(" {},", n);
   if (!shape.empty()) shape.pop_back();
-  std::string text =
-      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},{}), }}", format.type, rows, shape);
+  std::string type = format.type;
+  if (std::endian::native == std::endian::big && type.front() == '<') type.front() = '>';
+  std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},{}), }}", type, rows, shape);
   // Numbers begin at a multiple of 64 bytes.
   constexpr std::size_t before_text = 10;
   text.append(63 - (before_text + text.size()) % 64, ' ');

@@ -11,7 +11,8 @@
 
 namespace shaftcull::cli {
 
-/// What an array is. `type` is as NumPy spells it: "<u4". A row has `columns` numbers; an array of one axis has none
+/// What an array is. `type` is as NumPy spells it: "<u4". Numbers are written as they are in memory, so a big-endian
+/// machine writes ">u4", which NumPy reads as well. A row has `columns` numbers; an array of one axis has none
 /// said.
 struct NpyFormat {
   std::string name;
