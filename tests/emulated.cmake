@@ -30,7 +30,7 @@ endfunction()
 # software: answers on record (same_bits) stand in for them.
 set(slow Oracle.* QuickHull.* FloatEnvironment.Answers* GoldenAnswers.EverySphere* *.EveryMagnitude* *.EveryColouring* *.*FarFrom*
   ExactSpheres.*Huge* ExactSpheres.*Touch* ExactSpheres.Radii* ExactSpheres.Random* ExactSpheres.*OnAGridOf* ExactSpheres.*Joining*
-  ExactBoxes.SweepsThatEnd* AddedPlanes.SpheresAt* AddedPlanes.Huge* Kinds.*Exactly Kinds.*Away Blocked.*Exactly FirstContact*.*ExactArithmetic*
+  ExactBoxes.SweepsThatEnd* AddedPlanes.SpheresAt* AddedPlanes.Huge* Kinds.*Exactly Kinds.*Away Kinds.ShadowsThatLeave* Blocked.*Exactly FirstContact*.*ExactArithmetic*
   OpenContact.*Exactly OpenContactVerbs.* Triangles.*Exactly Triangles.AddedPlanes* Triangles.Counts*)
 list(JOIN slow ":" slow)
 # Guard pages are left to real processors: qemu 7.2 reads all lanes of a masked load, also those that are masked out.
