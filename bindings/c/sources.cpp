@@ -96,15 +96,21 @@ BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) {
         });
     if (!are_boxes) refuse(std::string(name) + " is a source of other bounds; this call takes boxes");
   };
+  // Of which array, for a call takes two. Streams also take the empty box, which can be no end of a shaft, no patch and
+  // no blocker.
+  const auto in_array = [name](const BadBound& bad) {
+    const std::string what = bad.what();
+    return BadBound(bad.index(), std::string(name) + ": " + what.substr(0, what.find(", or the box empty")));
+  };
 #if defined(__cpp_exceptions)
   try {
     take();
-  } catch (const BadBound& bad) {  // of which array, for a call takes two
-    const std::string what = bad.what();
-    // Streams also take the empty box, which can be no end of a shaft, no patch and no blocker.
-    throw BadBound(bad.index(), std::string(name) + ": " + what.substr(0, what.find(", or the box empty")));
+  } catch (const BadBound& bad) {
+    throw in_array(bad);
   }
 #else
+  const TellingInstead::Other other = in_array;
+  const TellingInstead telling(other);
   take();
 #endif
 }

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "shaftcull.h"
+#include "shaftcull/error.hpp"
+#include "shaftcull/function_ref.hpp"
 
 namespace shaftcull::binding {
 
@@ -26,6 +28,19 @@ class Stopped : public std::exception {
 
 /// Records an error as this thread's last one, tells the caller's handler, and ends the program if that returns.
 [[noreturn]] void tell_handler(const std::exception& error);
+
+/// In a build without exceptions: has tell_handler() tell another error of a BadBound of this thread, until the end of
+/// the scope or the first error. There is one at a time.
+class TellingInstead {
+ public:
+  using Other = FunctionRef<BadBound(const BadBound&)>;
+
+  /// `other` must live as long as this.
+  explicit TellingInstead(const Other& other) noexcept;
+  ~TellingInstead();
+  TellingInstead(const TellingInstead&) = delete;
+  TellingInstead& operator=(const TellingInstead&) = delete;
+};
 
 /// Throws an error; in a build without exceptions, tell_handler() of it. kernel/support/fail.hpp does alike.
 template <class Error>

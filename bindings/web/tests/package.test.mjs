@@ -341,7 +341,12 @@ describe('what cannot be answered is refused', () => {
       assert.match(error.message, /^box 1: lo\.z = 2 is above hi\.z = 1/);
       return true;
     });
-    assert.throws(() => shaftcull.between(lamp, [1, 0, 0, 0, 0, 0]), /b/);
+    const upsideDown = [1, 0, 0, 0, 1, 1];
+    const why = ': box 0: lo\\.x = 1 is above hi\\.x = 0; lo must be at most hi$';
+    assert.throws(() => shaftcull.between(upsideDown, lamp), new RegExp(`^ShaftcullError: a${why}`));
+    assert.throws(() => shaftcull.between(lamp, upsideDown), new RegExp(`^ShaftcullError: b${why}`));
+    assert.throws(() => shaftcull.shadow(lamp, upsideDown), new RegExp(`^ShaftcullError: occluders${why}`));
+    assert.throws(() => shaftcull.swept(upsideDown, [1, 0, 0]), new RegExp(`^ShaftcullError: bodies${why}`));
     assert.throws(() => shaftcull.shadow([...lamp, ...lamp], [...table, ...lamp]), (error) => {
       assert.deepEqual([error.status, error.position], ['bad bound', 1]);
       assert.match(error.message, /^shaft 1: shadow: light and occluder overlap or touch/);
