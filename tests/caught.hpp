@@ -42,7 +42,8 @@ std::optional<Error> caught(const Call& call) {
 
 }  // namespace shaftcull
 
-// GoogleTest's own ways to ask need exceptions.
+// GoogleTest's own ways to ask need exceptions. What fails in EXPECT_NO_THROW ends the program, unless an EXPECT_THROW
+// around it expects that.
 #if !defined(__cpp_exceptions)
 #undef EXPECT_THROW
 #undef EXPECT_NO_THROW

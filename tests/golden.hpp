@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,18 +53,18 @@ inline std::vector<std::vector<double>> read_numbers(const std::string& file_nam
   const std::string text = text_of(path);
   if (text.empty()) kernel::fail(std::runtime_error("cannot read the reference data " + path));
   std::vector<std::vector<double>> rows;
-  std::size_t begin = text.find('\n') + 1;  // behind the heading
+  std::size_t begin = std::min(text.find('\n'), text.size() - 1) + 1;  // behind the heading
   for (std::size_t end = 0; begin < text.size(); begin = end + 1) {
     end = std::min(text.find('\n', begin), text.size());
     std::vector<double>& row = rows.emplace_back();
     const char* at = text.c_str() + begin;
-    for (char* next = nullptr; row.size() != columns; at = next + 1) {
-      row.push_back(std::strtod(at, &next));
-      if (next == at) row.pop_back();
-      if (next == at || *next != ',') {
-        at = next;
-        break;
-      }
+    // Numbers begin so: strtod() takes white space, too, and with it the next line.
+    while (row.size() != columns && *at != '\0' && std::strchr("-0123456789", *at) != nullptr) {
+      char* behind = nullptr;
+      row.push_back(std::strtod(at, &behind));
+      at = behind;
+      if (row.size() == columns || *at != ',') break;
+      ++at;
     }
     if (row.size() != columns || (*at != '\0' && *at != '\r' && *at != '\n')) {
       kernel::fail(std::runtime_error(path + ":" + std::to_string(rows.size() + 1) + ": not " +
