@@ -211,7 +211,7 @@ std::string refusal_of(const std::vector<IndexPair>& pairs, const BatchPlanes& p
   const BoxColumns memory(boxes);
   std::vector<CompiledShaft> out(out_size);
   for (CompiledShaft& shaft : out) kernel::data_of(shaft).added_count = 99;
-  const std::string message =
+  std::string message =
       message_of([&] { compile_batch(memory.view().slice(0, 2), memory.view(), pairs, out, planes); });
   for (const CompiledShaft& shaft : out) EXPECT_EQ(kernel::data_of(shaft).added_count, 99);
   return message;

@@ -266,11 +266,11 @@ void expect_value_semantics(const Bounds& bounds, const Bounds& others) {
   const float* const memory = stream.view().stream[0];
   Stream moved(std::move(stream));
   EXPECT_EQ(moved.view().stream[0], memory);
-  EXPECT_EQ(stream.size(), 0U);  // NOLINT(bugprone-use-after-move): documented to be empty
+  EXPECT_EQ(stream.size(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move): is empty then
   EXPECT_EQ(stream.memory_bytes(), 0U);
   stream = std::move(moved);
   EXPECT_EQ(bounds_in(stream), bounds);
-  EXPECT_EQ(moved.size(), 0U);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(moved.size(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move)
   EXPECT_TRUE(bounds_in(moved).empty());
   Stream& same = stream;
   stream = std::move(same);

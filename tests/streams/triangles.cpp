@@ -19,7 +19,6 @@
 namespace shaftcull {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr float inf = std::numeric_limits<float>::infinity();

@@ -80,12 +80,7 @@ TYPED_TEST(TreeSharedMemory, ATreesOwnLeavesAreNoUpdateOfIt) {
   EXPECT_THAT(message_of([&] { tree.update(indices, last); }), refusal);
 
   // So are records in that memory, forwards and backwards.
-  typename TypeParam::Records records{};
-  if constexpr (std::is_same_v<Bound, Box>) {
-    records = {tree.leaves().stream[0], tree.leaves().stream[3], sizeof(float), 3};
-  } else {
-    records = {tree.leaves().stream[0], tree.leaves().stream[3], sizeof(float), 3};
-  }
+  typename TypeParam::Records records{tree.leaves().stream[0], tree.leaves().stream[3], sizeof(float), 3};
   EXPECT_THAT(message_of([&] { tree.update(indices, records); }), refusal);
   records.stride = 0 - sizeof(float);
   EXPECT_THAT(message_of([&] { tree.update(indices, records); }), refusal);

@@ -88,13 +88,13 @@ class Refusing {
   Refusing() { begin(); }
   template <class Add>
   std::string bad(const Add& add) {
-    const std::string said = bad_bound([&] { add(blockers_); });
+    std::string said = bad_bound([&] { add(blockers_); });
     expect_unchanged();
     return said;
   }
   template <class Add>
   std::string invalid(const Add& add) {
-    const std::string said = message_of([&] { add(blockers_); });
+    std::string said = message_of([&] { add(blockers_); });
     expect_unchanged();
     return said;
   }
@@ -222,7 +222,7 @@ TEST(VisibilityErrors, OptionsAndCallbacksAreChecked) {
   const Blockers blockers;
   const auto ignore = [](const SightBatch&) {};
   const auto all = [&](const VisibilityOptions& options) {
-    const std::string said = message_of([&] { static_cast<void>(count_visibility(patches, blockers, options)); });
+    std::string said = message_of([&] { static_cast<void>(count_visibility(patches, blockers, options)); });
     EXPECT_EQ(message_of([&] { static_cast<void>(count_visibility(patches, patches, blockers, options)); }), said);
     EXPECT_EQ(message_of([&] { visibility(patches, blockers, ignore, options); }), said);
     EXPECT_EQ(message_of([&] { visibility(patches, patches, blockers, ignore, options); }), said);
