@@ -13,10 +13,7 @@ extern "C" {
                                                                                      const void* argument);
 [[noreturn]] [[clang::import_module("attempts"), clang::import_name("leave")]] void host_leave();
 
-// libc++abi of this system lacks it: destructors of thread-local objects run when their thread ends.
-int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*library*/) { return 0; }
-
-// Division of 128 bits, in the compiler's own library, was compiled with them.
+// The compiler's own library was compiled with a stack protector, which needs these; nothing checks them here.
 std::uintptr_t __stack_chk_guard = 0x5eed5eed;
 [[noreturn]] void __stack_chk_fail() { std::abort(); }
 

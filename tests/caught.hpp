@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What a call throws. In a build without exceptions, which WebAssembly is, its host leaves a call that fails, and
-/// tests find the error here all the same.
+/// What a call throws. WebAssembly has no exceptions: there JavaScript leaves a call that fails, and caught() finds the
+/// error all the same.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the library needs of the module: errors are told to JavaScript, and there is one thread, which never ends.
+// What the library needs of the module: errors are told to JavaScript, and memory grows in large steps.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +12,6 @@ extern "C" {
 [[clang::import_module("shaftcull"), clang::import_name("fail")]] void fail(shaftcull_status status,
                                                                             const char* message,
                                                                             std::uint64_t position);
-
-// libc++abi of this system lacks it: destructors of thread-local objects run when their thread ends.
-int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*library*/) { return 0; }
 
 // malloc asks for a little more memory each time that it has none left. Memory grows by a quarter then, since browsers
 // look for garbage each time that it does.

@@ -6,7 +6,7 @@ if(SHAFTCULL_GOOGLETEST_SOURCES AND NOT TARGET GTest::gmock)
   set(INSTALL_GTEST OFF)
   set(BUILD_SHARED_LIBS OFF)  # each DLL would have the compiler's libraries in it
   if(CMAKE_SYSTEM_NAME STREQUAL "WASI")
-    set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # its option is what is said here
+    set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # so that the next line sets its option
     set(gtest_disable_pthreads ON)
   endif()
   add_subdirectory(${SHAFTCULL_GOOGLETEST_SOURCES} ${CMAKE_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a program of WebAssembly with its arguments, all files and the variables of the environment, and ends as it does. There are
-// no exceptions in it, so it may have this leave functions that have failed: `attempt` calls one, and `leave` goes back there.
+// Runs a program of WebAssembly with its arguments, all files and the variables of the environment, and ends as it does. Programs
+// have no exceptions, so two functions stand for them: `attempt` calls a function, and `leave` goes back to the last `attempt`.
 import {readFile} from 'node:fs/promises';
 import {WASI} from 'node:wasi';
 
