@@ -13,7 +13,7 @@ file(RELATIVE_PATH place ${machine} ${package})
 file(COPY ${package}/ DESTINATION ${WORK}/prefix/${place})
 file(COPY ${machine}/include/xsimd DESTINATION ${WORK}/prefix/include)
 configure(x86_64-w64-mingw32-g++-posix -D CMAKE_SYSTEM_NAME=Windows -D CMAKE_SYSTEM_PROCESSOR=x86_64
-  -D CMAKE_BUILD_TYPE=Release -D SHAFTCULL_WITH_TBB=OFF -D BUILD_SHARED_LIBS=ON -D SHAFTCULL_BUILD_C=ON
+  ${optimised} -D SHAFTCULL_WITH_TBB=OFF -D BUILD_SHARED_LIBS=ON -D SHAFTCULL_BUILD_C=ON
   -D xsimd_DIR=${WORK}/prefix/${place}
   -D PARENT_MORE=${with_hashes})
 build()
