@@ -4,8 +4,9 @@
 
 set(client ${CMAKE_CURRENT_LIST_DIR}/client.cpp)
 set(with_hashes ${CMAKE_CURRENT_LIST_DIR}/parent/hashes.cmake)
-# Optimised, as Debian does it. At -O3, which CMake's Release has, compilers take twice as long.
-set(optimised -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG")
+# Hashes take as long to run as at -O3, which CMake's Release has, but a third of the time to compile for s390x. The presets of
+# these processors are compiled at -O3.
+set(optimised -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG")
 
 # Ends the case: what it needs is not there.
 macro(skip why)
