@@ -532,10 +532,11 @@ TEST_F(BatchJob, NothingToAskAndNothingToAskAboutHaveEmptyAnswers) {
 
 TEST_F(BatchJob, LittleMemoryForVeryManySharesIsRefused) {
   job.memory = 1;
-  std::vector<float> few = random_bounds(BoundKind::box);  // each share looks into the files of all others
-  few.resize(6 * 150);
-  write_floats(job.bounds, 6, few);
-  EXPECT_EQ(run(job).shares, 150) << "a bound each is as small as shares get";
+  constexpr std::size_t few = 150;  // for each share looks into the files of all others
+  std::vector<float> floats = random_bounds(BoundKind::box);
+  floats.resize(6 * few);
+  write_floats(job.bounds, 6, floats);
+  EXPECT_EQ(run(job).shares, few) << "a bound each is as small as shares get";
   write_floats(job.bounds, 6, std::vector<float>(6 * 20'000));
   EXPECT_THAT(message_of([&] { run(job); }), HasSubstr("--memory: 20000 bounds would be dealt into 20000 shares"));
 }
