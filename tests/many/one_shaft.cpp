@@ -23,25 +23,6 @@ constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 /// More than two of the largest chunks, and no whole word at the end.
 constexpr std::size_t many_bounds = 40001;
 
-/// What the bits say.
-template <class Index>
-struct Expected {
-  std::vector<Index> kept;
-  std::vector<Index> overlap;
-  std::vector<Index> inside;
-
-  template <class View>
-  Expected(const CompiledShaft& shaft, const View& view) {
-    const ExpectedRows bits({shaft}, view);
-    for (std::size_t i = 0; i != view.count; ++i) {
-      if ((bits.kept[i / 64] >> i % 64 & 1U) == 0) continue;
-      const bool is_inside = (bits.inside[i / 64] >> i % 64 & 1U) != 0;
-      kept.push_back(static_cast<Index>(i));
-      (is_inside ? inside : overlap).push_back(static_cast<Index>(i));
-    }
-  }
-};
-
 /// A list of `results` into room for `room` of them holds the first that fit, and nothing past the room is written.
 template <class Index, class List>
 void expect_listed(const std::vector<Index>& results, std::size_t room, const List& list) {
@@ -57,7 +38,7 @@ void expect_listed(const std::vector<Index>& results, std::size_t room, const Li
 
 template <class Index, class View>
 void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form form) {
-  const Expected<Index> right(shaft, view);
+  const ExpectedLists<Index> right = ExpectedRows({shaft}, view).lists<Index>(0);
   const KeptCounts counts{right.overlap.size(), right.inside.size()};
   ASSERT_GT(counts.overlap, 10U);
   ASSERT_GT(counts.inside, 10U);
