@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# 64-bit Windows by mingw-w64, in wine, as DLLs that export the interface and nothing else, with oneTBB off.
+# 64-bit Windows by mingw-w64 with -O2, in wine, as DLLs that export the interface and nothing else, with oneTBB off.
 needs(x86_64-w64-mingw32-g++-posix)
 find_program(wine NAMES wine64 wine PATHS /usr/lib/wine)
 if(NOT wine)
@@ -13,7 +13,8 @@ file(RELATIVE_PATH place ${machine} ${package})
 file(COPY ${package}/ DESTINATION ${WORK}/prefix/${place})
 file(COPY ${machine}/include/xsimd DESTINATION ${WORK}/prefix/include)
 configure(x86_64-w64-mingw32-g++-posix -D CMAKE_SYSTEM_NAME=Windows -D CMAKE_SYSTEM_PROCESSOR=x86_64
-  ${optimised} -D SHAFTCULL_WITH_TBB=OFF -D BUILD_SHARED_LIBS=ON -D SHAFTCULL_BUILD_C=ON
+  -D CMAKE_BUILD_TYPE=RelWithDebInfo -D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2 -DNDEBUG" -D SHAFTCULL_WITH_TBB=OFF
+  -D BUILD_SHARED_LIBS=ON -D SHAFTCULL_BUILD_C=ON
   -D xsimd_DIR=${WORK}/prefix/${place}
   -D PARENT_MORE=${with_hashes})
 build()
