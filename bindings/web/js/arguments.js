@@ -35,14 +35,25 @@ export function asIndices(values, name) {
   checkArray(values, name);
   return Uint32Array.from(values, (value, i) => {
     if (!Number.isInteger(value) || value < 0 || value > 0xffff_ffff) {
-      throw new TypeError(`${name}[${i}] = ${JSON.stringify(value)} is no integer from 0 to 2^32 - 1`);
+      throw new TypeError(`${name}[${i}] = ${shown(value)} is no integer from 0 to 2^32 - 1`);
     }
     return value;
   });
 }
 
+/** A value as messages show it. JSON has no word for some. */
+function shown(value) {
+  if (typeof value === 'bigint') return `${value}n`;
+  if (typeof value !== 'object' && typeof value !== 'string') return String(value);
+  try {
+    return JSON.stringify(value);
+  } catch {
+    return 'an object that JSON cannot write';
+  }
+}
+
 function checkArray(values, name) {
-  if (typeof values !== 'object' || values === null || !Number.isInteger(values.length)) {
+  if (typeof values !== 'object' || values === null || !Number.isInteger(values.length) || values.length < 0) {
     throw new TypeError(`${name} is no array of numbers`);
   }
 }
@@ -50,7 +61,7 @@ function checkArray(values, name) {
 /** The position of a name among these. */
 export function asEnumerator(value, names, name) {
   const position = names.indexOf(value);
-  if (position === -1) throw new TypeError(`${name} is ${JSON.stringify(value)}, not one of '${names.join("', '")}'`);
+  if (position === -1) throw new TypeError(`${name} is ${shown(value)}, not one of '${names.join("', '")}'`);
   return position;
 }
 
@@ -58,7 +69,7 @@ export function asEnumerator(value, names, name) {
 export function asPosition(value, end, name) {
   if (end === 0) throw new RangeError('there are no shafts to ask');
   if (!Number.isInteger(value) || value < 0 || value >= end) {
-    throw new RangeError(`${name} = ${JSON.stringify(value)} is no integer from 0 to ${end - 1}`);
+    throw new RangeError(`${name} = ${shown(value)} is no integer from 0 to ${end - 1}`);
   }
   return value;
 }
@@ -66,7 +77,7 @@ export function asPosition(value, end, name) {
 /** Refuses options that are none, which may be misspelt. */
 export function checkOptions(options, names) {
   if (typeof options !== 'object' || options === null) {
-    throw new TypeError(`options are an object with some of '${names.join("', '")}', not ${JSON.stringify(options)}`);
+    throw new TypeError(`options are an object with some of '${names.join("', '")}', not ${shown(options)}`);
   }
   for (const name of Object.keys(options)) {
     if (!names.includes(name)) throw new TypeError(`there is no option '${name}'; there are '${names.join("', '")}'`);

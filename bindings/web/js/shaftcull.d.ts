@@ -18,6 +18,7 @@
  * position that is none a `RangeError`. Objects are as they were.
  *
  * Memory. Objects hold memory of the module until `free()`, or until they are garbage. What a call returns is a copy.
+ * A call that the library refuses keeps memory: some KB, and of large arguments up to three times as much as they take.
  * The module has 4 GB at most; after 'out of memory' make a new one. It has no threads: a worker makes one of its own.
  */
 

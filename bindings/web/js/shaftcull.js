@@ -16,6 +16,9 @@ export async function load(wasm = new URL('shaftcull.wasm', import.meta.url)) {
 async function compiled(wasm) {
   if (wasm instanceof WebAssembly.Module) return wasm;
   if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) return WebAssembly.compile(wasm);
+  if (typeof wasm !== 'string' && !(wasm instanceof URL)) {
+    throw new TypeError('load() takes a WebAssembly.Module, its bytes, or where it is, as a text or a URL');
+  }
   const url = new URL(wasm, globalThis.location?.href ?? `file://${process.cwd()}/`);
   if (url.protocol === 'file:' && typeof process === 'object') {
     const files = 'node:fs/promises';  // a name that is not known when the module is bundled for a browser

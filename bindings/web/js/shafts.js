@@ -107,7 +107,7 @@ function aligned(a, perA, nameA, b, perB, nameB) {
   const [countA, countB] = [a.length / perA, b.length / perB];
   if (countA !== countB && countA !== 1 && countB !== 1) {
     const must = 'there must be as many of both, or one of either';
-    throw new TypeError(`there are ${countA} ${nameA} and ${countB} ${nameB}; ${must}`);
+    throw new TypeError(`there are ${countA} of ${nameA} and ${countB} of ${nameB}; ${must}`);
   }
   const count = countA === 0 || countB === 0 ? 0 : Math.max(countA, countB);
   return [repeated(a, count / countA || 0), repeated(b, count / countB || 0), count];

@@ -186,7 +186,7 @@ describe('shafts', () => {
     const fan = shaftcull.between(lamp, scene);
     assert.equal(fan.length, 3);
     assert.equal(tree.count(fan, {at: 2}), tree.count(shaftcull.between(lamp, scene.slice(12))));
-    assert.throws(() => shaftcull.between(scene, [...lamp, ...table]), /3 a and 2 b/);
+    assert.throws(() => shaftcull.between(scene, [...lamp, ...table]), /3 of a and 2 of b/);
     assert.equal(shaftcull.between([], lamp).length, 0);
   });
 
@@ -363,6 +363,10 @@ describe('what cannot be answered is refused', () => {
       [() => shaftcull.boxTree([0, 0, 0, 1, 1]), /boxes has 5 floats, which is no multiple of 6/],
       [() => shaftcull.boxTree([0, 0, 0, 1, 1, '1']), /boxes\[5\] is no number/],
       [() => shaftcull.boxTree(7), /boxes is no array/],
+      [() => shaftcull.boxTree({length: -6}), /boxes is no array/],
+      [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), {at: 0n}), /at = 0n is no integer/],
+      [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), {at: NaN}), /at = NaN is no integer/],
+      [() => shaftcull.between(lamp, table, {contact: globalThis}), /contact is an object that JSON cannot write/],
       [() => shaftcull.between(lamp, table, {contacts: 'open'}), /no option 'contacts'/],
       [() => shaftcull.between(lamp, table, {contact: 'ajar'}), /contact is "ajar", not one of/],
       [() => shaftcull.between(lamp, table, {pairs: [0.5, 0]}), /pairs\[0\] = 0.5 is no integer/],
@@ -394,6 +398,7 @@ describe('what cannot be answered is refused', () => {
 
   test('objects of another module', async () => {
     const other = await load();
+    await assert.rejects(load({}), /load\(\) takes a WebAssembly\.Module, its bytes/);
     const [tree, shaft, hull] = [shaftcull.boxTree(scene), other.between(lamp, table), other.hull([0, 0, 0])];
     for (const call of [() => tree.list(shaft), () => tree.countMany(shaft), () => tree.listMany(shaft),
                         () => tree.count(hull), () => tree.entryTimes(shaft, [0]),
