@@ -22,10 +22,13 @@ function form(library, {kind, a, b, contact}) {
 /**
  * All answers to a question. `overlap`, `inside` and `blocks` are indices; what blocks is among what overlaps. Of
  * bodies that move, `first` is what is hit first and when, and `reached` has the indices of what is hit until `time`.
- * `points` are those of a hull, 3 floats each. `milliseconds` is what the library took.
+ * `points` are those of a hull, 3 floats each. `milliseconds` is what the library took. Throws an Error if there is no
+ * such volume.
  */
 export function ask(library, scene, question) {
   const kind = VOLUMES[question.kind];
+  const trouble = kind.trouble?.(question.a, question.b);
+  if (trouble) throw new Error(trouble);
   const {tree} = boundsFor(scene, question);
   const stopwatch = new Stopwatch();
   const volume = form(library, question);

@@ -48,6 +48,7 @@ export class BetweenPage {
   #question = {};
   #places = {a: {middle: [0, 0, 0], half: 1}, b: {middle: [0, 0, 0], half: 1}};
   #wanderFrom;
+  #file;
 
   constructor(library, stage, panel) {
     this.#library = library;
@@ -58,15 +59,17 @@ export class BetweenPage {
     this.#dragging = new Dragging(stage.canvas, this.#picture, {
       middle: (name) => this.#places[name].middle,
       moveTo: (name, place) => this.#moveTo(name, place),
-      select: (name) => panel.select(name),
+      select: (name) => this.#grabbed(name),
     });
     panel.connect({
       openOwn: (key) => this.openOwn(key),
+      openFile: () => this.openTriangles(this.#file.name, this.#file.triangles),
       change: () => this.#changed(),
       move: (direction) => this.#move(direction),
       resize: (factor) => this.#resize(factor),
       lookAtAll: () => this.#lookAt(middleOf(this.#scene.around), this.#scene.extent / 2),
       lookAtBoxes: () => this.#lookAtBoxes(),
+      restart: () => this.#restart(),
       toFirst: () => panel.setTime(this.#answer.first.time),
     });
   }
@@ -83,6 +86,7 @@ export class BetweenPage {
     const at = (...shares) => middle.map((value, k) => value + shares[k] * scene.extent);
     const start = {a: at(-0.3, 0.1, 0.15), b: at(0.3, 0, -0.1), half: 0.04 * scene.extent, radius: 0.5 * scene.extent};
     this.#setScene(scene, start);
+    this.#file = {name, triangles};
   }
 
   #setScene(scene, start) {
@@ -90,9 +94,14 @@ export class BetweenPage {
     this.#scene?.free();
     this.#scene = scene;
     this.#start = {...start, half: start.half || 1};
-    for (const name of ['a', 'b']) this.#places[name] = {middle: start[name], half: this.#start.half};
-    this.#wanderFrom = undefined;
     this.#panel.showScene(scene);
+    this.#restart();
+  }
+
+  /** Puts the boxes where they were first. */
+  #restart() {
+    for (const name of ['a', 'b']) this.#places[name] = {middle: this.#start[name], half: this.#start.half};
+    this.#wanderFrom = undefined;
     this.#lookAtBoxes();
     this.#changed();
   }
@@ -100,11 +109,12 @@ export class BetweenPage {
   #lookAtBoxes() {
     const [a, b] = [this.#places.a.middle, this.#places.b.middle];
     const middle = a.map((value, k) => (value + b[k]) / 2);
-    this.#lookAt(middle, Math.max(this.#start.radius, Math.hypot(...a.map((value, k) => value - b[k])) * 0.6));
+    const apart = Math.hypot(...a.map((value, k) => value - b[k]));
+    this.#lookAt(middle, Math.max(this.#start.radius, 0.6 * apart, 4 * this.#start.half));
   }
 
   #lookAt(place, radius) {
-    this.#eye.lookAt(place, [0.35, 0.75, 1], radius || 1);
+    this.#eye.lookAt(place, [0.35, 0.75, 1], radius);
   }
 
   setActive(active) {
@@ -146,9 +156,19 @@ export class BetweenPage {
     this.#moveTo(name, this.#places[name].middle.map((value, k) => value + step * shift[k]));
   }
 
+  /** Not farther out than half the size of the scene, so that no box is lost. */
   #moveTo(name, middle) {
-    this.#places[name].middle = middle;
+    const {around, extent} = this.#scene;
+    const reach = Math.max(extent / 2, 20 * this.#start.half);
+    const near = (value, k) => Math.min(Math.max(value, around[k] - reach), around[k + 3] + reach);
+    this.#places[name].middle = middle.map(near);
     this.#changed();
+  }
+
+  /** A box that is dragged does not move by itself. */
+  #grabbed(name) {
+    if (name === 'b') this.#panel.stopWandering();
+    this.#panel.select(name);
   }
 
   #resize(factor) {
@@ -202,7 +222,7 @@ export class BetweenPage {
       this.#drawNothing();
       this.#panel.showTrouble(error.message);
     }
-    this.#panel.showLibraryTime(this.#libraryTime.mean, this.counts(), this.#scene.length);
+    if (this.#answer) this.#panel.showLibraryTime(this.#libraryTime.mean, this.counts(), this.#scene.length);
     clearTimeout(this.#restTimer);
     this.#restTimer = setTimeout(() => this.#rest(), REST);
   }
@@ -241,7 +261,7 @@ export class BetweenPage {
     this.#picture.paint(this.#steps ? layersOfStep(this.#steps, this.#panel.step) : layersOf(this.#answer));
     this.#picture.show(this.#panel.shown);
     this.#panel.showCounts(this.counts());
-    this.#panel.showFirst(first, this.#scene.shape);
+    if (volume.moves) this.#panel.showFirst(first, this.#scene.shape);
   }
 
   #drawNothing() {
@@ -251,7 +271,7 @@ export class BetweenPage {
     this.#picture.setFirst(this.#scene);
     this.#picture.paint([]);
     this.#panel.showCounts({});
-    this.#panel.showFirst();
+    this.#panel.showNoFirst();
   }
 
   #drawStep() {

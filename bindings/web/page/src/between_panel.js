@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The controls and figures of "What is in the way?".
 import {byId, tableRow, written} from './html.js';
+import {hideMessage} from './message.js';
 import {ANSWERS} from './palette.js';
 import {VOLUMES} from './volumes.js';
 
@@ -9,11 +10,12 @@ const MEANINGS = {
   outside: 'outside',
   overlap: 'overlap',
   inside: 'inside',
-  blocks: 'of these: block all of the view',
+  blocks: 'overlap, and hide all of B',
   cut: 'cut by this step',
-  reached: 'of these: reached by now',
+  reached: 'of all these: reached by now',
 };
 const NOUNS = {boxes: 'box', spheres: 'sphere', triangles: 'the box around triangle'};
+const COARSE = 0.05;  // ms: clocks of browsers tick in a tenth of one
 const FILE = 'file';
 
 export class BetweenPanel {
@@ -46,7 +48,9 @@ export class BetweenPanel {
   connect(actions) {
     this.#actions = actions;
     byId('scene').addEventListener('change', (event) => {
-      if (event.target.value !== FILE) actions.openOwn(event.target.value);
+      hideMessage();
+      if (event.target.value === FILE) actions.openFile();
+      else actions.openOwn(event.target.value);
     });
     byId('kind').addEventListener('change', () => this.#showKind());
     for (const id of ['kind', 'test', 'open-contact', 'shaft-shown', 'wander', 'stepping']) {
@@ -58,6 +62,7 @@ export class BetweenPanel {
     byId('to-first').addEventListener('click', actions.toFirst);
     byId('all').addEventListener('click', actions.lookAtAll);
     byId('near').addEventListener('click', actions.lookAtBoxes);
+    byId('restart').addEventListener('click', actions.restart);
     byId('step-back').addEventListener('click', () => this.#goToStep(this.#step - 1));
     byId('step-on').addEventListener('click', () => this.#goToStep(this.#step + 1));
     for (const button of document.querySelectorAll('[data-move]')) {
@@ -85,6 +90,10 @@ export class BetweenPanel {
     this.#actions.change();
   }
 
+  stopWandering() {
+    byId('wander').checked = false;
+  }
+
   setTime(time) {
     byId('time').value = Math.ceil(time * 1000) / 1000;
     this.#actions.change();
@@ -108,16 +117,14 @@ export class BetweenPanel {
     byId('test').disabled = Boolean(hull);
   }
 
-  /** After another scene was opened. A file of the user gets an entry of its own. */
+  /** After another scene was opened. The last file of the user has an entry of its own. */
   showScene({name, shape}) {
     const select = byId('scene');
-    const file = [...select.options].find((option) => option.value === FILE);
     if (shape === 'triangles') {
+      const file = [...select.options].find((option) => option.value === FILE);
       const option = file ?? select.appendChild(new Option('', FILE));
       option.textContent = name;
       select.value = FILE;
-    } else {
-      file?.remove();
     }
     byId('triangle-test').hidden = shape !== 'triangles';
   }
@@ -133,12 +140,13 @@ export class BetweenPanel {
       const {row, number, meaning} = this.#rows[answer];
       row.hidden = counts[answer] === undefined;
       number.textContent = written(counts[answer] ?? 0);
-      meaning.textContent = answer === 'overlap' ? this.#meaningOfOverlap(counts) : MEANINGS[answer];
+      meaning.textContent = this.#meaningOf(answer, counts);
     }
     byId('time-value').textContent = this.time.toFixed(3);
   }
 
-  #meaningOfOverlap({inside}) {
+  #meaningOf(answer, {inside}) {
+    if (answer !== 'overlap') return MEANINGS[answer];
     if (this.stepping) return 'left after it';
     return inside === undefined ? 'overlap or inside' : MEANINGS.overlap;
   }
@@ -146,8 +154,16 @@ export class BetweenPanel {
   /** What is hit first, of bounds of a shape. */
   showFirst(first, shape) {
     const told = (index, time) => `${NOUNS[shape]} ${written(index)} at time ${time.toFixed(4)}, marked in the picture`;
-    byId('first').textContent = first ? `First contact: ${told(first.index, first.time)}.` : 'It hits nothing.';
+    const none = shape === 'triangles' ? 'It hits no box around a triangle.' : 'It hits nothing.';
+    const note = shape === 'triangles' ? ' Triangles themselves have no times.' : '';
+    byId('first').textContent = (first ? `First contact: ${told(first.index, first.time)}.` : none) + note;
     byId('to-first').disabled = !first;
+  }
+
+  /** While there is no answer. */
+  showNoFirst() {
+    byId('first').textContent = '';
+    byId('to-first').disabled = true;
   }
 
   /** How many bounds are left after each step; none while they are not stepped through. */
@@ -166,16 +182,22 @@ export class BetweenPanel {
     }));
   }
 
+  /** Why there is no answer: beside the picture, in it, and aloud; without a message, that there is one. */
   showTrouble(message = '') {
     byId('trouble').textContent = message;
     byId('trouble').hidden = message === '';
+    if (message === '') return;
+    byId('library-time').textContent = '–';
+    byId('legend').textContent = message;
+    byId('status').textContent = message;
   }
 
   /** The mean of the last frames; in a corner of the picture, too, with what is kept. */
   showLibraryTime(milliseconds, {overlap = 0, inside = 0}, length) {
-    const time = Number.isFinite(milliseconds) ? `${milliseconds.toFixed(2)} ms` : '–';
+    const time = milliseconds < COARSE ? 'less than 0.1 ms' : `${milliseconds.toFixed(2)} ms`;
+    const left = this.stepping ? `left after step ${this.#step}` : 'kept';
     byId('library-time').textContent = time;
-    byId('legend').textContent = `${written(overlap + inside)} of ${written(length)} kept, library ${time} a frame`;
+    byId('legend').textContent = `${written(overlap + inside)} of ${written(length)} ${left}, library ${time} a frame`;
   }
 
   showSpeed(microseconds) {
@@ -187,8 +209,8 @@ export class BetweenPanel {
 
   /** Tells those who do not see the picture. */
   announce(counts) {
-    const parts = Object.entries(counts).map(([answer, count]) => `${MEANINGS[answer]} ${written(count)}`);
-    byId('status').textContent = parts.join(', ');
+    const told = ([answer, count]) => `${this.#meaningOf(answer, counts)} ${written(count)}`;
+    byId('status').textContent = Object.entries(counts).map(told).join(', ');
   }
 }
 

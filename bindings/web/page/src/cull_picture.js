@@ -106,12 +106,15 @@ export class CullPicture {
     this.#first.geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3));
   }
 
-  /** Puts the names of the boxes beside them. */
+  /** Puts the names of the boxes beside them, and not beyond the right edge. */
   placeLabels(labels, places, canvas) {
     for (const [name, label] of Object.entries(labels)) {
       const place = this.onCanvas(places[name].middle, canvas);
       label.hidden = !place;
-      if (place) label.style.transform = `translate(calc(${place.x}px + 1rem), calc(${place.y}px - 2rem))`;
+      if (!place) continue;
+      const room = canvas.clientWidth - label.offsetWidth - 4;
+      const x = place.x > canvas.clientWidth ? place.x : Math.min(place.x + 16, room);
+      label.style.transform = `translate(${x}px, calc(${place.y}px - 2rem))`;
     }
   }
 

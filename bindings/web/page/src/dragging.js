@@ -22,6 +22,7 @@ export class Dragging {
   }
 
   #grab(event) {
+    if (this.#grabbed) event.stopImmediatePropagation();  // a second finger does not turn the view meanwhile
     if (!this.enabled || this.#grabbed || event.button !== 0) return;
     const name = this.#under(event);
     if (!name) return;

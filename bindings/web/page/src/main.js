@@ -23,25 +23,32 @@ const PICTURES = {
 async function start() {
   const module = await WebAssembly.compile(wasm);
   const library = await load(module);
+  new SamePage(library, module);
+  const tabList = document.querySelector('[role="tablist"]');
+  if (!Stage.isPossible) {
+    startWithoutPictures(tabList);
+    return;
+  }
   const stage = new Stage(byId('canvas'), (now) => pages[current]?.frame(now));
   const pages = {
     between: new BetweenPage(library, stage, new BetweenPanel(OWN_SCENES)),
     sights: new SightsPage(library, stage),
   };
   let current = 'between';
-  new SamePage(library, module);
   pages.between.openOwn('city');
 
   const show = (name) => {
     current = name;
     document.body.classList.toggle('wide-panel', !pages[name]);
     for (const [other, page] of Object.entries(pages)) page.setActive(other === name);
-    if (pages[name]) byId('canvas').setAttribute('aria-label', PICTURES[name]);
+    if (pages[name]) {
+      byId('canvas').setAttribute('aria-label', PICTURES[name]);
+      byId('canvas').setAttribute('aria-describedby', `${name}-keys`);
+    }
     byId('sections').scrollTop = 0;
     stage.schedule();
   };
   show(current);
-  const tabList = document.querySelector('[role="tablist"]');
   tabs(tabList, show);
   listenToKeys(byId('canvas'), () => pages[current]);
   onThemeChange(() => {
@@ -54,6 +61,17 @@ async function start() {
   byId('fold').addEventListener('click', fold);
   // For tests, and for whoever wants the numbers in the console.
   window.shaftcullPage = {get state() { return pages.between.state; }};
+}
+
+/** What needs no pictures works without them. */
+function startWithoutPictures(tabList) {
+  for (const tab of tabList.querySelectorAll('#tab-between, #tab-sights')) tab.disabled = true;
+  tabs(tabList, () => {});
+  byId('tab-same').click();
+  document.body.classList.add('wide-panel');
+  byId('status').textContent = '';
+  showMessage('Pictures need WebGL 2, which this browser does not have, or which is switched off. '
+    + 'Hashes are compared without them.');
 }
 
 /** Turning and zooming are the same for all pictures; other keys are the page's own. */
@@ -86,7 +104,7 @@ async function openFiles(page, files) {
     hideMessage();
     return true;
   } catch (error) {
-    showMessage(`${error.message} The scene is as it was.`);
+    showMessage(`${error.message.replace(/[.!]?$/, '.')} The scene is as it was.`);
     return false;
   }
 }
@@ -95,7 +113,7 @@ function openTriangles(page, name, triangles) {
   try {
     page.openTriangles(name, triangles);
   } catch (error) {
-    throw new Error(`${name} cannot be opened: ${error.message}.`);
+    throw new Error(`${name} cannot be opened: ${error.message}`);
   }
 }
 
@@ -106,4 +124,7 @@ function fold() {
   byId('fold').textContent = folded ? 'Show controls' : 'Hide controls';
 }
 
-start().catch((error) => showMessage(`The page cannot start: ${error.message}`));
+start().catch((error) => {
+  byId('legend').textContent = '';
+  showMessage(`The page cannot start: ${error.message}`);
+});

@@ -25,11 +25,12 @@ export class SightsPage {
     this.#library = library;
     this.#stage = stage;
     this.#eye = new Eye(stage);
-    this.#eye.lookAt([4.125, 1.2, 2.5], [0.25, 1.5, 1], 4.9);
+    this.#eye.lookAt([4.125, 1.2, 2.5], [0.25, 1.5, 1], 5.6);
     this.#picture = new SightsPicture(this.#eye, WITH_LINES);
     for (const sight of WITH_LINES) this.#addToggle(sight);
     byId('cupboard').addEventListener('input', () => this.#answer());
     byId('patch').addEventListener('input', () => this.#draw());
+    byId('patch').addEventListener('change', () => this.#pick(this.#patch));  // shows which one was taken
     for (const radio of document.getElementsByName('share')) radio.addEventListener('change', () => this.#draw());
     stage.canvas.addEventListener('pointerdown', ({offsetX, offsetY}) => { this.#down = [offsetX, offsetY]; });
     stage.canvas.addEventListener('pointerup', (event) => this.#click(event));
@@ -138,7 +139,7 @@ export class SightsPage {
   }
 
   #click(event) {
-    if (!this.#active || !this.#down) return;
+    if (!this.#active || !this.#down || event.button !== 0) return;
     const [x, y] = this.#down;
     if (Math.hypot(event.offsetX - x, event.offsetY - y) > CLICK) return;
     const {clientWidth: width, clientHeight: height} = this.#stage.canvas;

@@ -5,6 +5,11 @@ import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
 /** Renders whatever picture is current, when something has changed. */
 export class Stage {
+  /** Whether this browser draws pictures at all. */
+  static get isPossible() {
+    return document.createElement('canvas').getContext('webgl2') !== null;
+  }
+
   #renderer;
   #scheduled = false;
 
@@ -12,6 +17,7 @@ export class Stage {
     this.canvas = canvas;
     this.onFrame = onFrame;
     this.#renderer = new WebGLRenderer({canvas, antialias: true});
+    canvas.addEventListener('webglcontextrestored', () => this.schedule());
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
   }
 
@@ -65,6 +71,8 @@ export class Eye {
     const distance = radius / Math.sin((FIELD / 2) * (Math.PI / 180));
     this.camera.near = distance / 200;
     this.camera.far = distance * 20;
+    this.controls.minDistance = distance / 100;
+    this.controls.maxDistance = distance * 8;  // what is looked at stays well before `far`
     this.camera.position.copy(new Vector3(...direction).setLength(distance).add(new Vector3(...place)));
     this.controls.target.set(...place);
     this.controls.update();

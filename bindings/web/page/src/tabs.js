@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tabs as the ARIA practices describe them: arrow keys move between them, Tab leaves them.
+// Tabs as the ARIA practices describe them: arrow keys, Home and End move between them, Tab leaves them.
 
 /** Calls back with the name of the panel that is shown. */
 export function tabs(list, onShow) {
@@ -14,9 +14,12 @@ export function tabs(list, onShow) {
   };
   for (const tab of all) tab.addEventListener('click', () => show(tab));
   list.addEventListener('keydown', (event) => {
-    const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
-    if (!step) return;
-    const next = all[(all.indexOf(document.activeElement) + step + all.length) % all.length];
+    const usable = all.filter((tab) => !tab.disabled);
+    const at = usable.indexOf(document.activeElement);
+    const to = {ArrowLeft: at - 1, ArrowRight: (at + 1) % usable.length, Home: 0, End: -1}[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    const next = usable.at(to);
     next.focus();
     show(next);
   });

@@ -11,6 +11,7 @@ import {cornersOf, middleOf} from './boxes.js';
  * twoEnds   whether it is a shaft between two boxes: it has joining planes, and boxes can block it
  * moves     whether box A moves, so that there is a first contact
  * hull      whether it is a convex hull, which has closed contact and tests no triangles exactly
+ * trouble   why two boxes have no such volume, if they have none
  */
 export const VOLUMES = {
   between: {
@@ -37,6 +38,7 @@ export const VOLUMES = {
     pointLike: true,
     form: (library, a, b, contact) => library.sweptWithoutEnd(b, fromTo(b, a), {contact}),
     corners: (a, b, far) => sweptCorners(b, scaledTo(fromTo(b, a), far)),
+    trouble: samePlace,
   },
   camera: {
     name: 'view of a camera',
@@ -46,6 +48,7 @@ export const VOLUMES = {
     pointLike: true,
     hull: true,
     form: (library, a, b) => library.frustum(viewMatrix(a, b), 'minus_one_to_one'),
+    trouble: samePlace,
   },
   shadow: {
     name: 'shadow of an occluder',
@@ -53,6 +56,7 @@ export const VOLUMES = {
     ends: ['light', 'occluder'],
     form: (library, a, b, contact) => library.shadow(a, b, {contact}),
     corners: shadowCorners,
+    trouble: (a, b) => (areApart(a, b) ? undefined : 'The light touches the occluder: no shadow. Move them apart.'),
   },
   swept: {
     name: 'body that moves',
@@ -91,6 +95,14 @@ function shadowCorners(light, occluder, far) {
   const corners = cornersOf(occluder);
   const behind = (from, to) => to.map((value, k) => from[k] + scale * (value - from[k]));
   return [...corners, ...cornersOf(light).flatMap((from) => corners.map((to) => behind(from, to)))];
+}
+
+function samePlace(a, b) {
+  return fromTo(a, b).some((value) => value !== 0) ? undefined : 'A and B are at the same place: move one of them.';
+}
+
+function areApart(a, b) {
+  return [0, 1, 2].some((k) => a[k] > b[k + 3] || b[k] > a[k + 3]);
 }
 
 /** A view-projection matrix of float32 from A to B, and as far behind B as half the way to it. */

@@ -52,7 +52,7 @@ async function state() {
 
 async function shot(name) {
   if (!shots) return;
-  await state();
+  if (await page.evaluate(() => Boolean(window.shaftcullPage))) await state();
   await page.waitForTimeout(700);
   await page.screenshot({path: join(shots, `${name}.png`)});
 }
@@ -232,10 +232,50 @@ describe('kinds of volumes', () => {
       press('0 0 -1', 16);
     });
     await state();
-    assert.match(await page.textContent('#trouble'), /light/);
+    for (const place of ['#trouble', '#legend', '#status']) assert.match(await page.textContent(place), /no shadow/);
     await page.selectOption('#kind', 'between');
     await state();
     assert.ok(await page.isHidden('#trouble'));
+    assert.match(await page.textContent('#legend'), /kept/);
+  });
+
+  test('BoxesAtOnePlaceAreToldWhereADirectionIsNeeded', async () => {
+    await open();
+    await drop({name: 'point.obj', text: 'v 1 2 3\nf 1 1 1\n'});
+    await nameOfScene('point.obj');
+    for (const kind of ['sun', 'camera']) {
+      await page.selectOption('#kind', kind);
+      await state();
+      assert.match(await page.textContent('#trouble'), /same place/);
+    }
+    await page.selectOption('#kind', 'between');
+    assert.ok((await state()).answered);
+  });
+
+  test('ABoxStaysNearTheSceneAndComesBack', async () => {
+    await open();
+    const before = await state();
+    const goFar = () => page.evaluate(() => {
+      for (let i = 0; i < 2000; i++) document.querySelector('[data-move="0 0 -1"]').click();
+    });
+    await goFar();
+    const {question} = await state();
+    assert.notDeepEqual(question.a, before.question.a);
+    await goFar();
+    assert.deepEqual((await state()).question.a, question.a, 'it cannot go farther');
+    await page.click('#restart');
+    assert.deepEqual((await state()).question.a, before.question.a);
+  });
+
+  test('ABoxThatIsDraggedStopsMovingByItself', async () => {
+    await open();
+    await page.check('#wander');
+    const {onCanvas} = await state();
+    const canvas = await page.locator('#canvas').boundingBox();
+    await page.mouse.move(canvas.x + onCanvas.b.x, canvas.y + onCanvas.b.y);
+    await page.mouse.down();
+    await page.mouse.up();
+    assert.equal(await page.isChecked('#wander'), false);
   });
 
   test('OpenContactKeepsNoMoreThanClosed', async () => {
@@ -278,6 +318,7 @@ describe('what is shown', () => {
       cut += (await state()).counts.cut;
       if (cut > 0) await shot('planes');
     }
+    assert.match(await page.textContent('#legend'), /left after step/);
     const rows = await column('#step-rows', 2);
     assert.equal(rows.at(-1), overlap + inside);
     assert.equal(rows[0] - rows.at(-1), cut);
@@ -413,6 +454,8 @@ describe('files', () => {
   }
 
   const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
+  const INSIDE = `data:application/octet-stream;base64,${corners.toString('base64')}`;
+  const floats = () => page.evaluate(() => [...window.shaftcullPage.state.floats]);
 
   test('AnObjIsOpenedAndItsTrianglesAreAskedAllKinds', async () => {
     await open();
@@ -438,12 +481,40 @@ describe('files', () => {
     await open();
     await drop({name: 'binary.glb', bytes: [...glb()]});
     await nameOfScene('binary.glb');
-    await drop({name: 'inside.gltf', text: gltf(`data:application/octet-stream;base64,${corners.toString('base64')}`)});
+    await drop({name: 'inside.gltf', text: gltf(INSIDE)});
     await nameOfScene('inside.gltf');
     await drop({name: 'beside.gltf', text: gltf('corners.bin')}, {name: 'corners.bin', bytes: [...corners]});
     await nameOfScene('beside.gltf');
-    const floats = await page.evaluate(() => [...window.shaftcullPage.state.floats]);
-    assert.deepEqual(floats, [0, 0, 0, 2, 0, 0, 0, 2, 0]);
+    assert.deepEqual(await floats(), [0, 0, 0, 2, 0, 0, 0, 2, 0]);
+  });
+
+  test('MorphTargetsAreAppliedAsTheirWeightsSay', async () => {
+    await open();
+    const text = gltf(INSIDE).replace('"material":0}]', '"material":0,"targets":[{"POSITION":0}]}],"weights":[0.5]');
+    await drop({name: 'morph.gltf', text});
+    await nameOfScene('morph.gltf');
+    assert.deepEqual(await floats(), [0, 0, 0, 3, 0, 0, 0, 3, 0]);
+  });
+
+  test('LinesAndPointsOfAnObjCostNoTriangle', async () => {
+    await open();
+    const wall = 'o wall\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\nl 1 2\np 3\n';
+    await drop({name: 'house.obj', text: `${wall}o roof\nv 0 0 5\nv 1 0 5\nv 0 1 5\nf -3 -2 -1\n`});
+    await nameOfScene('house.obj');
+    assert.deepEqual(await floats(), [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 5, 1, 0, 5, 0, 1, 5]);
+    await page.selectOption('#scene', 'sphereflake');
+    await nameOfScene('sphereflake: 66,430 spheres');
+    await page.selectOption('#scene', 'file');
+    await nameOfScene('house.obj');
+  });
+
+  test('OfTrianglesItIsSaidThatBoxesAroundThemAreHitFirst', async () => {
+    await open();
+    await drop({name: 'cube.obj', text: CUBE});
+    await nameOfScene('cube.obj');
+    await page.selectOption('#kind', 'swept');
+    await state();
+    assert.match(await page.textContent('#first'), /box around .*Triangles themselves have no times/);
   });
 
   test('ABrokenFileIsToldByNameAndLosesNothing', async () => {
@@ -457,6 +528,17 @@ describe('files', () => {
       [[{name: 'nan.obj', text: 'v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n'}], /nan\.obj: triangle 0 .* NaN/],
       [[{name: 'short.obj', text: 'v 0 0 0\nf 1 2 3\n'}], /short\.obj: triangle 0/],
       [[{name: 'picture.png', bytes: [1, 2, 3]}], /picture\.png is no glTF, GLB or OBJ file/],
+      [[{name: 'null.gltf', text: 'null'}], /null\.gltf cannot be read: it is damaged or incomplete\. The scene is/],
+      [[{name: 'empty.glb', text: ''}], /empty\.glb cannot be read: it is damaged or incomplete\. The scene is/],
+      [[{name: 'short.glb', bytes: [...glb().subarray(0, -8)]}], /short\.glb cannot be read: it is damaged/],
+      [[{name: 'bare.gltf', text: '{"asset": {"version": "2.0"}}'}],
+       /bare\.gltf cannot be read: it has no scene\. The/],
+      [[{name: 'more.gltf', text: gltf(INSIDE).replace('{', '{"extensionsRequired": ["ACME_spheres"],')}],
+       /more\.gltf cannot be read: it needs the extension ACME_spheres/],
+      [[{name: 'comma.obj', text: 'v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n'}], /comma\.obj .* line 2: 1,5 is no number/],
+      [[{name: 'half.obj', text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1.5 2 3\n'}], /half\.obj .* line 4: 1\.5 is no corner/],
+      [[{name: 'lines.obj', text: 'v 0 0 0\nv 1 0 0\nl 1 2\n'}], /lines\.obj has no triangles/],
+      [[{name: 'one.obj', text: CUBE}, {name: 'two.obj', text: CUBE}], /one\.obj and two\.obj .* one at a time/],
     ];
     for (const [files, expected] of cases) assert.match(await dropBroken(...files), expected);
     await drop({name: 'picture.png', bytes: [1]});
@@ -485,6 +567,9 @@ describe('what sees what', () => {
     const picked = await page.inputValue('#patch');
     await page.keyboard.press('ArrowRight');
     assert.equal(Number(await page.inputValue('#patch')), Number(picked) + 1);
+    await page.fill('#patch', '99999');
+    await page.press('#patch', 'Tab');
+    assert.equal(Number(await page.inputValue('#patch')), patches - 1);
     const all = await numbers(1);
     await page.fill('#cupboard', '9');
     assert.notDeepEqual(await numbers(1), all);
@@ -573,4 +658,32 @@ test('ThePageAsksNothingOfTheNetwork', async () => {
   await page.goto(built);
   await page.waitForFunction(() => window.shaftcullPage?.state.answer, undefined, PATIENCE);
   assert.deepEqual(asked, []);
+});
+
+test('WithoutWebGlHashesAreComparedAllTheSame', async () => {
+  page = await browser.newPage(DESKTOP);
+  errors = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  await page.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
+  await page.goto(built);
+  await page.waitForSelector('#message:not([hidden])', PATIENCE);
+  assert.match(await page.textContent('#message p'), /Pictures need WebGL 2/);
+  await shot('no_webgl');
+  await page.click('#same-quick');
+  await page.waitForSelector('#same-quick:enabled', PATIENCE);
+  assert.match(await page.textContent('#same-summary'), /^All \d+ are the same/);
+});
+
+test('APictureThatWasLostComesBack', async () => {
+  await open();
+  const before = await page.locator('#canvas').screenshot();
+  await page.evaluate(async () => {
+    const context = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    context.loseContext();
+    await new Promise((resolve) => { setTimeout(resolve, 300); });
+    context.restoreContext();
+    await new Promise((resolve) => { setTimeout(resolve, 1000); });
+  });
+  await state();
+  assert.deepEqual(await page.locator('#canvas').screenshot(), before);
 });
