@@ -23,7 +23,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "bytes are read as they are in files");
 
-constexpr std::array numbers{Number::float32, Number::int32, Number::uint32, Number::int64, Number::uint64};
+constexpr std::array known_numbers{Number::float32, Number::int32, Number::uint32, Number::int64, Number::uint64};
 constexpr std::string_view known = "float32, int32, uint32, int64 and uint64, little-endian";
 
 const char* numpy_type(Number number) {
@@ -119,7 +119,7 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
     }
     const NpyHeader header = read_npy_header(bytes, name_);
     bool found = false;
-    for (const Number number : numbers) {
+    for (const Number number : known_numbers) {
       if (header.type != numpy_type(number)) continue;
       number_ = number;
       found = true;
@@ -149,7 +149,7 @@ ArrayFile::ArrayFile(std::string name) : name_(std::move(name)), source_(std::ma
   if (!source_->dataset) refuse(fmt::format("{} has no dataset of that name: {}", path, hdf5_reason()));
   const Hdf5Handle type(H5Dget_type(source_->dataset), H5Tclose);
   bool found = false;
-  for (const Number number : numbers) {
+  for (const Number number : known_numbers) {
     if (H5Tequal(type, hdf5_type(number)) <= 0) continue;
     number_ = number;
     found = true;

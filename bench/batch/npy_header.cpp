@@ -14,7 +14,7 @@
 namespace shaftcull::batch {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::string_view npy_magic = "\x93NUMPY";
 
 /// What stands behind 'key': in the dictionary, without the spaces before it. Empty if there is none.
 std::string_view value_of(std::string_view dictionary, std::string_view key) {
@@ -29,7 +29,7 @@ std::string_view value_of(std::string_view dictionary, std::string_view key) {
 }  // namespace
 
 bool begins_as_npy(std::span<const std::byte> file) noexcept {
-  return file.size() >= magic.size() && std::memcmp(file.data(), magic.data(), magic.size()) == 0;
+  return file.size() >= npy_magic.size() && std::memcmp(file.data(), npy_magic.data(), npy_magic.size()) == 0;
 }
 
 NpyHeader read_npy_header(std::span<const std::byte> file, const std::string& name) {

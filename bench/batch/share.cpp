@@ -15,7 +15,7 @@
 namespace shaftcull::batch {
 namespace {
 
-constexpr std::uint64_t shafts_at_once = 4096;
+constexpr std::uint64_t formed_at_once = 4096;
 constexpr std::size_t shafts_a_task = 64;
 
 /// Adds the lists of the shafts in `kept`; those of all others are empty. Positions in the share become those in the
@@ -105,10 +105,10 @@ BlockAnswer answer(const ShareTree& share, const ShaftSource& shafts, std::uint6
   const bool complete = question.answer == Answer::classify ||
                         share.visit([]<class Tree>(const Tree&) { return std::is_same_v<Tree, SphereTree>; });
   BlockAnswer result;
-  std::vector<CompiledShaft> formed(static_cast<std::size_t>(std::min(count, shafts_at_once)));
+  std::vector<CompiledShaft> formed(static_cast<std::size_t>(std::min(count, formed_at_once)));
   std::vector<std::uint32_t> rows(formed.size());
-  for (std::uint64_t done = 0; done < count; done += shafts_at_once) {
-    std::size_t size = static_cast<std::size_t>(std::min(shafts_at_once, count - done));
+  for (std::uint64_t done = 0; done < count; done += formed_at_once) {
+    std::size_t size = static_cast<std::size_t>(std::min(formed_at_once, count - done));
     shafts.form(first + done, std::span(formed).first(size), complete);
     for (std::size_t s = 0; s != size; ++s) rows[s] = static_cast<std::uint32_t>(done + s);
     if (share.is_one_of_several()) {
