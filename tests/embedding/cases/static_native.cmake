@@ -2,7 +2,7 @@
 # -march=native: instruction sets that are part of what every function may use anyway are left out, but for the best of them.
 # And the static library in somebody's exported library, and in two plugins of one program.
 needs(g++ -march=native)
-configure(g++ -D "PARENT_OPTIONS=-O0 -march=native" -D SHAFTCULL_JOIN_SOURCES=OFF
+configure(g++ -D "PARENT_OPTIONS=-O0 -march=native"
   -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/more.cmake)
 build()
 if(machine_has_avx512)
