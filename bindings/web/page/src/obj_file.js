@@ -4,21 +4,36 @@
 const COORDINATE = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const CORNER = /^-?\d+(\/-?\d*){0,2}$/;
 const NOT_FINITE = /^[+-]?(nan|inf|infinity)$/i;  // told later, with the triangle
+const CONTINUED = /\\\r?\n/g;
 
 /**
  * The text of an OBJ file without its points and lines: one of them makes OBJLoader drop all faces of its object.
  * Throws an Error that names the line where a coordinate is no number, or a corner of a face no index.
  */
 export function facesAlone(text) {
-  const lines = text.replace(/\\\r?\n/g, ' ').split(/\r?\n/);
-  lines.forEach((line, i) => {
-    const [keyword, ...words] = line.trim().split(/\s+/);
-    const check = (checked, pattern, what) => {
-      const bad = checked.find((word) => !pattern.test(word) && !NOT_FINITE.test(word));
-      if (bad !== undefined) throw new Error(`line ${i + 1}: ${bad} is no ${what}.`);
-    };
-    if (keyword === 'v') check(words.slice(0, 3), COORDINATE, 'number');
-    if (keyword === 'f') check(words.map((word) => word.split('#')[0]).filter(Boolean), CORNER, 'corner of a face');
-  });
-  return lines.filter((line) => !/^\s*[lp]\s/.test(line)).join('\n');
+  const kept = [];
+  let number = 1;
+  for (const line of text.replace(CONTINUED, '\0').split(/\r?\n/)) {
+    const statement = facesOrMore(line.replaceAll('\0', ' '), number);
+    if (statement !== undefined) kept.push(statement);
+    number += line.split('\0').length;
+  }
+  return kept.join('\n');
+}
+
+/** A line, checked; undefined for points and lines. */
+function facesOrMore(line, number) {
+  const [keyword] = line.trim().split(/\s+/);
+  if (keyword === 'l' || keyword === 'p') return undefined;
+  if (keyword !== 'v' && keyword !== 'f') return line;
+  const [statement] = line.split('#');  // a comment may follow
+  const words = statement.trim().split(/\s+/).slice(1);
+  if (keyword === 'v') check(words.slice(0, 3), COORDINATE, 'number', number);
+  else check(words, CORNER, 'corner of a face', number);
+  return statement;
+}
+
+function check(words, pattern, what, number) {
+  const bad = words.find((word) => !pattern.test(word) && !NOT_FINITE.test(word));
+  if (bad !== undefined) throw new Error(`line ${number}: ${bad} is no ${what}.`);
 }

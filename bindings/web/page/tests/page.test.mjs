@@ -499,7 +499,7 @@ describe('files', () => {
   test('LinesAndPointsOfAnObjCostNoTriangle', async () => {
     await open();
     const wall = 'o wall\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\nl 1 2\np 3\n';
-    await drop({name: 'house.obj', text: `${wall}o roof\nv 0 0 5\nv 1 0 5\nv 0 1 5\nf -3 -2 -1\n`});
+    await drop({name: 'house.obj', text: `${wall}o roof\nv 0 0 5\nv 1 0 5 # an eave\nv 0 1 5\nf -3 -2 -1 # the gable\n`});
     await nameOfScene('house.obj');
     assert.deepEqual(await floats(), [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 5, 1, 0, 5, 0, 1, 5]);
     await page.selectOption('#scene', 'sphereflake');
@@ -536,7 +536,8 @@ describe('files', () => {
       [[{name: 'more.gltf', text: gltf(INSIDE).replace('{', '{"extensionsRequired": ["ACME_spheres"],')}],
        /more\.gltf cannot be read: it needs the extension ACME_spheres/],
       [[{name: 'comma.obj', text: 'v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n'}], /comma\.obj .* line 2: 1,5 is no number/],
-      [[{name: 'half.obj', text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1.5 2 3\n'}], /half\.obj .* line 4: 1\.5 is no corner/],
+      [[{name: 'half.obj', text: 'v 0 0 0\nv 1 0 0\nv 0 1 \\\n0\nf 1.5 2 3 # c d\n'}],
+       /half\.obj .* line 5: 1\.5 is no corner/],
       [[{name: 'lines.obj', text: 'v 0 0 0\nv 1 0 0\nl 1 2\n'}], /lines\.obj has no triangles/],
       [[{name: 'one.obj', text: CUBE}, {name: 'two.obj', text: CUBE}], /one\.obj and two\.obj .* one at a time/],
     ];
