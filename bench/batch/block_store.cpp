@@ -44,8 +44,8 @@ std::uint64_t checksum_of(const Header& header) {
 /// Whether a file of so many bytes that begins like this is that of a block, and whole.
 bool is_header_of(const Header& header, std::uint64_t file_bytes, const Fingerprint& job, std::uint64_t share,
                   std::uint64_t block) {
-  return header.begins == first_bytes && header.header == checksum_of(header) && header.job == job && header.share == share &&
-         header.block == block &&
+  return header.begins == first_bytes && header.header == checksum_of(header) && header.job == job &&
+         header.share == share && header.block == block &&
          file_bytes == std::accumulate(header.bytes.begin(), header.bytes.end(), std::uint64_t{sizeof(header)});
 }
 
