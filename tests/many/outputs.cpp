@@ -126,7 +126,7 @@ TEST(Outputs, AnyManySetsABitForEachShaftThatKeepsAny) {
 TEST(Outputs, CountAtMostManyCountsTheBitsOfEachRowUpToTheMost) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     const auto right = lists_of(expected, shafts.size());
-    for (const std::size_t most : {0U, 1U, 100U, 100000U}) {
+    for (const std::size_t most : {0U, 1U, 7U, 100U, 100000U}) {
       std::vector<std::uint64_t> right_counts;
       for (const auto& lists : right) right_counts.push_back(std::min(most, lists.kept.size()));
       for (const Form form : {Form::slab, Form::planes}) {
@@ -142,7 +142,7 @@ TEST(Outputs, CountAtMostManyCountsTheBitsOfEachRowUpToTheMost) {
 TEST(Outputs, ListAtMostManyListsTheFirstSetBitsOfEachRow) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     const auto right = lists_of(expected, shafts.size());
-    for (const std::size_t most : {0U, 1U, 100U, 3000U}) {
+    for (const std::size_t most : {0U, 1U, 7U, 100U, 3000U}) {
       std::vector<std::uint64_t> right_counts;
       std::vector<std::uint64_t> right_lists(shafts.size() * most, 12345);
       for (std::size_t s = 0; s != shafts.size(); ++s) {

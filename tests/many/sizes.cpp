@@ -159,6 +159,12 @@ void expect_one(const CompiledShaft& shaft, const View& view, const Part& right)
     std::vector<std::uint32_t> indices(right.counts[0]);
     ASSERT_EQ(list(shaft, view, indices, form), right.counts[0]) << "list";
     ASSERT_EQ(indices, right.indices) << "list";
+    const std::size_t most = right.counts[0] / 2 + 1;
+    indices.assign(most, 12345);
+    const auto listed = static_cast<std::ptrdiff_t>(std::min<std::size_t>(most, right.counts[0]));
+    ASSERT_EQ(count_at_most(shaft, view, most, form), listed) << "count_at_most";
+    ASSERT_EQ(list_at_most(shaft, view, indices, form), listed) << "list_at_most";
+    ASSERT_TRUE(std::equal(right.indices.begin(), right.indices.begin() + listed, indices.begin())) << "list_at_most";
     std::vector<std::uint32_t> overlap(right.classified[0].overlap);
     indices.resize(right.classified[0].inside);
     ASSERT_EQ(list_classified(shaft, view, overlap, indices, form), right.classified[0]) << "list_classified";
