@@ -119,6 +119,12 @@ function(hashes text)
   endif()
 endfunction()
 
+# hashes_as_answered(): likewise, on the instruction sets that the client told of last.
+function(hashes_as_answered)
+  string(REPLACE ": as on" ": hashes as on" expected "${output}")
+  hashes("${expected}")
+endfunction()
+
 # Whether this machine runs AVX-512, as far as the library uses it.
 set(machine_has_avx512 FALSE)
 if(EXISTS /proc/cpuinfo)
