@@ -27,4 +27,4 @@ if [[ ! -d $modules ]]; then
 fi
 cp "$here/types.ts" "$here/tsconfig.json" "$client"
 node "$modules/typescript/bin/tsc" -p "$client"
-node --test "$here/package.test.mjs" "$here/../page/tests/page.test.mjs"
+node --test "$here/package.test.mjs" "$here"/../page/tests/*.test.mjs

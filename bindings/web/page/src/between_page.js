@@ -98,7 +98,7 @@ export class BetweenPage {
     this.#restart();
   }
 
-  /** Puts the boxes where they were first. */
+  /** Puts the boxes where they were first, and looks at them. */
   #restart() {
     for (const name of ['a', 'b']) this.#places[name] = {middle: this.#start[name], half: this.#start.half};
     this.#wanderFrom = undefined;

@@ -182,7 +182,10 @@ export class BetweenPanel {
     }));
   }
 
-  /** Why there is no answer: beside the picture, in it, and aloud; without a message, that there is one. */
+  /**
+   * Tells why there is no answer: beside the picture, in its corner, and to screen readers. Without a message there is
+   * an answer.
+   */
   showTrouble(message = '') {
     byId('trouble').textContent = message;
     byId('trouble').hidden = message === '';
