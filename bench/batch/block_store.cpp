@@ -19,7 +19,7 @@
 namespace shaftcull::batch {
 namespace {
 
-constexpr std::array<char, 8> first_bytes{'S', 'H', 'C', 'B', 'L', 'K', '0', '2'};
+constexpr std::array<char, 8> block_magic{'S', 'H', 'C', 'B', 'L', 'K', '0', '2'};
 struct Header {
   std::array<char, 8> begins;
   Fingerprint job;
@@ -44,7 +44,7 @@ std::uint64_t checksum_of(const Header& header) {
 /// Whether a file of so many bytes that begins like this is that of a block, and whole.
 bool is_header_of(const Header& header, std::uint64_t file_bytes, const Fingerprint& job, std::uint64_t share,
                   std::uint64_t block) {
-  return header.begins == first_bytes && header.header == checksum_of(header) && header.job == job &&
+  return header.begins == block_magic && header.header == checksum_of(header) && header.job == job &&
          header.share == share && header.block == block &&
          file_bytes == std::accumulate(header.bytes.begin(), header.bytes.end(), std::uint64_t{sizeof(header)});
 }
@@ -80,7 +80,7 @@ std::string BlockStore::path(std::uint64_t share, std::uint64_t block) const {
 
 void BlockStore::write_arrays(std::uint64_t share, std::uint64_t block,
                               std::span<const std::span<const std::byte>> arrays) const {
-  Header header{first_bytes, job_, share, block, {}, 0, {}, 0};
+  Header header{block_magic, job_, share, block, {}, 0, {}, 0};
   RunningChecksum sum;
   for (std::size_t i = 0; i != arrays.size(); ++i) {
     header.bytes[i] = arrays[i].size();
