@@ -2,11 +2,11 @@
 // "What is in the way?": boxes, kinds of volumes, and what is shown.
 import assert from 'node:assert/strict';
 import {describe, test} from 'node:test';
-import {KINDS, PATIENCE, column, drop, nameOfScene, open, page, shot, state} from './opened_page.mjs';
+import {KINDS, PATIENCE, column, drop, nameOfScene, open, openDrawn, page, shot, state} from './opened_page.mjs';
 
 describe('boxes', () => {
   test('TheCityHas200000BoxesAndTheFirstShaftKeepsSome', async () => {
-    await open();
+    await openDrawn();
     const {counts} = await state();
     assert.equal(counts.outside + counts.overlap + counts.inside, 200000);
     assert.ok(counts.overlap > 0);
@@ -90,7 +90,7 @@ describe('boxes', () => {
 
 describe('kinds of volumes', () => {
   test('AllKindsAreAskedWithoutError', async () => {
-    await open();
+    await openDrawn();
     for (const kind of KINDS) {
       await page.selectOption('#kind', kind);
       const {counts, answered} = await state();
@@ -101,7 +101,7 @@ describe('kinds of volumes', () => {
   });
 
   test('SpheresAreAskedAllKinds', async () => {
-    await open();
+    await openDrawn();
     await page.selectOption('#scene', 'sphereflake');
     for (const kind of KINDS) {
       await page.selectOption('#kind', kind);
@@ -210,7 +210,7 @@ describe('what is shown', () => {
   }
 
   test('TogglesHideWhatTheySay', async () => {
-    await open();
+    await openDrawn();
     let before = await pixels();
     for (const row of [0, 1]) {
       await page.locator('#counts tbody input').nth(row).uncheck();

@@ -2,7 +2,7 @@
 // Files that are dropped on the page, whole and broken.
 import assert from 'node:assert/strict';
 import {describe, test} from 'node:test';
-import {KINDS, drop, dropBroken, nameOfScene, open, page, shot, state} from './opened_page.mjs';
+import {KINDS, drop, dropBroken, nameOfScene, open, openDrawn, page, shot, state} from './opened_page.mjs';
 
 describe('files', () => {
   const CUBE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n'
@@ -34,7 +34,7 @@ describe('files', () => {
   const floats = () => page.evaluate(() => [...window.shaftcullPage.state.floats]);
 
   test('AnObjIsOpenedAndItsTrianglesAreAskedAllKinds', async () => {
-    await open();
+    await openDrawn();
     await drop({name: 'cube.obj', text: CUBE});
     await nameOfScene('cube.obj');
     for (const wanted of ['triangles', 'boxes']) {

@@ -27,9 +27,22 @@ export let page;
 let browser;
 let errors;
 
-/** Opens the page, and waits for its first answer. */
+/**
+ * Opens the page, and waits for its first answer. Its pictures stay empty unless they are taken, for software draws them here: most
+ * of a test's time went there.
+ */
 export async function open(options = DESKTOP) {
+  await openWith((opened) => shots || opened.addInitScript(drawNothing), options);
+  await firstAnswer();
+}
+
+/** Likewise with pictures, for tests that look at them. */
+export async function openDrawn(options = DESKTOP) {
   await openWith(() => {}, options);
+  await firstAnswer();
+}
+
+async function firstAnswer() {
   await page.waitForFunction(() => window.shaftcullPage?.state.answer, undefined, PATIENCE);
 }
 
@@ -41,6 +54,12 @@ export async function openWith(prepare, options = DESKTOP) {
   page.on('pageerror', (error) => errors.push(error.message));
   await prepare(page);
   await page.goto(built);
+}
+
+function drawNothing() {
+  for (const shape of ['Arrays', 'Elements']) {
+    for (const count of ['', 'Instanced']) WebGL2RenderingContext.prototype[`draw${shape}${count}`] = () => {};
+  }
 }
 
 /** What the page has found, after the frame that follows what was done last. */

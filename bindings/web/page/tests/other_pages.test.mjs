@@ -2,11 +2,11 @@
 // "What sees what?" and "The same on your machine?".
 import assert from 'node:assert/strict';
 import {describe, test} from 'node:test';
-import {PATIENCE, column, open, page, shot} from './opened_page.mjs';
+import {PATIENCE, column, open, openDrawn, page, shot} from './opened_page.mjs';
 
 describe('what sees what', () => {
   test('PairsAddUpAndAPatchCanBePicked', async () => {
-    await open();
+    await openDrawn();
     await page.click('#tab-sights');
     const numbers = (which) => column('#sight-counts', which);
     const patches = Number(await page.getAttribute('#patch', 'max')) + 1;

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {describe, test} from 'node:test';
 import {fileURLToPath} from 'node:url';
-import {DESKTOP, KINDS, PATIENCE, PHONE, built, open, openWith, page, shot, state} from './opened_page.mjs';
+import {DESKTOP, KINDS, PATIENCE, PHONE, built, open, openDrawn, openWith, page, shot, state} from './opened_page.mjs';
 
 describe('screens', () => {
   async function assertFits() {
@@ -109,7 +109,7 @@ test('WithoutWebGlHashesAreComparedAllTheSame', async () => {
 });
 
 test('APictureThatWasLostComesBack', async () => {
-  await open();
+  await openDrawn();
   const before = await page.locator('#canvas').screenshot();
   await page.evaluate(async () => {
     const context = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
