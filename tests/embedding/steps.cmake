@@ -49,12 +49,10 @@ function(needs compiler)
   endif()
 endfunction()
 
-# configure(compiler [option…]): the parent project, in a folder whose name has a space. Options go to cmake. The library's
-# sources are joined, which takes less time, unless an option says otherwise.
+# configure(compiler [option…]): the parent project, in a folder whose name has a space. Options go to cmake.
 function(configure compiler)
   run(${CMAKE_COMMAND} --no-warn-unused-cli -S ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/parent -B "${WORK}/a parent"
-    -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${compiler} -D SHAFTCULL=${SHAFTCULL} -D CLIENT=${client}
-    -D SHAFTCULL_JOIN_SOURCES=ON ${ARGN})
+    -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${compiler} -D SHAFTCULL=${SHAFTCULL} -D CLIENT=${client} ${ARGN})
   if(output MATCHES "CMake Warning[^\n]*\n[^\n]*\n[^\n]*\n")
     message(FATAL_ERROR "configuring warns:\n${CMAKE_MATCH_0}")
   endif()
