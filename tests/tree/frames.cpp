@@ -204,7 +204,7 @@ TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
   this->expect_flat_answers(second, moved, 762);
   first = std::move(second);
   this->expect_flat_answers(first, moved, 763);
-  EXPECT_EQ(second.size(), 0U);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(second.size(), 0U);  // NOLINT(bugprone-use-after-move,clang-analyzer-cplusplus.Move)
   EXPECT_TRUE(second.order().empty());
   EXPECT_EQ(second.leaves().count, 0U);
   this->expect_flat_answers(second, {}, 764);
