@@ -89,6 +89,9 @@ TYPED_TEST(TreeRegions, TheTreeIsTheSameForAllScenes) {
 }
 
 TYPED_TEST(TreeRegions, TheTreeIsTheSameForAnyNumberOfThreads) {
+#ifdef __wasi__
+  GTEST_SKIP() << "WebAssembly has one thread; and after this test, Node.js 20 crashes when the program has ended";
+#endif
   using Bound = BoundOf<TypeParam>;
   using Index = IndexOf<TypeParam>;
   Random random(911);
