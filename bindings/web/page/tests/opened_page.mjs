@@ -28,8 +28,8 @@ let browser;
 let errors;
 
 /**
- * Opens the page, and waits for its first answer. Its pictures stay empty unless they are taken, for software draws them here: most
- * of a test's time went there.
+ * Opens the page, and waits for its first answer. Nothing is drawn, unless SHAFTCULL_SHOTS wants pictures: Chromium draws in software
+ * here, which takes most of a test's time.
  */
 export async function open(options = DESKTOP) {
   await openWith((opened) => shots || opened.addInitScript(drawNothing), options);
