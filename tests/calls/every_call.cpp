@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "calls/every_call.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "calls/forming_calls.hpp"
+#include "calls/stream_calls.hpp"
+#include "calls/triangle_calls.hpp"
+#include "calls/view_calls.hpp"
+#include "calls/visibility_calls.hpp"
+#include "oracle/random.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Whether a shaft of EveryCall::shafts() is that of a moving box, which has no two ends.
+bool is_moving(std::size_t shaft) { return shaft % 7 == 6; }
+
+}  // namespace
+
+EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
+  table_.shafts = std::move(shafts);
+  Random random(4711);
+  for (std::size_t i = 0; i != bounds; ++i) {
+    table_.boxes.push_back(i % 3 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.05F, 1.0F));
+    table_.spheres.push_back({table_.boxes.back().lo, i % 5 == 0 ? random.integer(0, 3) : random.uniform(0.01F, 0.5F)});
+    if (i % 7 == 0) table_.candidates.push_back(static_cast<std::uint32_t>(i));
+  }
+  for (std::size_t s = 0; s != table_.shafts.size(); ++s) {
+    if (!is_moving(s)) table_.between.push_back(table_.shafts[s]);
+  }
+  table_.box_stream = BoxStream(table_.boxes);
+  table_.sphere_stream = SphereStream(table_.spheres);
+  for (std::size_t i = 0; i != bounds; ++i) {
+    const Box& box = table_.boxes[i];
+    table_.triangles.push_back({{box.lo, Vec3{box.hi[0], box.lo[1], box.hi[2]}, i % 4 == 0 ? box.lo : box.hi}});
+  }
+  table_.triangle_stream = TriangleStream(table_.triangles);
+  table_.triangle_tree = TriangleTree(table_.triangle_stream.view());
+  table_.box_tree = BoxTree(table_.box_stream.view());
+  table_.sphere_tree = SphereTree(table_.sphere_stream.view());
+  add_forming_calls(table_);
+  add_stream_calls(table_);
+  add_triangle_calls(table_, " in a view", table_.triangle_stream.view());
+  add_triangle_calls(table_, " in a tree", table_.triangle_tree);
+  add_visibility_calls(table_);
+  add_view_calls<Box>(table_, table_.box_stream, table_.boxes, table_.box_tree);
+  add_view_calls<Sphere>(table_, table_.sphere_stream, table_.spheres, table_.sphere_tree);
+}
+
+std::vector<CompiledShaft> EveryCall::shafts(std::size_t count) {
+  Random random(4712);
+  std::vector<CompiledShaft> shafts(count);
+  for (std::size_t s = 0; s != count; ++s) {
+    Shaft shaft(s % 2 == 0 ? random.grid_box(-5, 5) : random.box(-5, 5, 0.2F, 2.0F), random.grid_box(-5, 5));
+    if (s % 4 == 0) shaft.add_plane({{1, 2, 3}, 4});
+    if (is_moving(s)) {
+      const Box& body = shaft.a();
+      const Vec3 way{1, 0.25F, s % 2 == 0 ? 0.0F : -3.0F};
+      const Vec3 light{body.hi[0] + 2, body.lo[1], body.lo[2]};
+      shafts[s] = s % 3 == 0   ? swept(body, way)
+                  : s % 3 == 1 ? swept_without_end(body, way)
+                               : shadow({light, light}, body);
+    } else if (s % 3 != 0 || s % 4 == 0) {
+      shafts[s] = compile(shaft);
+    } else {
+      compile_batch(BoxStream(std::span(&shaft.a(), 1)).view(), BoxStream(std::span(&shaft.b(), 1)).view(),
+                    std::span(&shafts[s], 1));
+    }
+    if (s % 5 == 2) set_contact(shafts[s], Contact::open);
+  }
+  return shafts;
+}
+
+}  // namespace shaftcull
