@@ -28,13 +28,13 @@ class BuildWithCMake(build_ext):
     def build_module(self):
         folder = pathlib.Path(self.build_temp).resolve()
         folder.mkdir(parents=True, exist_ok=True)
-        off = [f"-DSHAFTCULL_{part}=OFF" for part in ("BUILD_TESTS", "BUILD_BENCH", "BUILD_C", "INSTALL")]
         arguments = [
             *(["-G", "Ninja"] if shutil.which("ninja") else []),
             "-DCMAKE_BUILD_TYPE=Release",
             "-DSHAFTCULL_BUILD_PYTHON=ON",
             f"-DPython3_EXECUTABLE={sys.executable}",
-            *off,
+            "-DSHAFTCULL_BUILD_C=OFF",
+            "-DSHAFTCULL_INSTALL=OFF",
             *shlex.split(os.environ.get("CMAKE_ARGS", "")),
         ]
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *arguments], check=True)

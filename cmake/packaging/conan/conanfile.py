@@ -48,9 +48,6 @@ class Shaftcull(ConanFile):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["SHAFTCULL_WITH_TBB"] = bool(self.options.with_tbb)
         toolchain.cache_variables["SHAFTCULL_BUILD_C"] = bool(self.options.with_c)
-        toolchain.cache_variables["SHAFTCULL_BUILD_PYTHON"] = False
-        toolchain.cache_variables["SHAFTCULL_BUILD_TESTS"] = False
-        toolchain.cache_variables["SHAFTCULL_BUILD_BENCH"] = False
         toolchain.generate()
 
     def build(self):

@@ -8,7 +8,7 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS
     tbb SHAFTCULL_WITH_TBB)
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
-  OPTIONS ${FEATURE_OPTIONS} -DSHAFTCULL_BUILD_PYTHON=OFF -DSHAFTCULL_BUILD_TESTS=OFF -DSHAFTCULL_BUILD_BENCH=OFF)
+  OPTIONS ${FEATURE_OPTIONS})
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/shaftcull)
 vcpkg_fixup_pkgconfig()
