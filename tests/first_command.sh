@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 chmod 755 "$work"
 mkdir -p "$work/project/cmake" "$work/bin" "$work/log"
-cp "$project/cmake/run" "$work/project/cmake/"
+cp -r "$project/cmake/run" "$project/cmake/commands" "$work/project/cmake/"
 chmod 777 "$work/log"
 
 as_user=()
@@ -19,7 +19,7 @@ if [[ $EUID -eq 0 ]]; then
 fi
 
 # Stand-ins: each writes down how it was called. The environment says how apt-get ends and which packages are installed.
-for name in bash dirname env getconf; do ln -s "$(command -v $name)" "$work/bin/"; done
+for name in awk bash dirname env getconf; do ln -s "$(command -v $name)" "$work/bin/"; done
 stand_in() {
   printf '#!%s\necho "%s $*" >>"%s/log/calls"\n%s\n' "$(command -v bash)" "$1" "$work" "$2" >"$work/bin/$1"
   chmod 755 "$work/bin/$1"
@@ -58,7 +58,8 @@ says() { grep -qF -- "$1" "$work/log/output" || fail "does not say \"$1\""; }
 called() { grep -qF -- "$1" "$work/log/calls" || fail "did not call \"$1\""; }
 not_called() { ! grep -q "^$1 " "$work/log/calls" || fail "called $1"; }
 
-needed="libtbb-dev libxsimd-dev libgtest-dev libgmock-dev libbenchmark-dev libcli11-dev libfmt-dev libgmp-dev nlohmann-json3-dev zlib1g-dev"
+needed="libtbb-dev libxsimd-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev"
+optional="libassimp-dev libgmp-dev"
 
 scenario="another distribution, nothing installed"
 system
@@ -79,14 +80,24 @@ scenario="neither root nor sudo"
 system apt-get dpkg-query
 run 1
 says "only root can install them"
-says "  apt-get update && apt-get install --no-install-recommends g++ cmake ninja-build $needed libassimp-dev"
+says "  apt-get update && apt-get install --no-install-recommends g++ cmake ninja-build $needed $optional"
 not_called apt-get
 not_called cmake
 
-scenario="neither root nor sudo, only the mesh reader is missing"
+scenario="nothing may be installed"
+system apt-get dpkg-query sudo
+action=(--no-install demo)
+run 1
+says "packages are missing, and --no-install was given"
+says "  apt-get update && apt-get install --no-install-recommends g++ cmake ninja-build $needed $optional"
+not_called apt-get
+not_called sudo
+action=(demo)
+
+scenario="neither root nor sudo, only optional packages are missing"
 system apt-get dpkg-query c++ cmake ninja
 run 127 INSTALLED="$needed"  # 127: the stand-in for cmake built no program that could be run
-says "goes on without libassimp-dev"
+says "goes on without $optional"
 not_called apt-get
 called "cmake --build"
 
@@ -94,7 +105,11 @@ scenario="sudo"
 system apt-get dpkg-query sudo c++ cmake ninja
 run 127
 called "sudo apt-get update"
-called "apt-get install -qy --no-install-recommends $needed libassimp-dev"
+called "apt-get install -qy --no-install-recommends $needed $optional"
+says "./cmake/run demo needs Debian packages that are not installed: $needed."
+says "It can do more with: $optional."
+says "It installs them now, with sudo"
+says "To install nothing: ./cmake/run --no-install demo"
 called "cmake --build"
 
 scenario="sudo, but no network"
@@ -102,43 +117,53 @@ system apt-get dpkg-query sudo c++ cmake ninja
 run 1 APT_RESULT=100
 says "could not be installed"
 says "Nothing was configured or built"
-says "  apt-get update && apt-get install --no-install-recommends $needed libassimp-dev"
+says "  apt-get update && apt-get install --no-install-recommends $needed $optional"
 not_called cmake
 
-scenario="sudo, but no network, and only the mesh reader is missing"
+scenario="sudo, but no network, and only optional packages are missing"
 run 127 APT_RESULT=100 INSTALLED="$needed"
-says "goes on without libassimp-dev"
+says "goes on without $optional"
 called "cmake --build"
 
 scenario="everything installed"
-run 127 INSTALLED="$needed libassimp-dev"
+run 127 INSTALLED="$needed $optional"
 not_called apt-get
 not_called sudo
 called "cmake --build"
 
-# Of what tests of embedding need, this system knows two packages, which are not of one group.
+# The quick tests need no more than the library and GoogleTest.
 action=(test)
-tests_need="qemu-user gnuplot-nox valgrind"
-knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-12-multilib ]]'; }
-
 scenario="test, sudo"
 system apt-get dpkg-query sudo c++ cmake ctest ninja
+run 0 INSTALLED="libtbb-dev"
+called "apt-get install -qy --no-install-recommends libxsimd-dev libgtest-dev libgmock-dev libgmp-dev"
+called "--target shaftcull_quick_tests"
+called "ctest --preset release --parallel"
+says "building"
+
+# This system knows two of the packages that tests of embedding need. They are not of one group.
+action=(test --layer all)
+tests_need="libgtest-dev libgmock-dev libbenchmark-dev qemu-user gnuplot-nox valgrind"
+knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-12-multilib ]]'; }
+
+scenario="all tests, sudo"
+system apt-get dpkg-query sudo c++ cmake ctest ninja
 knows
-run 0 INSTALLED="$needed libassimp-dev $tests_need"
+run 0 INSTALLED="$needed $optional $tests_need"
 called "apt-get install -qy --no-remove --no-install-recommends clang-19"
 called "apt-get install -qy --no-remove --no-install-recommends g++-12-multilib"
 called "ctest --preset release"
 
-scenario="test, sudo, but no network"
-run 0 APT_RESULT=100 INSTALLED="$needed libassimp-dev $tests_need"
+scenario="all tests, sudo, but no network"
+run 0 APT_RESULT=100 INSTALLED="$needed $optional $tests_need"
 says "goes on without clang-19"
 says "goes on without g++-12-multilib"
 called "ctest --preset release"
 
-scenario="test, neither root nor sudo"
+scenario="all tests, neither root nor sudo"
 system apt-get dpkg-query c++ cmake ctest ninja
 knows
-run 0 INSTALLED="$needed libassimp-dev $tests_need"
+run 0 INSTALLED="$needed $optional $tests_need"
 says "goes on without clang-19"
 says "goes on without g++-12-multilib"
 not_called apt-get
@@ -216,10 +241,10 @@ called "--target shaftcull_tests"
 scenario="everything installed for another processor, not for this one"
 action=(demo)
 system apt-get dpkg-query sudo c++ cmake ninja
-run 127 INSTALLED="$needed libassimp-dev" ARCHITECTURES=arm64:installed
+run 127 INSTALLED="$needed $optional" ARCHITECTURES=arm64:installed
 called "apt-get install -qy --no-install-recommends $needed"
 scenario="everything installed for this processor and another one"
-run 127 INSTALLED="dpkg $needed libassimp-dev" ARCHITECTURES=$'arm64:installed\nall:installed'
+run 127 INSTALLED="dpkg $needed $optional" ARCHITECTURES=$'arm64:installed\nall:installed'
 not_called apt-get
 
 action=(test --preset arm64 --only same_bits)
@@ -239,14 +264,14 @@ not_called cmake
 scenario="package, sudo, but no network"
 system apt-get dpkg-query sudo c++ cmake ninja
 stand_in dpkg-deb 'exit 0'
-run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev"
+run 1 APT_RESULT=100 INSTALLED="$needed $optional"
 says "apt-get install --no-install-recommends dpkg-dev file"
 not_called cmake
 
 action=(cluster)
 scenario="cluster, sudo, but no network"
 system apt-get dpkg-query sudo c++ cmake ninja
-run 1 APT_RESULT=100 INSTALLED="$needed libassimp-dev libopenmpi-dev python3-numpy"
+run 1 APT_RESULT=100 INSTALLED="$needed $optional libopenmpi-dev python3-numpy"
 says "apt-get install --no-install-recommends libhdf5-openmpi-dev openmpi-bin libxxhash-dev python3-h5py"
 not_called cmake
 

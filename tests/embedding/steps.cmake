@@ -123,12 +123,4 @@ function(hashes_as_answered)
   hashes("${expected}")
 endfunction()
 
-# Whether this machine runs AVX-512, as far as the library uses it.
-set(machine_has_avx512 FALSE)
-if(EXISTS /proc/cpuinfo)
-  file(STRINGS /proc/cpuinfo cpu_flags REGEX "^flags" LIMIT_COUNT 1)
-  if(cpu_flags MATCHES "avx512f" AND cpu_flags MATCHES "avx512cd" AND cpu_flags MATCHES "avx512dq"
-     AND cpu_flags MATCHES "avx512bw" AND cpu_flags MATCHES "avx512vl")
-    set(machine_has_avx512 TRUE)
-  endif()
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/../machine.cmake)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+# Makes what is given to users: packages and the page. Sourced by cmake/run.
+
+# make_packages [--check]
+make_packages() {
+  local python compile link targets
+  command -v dpkg-deb >/dev/null ||
+    stop "cmake/run: only Debian and its like make Debian packages. docs/packages.md has other ways to install."
+  for_library
+  for_program
+  packages+=(dpkg-dev:dpkg-shlibdeps file:file)
+  if [[ ${1:-} == --check ]]; then
+    packages+=(pkg-config:pkg-config fakeroot:fakeroot)
+    optional_packages+=(lintian)
+  elif [[ $# -gt 0 ]]; then
+    stop "cmake/run: package takes --check or nothing, not \"$1\""
+  fi
+  # The Python module, where the sources have it, is made for Debian's Python.
+  python=()
+  if [[ -d $root/bindings/python ]]; then
+    optional_packages+=(python3-dev python3-numpy pybind11-dev)
+    python=(-D Python3_EXECUTABLE=/usr/bin/python3)
+  fi
+  install_missing
+  cd "$root"
+  # Debian's flags, but for debugging information, which would be stripped. No -march: each instruction set has its own flags.
+  export DEB_BUILD_MAINT_OPTIONS=hardening=+bindnow DEB_CXXFLAGS_MAINT_STRIP=-g
+  compile="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
+  link=$(dpkg-buildflags --get LDFLAGS)
+  cmake --preset package -D CMAKE_CXX_FLAGS="$compile" -D CMAKE_EXE_LINKER_FLAGS="$link" \
+    -D CMAKE_SHARED_LINKER_FLAGS="$link" -D CMAKE_MODULE_LINKER_FLAGS="$link" "${python[@]}"
+  targets=(shaftcull shaftcull_c shaftcull_cli)
+  if grep -q '^shaftcull_python:' < <(cmake --build build/package --target help); then targets+=(shaftcull_python); fi
+  cmake --build build/package --parallel "$jobs" --target "${targets[@]}"
+  rm -rf build/packages
+  # Files get the time of the changelog at the latest, so that the same sources give the same packages.
+  SOURCE_DATE_EPOCH=$(dpkg-parsechangelog -l cmake/packaging/debian/changelog -S Timestamp) \
+    cpack --config build/package/CPackConfig.cmake -B "$root/build/packages"
+  rm -rf build/packages/_CPack_Packages
+  if [[ ${1:-} == --check ]]; then tests/packages/check.sh "$root/build/packages"; fi
+}
+
+# make_page [--check]
+make_page() {
+  local work
+  packages=("${web_packages[@]}" npm:npm)
+  needed_elsewhere="$needed_for_web and npm"
+  if [[ ${1:-} == --check ]]; then
+    packages+=(chromium:chromium)
+    needed_elsewhere+=", and Chromium"
+  elif [[ $# -gt 0 ]]; then
+    stop "cmake/run: page takes --check or nothing, not \"$1\""
+  fi
+  install_missing
+  configure_and_build web shaftcull_web
+  work=$root/build/page-work
+  mkdir -p "$work"
+  cp "$root"/bindings/web/page/package*.json "$work"
+  if npm ci --prefix "$work" --no-audit --no-fund --loglevel=error; then
+    node "$root/bindings/web/page/build.mjs" --modules "$work/node_modules" "$root/build/web/shaftcull" "$root/build/page/index.html"
+  elif npm view three version --fetch-retries=1 >/dev/null 2>&1; then
+    stop "cmake/run: npm reaches its registry, but did not install what the page is made of; the messages above say why."
+  else
+    [[ ${1:-} == --check ]] || stop "cmake/run: the package is in build/web/shaftcull. The page needs npm's registry, which npm does not reach."
+    rm -rf "$work/node_modules" "$root/build/page"
+  fi
+  if [[ ${1:-} == --check ]]; then "$root/bindings/web/tests/check.sh" "$root/build"; fi
+}

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+# Builds, and runs tests. Sourced by cmake/run.
+
+# configure_and_build PRESET [-D NAME=VALUE]… [TARGET…]; without a target, all are built. Options that an earlier command has turned on
+# stay as they are.
+configure_and_build() {
+  local preset=$1 options=()
+  shift
+  while [[ ${1:-} == -D ]]; do options+=(-D "$2") && shift 2; done
+  if ! (cd "$root" && cmake --preset "$preset" "${options[@]}"); then
+    command -v apt-get >/dev/null || stop "" "cmake/run: in all, the build needs $needed_elsewhere."
+    exit 1
+  fi
+  cmake --build "$root/build/$preset" --parallel "$jobs" --target "${@:-all}"
+}
+
+# use_packages_of PRESET LAYER AREA: what building and running these tests needs.
+use_packages_of() {
+  case $1 in
+    arm64) for_processor arm64 aarch64 ;;
+    s390x) for_processor s390x s390x ;;
+    windows) for_windows ;;
+    wasm) for_wasm ;;
+    *)
+      for_library
+      for_tests
+      if [[ $1 == tsan ]]; then packages+=("${sanitizer_packages[@]}") && return; fi
+      if [[ $1 == asan ]]; then packages+=("${sanitizer_packages[@]}"); fi
+      if [[ $1 == clang ]]; then packages+=("${clang_packages[@]}"); fi
+      if [[ $1 != release || $2 != quick || $3 == @(cli|batch) ]]; then for_program; fi
+      if [[ $1 != release || $2 == all || $3 == @(bench|paper) ]]; then for_bench; fi
+      # Tests on emulated processors, of plots and of instruction budgets are skipped without them.
+      if [[ $2 != quick ]] && command -v apt-get >/dev/null; then
+        packages+=(qemu-user:qemu-x86_64 gnuplot-nox:gnuplot)
+        if [[ $1 == release ]]; then packages+=(valgrind:valgrind); fi
+      fi
+      ;;
+  esac
+}
+
+# run_tests [--preset NAME] [--layer quick|ci|all] [--only AREA] [ctest option…]
+run_tests() {
+  local preset=release layer= area= options=() targets=() filter=() start=$SECONDS installed built
+  while [[ ${1:-} == --@(preset|layer|only)?(=*) ]]; do
+    if [[ $1 != *=* ]]; then set -- "$1=${2:?"$1 needs a value"}" "${@:3}"; fi
+    case $1 in
+      --preset=*) preset=${1#*=} ;;
+      --layer=*) layer=${1#*=} ;;
+      --only=*) area=${1#*=} ;;
+    esac
+    shift
+  done
+  if [[ ! $layer && $preset == release ]]; then layer=quick; fi
+  layer=${layer:-all}
+  [[ $layer == @(quick|ci|all) ]] || stop "cmake/run: there is no layer \"$layer\" of tests, only quick, ci and all"
+
+  use_packages_of "$preset" "$layer" "$area"
+  install_missing
+  if [[ $preset == release && ! $area && $layer != quick ]]; then
+    install_known embedding "${embedding_packages[@]}"
+    install_known "64-bit ARM" "${arm64_packages[@]}"
+    install_known s390x "${s390x_packages[@]}"
+  fi
+  if [[ $preset == release && ! $area && $layer == all ]]; then
+    unpack_libcxx "${libcxx_versions[@]}"
+    install_known "32-bit builds" "${bits_32_packages[@]}"
+    install_known "64-bit RISC-V" "${riscv64_packages[@]}"
+    install_known Windows "${windows_packages[@]}"
+  fi
+  if [[ $preset == release && ($layer != quick || $area == python) ]]; then install_known Python "${python_packages[@]}"; fi
+  if [[ $preset == release && ($layer != quick || $area == batch) ]]; then install_known batch "${batch_packages[@]}"; fi
+  installed=$SECONDS
+
+  if [[ $preset == release ]]; then
+    options=(-D SHAFTCULL_BUILD_TESTS=ON -D SHAFTCULL_BUILD_PYTHON=AUTO)
+    if [[ $layer != quick || $area == @(cli|batch) ]]; then options+=(-D SHAFTCULL_BUILD_PROGRAM=ON); fi
+    if [[ $layer == all || $area == @(bench|paper) ]]; then options+=(-D SHAFTCULL_BUILD_BENCH=ON); fi
+  fi
+  case $layer in
+    quick) targets=(shaftcull_quick_tests) filter=(--label-regex '^quick$') ;;
+    ci) targets=(shaftcull_ci_tests) filter=(--label-regex '^(quick|ci)$') ;;
+    all) if [[ $preset == @(asan|tsan|arm64|s390x|windows|wasm) ]]; then targets=(shaftcull_tests); fi ;;
+  esac
+  if [[ $area ]]; then targets=("test_$area") filter=(-R "^$area([.]|\$)"); fi
+  configure_and_build "$preset" "${options[@]}" "${targets[@]}"
+  built=$SECONDS
+  (cd "$root" && ctest --preset "$preset" --parallel "$jobs" "${filter[@]}" "$@")
+  printf '\n%d s on %d processors: packages %d, building %d, tests %d\n' $((SECONDS - start)) "$jobs" \
+    $((installed - start)) $((built - installed)) $((SECONDS - built))
+}
+
+# Steps of the layers above the quick one, each a command of ./cmake/run. Steps that cost little or fail often come first.
+ci_steps=(
+  "format --check"
+  "tidy --changed"
+  "test --layer ci"
+  "test --preset asan --layer ci"
+  "test --preset tsan --layer ci"
+  "page --check"
+  "package --check"
+  "bare"
+)
+all_steps=(
+  "format --check"
+  "docs"
+  "test --layer all"
+  "page --check"
+  "package --check"
+  "test --preset asan"
+  "test --preset tsan"
+  "test --preset clang"
+  "test --preset debug"
+  "test --preset serial"
+  "fuzz 1800"
+  "verify 20000000"
+  "test --preset wasm"
+  "test --preset windows"
+  "test --preset arm64"
+  "test --preset s390x"
+  "mutate"
+  "tidy"
+  "bare ./cmake/run demo && ./cmake/run test"
+)
+
+# state_of_sources: a word that changes with the sources.
+state_of_sources() {
+  (cd "$root" && { git rev-parse HEAD && git diff HEAD && git ls-files --others --exclude-standard; } 2>/dev/null) | sha1sum | cut -c 1-12
+}
+
+# run_step STEP: ./cmake/run with the words of the step, and a line in the table of steps.
+run_step() {
+  local start=$SECONDS result=passed words
+  read -ra words <<<"$1"
+  if [[ ${words[0]} == bare && ${#words[@]} -gt 1 ]]; then words=(bare "${1#bare }"); fi
+  printf '\n==== ./cmake/run %s\n' "$1"
+  "$root/cmake/run" "${words[@]}" </dev/null || result=FAILED
+  printf '%s\t%s\t%d\t%s\n' "$sources" "$result" $((SECONDS - start)) "$1" >>"$record"
+  [[ $result == passed ]]
+}
+
+# print_steps: the table of the steps that were run on these sources, the last time each.
+print_steps() {
+  printf '\n'
+  awk -F '\t' -v sources="$sources" '
+    $1 == sources { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3 }
+    END {
+      for (i = 1; i <= n; ++i) { s = order[i]; total += seconds[s]; printf "%-6s %6d s  ./cmake/run %s\n", result[s], seconds[s], s }
+      printf "%-6s %6d s  in all\n", "", total
+    }' "$record"
+}
+
+# check_ci: the steps of .ci/run. The first one that fails ends it.
+check_ci() {
+  local record sources step
+  record=$(mktemp)
+  sources=here
+  trap 'print_steps; rm -f "$record"' EXIT
+  for step in "${ci_steps[@]}"; do run_step "$step" || exit 1; done
+}
+
+# check_all: all steps, for hours. Steps that have passed on the same sources are not run again, so that a run can be stopped and
+# goes on when the same command is given. A step that fails does not stop the others.
+check_all() {
+  local record=$root/build/all_checks.tsv sources step failed=0
+  mkdir -p "$root/build"
+  touch "$record"
+  sources=$(state_of_sources)
+  trap print_steps EXIT
+  for step in "${all_steps[@]}"; do
+    if grep -qF "$sources"$'\t'passed$'\t' "$record" && grep -F "$sources"$'\t'passed$'\t' "$record" | cut -f 4 | grep -qxF -- "$step"; then
+      continue
+    fi
+    run_step "$step" || failed=1
+  done
+  exit $failed
+}

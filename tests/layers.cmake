@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+# Three layers of tests, as labels of CTest entries:
+#   quick   ./cmake/run test: every promise of the headers once, on the best instruction set and on scalar; C and Python; documents
+#   ci      what .ci/run runs besides: all instruction sets, the program, memory, a part of other processors and other people's builds
+#   none    what takes long and seldom finds anything that these do not: ./cmake/run test --all
+# docs/testing.md says what each layer would miss. Included by CMakeLists.txt.
+
+# Regular expressions of whole names of entries.
+set(quick_tests
+  # The library, against exact arithmetic and answers on record.
+  cull[.].* hull[.].* visibility[.].* formation interface streams isa wide
+  "(same_bits|simd)[.].*"
+  "(calls|many|many_tree|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})"
+  # Its bindings and what its pages show.
+  "c|c[.](gcc|example|header|symbols|ten_minutes|sights)" "python[.](documents|questions|inputs|visibility|examples)" examples[.].* consumer
+  # The sources and the build.
+  architecture compilers dependencies documents "documents[.](links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
+  symbols[.].* units)
+set(ci_tests
+  allocation.* calls[.].* many[.].* many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory fuzz_corpus
+  "cli([.].*)?" "batch([.].*)?" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
+  "emulated[.][^.]*[.]isa" "emulated[.](nehalem|haswell)[.]same_bits"
+  "embedding[.](arm64|s390x|strict|static_native|no_build_type|refused|cross|package)")
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
+  # Where memory is touched.
+  set(quick_tests "")
+  set(ci_tests
+    "(calls|many|many_tree|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
+elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*thread")
+  set(quick_tests "")
+  set(ci_tests "many([._].*)?" same_bits[.].* visibility[.]threads)
+endif()
+list(JOIN quick_tests "|" quick_tests)
+list(JOIN ci_tests "|" ci_tests)
+
+# All that CTest runs, and what the layers run of it.
+add_custom_target(shaftcull_tests)
+add_custom_target(shaftcull_quick_tests)
+add_custom_target(shaftcull_ci_tests)
+add_dependencies(shaftcull_ci_tests shaftcull_quick_tests)
+
+# shaftcull_layers(): gives the tests of this folder their labels, and has the layers' targets build what they run. Called at the end
+# of each folder's CMakeLists.txt.
+function(shaftcull_layers)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test IN LISTS tests)
+    foreach(layer IN ITEMS quick ci)
+      if(test MATCHES "^(${${layer}_tests})$")
+        set_property(TEST ${test} APPEND PROPERTY LABELS ${layer})
+        foreach(target IN ITEMS ${ARGN})
+          add_dependencies(shaftcull_${layer}_tests ${target})
+        endforeach()
+        # An entry is named after its area; one that is emulated is so at its end.
+        string(REGEX REPLACE "^emulated[.].*[.]" "" area ${test})
+        string(REGEX REPLACE "[.].*" "" area ${area})
+        if(TARGET test_${area})
+          add_dependencies(shaftcull_${layer}_tests test_${area})
+        endif()
+        break()
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
