@@ -87,10 +87,10 @@ function(shaftcull_test area)
   if(area IN_LIST shaftcull_long_areas)
     if(shaftcull_emulates_processor)
       set(isas ${shaftcull_best_set})
-    elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread" AND "avx2" IN_LIST isas)
-      set(isas scalar avx2)  # threads share work in one way on all sets
-    elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize" AND area STREQUAL "tree_building" AND "avx2" IN_LIST isas)
-      set(isas avx2)  # all sets share most of this code; tests of the rest go through all sets themselves
+    elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
+      set(isas scalar ${shaftcull_best_set})  # threads share work in one way on all sets
+    elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize" AND area STREQUAL "tree_building")
+      set(isas ${shaftcull_best_set})  # all sets share most of this code; tests of the rest go through all sets themselves
     elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize" AND "sse4_2" IN_LIST isas)
       list(REMOVE_ITEM isas portable128)  # reads and writes four floats at a time, too
     endif()

@@ -112,15 +112,23 @@ missing() {
   done | awk '!seen[$0]++'
 }
 
-# apt_get ARGUMENT…: apt-get with root's rights. Before it installs, it asks if there is somebody to ask.
+# apt_get ARGUMENT…: apt-get with root's rights, for one command at a time. Before it installs, it asks if there is somebody to ask.
 apt_get() {
   local as_root=()
+  if command -v flock >/dev/null; then
+    mkdir -p "$root/build"
+    exec 8>>"$root/build/apt.lock"
+    flock 8
+  fi
   if [[ $EUID -ne 0 ]]; then as_root=(sudo); fi
   if [[ $1 == install && (! -t 0 || ${CI:-}) ]]; then
     as_root+=(env DEBIAN_FRONTEND=noninteractive)
     set -- install -qy "${@:2}"
   fi
-  "${as_root[@]}" apt-get "$@"
+  local status=0
+  "${as_root[@]}" apt-get "$@" || status=$?
+  exec 8>&-
+  return $status
 }
 
 # install_missing installs the packages that are missing. Without what is needed, the command ends.

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Makes what is given to users: packages and the page. Sourced by cmake/run.
 
-# make_packages [--check]
+# make_packages [--check]: Debian packages in build/packages; or such as are tried out, in build/packages-tried. These are less
+# optimised, so that they are compiled in two thirds of the time.
 make_packages() {
-  local python compile link targets
+  local python compile link targets folder=packages optimised="-O3 -DNDEBUG" build
   command -v dpkg-deb >/dev/null ||
     stop "cmake/run: only Debian and its like make Debian packages. docs/packages.md has other ways to install."
   for_library
@@ -23,21 +24,24 @@ make_packages() {
   fi
   install_missing
   cd "$root"
-  # Debian's flags, but for debugging information, which would be stripped. No -march: each instruction set has its own flags.
+  # Debian's flags, without debugging information, which would be stripped. No -march: each instruction set has its own flags.
   export DEB_BUILD_MAINT_OPTIONS=hardening=+bindnow DEB_CXXFLAGS_MAINT_STRIP=-g
+  if [[ ${1:-} == --check ]]; then folder=packages-tried optimised="-O1 -DNDEBUG"; fi
+  build=build/${folder/packages/package}
   compile="$(dpkg-buildflags --get CXXFLAGS) $(dpkg-buildflags --get CPPFLAGS)"
   link=$(dpkg-buildflags --get LDFLAGS)
-  cmake --preset package -D CMAKE_CXX_FLAGS="$compile" -D CMAKE_EXE_LINKER_FLAGS="$link" \
+  cmake --preset package -B "$build" -D CMAKE_CXX_FLAGS="$compile" -D CMAKE_CXX_FLAGS_RELEASE="$optimised" \
+    -D CMAKE_EXE_LINKER_FLAGS="$link" \
     -D CMAKE_SHARED_LINKER_FLAGS="$link" -D CMAKE_MODULE_LINKER_FLAGS="$link" "${python[@]}"
   targets=(shaftcull shaftcull_c shaftcull_cli)
-  if grep -q '^shaftcull_python:' < <(cmake --build build/package --target help); then targets+=(shaftcull_python); fi
-  cmake --build build/package --parallel "$jobs" --target "${targets[@]}"
-  rm -rf build/packages
+  if grep -q '^shaftcull_python:' < <(cmake --build "$build" --target help); then targets+=(shaftcull_python); fi
+  cmake --build "$build" --parallel "$jobs" --target "${targets[@]}"
+  rm -rf "build/$folder"
   # Files get the time of the changelog at the latest, so that the same sources give the same packages.
   SOURCE_DATE_EPOCH=$(dpkg-parsechangelog -l cmake/packaging/debian/changelog -S Timestamp) \
-    cpack --config build/package/CPackConfig.cmake -B "$root/build/packages"
-  rm -rf build/packages/_CPack_Packages
-  if [[ ${1:-} == --check ]]; then tests/packages/check.sh "$root/build/packages"; fi
+    cpack --config "$build/CPackConfig.cmake" -B "$root/build/$folder"
+  rm -rf "build/$folder/_CPack_Packages"
+  if [[ ${1:-} == --check ]]; then tests/packages/check.sh "$root/build/$folder"; fi
 }
 
 # make_page [--check]

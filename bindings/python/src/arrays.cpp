@@ -136,7 +136,7 @@ constexpr const char* sphere_shapes =
     "(n, 4), a tuple (centres, radii) of (n, 3) and (n,), a tuple of four (n,), or (4,) for one sphere";
 
 /// The two arrays of a tuple (lo, hi), unless it is a tuple of other things.
-std::optional<BoxesIn> corners_in(const py::object& given, const std::string& name) {
+std::optional<BoxesIn> boxes_by_corners(const py::object& given, const std::string& name) {
   if (!py::isinstance<py::tuple>(given) || py::len(given) != 2) return {};
   const auto tuple = py::reinterpret_borrow<py::tuple>(given);
   py::array_t<float> lo = floats_in(tuple[0], name + "[0]", "round_outwards");
@@ -191,7 +191,7 @@ BoxesIn boxes_in(const py::object& given, const std::string& name) {
   if (auto columns = columns_of(given, 6, name, "round_outwards")) {
     return {columns->view<BoxView>(), columns->count(), false, columns->kept(), columns->copied};
   }
-  if (auto corners = corners_in(given, name)) return *std::move(corners);
+  if (auto corners = boxes_by_corners(given, name)) return *std::move(corners);
   const py::array_t<float> array = floats_in(given, name, "round_outwards");
   const py::ssize_t axes = array.ndim();
   if (axes == 1 && array.shape(0) == 6) return boxes_of(three_of(array, 0, 0), three_of(array, 0, 3), true);
