@@ -10,7 +10,7 @@ set(quick_tests
   # The library, against exact arithmetic and answers on record.
   cull[.].* hull[.].* visibility[.].* formation interface streams isa wide
   "(same_bits|simd)[.].*"
-  "(calls|many|many_tree|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})"
+  "(many|many_tree|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
   # Its bindings and what its pages show.
   "c|c[.](gcc|example|header|symbols|ten_minutes|sights)" "python[.](documents|questions|inputs|visibility|examples)" examples[.].* consumer
   # The sources and the build.

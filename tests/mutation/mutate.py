@@ -6,8 +6,8 @@
 
 All faults of faults.txt are planted at once, in build/mutate/source. Which of them is there is chosen at run time, by
 the environment variable SHAFTCULL_PLANTED_FAULT, so all are built once. Tests are the entries of CTest of one layer
-(tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault they run from
-the shortest to the longest, until one fails.
+(tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault they run until
+one fails: first those of the area that the folders of its file name, and from the shortest to the longest.
 
 What is found is written to build/mutate/PRESET/noticed_LAYER.csv, fault by fault. The exit status is 0 if at most --may-miss
 faults are not noticed, 1 if more are, and 2 if there was nothing to find out.
@@ -477,10 +477,16 @@ def run_without_fault(runner: Runner, entries: Sequence[Entry], jobs: int) -> li
 Row = dict[str, str]
 
 
+def likely_first(fault: Fault, entries: Sequence[Entry]) -> list[Entry]:
+    """The entries as they come, those of the area that the file's folders name before the others."""
+    folders = set(re.split(r"[/_.]", fault.file))
+    return sorted(entries, key=lambda entry: re.split(r"[._]", entry.name)[0] not in folders)
+
+
 def try_fault(runner: Runner, fault: Fault, entries: Sequence[Entry]) -> Row:
     begin = time.monotonic()
     row = dict(zip(COLUMNS, [fault.kind, fault.name, fault.file, "", "", "", "", fault.text]))
-    for entry in entries:
+    for entry in likely_first(fault, entries):
         outcome = runner.run(entry, fault.number, max(LEAST_TIMEOUT, SLOWER * entry.seconds))
         if outcome.result == "failed":
             row.update(entry=entry.name, test=outcome.test, how=outcome.how)
