@@ -553,6 +553,54 @@ def report(faults: Sequence[Fault], rows: dict[str, Row], seconds: float) -> int
     return len(missed)
 
 
+# The page of the documentation
+
+PAGE = ROOT / "docs" / "faults.md"
+PAGE_BEGIN = "<!-- ./cmake/run mutate --page -->"
+# Where a fault may be noticed, the cheapest place first: the layer, and the presets that it runs.
+PLACES = [("quick", "release"), ("ci", "release"), ("ci", "asan"), ("ci", "tsan")]
+
+
+def write_page(faults: Sequence[Fault]) -> int:
+    """Writes the tables of the page, of what was found in all places, and returns how many faults nobody noticed."""
+    known = {
+        place: known_rows(MUTATE / place[1] / f"noticed_{place[0]}.csv", faults) for place in PLACES
+    }
+    lines = ["| fault | file | layer | noticed by |", "|---|---|---|---|"]
+    noticed: dict[str, collections.Counter[str]] = collections.defaultdict(collections.Counter)
+    for fault in faults:
+        noticed[fault.kind]["planted"] += 1
+        found = None
+        for place in PLACES:
+            row = known[place].get(fault.label)
+            if row and row["how"]:
+                found = (place, row)
+                break
+        if found is None:
+            noticed[fault.kind]["none"] += 1
+            lines.append(f"| {fault.label} | `{fault.file}` | none | |")
+            continue
+        (layer, preset), row = found
+        noticed[fault.kind][layer] += 1
+        test = f", {row['test']}" if row["test"] else ""
+        by = row["entry"] + ("" if preset == "release" else f" of {preset}") + test
+        how = "" if row["how"] == "wrong answer" else f" ({row['how']})"
+        lines.append(f"| {fault.label} | `{fault.file}` | {layer} | {by}{how} |")
+    columns = ["planted", "quick", "ci", "none"]
+    table = ["| kind | planted | noticed by quick | by ci alone | by neither |", "|---|---|---|---|---|"]
+    total: collections.Counter[str] = collections.Counter()
+    for kind, counts in noticed.items():
+        table.append(f"| {kind} | " + " | ".join(str(counts[column]) for column in columns) + " |")
+        total.update(counts)
+    table.append("| all | " + " | ".join(str(total[column]) for column in columns) + " |")
+    text = PAGE.read_text(encoding="utf-8")
+    before, mark, _ = text.partition(PAGE_BEGIN)
+    if not mark:
+        raise Refusal(f"{PAGE} has no line {PAGE_BEGIN}")
+    PAGE.write_text("\n".join([before + mark, "", *table, "", *lines, ""]), encoding="utf-8")
+    return total["none"]
+
+
 def list_faults(faults: Sequence[Fault]) -> None:
     planted_texts(faults, tracked_files())  # refuses those that do not fit
     for fault in faults:
@@ -573,6 +621,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="at once (processors)")
     parser.add_argument("--resume", action="store_true", help="keep what is known of faults that are the same")
     parser.add_argument("--may-miss", type=int, default=0, metavar="N", help="succeed if so many are not noticed (0)")
+    parser.add_argument("--page", action="store_true", help="write what is known to docs/faults.md, and try nothing")
     parser.add_argument("--list", action="store_true", help="print the faults, and whether they fit the sources")
     arguments = parser.parse_args()
     if arguments.jobs < 1:
@@ -588,6 +637,8 @@ def main() -> int:
     if arguments.list:
         list_faults(faults)
         return 0
+    if arguments.page:
+        return 0 if write_page(all_faults) <= arguments.may_miss else 1
     copy_sources(all_faults)
     folder = build(arguments.preset, arguments.layer, arguments.jobs)
     path = folder / f"noticed_{arguments.layer}.csv"
