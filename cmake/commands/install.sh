@@ -8,6 +8,7 @@ test_packages=(libgtest-dev libgmock-dev libgmp-dev)
 bench_packages=(libbenchmark-dev)
 clang_packages=(clang:clang++)
 sanitizer_packages=(clang:clang++ libclang-rt-dev llvm:llvm-symbolizer)
+docs_packages=(doxygen:doxygen mkdocs:mkdocs mkdocs-material)
 # For WebAssembly: the npm package, the page, and the tests of the library.
 web_packages=(cmake:cmake ninja-build:ninja clang-19:clang++-19 lld-19 libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 wasi-libc
   libclang-rt-19-dev-wasm32 nodejs:node)

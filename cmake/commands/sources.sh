@@ -76,7 +76,7 @@ tidy_sources() {
 
 # make_docs: the documentation as a site, build/docs/index.html
 make_docs() {
-  packages=(doxygen:doxygen mkdocs:mkdocs mkdocs-material)
+  packages=("${docs_packages[@]}")
   needed_elsewhere="Doxygen, MkDocs 1.4 and its theme Material"
   install_missing
   "$root/cmake/site/build.sh" "$root/build/docs-work" "$root/build/docs"

@@ -32,7 +32,7 @@ use_packages_of() {
       # Tests on emulated processors, of plots and of instruction budgets are skipped without them.
       if [[ $2 != quick ]] && command -v apt-get >/dev/null; then
         packages+=(qemu-user:qemu-x86_64 gnuplot-nox:gnuplot)
-        if [[ $1 == release ]]; then packages+=(valgrind:valgrind); fi
+        if [[ $1 == release ]]; then packages+=(valgrind:valgrind "${docs_packages[@]}"); fi
       fi
       ;;
   esac
