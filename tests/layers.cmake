@@ -17,10 +17,10 @@ set(quick_tests
   architecture compilers dependencies documents "documents[.](links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  allocation.* calls[.].* many[.].* many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory fuzz_corpus
-  "cli([.].*)?" "batch([.].*)?" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
-  "emulated[.][^.]*[.]isa" "emulated[.](nehalem|haswell)[.]same_bits"
-  "embedding[.](arm64|big_endian|strict|no_build_type|refused|cross|package)")
+  allocation.* calls[.]scalar many[.].* many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees|sees_ended)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
+  "emulated[.][^.]*[.]isa" emulated[.]nehalem[.]same_bits
+  "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
   # Where memory is touched.
   set(quick_tests "")

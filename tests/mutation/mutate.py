@@ -577,6 +577,9 @@ def write_page(faults: Sequence[Fault]) -> int:
                 found = (place, row)
                 break
         if found is None:
+            for layer, preset in PLACES:
+                if fault.label not in known[(layer, preset)]:
+                    raise Refusal(f"{fault.label} was not tried: ./cmake/run mutate --layer {layer} --preset {preset} {fault.label}")
             noticed[fault.kind]["none"] += 1
             lines.append(f"| {fault.label} | `{fault.file}` | none | |")
             continue
