@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Three layers of tests, as labels of CTest entries:
 #   quick   ./cmake/run test: every promise of the headers once, on the best instruction set and on scalar; C and Python; documents
-#   ci      what .ci/run runs besides: all instruction sets, the program, memory, a part of other processors and other people's builds
-#   none    what takes long and seldom finds anything that these do not: ./cmake/run test --all
+#   ci      .ci/run has these, too: other instruction sets, the program, memory, a part of other processors and other people's builds
+#   none    only ./cmake/run test --all runs it: it takes long and seldom finds what the others miss
 # docs/testing.md says what each layer would miss. Included by CMakeLists.txt.
 
 # Regular expressions of whole names of entries.
@@ -17,7 +17,7 @@ set(quick_tests
   architecture compilers dependencies documents "documents[.](links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  allocation.* calls[.]scalar many[.].* many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  allocation.* "calls[.](scalar|aarch64)" many[.].* many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees|sees_ended)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa" emulated[.]nehalem[.]same_bits
   "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")

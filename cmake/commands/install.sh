@@ -35,6 +35,12 @@ needed_elsewhere=
 foreign_architecture=
 may_install=yes
 
+# announce LINE…: what is about to be installed. A step of test --ci writes to a file, so it announces on descriptor 3 as well.
+announce() {
+  printf '%s\n' "$@"
+  if [[ ${SHAFTCULL_STEP:-} ]]; then printf '%s\n' "$@" >&3; fi
+}
+
 stop() {
   printf '%s\n' "$@" >&2
   exit 1
@@ -152,10 +158,10 @@ install_missing() {
     stop "cmake/run: packages are missing, and $([[ $may_install ]] && echo "only root can install them" || echo "--no-install was given"). As root, run:" \
       "  $by_hand" "Then run the same command again."
   fi
-  echo "./cmake/run ${command_line[*]} needs Debian packages that are not installed: ${needed[*]:-none}."
-  if [[ ${#optional[@]} -gt 0 ]]; then echo "It can do more with: ${optional[*]}."; fi
-  echo "It installs them now, $([[ $EUID -eq 0 ]] && echo "as root" || echo "with sudo"): $by_hand"
-  echo "To install nothing: ./cmake/run --no-install ${command_line[*]}"
+  announce "./cmake/run ${command_line[*]} needs Debian packages that are not installed: ${needed[*]:-none}."
+  if [[ ${#optional[@]} -gt 0 ]]; then announce "It can do more with: ${optional[*]}."; fi
+  announce "It installs them now, $([[ $EUID -eq 0 ]] && echo "as root" || echo "with sudo"): $by_hand" \
+    "To install nothing: ./cmake/run --no-install ${command_line[*]}"
   if ! { { [[ ! $foreign_architecture ]] || add_architecture; } && apt_get update -q &&
     apt_get install --no-install-recommends "${all[@]}"; }; then
     [[ ${#needed[@]} -gt 0 ]] || { echo "cmake/run: goes on without ${optional[*]}" && return 0; }
@@ -183,7 +189,7 @@ install_known() {
   done
   [[ ${#known[@]} -gt 0 ]] || return 0
   if [[ $may_install && ($EUID -eq 0 || -x $(command -v sudo)) ]]; then
-    echo "Tests of $tests use Debian packages that are not installed; they are installed now: ${known[*]}"
+    announce "Tests of $tests use Debian packages that are not installed; they are installed now: ${known[*]}"
     if apt_get install --no-remove --no-install-recommends "${known[@]}"; then return 0; fi
   fi
   echo "cmake/run: goes on without ${known[*]}, so some tests of $tests are skipped"

@@ -26,11 +26,12 @@ use_packages_of() {
       for_tests
       if [[ $1 == tsan ]]; then packages+=("${sanitizer_packages[@]}") && return; fi
       if [[ $1 == asan ]]; then packages+=("${sanitizer_packages[@]}"); fi
-      if [[ $1 == clang ]]; then packages+=("${clang_packages[@]}"); fi
-      if [[ $1 != release || $2 != quick || $3 == @(cli|batch) ]]; then for_program; fi
+      # Of release, the C interface is compiled by clang, too.
+      if [[ $1 == clang || ($1 == release && $2 == @(ci|all)) ]]; then packages+=("${clang_packages[@]}"); fi
+      if [[ $1 != release || $2 == @(ci|all) || $3 == @(cli|batch) ]]; then for_program; fi
       if [[ $1 != release || $2 == all || $3 == @(bench|paper) ]]; then for_bench; fi
       # Tests on emulated processors, of plots and of instruction budgets are skipped without them.
-      if [[ $2 != quick ]] && command -v apt-get >/dev/null; then
+      if [[ $2 == @(ci|all) || $3 == @(cli|budget) ]] && command -v apt-get >/dev/null; then
         packages+=(qemu-user:qemu-x86_64 gnuplot-nox:gnuplot)
         if [[ $1 == release ]]; then packages+=(valgrind:valgrind "${docs_packages[@]}"); fi
       fi
@@ -38,9 +39,11 @@ use_packages_of() {
   esac
 }
 
+presets=(release debug asan tsan serial clang arm64 s390x windows wasm)
+
 # run_tests [--preset NAME] [--layer quick|ci|all] [--only AREA] [ctest option…]
 run_tests() {
-  local preset=release layer= area= options=() targets=() filter=() start=$SECONDS installed built
+  local preset= layer= area= options=() targets=() filter=() start=$SECONDS installed built
   while [[ ${1:-} == --@(preset|layer|only)?(=*) ]]; do
     if [[ $1 != *=* ]]; then set -- "$1=${2:?"$1 needs a value"}" "${@:3}"; fi
     case $1 in
@@ -50,38 +53,43 @@ run_tests() {
     esac
     shift
   done
-  if [[ ! $layer && $preset == release ]]; then layer=quick; fi
-  layer=${layer:-all}
+  if [[ ! $layer ]]; then layer=$([[ $preset || $area ]] && echo all || echo quick); fi
+  preset=${preset:-release}
   [[ $layer == @(quick|ci|all) ]] || stop "cmake/run: there is no layer \"$layer\" of tests, only quick, ci and all"
+  [[ " ${presets[*]} " == *" $preset "* ]] || stop "cmake/run: there is no preset \"$preset\" of tests, only ${presets[*]}"
+  if [[ $area && $preset == release && $layer == all ]]; then layer=area; fi  # of release, one area needs little of the rest
 
   use_packages_of "$preset" "$layer" "$area"
   install_missing
-  if [[ $preset == release && ! $area && $layer != quick ]]; then
+  if [[ $preset == release && $layer == @(ci|all) ]]; then
     install_known embedding "${embedding_packages[@]}"
     install_known "64-bit ARM" "${arm64_packages[@]}"
     install_known s390x "${s390x_packages[@]}"
   fi
-  if [[ $preset == release && ! $area && $layer == all ]]; then
+  if [[ $preset == release && $layer == all ]]; then
     unpack_libcxx "${libcxx_versions[@]}"
     install_known "32-bit builds" "${bits_32_packages[@]}"
     install_known "64-bit RISC-V" "${riscv64_packages[@]}"
     install_known Windows "${windows_packages[@]}"
   fi
-  if [[ $preset == release && ($layer != quick || $area == python) ]]; then install_known Python "${python_packages[@]}"; fi
-  if [[ $preset == release && ($layer != quick || $area == batch) ]]; then install_known batch "${batch_packages[@]}"; fi
+  if [[ $preset == release && ($layer == @(ci|all) || $area == python) ]]; then install_known Python "${python_packages[@]}"; fi
+  if [[ $preset == release && ($layer == @(ci|all) || $area == batch) ]]; then install_known batch "${batch_packages[@]}"; fi
   installed=$SECONDS
 
   if [[ $preset == release ]]; then
     options=(-D SHAFTCULL_BUILD_TESTS=ON -D SHAFTCULL_BUILD_PYTHON=AUTO)
-    if [[ $layer != quick || $area == @(cli|batch) ]]; then options+=(-D SHAFTCULL_BUILD_PROGRAM=ON); fi
+    if [[ $layer == @(ci|all) || $area == @(cli|batch) ]]; then options+=(-D SHAFTCULL_BUILD_PROGRAM=ON); fi
     if [[ $layer == all || $area == @(bench|paper) ]]; then options+=(-D SHAFTCULL_BUILD_BENCH=ON); fi
   fi
   case $layer in
     quick) targets=(shaftcull_quick_tests) filter=(--label-regex '^quick$') ;;
     ci) targets=(shaftcull_ci_tests) filter=(--label-regex '^(quick|ci)$') ;;
-    all) if [[ $preset == @(asan|tsan|arm64|s390x|windows|wasm) ]]; then targets=(shaftcull_tests); fi ;;
+    all)
+      if [[ $preset == @(asan|arm64|s390x|windows|wasm) ]]; then targets=(shaftcull_tests); fi
+      if [[ $preset == tsan ]]; then targets=(test_many test_many_tree test_planted_race test_same_bits test_visibility); fi
+      ;;
   esac
-  if [[ $area ]]; then targets=("test_$area") filter=(-R "^$area([.]|\$)"); fi
+  if [[ $area ]]; then targets=("test_$area") filter+=(-R "^$area([.]|\$)"); fi
   if [[ $preset == @(asan|tsan) && $layer == ci ]]; then
     # Instruction sets that the best one includes are left out, as for anybody who builds for one processor (kernel/simd/baseline.hpp).
     options=(-D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG -march=native")
@@ -111,6 +119,7 @@ all_steps=(
   "test --layer all"
   "page --check"
   "package --check"
+  "package"
   "test --preset asan"
   "test --preset tsan"
   "test --preset clang"
@@ -128,21 +137,29 @@ all_steps=(
 )
 
 # run_step STEP: ./cmake/run with the words of the step. Its output goes to a file, and from there to the standard output when the
-# step has ended, so that outputs of two steps do not mix. Adds a line to the table of steps.
+# step has ended, so that outputs of two steps do not mix; what it installs is announced at once. Adds a line to the table of steps.
 run_step() {
-  local start=$SECONDS result=passed words log
+  local start=$SECONDS status=0 result=passed words log first=()
   read -ra words <<<"$1"
   if [[ ${words[0]} == bare && ${#words[@]} -gt 1 ]]; then words=(bare "${1#bare }"); fi
+  if [[ ! $may_install ]]; then first=(--no-install); fi
   log=$(mktemp)
-  "$root/cmake/run" "${words[@]}" </dev/null >"$log" 2>&1 || result=FAILED
+  echo "begins: ./cmake/run $1"
+  SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" </dev/null >"$log" 2>&1 3>&1 || status=$?
+  case $status in
+    0) ;;
+    77) result=skipped ;;
+    *) result=FAILED ;;
+  esac
+  if [[ $record_changes ]] && [[ $(state_of_sources) != "$sources" ]]; then result="$result, while sources changed"; fi
   {
     flock 9
     printf '%s\t%s\t%d\t%s\n' "$sources" "$result" $((SECONDS - start)) "$1" >>"$record"
-    printf '\n==== ./cmake/run %s\n' "$1"
+    printf '\n==== ./cmake/run %s: %s\n' "$1" "$result"
     cat "$log"
   } 9>>"$record"
   rm "$log"
-  [[ $result == passed ]]
+  [[ $status -eq 0 || $status -eq 77 ]]
 }
 
 # print_steps: the table of the steps that were run on these sources, the last time each.
@@ -150,16 +167,18 @@ print_steps() {
   printf '\n'
   awk -F '\t' -v sources="$sources" '
     $1 == sources { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3 }
-    END { for (i = 1; i <= n; ++i) printf "%-6s %6d s  ./cmake/run %s\n", result[order[i]], seconds[order[i]], order[i] }' "$record"
-  printf '%-6s %6d s  in all\n' "" "$SECONDS"
+    END { for (i = 1; i <= n; ++i) printf "%-7s %6d s  ./cmake/run %s\n", result[order[i]], seconds[order[i]], order[i] }' "$record"
+  printf '%-7s %6d s  in all\n' "" "$SECONDS"
 }
 
 # check_ci: the steps of .ci/run. When one has failed, no other is begun.
 check_ci() {
   local step failed=
   record=$(mktemp)
+  record_changes=
   sources=here
   trap 'print_steps; rm -f "$record"' EXIT
+  trap 'exit 130' INT
   for step in "${ci_steps[@]}"; do
     while [[ $(jobs -rp | wc -l) -ge 2 ]]; do wait -n || failed=yes; done
     [[ ! $failed ]] || break
@@ -171,7 +190,8 @@ check_ci() {
 
 # state_of_sources: a word that changes with the sources.
 state_of_sources() {
-  (cd "$root" && { git rev-parse HEAD && git diff HEAD && git ls-files --others --exclude-standard; } 2>/dev/null) | sha1sum | cut -c 1-12
+  (cd "$root" && { git rev-parse HEAD && git diff HEAD && git ls-files --others --exclude-standard -z | xargs -0 -r sha1sum; } |
+    sha1sum | cut -c 1-12)
 }
 
 # check_all: all steps, one after the other, for hours. Steps that have passed on the same sources are not run again, so that a run can
@@ -179,10 +199,12 @@ state_of_sources() {
 check_all() {
   local step failed=0
   record=$root/build/all_checks.tsv
+  record_changes=yes
   mkdir -p "$root/build"
   touch "$record"
-  sources=$(state_of_sources)
+  sources=$(state_of_sources) || stop "cmake/run: test --all asks git which sources it has tested, and git does not answer here."
   trap print_steps EXIT
+  trap 'exit 130' INT
   for step in "${all_steps[@]}"; do
     if awk -F '\t' -v sources="$sources" -v step="$step" '
       $1 == sources && $4 == step { passed = $2 == "passed" } END { exit !passed }' "$record"; then continue; fi

@@ -6,8 +6,8 @@
 
 All faults of faults.txt are planted at once, in build/mutate/source. Which of them is there is chosen at run time, by
 the environment variable SHAFTCULL_PLANTED_FAULT, so all are built once. Tests are the entries of CTest of one layer
-(tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault they run until
-one fails: first those of the area that the folders of its file name, and from the shortest to the longest.
+(tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault, entries run until one fails: first those whose area is a
+folder in the path of the fault, then the others, each from the shortest to the longest.
 
 What is found is written to build/mutate/PRESET/noticed_LAYER.csv, fault by fault. The exit status is 0 if at most --may-miss
 faults are not noticed, 1 if more are, and 2 if there was nothing to find out.
@@ -499,7 +499,7 @@ def try_fault(runner: Runner, fault: Fault, entries: Sequence[Entry]) -> Row:
 
 
 def known_rows(path: Path, faults: Sequence[Fault]) -> dict[str, Row]:
-    """Rows of an earlier run about faults that are still the same, by label."""
+    """Rows of an earlier run about faults that are still the same, by label. Tests may have changed since."""
     if not path.is_file():
         return {}
     with path.open(newline="", encoding="utf-8") as file:
@@ -645,7 +645,12 @@ def main() -> int:
     copy_sources(all_faults)
     folder = build(arguments.preset, arguments.layer, arguments.jobs)
     path = folder / f"noticed_{arguments.layer}.csv"
-    known = known_rows(path, all_faults) if arguments.resume else {}
+    if arguments.only:  # what some entries miss says nothing of the layer
+        path = folder / "noticed_only.csv"
+    known = known_rows(path, all_faults)
+    if not arguments.resume:
+        for fault in faults:
+            known.pop(fault.label, None)
     runner = Runner()
     rows = known
     if any(fault.label not in known for fault in faults):
