@@ -145,7 +145,7 @@ run_step() {
   if [[ ! $may_install ]]; then first=(--no-install); fi
   log=$(mktemp)
   echo "begins: ./cmake/run $1"
-  SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" </dev/null >"$log" 2>&1 3>&1 || status=$?
+  SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1 || status=$?
   case $status in
     0) ;;
     77) result=skipped ;;
