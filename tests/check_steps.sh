@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Steps of ./cmake/run test --ci and --all: what is run, again and not again, and what their table says. Stand-ins take the place
+# of ./cmake/run itself.
+#
+#   tests/check_steps.sh          ends with 77, "skipped", where there is no git
+set -euo pipefail
+shopt -s extglob
+command -v git >/dev/null || { echo "Skipped: there is no git" && exit 77; }
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
+unset GIT_DIR GIT_WORK_TREE SHAFTCULL_STEP
+
+mkdir -p "$work/project/cmake"
+cp -r "$project/cmake/commands" "$work/project/cmake/"
+cat >"$work/project/cmake/run" <<'TXT'
+#!/usr/bin/env bash
+echo "output of $*"
+echo "announced by $*" >&3
+case $1 in
+  fails) exit 1 ;;
+  skipped) exit 77 ;;
+  *) [[ $* != *--no-install* || $1 == --no-install ]] ;;
+esac
+TXT
+chmod 755 "$work/project/cmake/run"
+echo build/ >"$work/project/.gitignore"
+git -C "$work/project" init -q
+git -C "$work/project" add -A
+git -C "$work/project" commit -qm "Stand-ins"
+
+# check RESULT ci|all STEP…: the steps are to end with RESULT; their output is in the file output.
+check() {
+  local expected=$1 result=0
+  (
+    root=$work/project jobs=2 command_line=()
+    source "$root/cmake/commands/install.sh"
+    source "$root/cmake/commands/test.sh"
+    may_install=${with_install-yes}
+    ci_steps=("${@:3}") all_steps=("${@:3}")
+    "check_$2"
+  ) >"$work/output" 2>&1 || result=$?
+  [[ $result -eq $expected ]] || fail "$2 of ${*:3} ended with $result instead of $expected"
+}
+failures=0
+fail() {
+  printf 'FAILED: %s\n' "$1"
+  sed 's/^/    /' "$work/output"
+  failures=$((failures + 1))
+}
+says() { grep -qE -- "$1" "$work/output" || fail "does not say \"$1\""; }
+says_not() { ! grep -qE -- "$1" "$work/output" || fail "says \"$1\""; }
+
+check 1 all "passes one" "skipped two" "fails three" "bare a && b"
+says "^passed +[0-9]+ s  ./cmake/run passes one$"
+says "^skipped +[0-9]+ s  ./cmake/run skipped two$"
+says "^FAILED +[0-9]+ s  ./cmake/run fails three$"
+says "^output of bare a && b$"
+says "^announced by passes one$"
+
+check 1 all "passes one" "skipped two" "fails three" "bare a && b"
+says_not "^begins: ./cmake/run (passes|bare)"  # they passed on these sources
+says "^begins: ./cmake/run skipped two$"
+says "^begins: ./cmake/run fails three$"
+says "^passed +[0-9]+ s  ./cmake/run passes one$"
+
+echo "a change" >"$work/project/a file"
+check 0 all "passes one"
+says "^begins: ./cmake/run passes one$"
+echo "another change" >"$work/project/a file"
+check 0 all "passes one"
+says "^begins: ./cmake/run passes one$"
+check 0 all "passes one"
+says_not "^begins"
+
+check 0 ci "passes 1" "passes 2" "skipped 3" "passes 4" "passes 5"
+says "^skipped +[0-9]+ s  ./cmake/run skipped 3$"
+says "^passed +[0-9]+ s  ./cmake/run passes 5$"
+check 1 ci "fails 1" "fails 2" "passes 3" "passes 4" "passes 5"
+says_not "^begins: ./cmake/run passes 5$"
+
+with_install='' check 0 ci "passes 1"
+says "^output of --no-install passes 1$"
+
+mv "$work/project/.git" "$work/git"
+export GIT_CEILING_DIRECTORIES=$work
+check 1 all "passes one"
+says "asks git which sources"
+
+[[ $failures -eq 0 ]] || exit 1
+echo "All steps as expected."
