@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: MIT
+import signal
+
 import numpy as np
 import pytest
+
+# Ctrl-C is tested. In what a shell runs in the background, and in children of that, it would be ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def some_boxes(seed, count, side=8):
