@@ -34,8 +34,9 @@
 /// whether they fit or not. Room for 0 is legal, and then the array may be NULL. Room behind the last result may be
 /// overwritten with anything.
 ///
-/// Indices are 32 bits wide, or 64 for more bounds than 32 can number. Functions that end in `64` are the same with
-/// 64-bit indices. A view or stream takes either; a tree has one width, which it was built with.
+/// Indices are 32 bits wide. A tree holds at most 2³² − 1 bounds; more are refused. A view or stream may have more:
+/// it is asked for bits and counts, and calls that list its bounds or find first contact refuse it. Ask views of its
+/// parts then, and add to their indices where each part begins.
 ///
 /// Enumerators are fixed-width integers with the constants below. Structs are plain, and on machines of 64 bits every
 /// byte of them belongs to a field. Fields named `reserved` must be 0.
@@ -457,10 +458,8 @@ typedef struct shaftcull_bounds_info {
   uint64_t memory_bytes;     /* that the library holds, padding included: 0 of a view */
   shaftcull_bound_kind kind; /* what they are */
   shaftcull_holder holder;   /* what holds them */
-  uint32_t index_bits;       /* of a tree 32 or 64; otherwise 0, since any index will do */
   uint32_t needs_refit;      /* 1 if a tree was updated by index since the last refit */
   uint32_t has_layers;       /* 1 if a tree has layers */
-  uint32_t reserved;         /* 0 */
 } shaftcull_bounds_info;
 
 /// Kind, holder, count and state of bounds. O(1); no allocation.
@@ -473,37 +472,28 @@ SHAFTCULL_API shaftcull_status shaftcull_bounds_streams(const shaftcull_bounds* 
 
 /* ---- Trees ---- */
 
-/// A tree of the bounds of a source, with indices of 32 or 64 bits; of triangles with 32 only. The order depends on the
-/// bounds and their positions alone. SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). O(n log n), in parallel;
-/// holds the bounds, an index a bound, and about 2 % more. Freed by shaftcull_bounds_free().
-SHAFTCULL_API shaftcull_status shaftcull_tree_create(const shaftcull_source* source, uint32_t index_bits,
-                                                     shaftcull_bounds** tree);
+/// A tree of the bounds of a source. The order depends on the bounds and their positions alone. SHAFTCULL_BAD_BOUND as
+/// for shaftcull_stream_create(). Refuses more than 2³² − 1 bounds. O(n log n), in parallel; holds the bounds, an index
+/// a bound, and about 2 % more. Freed by shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_tree_create(const shaftcull_source* source, shaftcull_bounds** tree);
 
 /// The box around all bounds of a tree, the empty box if there are none. SHAFTCULL_NEEDS_REFIT if it does. O(1).
 SHAFTCULL_API shaftcull_status shaftcull_tree_box(const shaftcull_bounds* tree, shaftcull_box* box);
 
-/// The order of a tree with 32-bit indices: (*order)[p] is the caller's index of leaf p, for each bound. Valid until
-/// the tree is freed, rebuilt or renumbered. NULL if it is empty. O(1); no allocation.
+/// The order of a tree: (*order)[p] is the caller's index of leaf p, for each bound. Valid until the tree is freed,
+/// rebuilt or renumbered. NULL if it is empty. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_tree_order(const shaftcull_bounds* tree, const uint32_t** order);
-
-/// The same of a tree with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_tree_order64(const shaftcull_bounds* tree, const uint64_t** order);
 
 /// Gives every bound of a tree of boxes or spheres a new value, bound i that of the source at i, and refits: O(n), in
 /// parallel. Refuses another number of bounds, and those of the tree itself. If oneTBB cannot start its tasks, the tree
 /// needs a refit, and each bound has its old value or its new one.
 SHAFTCULL_API shaftcull_status shaftcull_tree_update(shaftcull_bounds* tree, const shaftcull_source* source);
 
-/// Gives bound indices[i] the value of the source at i, for `count` indices of 32 bits. If an index comes twice, the
-/// last counts. Questions then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). The first call allocates an
-/// index a bound. O(count) but for the first, which is O(n). Refuses triangles, and an index not below the number of
-/// bounds.
+/// Gives bound indices[i] the value of the source at i, for `count` indices. If an index comes twice, the last counts.
+/// Questions then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). The first call allocates an index a bound.
+/// O(count) but for the first, which is O(n). Refuses triangles, and an index not below the number of bounds.
 SHAFTCULL_API shaftcull_status shaftcull_tree_update_some(shaftcull_bounds* tree, const uint32_t* indices,
                                                           uint64_t count, const shaftcull_source* source);
-
-/// The same of a tree with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_tree_update_some64(shaftcull_bounds* tree, const uint64_t* indices,
-                                                            uint64_t count, const shaftcull_source* source);
 
 /// Fits the nodes of a tree of boxes or spheres to bounds that were updated by index. O(updated), at most O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree);
@@ -527,10 +517,6 @@ SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers(shaftcull_bounds* tree,
 /// index that comes twice. O(count), but for the first such call, which is O(n) and may allocate an index a bound.
 SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers_of(shaftcull_bounds* tree, const uint32_t* indices,
                                                             const uint32_t* layers, uint64_t count);
-
-/// The same of a tree with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers_of64(shaftcull_bounds* tree, const uint64_t* indices,
-                                                              const uint32_t* layers, uint64_t count);
 
 /// Forgets the layers of a tree of boxes or spheres, and frees their memory. O(1).
 SHAFTCULL_API shaftcull_status shaftcull_tree_clear_layers(shaftcull_bounds* tree);
@@ -673,9 +659,8 @@ typedef struct shaftcull_query {
   shaftcull_form form;                   /* of boxes and spheres in views and streams */
   shaftcull_triangle_test triangle_test; /* of triangles */
   /// Bounds to leave out, by the caller's index: a row for each shaft, all equally long, own_count indices in all. A
-  /// shaft's own two objects, say. `own` for trees with 32-bit indices, `own64` for those with 64.
+  /// shaft's own two objects, say.
   const uint32_t* own;
-  const uint64_t* own64;
   uint64_t own_count;
   /// Bounds to leave out for all shafts: bit i of `mask_words` words, 0 or shaftcull_words_for(count of the tree).
   const uint64_t* mask;
@@ -735,13 +720,8 @@ SHAFTCULL_API shaftcull_status shaftcull_list(const shaftcull_shafts* shafts, ui
                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
                                               uint32_t* kept, uint64_t room, uint64_t* kept_count);
 
-/// The same with 64-bit indices. Not for trees of triangles.
-SHAFTCULL_API shaftcull_status shaftcull_list64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                uint64_t* kept, uint64_t room, uint64_t* kept_count);
-
 /// Ranges of leaves that the shaft keeps, each as long as can be, into `kept`, which has room for `room`, and how many
-/// there are into `range_count`. For trees of boxes and spheres. Allocates as much as the room, on the way.
+/// there are into `range_count`. For trees of boxes and spheres. Allocates 8 bytes for each range of room, on the way.
 SHAFTCULL_API shaftcull_status shaftcull_list_ranges(const shaftcull_shafts* shafts, uint64_t shaft,
                                                      const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                      shaftcull_leaf_range* kept, uint64_t room, uint64_t* range_count);
@@ -752,22 +732,11 @@ SHAFTCULL_API shaftcull_status shaftcull_list_at_most(const shaftcull_shafts* sh
                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                       uint32_t* kept, uint64_t room, uint64_t* kept_count);
 
-/// The same with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_list_at_most64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                        const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                        uint64_t* kept, uint64_t room, uint64_t* kept_count);
-
 /// As shaftcull_list(), but what overlaps and what is inside apart, in separate memory. Not for triangles.
 SHAFTCULL_API shaftcull_status shaftcull_list_classified(const shaftcull_shafts* shafts, uint64_t shaft,
                                                          const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                          uint32_t* overlap, uint64_t overlap_room, uint32_t* inside,
                                                          uint64_t inside_room, shaftcull_kept_counts* counts);
-
-/// The same with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_list_classified64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                           const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                           uint64_t* overlap, uint64_t overlap_room, uint64_t* inside,
-                                                           uint64_t inside_room, shaftcull_kept_counts* counts);
 
 /// As shaftcull_list_ranges(), but what overlaps and what is inside apart; `counts` are numbers of ranges.
 SHAFTCULL_API shaftcull_status shaftcull_list_classified_ranges(const shaftcull_shafts* shafts, uint64_t shaft,
@@ -789,22 +758,12 @@ SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* sha
                                                      const shaftcull_bounds* bounds, const uint32_t* indices,
                                                      float* times, uint64_t count);
 
-/// The same with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_entry_times64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                       const shaftcull_bounds* bounds, const uint64_t* indices,
-                                                       float* times, uint64_t count);
-
 /// Those of `count` candidates that the shaft keeps, in their order, into `kept`, and how many there are into
 /// `kept_count`. `kept` may be `candidates` itself, which are then overwritten; else they share no memory. Not for
 /// triangles. O(count), but for a tree as shaftcull_entry_times().
 SHAFTCULL_API shaftcull_status shaftcull_refine(const shaftcull_shafts* shafts, uint64_t shaft,
                                                 const shaftcull_bounds* bounds, const uint32_t* candidates,
                                                 uint64_t count, uint32_t* kept, uint64_t room, uint64_t* kept_count);
-
-/// The same with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_refine64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                  const shaftcull_bounds* bounds, const uint64_t* candidates,
-                                                  uint64_t count, uint64_t* kept, uint64_t room, uint64_t* kept_count);
 
 /// Whether one of these solid boxes alone hides the one end of the shaft from the other, 1 or 0. For boxes, and shafts
 /// between two boxes.
@@ -823,11 +782,6 @@ SHAFTCULL_API shaftcull_status shaftcull_blocked_by(const shaftcull_shafts* shaf
 SHAFTCULL_API shaftcull_status shaftcull_list_blocking(const shaftcull_shafts* shafts, uint64_t shaft,
                                                        const shaftcull_bounds* solids, const shaftcull_query* query,
                                                        uint32_t* blocking, uint64_t room, uint64_t* blocking_count);
-
-/// The same with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_list_blocking64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                         const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                         uint64_t* blocking, uint64_t room, uint64_t* blocking_count);
 
 /* ---- One shaft, one bound ---- */
 
@@ -860,9 +814,8 @@ SHAFTCULL_API shaftcull_status shaftcull_blocked_by_polygon(const shaftcull_shaf
 /// What lists hold.
 typedef uint32_t shaftcull_lists_kind;
 enum {
-  SHAFTCULL_LISTS_OF_INDICES = 1,   /* of 32 bits */
-  SHAFTCULL_LISTS_OF_INDICES64 = 2, /* of 64 bits */
-  SHAFTCULL_LISTS_OF_RANGES = 3     /* of leaves of a tree, of either width of index */
+  SHAFTCULL_LISTS_OF_INDICES = 1, /* of bounds */
+  SHAFTCULL_LISTS_OF_RANGES = 2   /* of leaves of a tree */
 };
 
 /// Lists that the library allocates, one for each shaft, one behind the other. Calls use their memory
@@ -883,12 +836,9 @@ SHAFTCULL_API uint64_t shaftcull_lists_count(const shaftcull_lists* lists);
 /// O(1).
 SHAFTCULL_API const uint64_t* shaftcull_lists_offsets(const shaftcull_lists* lists);
 
-/// The elements of all lists of 32-bit indices, or NULL if these are of another kind or there are none. Valid as
-/// offsets. Never fails. O(1).
+/// The elements of all lists of indices, or NULL if these are of another kind or there are none. Valid as offsets.
+/// Never fails. O(1).
 SHAFTCULL_API const uint32_t* shaftcull_lists_indices(const shaftcull_lists* lists);
-
-/// The same of 64-bit indices.
-SHAFTCULL_API const uint64_t* shaftcull_lists_indices64(const shaftcull_lists* lists);
 
 /// The same of ranges of leaves.
 SHAFTCULL_API const shaftcull_leaf_range* shaftcull_lists_ranges(const shaftcull_lists* lists);
@@ -952,13 +902,7 @@ SHAFTCULL_API shaftcull_status shaftcull_list_at_most_many(const shaftcull_shaft
                                                            const shaftcull_query* query, uint64_t most, uint32_t* kept,
                                                            uint64_t* kept_counts);
 
-/// The same with 64-bit indices.
-SHAFTCULL_API shaftcull_status shaftcull_list_at_most_many64(const shaftcull_shafts* shafts, uint64_t first,
-                                                             uint64_t count, const shaftcull_bounds* bounds,
-                                                             const shaftcull_query* query, uint64_t most,
-                                                             uint64_t* kept, uint64_t* kept_counts);
-
-/// contacts[s] becomes shaftcull_first_contact() of shaft first + s, for `count` of them. Allocates 16 bytes a shaft.
+/// contacts[s] becomes shaftcull_first_contact() of shaft first + s, for `count` of them. Allocates 8 bytes a shaft.
 /// Not for hulls, nor for triangles.
 SHAFTCULL_API shaftcull_status shaftcull_first_contact_many(const shaftcull_shafts* shafts, uint64_t first,
                                                             uint64_t count, const shaftcull_bounds* bounds,
@@ -966,16 +910,10 @@ SHAFTCULL_API shaftcull_status shaftcull_first_contact_many(const shaftcull_shaf
                                                             shaftcull_contact_found* contacts);
 
 /// Lists, for each shaft, those of the same `candidate_count` candidates that it keeps, in their order: into lists of
-/// 32-bit indices. If it fails, lists are as they were or empty. Candidates are no part of the lists. Not for
-/// triangles.
+/// indices. If it fails, lists are as they were or empty. Candidates are no part of the lists. Not for triangles.
 SHAFTCULL_API shaftcull_status shaftcull_refine_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                      const shaftcull_bounds* bounds, const uint32_t* candidates,
                                                      uint64_t candidate_count, shaftcull_lists* lists);
-
-/// The same with 64-bit indices, into lists of such.
-SHAFTCULL_API shaftcull_status shaftcull_refine_many64(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                       const shaftcull_bounds* bounds, const uint64_t* candidates,
-                                                       uint64_t candidate_count, shaftcull_lists* lists);
 
 /// Bit s of `blocked` is set if a solid box blocks shaft first + s. `words` is shaftcull_words_for(count). As
 /// shaftcull_blocked().

@@ -270,7 +270,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint64_t> counts(shafts_.size());
   std::vector<KeptCounts> classified(shafts_.size());
-  std::vector<FirstContactOf<std::uint64_t>> contacts(shafts_.size());
+  std::vector<FirstContact> contacts(shafts_.size());
   std::vector<std::uint32_t> few(9 * shafts_.size());
   const auto calls = [&] {
     for (const Form form : {Form::slab, Form::planes}) {

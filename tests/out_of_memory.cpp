@@ -114,7 +114,7 @@ class TreeOutOfMemory : public testing::Test {
     Random random(61);
     before_ = scene<BoundOf<Tree>>(random, Shape::uniform, count);
     after_ = scene<BoundOf<Tree>>(random, Shape::wild_sizes, count);
-    for (IndexOf<Tree> i = 0; i < count; i += 1001) {  // few enough for single nodes to be fitted
+    for (std::uint32_t i = 0; i < count; i += 1001) {  // few enough for single nodes to be fitted
       some_.push_back(i);
       some_values_.push_back(after_[i]);
     }
@@ -125,15 +125,15 @@ class TreeOutOfMemory : public testing::Test {
   /// What a tree is and answers.
   struct Snapshot {
     std::vector<BoundOf<Tree>> leaves;
-    std::vector<IndexOf<Tree>> order;
-    std::vector<IndexOf<Tree>> found;
+    std::vector<std::uint32_t> order;
+    std::vector<std::uint32_t> found;
     double growth;
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
   };
   [[nodiscard]] Snapshot snapshot(const Tree& tree) const {
     Snapshot now{bounds_of(tree.leaves()), {tree.order().begin(), tree.order().end()}, {}, tree.growth()};
     for (const CompiledShaft& shaft : shafts_) {
-      std::vector<IndexOf<Tree>> kept(tree.size());
+      std::vector<std::uint32_t> kept(tree.size());
       kept.resize(list(shaft, tree, std::span(kept)));
       now.found.insert(now.found.end(), kept.begin(), kept.end());
     }
@@ -141,7 +141,7 @@ class TreeOutOfMemory : public testing::Test {
   }
   void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds) const {
     for (const CompiledShaft& shaft : shafts_) {
-      std::vector<IndexOf<Tree>> kept(tree.size());
+      std::vector<std::uint32_t> kept(tree.size());
       kept.resize(list(shaft, tree, std::span(kept)));
       ASSERT_EQ(sorted(kept), FlatAnswers(shaft, bounds).kept());
     }
@@ -159,7 +159,7 @@ class TreeOutOfMemory : public testing::Test {
 
   std::vector<BoundOf<Tree>> before_;
   std::vector<BoundOf<Tree>> after_;
-  std::vector<IndexOf<Tree>> some_;
+  std::vector<std::uint32_t> some_;
   std::vector<BoundOf<Tree>> some_values_;
   std::vector<CompiledShaft> shafts_;
   Tree tree_;
@@ -234,11 +234,10 @@ TYPED_TEST(TreeOutOfMemory, AnUpdateOfSomeThatFailsLeavesTheTreeAndWorksTheNextT
 }
 
 TYPED_TEST(TreeOutOfMemory, TheFirstRefineThatFailsLeavesTheTreeAndWorksTheNextTime) {
-  using Index = IndexOf<TypeParam>;
-  std::vector<Index> expected(this->some_.size());
+  std::vector<std::uint32_t> expected(this->some_.size());
   expected.resize(refine(this->shafts_[0], TypeParam(this->tree_), this->some_, expected));
   const auto refine_some = [&](const TypeParam& tree) {
-    std::vector<Index> kept = this->some_;
+    std::vector<std::uint32_t> kept = this->some_;
     return refine(this->shafts_[0], tree, kept, kept);
   };
   const std::size_t its_own = 1;
@@ -251,11 +250,11 @@ TYPED_TEST(TreeOutOfMemory, TheFirstRefineThatFailsLeavesTheTreeAndWorksTheNextT
 TYPED_TEST(TreeOutOfMemory, ARefitThatFailsIsStillNeeded) {
   using Bound = BoundOf<TypeParam>;
   for (const bool updates_most : {false, true}) {
-    std::vector<IndexOf<TypeParam>> indices = this->some_;
+    std::vector<std::uint32_t> indices = this->some_;
     std::vector<Bound> values = this->some_values_;
     if (updates_most) {
       indices.resize(this->count);
-      std::iota(indices.begin(), indices.end(), IndexOf<TypeParam>{0});
+      std::iota(indices.begin(), indices.end(), std::uint32_t{0});
       values = this->after_;
     }
     std::vector<Bound> updated = this->before_;
@@ -307,23 +306,19 @@ TEST(LargeTreeOutOfMemory, NoThreadOfABuildLosesTheException) {
 }
 
 /// Whether lists that a failed call filled are as they were, or empty.
-template <class Index>
-bool are_as_before_or_empty(const IndexListsOf<Index>& lists, const IndexListsOf<Index>& before) {
+bool are_as_before_or_empty(const IndexLists& lists, const IndexLists& before) {
   return (lists.offsets == before.offsets && lists.indices == before.indices) ||
          (lists.size() == 0 && lists.indices.empty());
 }
-template <class Index>
-bool are_as_before_or_empty(const LeafRangeListsOf<Index>& lists, const LeafRangeListsOf<Index>& before) {
+bool are_as_before_or_empty(const LeafRangeLists& lists, const LeafRangeLists& before) {
   return (lists.offsets == before.offsets && lists.ranges == before.ranges) ||
          (lists.size() == 0 && lists.ranges.empty());
 }
 
-template <class Index>
-bool are_equal(const IndexListsOf<Index>& one, const IndexListsOf<Index>& other) {
+bool are_equal(const IndexLists& one, const IndexLists& other) {
   return one.offsets == other.offsets && one.indices == other.indices;
 }
-template <class Index>
-bool are_equal(const LeafRangeListsOf<Index>& one, const LeafRangeListsOf<Index>& other) {
+bool are_equal(const LeafRangeLists& one, const LeafRangeLists& other) {
   return one.offsets == other.offsets && one.ranges == other.ranges;
 }
 
@@ -361,9 +356,8 @@ void expect_both_lists_or_none(const Lists& before, const Call& call) {
 }
 
 TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
-  using Index = IndexOf<TypeParam>;
-  const IndexListsOf<Index> indices{{0, 1}, {5}};
-  const LeafRangeListsOf<Index> ranges{{0, 1}, {{5, 1}}};
+  const IndexLists indices{{0, 1}, {5}};
+  const LeafRangeLists ranges{{0, 1}, {{5, 1}}};
   const auto list = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists); };
   expect_lists_or_none(indices, list);
   expect_lists_or_none(ranges, list);
@@ -381,29 +375,24 @@ TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   expect_both_lists_or_none(ranges, list_both);
 }
 
-template <class Index>
-class ListsOutOfMemory : public testing::Test {};
-using IndexKinds = testing::Types<std::uint32_t, std::uint64_t>;
-TYPED_TEST_SUITE(ListsOutOfMemory, IndexKinds);
-
-TYPED_TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
+TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
   const std::vector<CompiledShaft> shafts = random_shafts(63, 70);  // two groups
   const BoxColumns boxes(random_boxes(64, 9000));
   const SphereColumns spheres(random_spheres(65, 9000));
-  const IndexListsOf<TypeParam> before{{0, 1}, {5}};
+  const IndexLists before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, spheres.view(), lists); });
   expect_both_lists_or_none(
       before, [&](auto& overlap, auto& inside) { list_classified_many(shafts, boxes.view(), overlap, inside); });
 }
 
-TYPED_TEST(ListsOutOfMemory, ListsOfWhatBlocksAreAsTheyWereOrEmpty) {
+TEST(ListsOutOfMemory, ListsOfWhatBlocksAreAsTheyWereOrEmpty) {
   const std::vector<CompiledShaft> shafts(70, compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}}));
   std::vector<Box> boxes = random_boxes(64, 9000);
   for (std::size_t i = 0; i < boxes.size(); i += 5) boxes[i] = {{2, -1, -1}, {3, 2, 2}};
   const BoxColumns memory(boxes);
-  const BoundsTree<Box, TypeParam> tree{std::span<const Box>(boxes)};
-  const IndexListsOf<TypeParam> before{{0, 1}, {5}};
+  const BoundsTree<Box> tree{std::span<const Box>(boxes)};
+  const IndexLists before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, memory.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, tree, lists); });
 }

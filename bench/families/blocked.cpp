@@ -39,10 +39,10 @@ std::unique_ptr<const Kept> kept_of(const Workload& workload, const BoxView& all
   auto kept = std::make_unique<Kept>();
   for (std::size_t s = 0; s != shafts; ++s) {
     kept->compiled.push_back(compile(workload.a[s], workload.b[s]));
-    std::vector<std::uint64_t> indices(most_kept);
+    std::vector<std::uint32_t> indices(most_kept);
     indices.resize(std::min(most_kept, list(kept->compiled[s], all, indices)));
     std::vector<Box> boxes;
-    for (const std::uint64_t i : indices) boxes.push_back(all[i]);
+    for (const std::uint32_t i : indices) boxes.push_back(all[i]);
     kept->count += static_cast<std::int64_t>(boxes.size());
     kept->boxes.emplace_back(std::span<const Box>(boxes));
   }

@@ -57,10 +57,10 @@ std::unique_ptr<const Survivors> survivors_of(const Workload& workload) {
     shaft.add_plane(from_a);
     shaft.add_plane(from_b);
     survivors->with_planes.push_back(compile(shaft));
-    std::vector<std::uint64_t> indices(most_kept);
+    std::vector<std::uint32_t> indices(most_kept);
     indices.resize(std::min(most_kept, list(survivors->plain[s], workload.boxes.view(), indices)));
     std::vector<Triangle> triangles;
-    for (const std::uint64_t i : indices) {
+    for (const std::uint32_t i : indices) {
       const Box box = workload.boxes[i];
       Triangle triangle{};
       for (std::size_t k = 0; k != 3; ++k) {

@@ -18,10 +18,10 @@ namespace shaftcull::hashes {
 namespace {
 
 void add_blocking(const CompiledShaft& shaft, const BoxView& view, Digest& digest) {
-  std::vector<std::uint64_t> listed(view.count);
+  std::vector<std::uint32_t> listed(view.count);
   listed.resize(list_blocking(shaft, view, listed));
-  listed.push_back(view.count);
-  digest.add_all(listed);
+  for (const std::uint32_t index : listed) digest.add(index);
+  digest.add(view.count);
 }
 
 /// Shafts between two boxes, a quarter of them on a lattice, a quarter of any floats, half of them with added planes;

@@ -54,19 +54,19 @@ std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact) {
 /// The first contact, and when each of the bounds that are kept is reached.
 template <class View>
 void add_times(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
-  FirstContactOf<std::uint64_t> contact;
+  FirstContact contact;
   const Form form = way == Way::planes ? Form::planes : Form::slab;
   if (way == Way::many) {
     first_contact_many({&shaft, 1}, view, {&contact, 1});
   } else {
     contact = first_contact(shaft, view, form);
   }
-  digest.add(contact.index);
+  digest.add(contact ? contact.index : ~std::uint64_t{0});
   digest.add_float(contact.time);
-  std::vector<std::uint64_t> kept(view.count);
+  std::vector<std::uint32_t> kept(view.count);
   kept.resize(list(shaft, view, std::span(kept), form));
   std::vector<float> times(kept.size());
-  entry_times(shaft, view, std::span<const std::uint64_t>(kept), times);
+  entry_times(shaft, view, kept, times);
   for (const float time : times) digest.add_float(time);
 }
 

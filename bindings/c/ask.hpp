@@ -18,8 +18,7 @@ namespace shaftcull::binding {
 template <class Set>
 concept FlatSet = std::same_as<Set, BoxView> || std::same_as<Set, SphereView>;
 template <class Set>
-concept TreeSet = std::same_as<Set, BoxTree> || std::same_as<Set, SphereTree> || std::same_as<Set, BoxTree64> ||
-    std::same_as<Set, SphereTree64>;
+concept TreeSet = std::same_as<Set, BoxTree> || std::same_as<Set, SphereTree>;
 template <class Set>
 concept TriangleSet = std::same_as<Set, TriangleView> || std::same_as<Set, TriangleTree>;
 
@@ -28,25 +27,7 @@ concept BoundSet = FlatSet<Set> || TreeSet<Set>;
 template <class Set>
 concept AnySet = BoundSet<Set> || TriangleSet<Set>;
 template <class Set>
-concept BoxSet = std::same_as<Set, BoxView> || std::same_as<Set, BoxTree> || std::same_as<Set, BoxTree64>;
-
-/// Indices of a tree; void of what takes both widths.
-template <class Set>
-struct IndexOfSet {
-  using Type = void;
-};
-template <class Bound, class Index>
-struct IndexOfSet<BoundsTree<Bound, Index>> {
-  using Type = Index;
-};
-template <>
-struct IndexOfSet<TriangleTree> {
-  using Type = std::uint32_t;
-};
-/// What can be listed with this width of index.
-template <class Set, class Index>
-concept ListedBy = AnySet<Set> &&
-    (std::same_as<typename IndexOfSet<Set>::Type, void> || std::same_as<typename IndexOfSet<Set>::Type, Index>);
+concept BoxSet = std::same_as<Set, BoxView> || std::same_as<Set, BoxTree>;
 
 /// What calls take for messages that refuse bounds.
 inline constexpr const char* takes_any = "bounds of all kinds";
@@ -54,12 +35,6 @@ inline constexpr const char* takes_bounds = "boxes and spheres";
 inline constexpr const char* takes_boxes = "boxes";
 inline constexpr const char* takes_views = "boxes and spheres in views and streams";
 inline constexpr const char* takes_trees = "trees of boxes and spheres";
-template <class Index>
-inline constexpr const char* takes_width = sizeof(Index) == 4
-                                               ? "bounds that have 32-bit indices, of the kinds that its description "
-                                                 "names (its twin ending in 64 takes others)"
-                                               : "bounds that have 64-bit indices, of the kinds that its description "
-                                                 "names (its twin without 64 takes others)";
 
 /// What a query says of bounds of this type: a form, what to leave out, or a test of triangles.
 template <FlatSet Set>
@@ -71,16 +46,9 @@ template <TriangleSet Set>
   return as_triangle_test(query.triangle_test);
 }
 template <TreeSet Set>
-[[nodiscard]] auto option_for(const Set& /*set*/, const shaftcull_query& query) {
-  using Index = typename IndexOfSet<Set>::Type;
-  ExcludingOf<Index> excluding;
-  if constexpr (sizeof(Index) == 4) {
-    if (query.own64 != nullptr) refuse("query.own64 is not NULL, but the tree has 32-bit indices; set query.own");
-    excluding.own = as_span(query.own, query.own_count, "query.own");
-  } else {
-    if (query.own != nullptr) refuse("query.own is not NULL, but the tree has 64-bit indices; set query.own64");
-    excluding.own = as_span(query.own64, query.own_count, "query.own64");
-  }
+[[nodiscard]] Excluding option_for(const Set& /*set*/, const shaftcull_query& query) {
+  Excluding excluding;
+  excluding.own = as_span(query.own, query.own_count, "query.own");
   excluding.mask = as_span(query.mask, query.mask_words, "query.mask");
   excluding.only_layers = as_span(query.only_layers, query.only_layers_count, "query.only_layers");
   return excluding;
@@ -98,9 +66,8 @@ void check_query(const shaftcull_query& query) {
   if (!TriangleSet<Set> && query.triangle_test != SHAFTCULL_TRIANGLES_EXACT) {
     refuse("query.triangle_test = " + std::to_string(query.triangle_test) + "; only triangles have one");
   }
-  const bool leaves_out = query.own != nullptr || query.own64 != nullptr || query.own_count != 0 ||
-                          query.mask != nullptr || query.mask_words != 0 || query.only_layers != nullptr ||
-                          query.only_layers_count != 0;
+  const bool leaves_out = query.own != nullptr || query.own_count != 0 || query.mask != nullptr ||
+                          query.mask_words != 0 || query.only_layers != nullptr || query.only_layers_count != 0;
   if (!TreeSet<Set> && leaves_out) refuse("query leaves bounds out; only a tree of boxes or spheres can do that");
 }
 

@@ -11,30 +11,6 @@
 using namespace shaftcull::binding;
 using shaftcull::CompiledShaft;
 
-namespace {
-
-template <class Index>
-shaftcull_status list_blocking(const shaftcull_shafts* shafts, std::uint64_t shaft, const shaftcull_bounds* solids,
-                               const shaftcull_query* query, Index* blocking, std::uint64_t room,
-                               std::uint64_t* blocking_count) noexcept {
-  return guarded([&] {
-    const CompiledShaft& asked = shaft_at(shafts, shaft);
-    const std::span<Index> out = as_span(blocking, room, "blocking");
-    std::uint64_t& count = given(blocking_count, "blocking_count");
-    ask_bounds(
-        solids, query, takes_width<Index>,
-        [&]<class Set>(const Set& set, const auto& option) requires(BoxSet<Set> && ListedBy<Set, Index>) {
-          if constexpr (FlatSet<Set>) {
-            count = shaftcull::list_blocking(asked, set, out);
-          } else {
-            count = shaftcull::list_blocking(asked, set, out, option);
-          }
-        });
-  });
-}
-
-}  // namespace
-
 extern "C" {
 
 shaftcull_status shaftcull_blocked(const shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_bounds* solids,
@@ -72,13 +48,18 @@ shaftcull_status shaftcull_blocked_by(const shaftcull_shafts* shafts, uint64_t s
 shaftcull_status shaftcull_list_blocking(const shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_bounds* solids,
                                          const shaftcull_query* query, uint32_t* blocking, uint64_t room,
                                          uint64_t* blocking_count) {
-  return list_blocking(shafts, shaft, solids, query, blocking, room, blocking_count);
-}
-
-shaftcull_status shaftcull_list_blocking64(const shaftcull_shafts* shafts, uint64_t shaft,
-                                           const shaftcull_bounds* solids, const shaftcull_query* query,
-                                           uint64_t* blocking, uint64_t room, uint64_t* blocking_count) {
-  return list_blocking(shafts, shaft, solids, query, blocking, room, blocking_count);
+  return guarded([&] {
+    const CompiledShaft& asked = shaft_at(shafts, shaft);
+    const std::span<uint32_t> out = as_span(blocking, room, "blocking");
+    uint64_t& count = given(blocking_count, "blocking_count");
+    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
+      if constexpr (FlatSet<Set>) {
+        count = shaftcull::list_blocking(asked, set, out);
+      } else {
+        count = shaftcull::list_blocking(asked, set, out, option);
+      }
+    });
+  });
 }
 
 shaftcull_status shaftcull_blocked_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
@@ -102,16 +83,13 @@ shaftcull_status shaftcull_list_blocking_many(const shaftcull_shafts* shafts, ui
                                               shaftcull_lists* lists) {
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
-    use_index_lists(lists, [&]<class Index>(shaftcull::IndexListsOf<Index>& out) {
-      ask_bounds(
-          solids, query, takes_width<Index>,
-          [&]<class Set>(const Set& set, const auto& option) requires(BoxSet<Set> && ListedBy<Set, Index>) {
-            if constexpr (FlatSet<Set>) {
-              shaftcull::list_blocking_many(asked, set, out);
-            } else {
-              shaftcull::list_blocking_many(asked, set, out, option);
-            }
-          });
+    shaftcull::IndexLists& out = index_lists_of(lists);
+    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
+      if constexpr (FlatSet<Set>) {
+        shaftcull::list_blocking_many(asked, set, out);
+      } else {
+        shaftcull::list_blocking_many(asked, set, out, option);
+      }
     });
   });
 }

@@ -189,9 +189,6 @@ shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaft
           out.count = streams_of(holder).count;
           out.holder = View<Holder> ? SHAFTCULL_VIEW : Stream<Holder> ? SHAFTCULL_STREAM : SHAFTCULL_TREE;
           if constexpr (!View<Holder>) out.memory_bytes = holder.memory_bytes();
-          if constexpr (!View<Holder> && !Stream<Holder>) {
-            out.index_bits = 8 * sizeof(typename decltype(holder.order())::element_type);
-          }
           if constexpr (requires { holder.needs_refit(); }) {
             out.needs_refit = holder.needs_refit() ? 1 : 0;
             out.has_layers = holder.has_layers() ? 1 : 0;

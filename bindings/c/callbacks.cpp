@@ -8,10 +8,10 @@
 #include "status.hpp"
 
 using namespace shaftcull::binding;
-using shaftcull::ClassifiedRangesOf;
+using shaftcull::ClassifiedRanges;
 using shaftcull::CompiledShaft;
-using shaftcull::KeptRangesOf;
-using shaftcull::LeafRangeOf;
+using shaftcull::KeptRanges;
+using shaftcull::LeafRange;
 using shaftcull::TileAnswers;
 
 namespace {
@@ -41,10 +41,9 @@ auto tile_by_tile(shaftcull_tile_callback callback, void* user, std::uint64_t fi
 }
 
 /// Ranges as those of C, in memory that is used again. Callbacks come one at a time.
-template <class Index>
-void convert(std::span<const LeafRangeOf<Index>> ranges, std::vector<shaftcull_leaf_range>& out) {
+void convert(std::span<const LeafRange> ranges, std::vector<shaftcull_leaf_range>& out) {
   out.clear();
-  for (const LeafRangeOf<Index>& range : ranges) out.push_back(from_range(range));
+  for (const LeafRange& range : ranges) out.push_back(from_range(range));
 }
 
 }  // namespace
@@ -82,9 +81,8 @@ shaftcull_status shaftcull_for_each_kept(const shaftcull_shafts* shafts, uint64_
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     check_callback(callback);
     std::vector<shaftcull_leaf_range> kept;
-    ask_bounds(bounds, query, takes_trees, [&]<TreeSet Set>(const Set& set, const auto& excluding) {
-      using Index = typename IndexOfSet<Set>::Type;
-      const auto hand_over = [&](const KeptRangesOf<Index>& answers) {
+    ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& excluding) {
+      const auto hand_over = [&](const KeptRanges& answers) {
         convert(answers.kept, kept);
         shaftcull_ranges ranges{};
         ranges.shaft = first + answers.shaft;
@@ -105,9 +103,8 @@ shaftcull_status shaftcull_for_each_classified(const shaftcull_shafts* shafts, u
     check_callback(callback);
     std::vector<shaftcull_leaf_range> overlap;
     std::vector<shaftcull_leaf_range> inside;
-    ask_bounds(bounds, query, takes_trees, [&]<TreeSet Set>(const Set& set, const auto& excluding) {
-      using Index = typename IndexOfSet<Set>::Type;
-      const auto hand_over = [&](const ClassifiedRangesOf<Index>& answers) {
+    ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& excluding) {
+      const auto hand_over = [&](const ClassifiedRanges& answers) {
         convert(answers.overlap, overlap);
         convert(answers.inside, inside);
         shaftcull_ranges ranges{};

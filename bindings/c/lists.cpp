@@ -6,7 +6,7 @@
 #include "status.hpp"
 
 using namespace shaftcull::binding;
-using shaftcull::IndexListsOf;
+using shaftcull::IndexLists;
 
 namespace {
 
@@ -26,17 +26,14 @@ shaftcull_status shaftcull_lists_create(shaftcull_lists_kind kind, shaftcull_lis
     shaftcull_lists*& out = given(lists, "lists");
     switch (kind) {
       case SHAFTCULL_LISTS_OF_INDICES:
-        out = new shaftcull_lists{IndexListsOf<std::uint32_t>()};
-        break;
-      case SHAFTCULL_LISTS_OF_INDICES64:
-        out = new shaftcull_lists{IndexListsOf<std::uint64_t>()};
+        out = new shaftcull_lists{IndexLists()};
         break;
       case SHAFTCULL_LISTS_OF_RANGES:
         out = new shaftcull_lists{RangeLists()};
         break;
       default:
         refuse("kind = " + std::to_string(kind) +
-               " is none of SHAFTCULL_LISTS_OF_INDICES, SHAFTCULL_LISTS_OF_INDICES64 and SHAFTCULL_LISTS_OF_RANGES");
+               " is none of SHAFTCULL_LISTS_OF_INDICES and SHAFTCULL_LISTS_OF_RANGES");
     }
   });
 }
@@ -55,12 +52,7 @@ const uint64_t* shaftcull_lists_offsets(const shaftcull_lists* lists) {
 }
 
 const uint32_t* shaftcull_lists_indices(const shaftcull_lists* lists) {
-  return elements_of<IndexListsOf<std::uint32_t>>(
-      lists, [](const auto& of) -> const auto& { return of.indices; });
-}
-
-const uint64_t* shaftcull_lists_indices64(const shaftcull_lists* lists) {
-  return elements_of<IndexListsOf<std::uint64_t>>(
+  return elements_of<IndexLists>(
       lists, [](const auto& of) -> const auto& { return of.indices; });
 }
 

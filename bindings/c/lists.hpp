@@ -3,32 +3,28 @@
 #pragma once
 
 #include <utility>
+#include <variant>
 
 #include "arguments.hpp"
+#include "results.hpp"
 
 namespace shaftcull::binding {
 
-/// Calls use(lists) with lists of indices of either width; refuses those of ranges.
-template <class Use>
-void use_index_lists(shaftcull_lists* lists, Use&& use) {
-  std::visit(
-      [&]<class Lists>(Lists& out) {
-        if constexpr (std::is_same_v<Lists, RangeLists>) {
-          refuse("lists are of leaf ranges; this call fills lists of indices");
-        } else {
-          use(out);
-        }
-      },
-      given(lists, "lists").lists);
+/// Lists of indices; refuses those of ranges.
+[[nodiscard]] inline IndexLists& index_lists_of(shaftcull_lists* lists) {
+  auto* const indices = std::get_if<IndexLists>(&given(lists, "lists").lists);
+  if (indices == nullptr) {
+    refuse("lists are of leaf ranges; this call fills lists of indices (SHAFTCULL_LISTS_OF_INDICES)");
+  }
+  return *indices;
 }
 
 /// Replaces lists of ranges by those that a tree gave.
-template <class Index>
-[[nodiscard]] RangeLists from_range_lists(LeafRangeListsOf<Index>&& lists) {
+[[nodiscard]] inline RangeLists from_range_lists(LeafRangeLists&& lists) {
   RangeLists out;
   out.offsets = std::move(lists.offsets);
   out.ranges.reserve(lists.ranges.size());
-  for (const LeafRangeOf<Index>& range : lists.ranges) out.ranges.push_back({range.first, range.size});
+  for (const LeafRange& range : lists.ranges) out.ranges.push_back(from_range(range));
   return out;
 }
 

@@ -11,37 +11,17 @@
 
 using namespace shaftcull::binding;
 using shaftcull::CompiledShaft;
-using shaftcull::IndexListsOf;
+using shaftcull::IndexLists;
 using shaftcull::KeptCounts;
-using shaftcull::LeafRangeListsOf;
+using shaftcull::LeafRangeLists;
 
 namespace {
-
-template <class Index>
-shaftcull_status list_at_most_many(const shaftcull_shafts* shafts, std::uint64_t first, std::uint64_t count,
-                                   const shaftcull_bounds* bounds, const shaftcull_query* query, std::uint64_t most,
-                                   Index* kept, std::uint64_t* kept_counts) noexcept {
-  return guarded([&] {
-    const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
-    if (most != 0 && count > std::numeric_limits<std::uint64_t>::max() / most) {
-      refuse("most = " + std::to_string(most) + " indices for each of " + std::to_string(count) +
-             " shafts are more than memory can hold");
-    }
-    const std::span<Index> out = as_span(kept, count * most, "kept");
-    const std::span<std::uint64_t> counts = as_span(kept_counts, count, "kept_counts");
-    ask_bounds(
-        bounds, query, takes_width<Index>,
-        [&]<class Set>(const Set& set, const auto& option) requires(BoundSet<Set> && ListedBy<Set, Index>) {
-          shaftcull::list_at_most_many(asked, set, as_size(most, "most"), out, counts, option);
-        });
-  });
-}
 
 /// Fills lists of ranges from a tree.
 void list_ranges(std::span<const CompiledShaft> shafts, const shaftcull_bounds* bounds, const shaftcull_query* query,
                  RangeLists& lists) {
-  ask_bounds(bounds, query, takes_trees, [&]<TreeSet Set>(const Set& set, const auto& option) {
-    LeafRangeListsOf<typename IndexOfSet<Set>::Type> found;
+  ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& option) {
+    LeafRangeLists found;
     shaftcull::list_many(shafts, set, found, option);
     lists = from_range_lists(std::move(found));
   });
@@ -50,9 +30,9 @@ void list_ranges(std::span<const CompiledShaft> shafts, const shaftcull_bounds* 
 void list_classified_ranges(std::span<const CompiledShaft> shafts, const shaftcull_bounds* bounds,
                             const shaftcull_query* query, RangeLists& overlap, RangeLists& inside) {
   if (&overlap == &inside) refuse("overlap and inside are the same lists; each needs its own");
-  ask_bounds(bounds, query, takes_trees, [&]<TreeSet Set>(const Set& set, const auto& option) {
-    LeafRangeListsOf<typename IndexOfSet<Set>::Type> some;
-    LeafRangeListsOf<typename IndexOfSet<Set>::Type> others;
+  ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& option) {
+    LeafRangeLists some;
+    LeafRangeLists others;
     shaftcull::list_classified_many(shafts, set, some, others, option);
     RangeLists overlapping = from_range_lists(std::move(some));
     inside = from_range_lists(std::move(others));
@@ -161,11 +141,9 @@ shaftcull_status shaftcull_list_many(const shaftcull_shafts* shafts, uint64_t fi
       list_ranges(asked, bounds, query, *ranges);
       return;
     }
-    use_index_lists(lists, [&]<class Index>(IndexListsOf<Index>& out) {
-      ask_bounds(bounds, query, takes_width<Index>, [&](const ListedBy<Index> auto& set, const auto& option) {
-        shaftcull::list_many(asked, set, out, option);
-      });
-    });
+    IndexLists& out = index_lists_of(lists);
+    ask_bounds(bounds, query, takes_any,
+               [&](const AnySet auto& set, const auto& option) { shaftcull::list_many(asked, set, out, option); });
   });
 }
 
@@ -181,12 +159,10 @@ shaftcull_status shaftcull_list_classified_many(const shaftcull_shafts* shafts, 
       list_classified_ranges(asked, bounds, query, *ranges, std::get<RangeLists>(inside->lists));
       return;
     }
-    use_index_lists(overlap, [&]<class Index>(IndexListsOf<Index>& out) {
-      ask_bounds(
-          bounds, query, takes_width<Index>,
-          [&]<class Set>(const Set& set, const auto& option) requires(BoundSet<Set> && ListedBy<Set, Index>) {
-            shaftcull::list_classified_many(asked, set, out, std::get<IndexListsOf<Index>>(inside->lists), option);
-          });
+    IndexLists& overlapping = index_lists_of(overlap);
+    IndexLists& within = index_lists_of(inside);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
+      shaftcull::list_classified_many(asked, set, overlapping, within, option);
     });
   });
 }
@@ -194,13 +170,18 @@ shaftcull_status shaftcull_list_classified_many(const shaftcull_shafts* shafts, 
 shaftcull_status shaftcull_list_at_most_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                              const shaftcull_bounds* bounds, const shaftcull_query* query,
                                              uint64_t most, uint32_t* kept, uint64_t* kept_counts) {
-  return list_at_most_many(shafts, first, count, bounds, query, most, kept, kept_counts);
-}
-
-shaftcull_status shaftcull_list_at_most_many64(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                               uint64_t most, uint64_t* kept, uint64_t* kept_counts) {
-  return list_at_most_many(shafts, first, count, bounds, query, most, kept, kept_counts);
+  return guarded([&] {
+    const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
+    if (most != 0 && count > std::numeric_limits<uint64_t>::max() / most) {
+      refuse("most = " + std::to_string(most) + " indices for each of " + std::to_string(count) +
+             " shafts are more than memory can hold");
+    }
+    const std::span<uint32_t> out = as_span(kept, count * most, "kept");
+    const std::span<uint64_t> counts = as_span(kept_counts, count, "kept_counts");
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
+      shaftcull::list_at_most_many(asked, set, as_size(most, "most"), out, counts, option);
+    });
+  });
 }
 
 }  // extern "C"

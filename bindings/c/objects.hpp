@@ -12,10 +12,7 @@
 
 namespace shaftcull::binding {
 
-using BoxTree64 = BoundsTree<Box, std::uint64_t>;
-using SphereTree64 = BoundsTree<Sphere, std::uint64_t>;
-
-/// Ranges of leaves, of trees with indices of either width.
+/// Ranges of leaves, as C reads them.
 struct RangeLists {
   std::vector<std::uint64_t> offsets;
   std::vector<shaftcull_leaf_range> ranges;
@@ -41,13 +38,11 @@ struct shaftcull_shafts {
 struct shaftcull_bounds {
   std::variant<shaftcull::BoxView, shaftcull::SphereView, shaftcull::TriangleView, shaftcull::BoxStream,
                shaftcull::SphereStream, shaftcull::TriangleStream, shaftcull::BoxTree, shaftcull::SphereTree,
-               shaftcull::binding::BoxTree64, shaftcull::binding::SphereTree64, shaftcull::TriangleTree>
+               shaftcull::TriangleTree>
       holder;
 };
 
 struct shaftcull_lists {
   /// In the order of shaftcull_lists_kind, from 1 on.
-  std::variant<shaftcull::IndexListsOf<std::uint32_t>, shaftcull::IndexListsOf<std::uint64_t>,
-               shaftcull::binding::RangeLists>
-      lists;
+  std::variant<shaftcull::IndexLists, shaftcull::binding::RangeLists> lists;
 };

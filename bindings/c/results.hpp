@@ -16,13 +16,11 @@ namespace shaftcull::binding {
   return {counts.overlap, counts.inside};
 }
 
-template <class Index>
-[[nodiscard]] shaftcull_leaf_range from_range(const LeafRangeOf<Index>& range) noexcept {
+[[nodiscard]] inline shaftcull_leaf_range from_range(const LeafRange& range) noexcept {
   return {range.first, range.size};
 }
 
-template <class Index>
-[[nodiscard]] shaftcull_contact_found from_contact(const FirstContactOf<Index>& contact) noexcept {
+[[nodiscard]] inline shaftcull_contact_found from_contact(const FirstContact& contact) noexcept {
   const bool found = static_cast<bool>(contact);
   return {found ? std::uint64_t{contact.index} : SHAFTCULL_NONE, contact.time, found ? 1U : 0U};
 }

@@ -126,7 +126,7 @@ std::string name_of(const shaftcull_bounds& bounds) {
   const std::string kind = name_of_kind(info.kind);
   if (info.holder == SHAFTCULL_VIEW) return "a view of " + kind;
   if (info.holder == SHAFTCULL_STREAM) return "a stream of " + kind;
-  return "a tree of " + kind + " with " + std::to_string(info.index_bits) + "-bit indices";
+  return "a tree of " + kind;
 }
 
 }  // namespace shaftcull::binding

@@ -53,7 +53,7 @@ class BatchBoxes {
 /// "boxes", "spheres" or "triangles".
 [[nodiscard]] std::string name_of_kind(shaftcull_bound_kind kind);
 
-/// "a tree of boxes with 64-bit indices", say.
+/// "a tree of boxes", say.
 [[nodiscard]] std::string name_of(const shaftcull_bounds& bounds);
 
 }  // namespace shaftcull::binding

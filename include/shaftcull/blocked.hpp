@@ -31,7 +31,6 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/streams.hpp"
@@ -58,29 +57,24 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Likewise for a tree. It looks only into nodes that may hold a box that blocks, and stops at the first box that
 /// blocks the shaft. `excluding` leaves boxes out. Throws NeedsRefit if the tree needs one. No allocation.
-template <BoundIndex Index>
-[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids,
-                                            const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const BoundsTree<Box>& solids,
+                                            const Excluding& excluding = {});
 
 /// The box that blocks the shaft: of several in a view the one with the lowest index, in a tree the index of the first
 /// in tree order (BoundsTree::order()). Nothing if none does. Costs and errors are those of blocked().
 [[nodiscard]] SHAFTCULL_EXPORT std::optional<std::size_t> blocked_by(const CompiledShaft& shaft, const BoxView& solids);
-template <BoundIndex Index>
-[[nodiscard]] SHAFTCULL_EXPORT std::optional<Index> blocked_by(
-    const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids,
-    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::optional<std::uint32_t> blocked_by(const CompiledShaft& shaft,
+                                                                       const BoundsTree<Box>& solids,
+                                                                       const Excluding& excluding = {});
 
 /// Writes the indices of all boxes that block the shaft, ascending or in tree order, and returns how many there are;
 /// results.hpp says what happens if they do not fit. No allocation. Throws InvalidArgument if there are more boxes than
 /// 32-bit indices can tell apart, or if `blocking` shares memory with `excluding`.
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const BoxView& solids,
                                                          std::span<std::uint32_t> blocking);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const BoxView& solids,
-                                                         std::span<std::uint64_t> blocking);
-template <BoundIndex Index>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(
-    const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids, std::type_identity_t<std::span<Index>> blocking,
-    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const BoundsTree<Box>& solids,
+                                                         std::span<std::uint32_t> blocking,
+                                                         const Excluding& excluding = {});
 
 /// One bit a shaft, in parallel: bit s % 64 of word s / 64 of `blocked` is set iff a box blocks shafts[s]; bits past
 /// the last shaft are zero. `blocked` has exactly words_for(shafts.size()) words. Bits do not depend on the number of
@@ -90,19 +84,14 @@ SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const 
                                    std::span<std::uint64_t> blocked);
 
 /// Likewise for a tree. Throws InvalidArgument if `blocked` shares memory with `excluding`, too.
-template <BoundIndex Index>
-SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& solids,
-                                   std::span<std::uint64_t> blocked,
-                                   const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box>& solids,
+                                   std::span<std::uint64_t> blocked, const Excluding& excluding = {});
 
 /// Lists what list_blocking() lists for each shaft, in parallel. Reuses the memory of `lists`; if this throws, they are
 /// as they were or empty. Allocates what it lists.
-template <BoundIndex Index>
 SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const BoxView& solids,
-                                         IndexListsOf<Index>& lists);
-template <BoundIndex Index>
-SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& solids,
-                                         IndexListsOf<Index>& lists,
-                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+                                         IndexLists& lists);
+SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box>& solids,
+                                         IndexLists& lists, const Excluding& excluding = {});
 
 }  // namespace shaftcull

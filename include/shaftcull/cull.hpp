@@ -83,37 +83,23 @@ SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const SphereView& sp
 /// what happens if they do not fit. Throws InvalidArgument if there are more bounds than 32-bit indices can tell apart.
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
                                                 std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
-                                                std::span<std::uint64_t> kept, Form form = Form::fastest);
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
                                                 std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
-                                                std::span<std::uint64_t> kept, Form form = Form::fastest);
 
 /// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
 /// there, as any(), and does not say whether there are more. Throws InvalidArgument as list().
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
                                                         std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
-                                                        std::span<std::uint64_t> kept, Form form = Form::fastest);
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
                                                         std::span<std::uint32_t> kept, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
-                                                        std::span<std::uint64_t> kept, Form form = Form::fastest);
 
 /// As list(), but bounds that overlap and bounds inside apart. The two spans share no memory.
 [[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
                                                           std::span<std::uint32_t> overlap,
                                                           std::span<std::uint32_t> inside, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
-                                                          std::span<std::uint64_t> overlap,
-                                                          std::span<std::uint64_t> inside, Form form = Form::fastest);
 [[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
                                                           std::span<std::uint32_t> overlap,
                                                           std::span<std::uint32_t> inside, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
-                                                          std::span<std::uint64_t> overlap,
-                                                          std::span<std::uint64_t> inside, Form form = Form::fastest);
 
 /// Whether the shaft keeps any bound. Looks at bounds from the first on, in chunks of 512 at first and of 16,384 at
 /// most, and stops after the first chunk of which one is kept.
@@ -121,7 +107,7 @@ SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const SphereView& sp
 [[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const SphereView& spheres,
                                         Form form = Form::fastest);
 
-/// Clears the bits of bounds that are in none of some layers, as trees leave them out (ExcludingOf::only_layers): bit i
+/// Clears the bits of bounds that are in none of some layers, as trees leave them out (Excluding::only_layers): bit i
 /// stays set iff layers[i] & only_layers is not 0. `bits` are any that a call for one shaft wrote, or a row of those
 /// for many: words_for(layers.size()) words. Throws InvalidArgument for another size, or if the two spans share memory.
 SHAFTCULL_EXPORT void keep_layers(std::span<std::uint64_t> bits, std::span<const std::uint32_t> layers,

@@ -36,7 +36,6 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
@@ -44,45 +43,38 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// What a shaft reaches first. False if that is nothing: `if (const auto contact = first_contact(shaft, tree))`.
-template <BoundIndex Index>
-struct FirstContactOf {
-  static constexpr Index none = static_cast<Index>(~std::uint64_t{0});  ///< no bound
+struct FirstContact {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  ///< no bound
 
-  Index index = none;  ///< of the bound: its position in a view, the user's index in a tree; `none` for nothing
+  std::uint32_t index = none;  ///< of the bound: its position in a view, the user's index in a tree; `none` for nothing
   float time = std::numeric_limits<float>::infinity();  ///< rounded down; +∞ for nothing
 
   /// Whether there is a contact.
   constexpr explicit operator bool() const noexcept { return index != none; }
-  friend bool operator==(const FirstContactOf&, const FirstContactOf&) = default;
+  friend bool operator==(const FirstContact&, const FirstContact&) = default;
 };
-/// Of trees with 32-bit indices. Views give FirstContactOf<std::uint64_t>.
-using FirstContact = FirstContactOf<std::uint32_t>;
 
-/// First contact among the bounds of a view. O(count).
-[[nodiscard]] SHAFTCULL_EXPORT FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft,
-                                                                           const BoxView& boxes,
-                                                                           Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft,
-                                                                           const SphereView& spheres,
-                                                                           Form form = Form::fastest);
+/// First contact among the bounds of a view. O(count). Throws InvalidArgument if there are more than 2³² − 1 bounds.
+[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes,
+                                                          Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres,
+                                                          Form form = Form::fastest);
 
 /// First contact among the bounds of a tree. Visits near nodes first and no node that is reached later than the first
 /// bound found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
-template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_EXPORT FirstContactOf<Index> first_contact(
-    const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-    const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+template <class Bound>
+[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
+                                                          const Excluding& excluding = {});
 
 /// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
 /// fewer.
 SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                         std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
+                                         std::span<FirstContact> contacts, Form form = Form::fastest);
 SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                         std::span<FirstContactOf<std::uint64_t>> contacts, Form form = Form::fastest);
-template <class Bound, BoundIndex Index>
-SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                         std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
-                                         const std::type_identity_t<ExcludingOf<Index>>& excluding = {});
+                                         std::span<FirstContact> contacts, Form form = Form::fastest);
+template <class Bound>
+SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                                         std::span<FirstContact> contacts, const Excluding& excluding = {});
 
 /// Entry times of bounds that a list names: times[i] becomes that of bound indices[i], rounded down, or +∞ if the shaft
 /// does not keep it. Indices are positions in the view, or the user's indices in a tree. O(indices.size()), some 50 ns
@@ -91,14 +83,10 @@ SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, 
 /// Allocates nothing, but for a tree what refine() allocates.
 SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoxView& boxes,
                                   std::span<const std::uint32_t> indices, std::span<float> times);
-SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoxView& boxes,
-                                  std::span<const std::uint64_t> indices, std::span<float> times);
 SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
                                   std::span<const std::uint32_t> indices, std::span<float> times);
-SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
-                                  std::span<const std::uint64_t> indices, std::span<float> times);
-template <class Bound, BoundIndex Index>
-SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                  std::type_identity_t<std::span<const Index>> indices, std::span<float> times);
+template <class Bound>
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
+                                  std::span<const std::uint32_t> indices, std::span<float> times);
 
 }  // namespace shaftcull

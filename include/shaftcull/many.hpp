@@ -34,7 +34,6 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -92,29 +91,24 @@ SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const Sphe
                                std::span<std::uint64_t> any, Form form = Form::fastest);
 
 /// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
-template <BoundIndex Index>
-struct IndexListsOf {
+struct IndexLists {
   std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<Index> indices;          ///< of all lists, one behind the other
+  std::vector<std::uint32_t> indices;  ///< of all lists, one behind the other
 
   /// How many lists there are: one for each shaft.
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
   /// `shaft` is below size(); not checked.
-  [[nodiscard]] std::span<const Index> operator[](std::size_t shaft) const noexcept {
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t shaft) const noexcept {
     return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
 };
-/// Lists of 32-bit indices.
-using IndexLists = IndexListsOf<std::uint32_t>;
 
 /// Lists what each shaft keeps. Reuses the memory of `lists`; if this throws, they are as they were or empty. Throws
-/// InvalidArgument if there are more bounds than an Index can tell apart, std::bad_alloc if memory runs out.
-template <BoundIndex Index>
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists,
+/// InvalidArgument if there are more than 2³² − 1 bounds, std::bad_alloc if memory runs out.
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists,
                                 Form form = Form::fastest);
-template <BoundIndex Index>
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                IndexListsOf<Index>& lists, Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists,
+                                Form form = Form::fastest);
 
 /// Writes for each shaft what list_at_most() writes, the first indices of what it keeps, `most` of them or fewer: those
 /// of shaft s from kept[s * most] on, and how many they are to kept_counts[s]. What is behind them is not written.
@@ -124,25 +118,15 @@ SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const Sph
 SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
                                         std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts,
                                         Form form = Form::fastest);
-SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                                        std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts,
-                                        Form form = Form::fastest);
 SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
                                         std::size_t most, std::span<std::uint32_t> kept,
                                         std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
-SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                        std::size_t most, std::span<std::uint64_t> kept,
-                                        std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
 
 /// Lists bounds that overlap and bounds inside apart. As list_many(), and InvalidArgument if both are the same lists.
-template <BoundIndex Index>
 SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-                                           Form form = Form::fastest);
-template <BoundIndex Index>
+                                           IndexLists& overlap, IndexLists& inside, Form form = Form::fastest);
 SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                           IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-                                           Form form = Form::fastest);
+                                           IndexLists& overlap, IndexLists& inside, Form form = Form::fastest);
 
 /// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.

@@ -12,7 +12,6 @@
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/streams.hpp"
@@ -32,32 +31,24 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
                                                   std::span<const std::uint32_t> candidates,
                                                   std::span<std::uint32_t> kept);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes,
-                                                  std::span<const std::uint64_t> candidates,
-                                                  std::span<std::uint64_t> kept);
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
                                                   std::span<const std::uint32_t> candidates,
                                                   std::span<std::uint32_t> kept);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres,
-                                                  std::span<const std::uint64_t> candidates,
-                                                  std::span<std::uint64_t> kept);
-template <class Bound, BoundIndex Index>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                                  std::type_identity_t<std::span<const Index>> candidates,
-                                                  std::type_identity_t<std::span<Index>> kept);
+template <class Bound>
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
+                                                  std::span<const std::uint32_t> candidates,
+                                                  std::span<std::uint32_t> kept);
 
 /// Lists, for each shaft, those of the same candidates that it keeps, in their order; in parallel. Candidates are
 /// gathered once, so many shafts cost little more each than a scan of that many bounds. Reuses the memory of `lists`;
 /// if this throws, they are as they were or empty. Errors as refine(), InvalidArgument if candidates are a part of
 /// `lists`, and std::bad_alloc if memory runs out.
-template <BoundIndex Index>
 SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
-template <BoundIndex Index>
+                                  std::span<const std::uint32_t> candidates, IndexLists& lists);
 SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
-template <class Bound, BoundIndex Index>
-SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                                  std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists);
+                                  std::span<const std::uint32_t> candidates, IndexLists& lists);
+template <class Bound>
+SHAFTCULL_EXPORT void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                                  std::span<const std::uint32_t> candidates, IndexLists& lists);
 
 }  // namespace shaftcull

@@ -6,7 +6,7 @@
 /// as the number returned, if that was more than there was. An empty span is legal: then the call counts. Room past the
 /// last result may be overwritten with anything.
 ///
-/// A call that lists into an IndexListsOf or a LeafRangeListsOf makes the room itself. A call that writes bits or a
+/// A call that lists into IndexLists or LeafRangeLists makes the room itself. A call that writes bits or a
 /// number for each shaft wants a span of exactly the right size, and throws InvalidArgument for any other.
 #pragma once
 

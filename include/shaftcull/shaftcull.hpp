@@ -13,7 +13,6 @@
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/geometry.hpp"
 #include "shaftcull/hull.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/kinds.hpp"
 #include "shaftcull/many.hpp"

@@ -10,7 +10,6 @@
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -26,14 +25,14 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// entries 64 i … 64 i + 63 of the level below, and a visit to a node is one word of answers of the same tests as
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
-/// Memory: the bounds, an Index a bound for their order, and less than 2 % of both for nodes (spheres 2.5 %); an Index
-/// a bound more from the first update by index or refine() on, and 4 bytes a bound for layers, if it has any. With
-/// indices of 32 bits a tree holds at most 2³² − 1 bounds, with 64 at most 2³⁷; InvalidArgument for more.
+/// Memory: the bounds, 4 bytes a bound for their order, and less than 2 % of both for nodes (spheres 2.5 %); 4 bytes a
+/// bound more from the first update by index or refine() on, and 4 bytes a bound for layers, if it has any. A tree
+/// holds at most 2³² − 1 bounds; InvalidArgument for more. Of more bounds, build several trees, each of a slice, and
+/// add where a slice begins to the indices of its answers.
 ///
-/// Building takes scratch memory, which is free again when it returns: 56 bytes a box and 48 a sphere, with indices of
-/// 64 bits 8 more. Trees of 2²¹ bounds and more (up to 2³² − 1) are built region by region, where they will be: that
-/// takes at most 8 bytes a box and 12 a sphere, with indices of 64 bits 12, and 1 MiB a thread. They ask for huge
-/// pages.
+/// Building takes scratch memory, which is free again when it returns: 56 bytes a box and 48 a sphere. Trees of 2²¹
+/// bounds and more are built region by region, where they will be: that takes at most 8 bytes a box and 12 a sphere,
+/// and 1 MiB a thread. They ask for huge pages.
 ///
 /// Bounds come from views and streams, from records of all kinds, and from arrays. They are checked as in packing: a
 /// NaN, lo > hi (but for the empty box), a negative radius or half extent, a centre and half extent that are both
@@ -47,7 +46,7 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// own tasks (many.hpp), and take at most 64 KiB of the stack. Const members and queries are safe to call from many
 /// threads. To ask the last frame while the next is made, keep two trees: update the one, ask the other, and swap them.
 /// Copies are deep; moves are O(1) and leave an empty tree.
-template <class Bound, BoundIndex Index = std::uint32_t>
+template <class Bound>
 class BoundsTree {
   static_assert(std::is_same_v<Bound, Box> || std::is_same_v<Bound, Sphere>, "bounds are boxes or spheres");
 
@@ -81,7 +80,7 @@ class BoundsTree {
   /// are none. O(1). Throws NeedsRefit if needs_refit().
   [[nodiscard]] Box box() const;
   /// order()[p] is the user's index of leaf p. Valid as leaves().
-  [[nodiscard]] std::span<const Index> order() const noexcept;
+  [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
 
   /// Gives every bound a new value, bound i the value at i, and refits: one pass. Records are faster than separate
   /// streams, since tree order jumps about in the user's memory. Throws InvalidArgument unless there are size() of
@@ -95,17 +94,18 @@ class BoundsTree {
   /// until refit() is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for
   /// an index not below size(), unless there are as many indices as values, or if the values are among the tree's own
   /// leaves().
-  void update(std::span<const Index> indices, const View& bounds);
-  void update(std::span<const Index> indices, const Records& bounds);
-  void update(std::span<const Index> indices, std::span<const Bound> bounds);
-  void update(std::span<const Index> indices, const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>;
+  void update(std::span<const std::uint32_t> indices, const View& bounds);
+  void update(std::span<const std::uint32_t> indices, const Records& bounds);
+  void update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds);
+  void update(std::span<const std::uint32_t> indices,
+              const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>;
 
   /// Fits the nodes to bounds updated since the last refit: those above them if they are few, else all in one pass.
   void refit();
   /// Whether bounds were updated since the last refit.
   [[nodiscard]] bool needs_refit() const noexcept;
 
-  /// Puts bounds into layers, 32 of them, by which queries can pick (ExcludingOf::only_layers): bit l of layers[i] says
+  /// Puts bounds into layers, 32 of them, by which queries can pick (Excluding::only_layers): bit l of layers[i] says
   /// that bound i is in layer l. A bound may be in several or in none. Layers belong to bounds as indices do: they stay
   /// through updates, refit(), rebuild() and copies, and move with their bounds when renumber() gives these other
   /// indices. Replaces the layers that there were. Throws InvalidArgument unless there are size() of them. O(size()).
@@ -113,7 +113,7 @@ class BoundsTree {
   /// Puts bound indices[i] into layers[i] instead of those that it was in; if an index comes twice, the last counts.
   /// O(indices.size()), but for the first such call, which is O(size()) unless bounds were updated by index before.
   /// Throws InvalidArgument unless has_layers(), for an index not below size(), or unless there are as many of both.
-  void set_layers(std::span<const Index> indices, std::span<const std::uint32_t> layers);
+  void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers);
   /// Forgets all layers and frees their memory: has_layers() is false then.
   void clear_layers() noexcept;
   /// Whether bounds were put into layers.
@@ -146,10 +146,7 @@ class BoundsTree {
 
 extern template class SHAFTCULL_EXPORT BoundsTree<Box>;
 extern template class SHAFTCULL_EXPORT BoundsTree<Sphere>;
-extern template class SHAFTCULL_EXPORT BoundsTree<Box, std::uint64_t>;
-extern template class SHAFTCULL_EXPORT BoundsTree<Sphere, std::uint64_t>;
 
-/// Trees with 32-bit indices.
 using BoxTree = BoundsTree<Box>;
 using SphereTree = BoundsTree<Sphere>;
 

@@ -42,7 +42,6 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/index.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/streams.hpp"
 
@@ -216,8 +215,6 @@ SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const TriangleView& trian
 /// tell apart.
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
                                                 std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
-                                                std::span<std::uint64_t> kept, TriangleTest test = TriangleTest::exact);
 /// Whether the shaft keeps this one triangle. Some 100 ns.
 [[nodiscard]] SHAFTCULL_EXPORT bool cull(const CompiledShaft& shaft, const Triangle& triangle,
                                          TriangleTest test = TriangleTest::exact);
@@ -235,9 +232,8 @@ SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const Tria
                                std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
 /// Lists what each shaft keeps, ascending. Reuses the memory of `lists`; if this throws, they are as they were or
 /// empty.
-template <BoundIndex Index>
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                                IndexListsOf<Index>& lists, TriangleTest test = TriangleTest::exact);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, IndexLists& lists,
+                                TriangleTest test = TriangleTest::exact);
 
 // The same of a tree. Bits are by the user's index, in words_for(tree.size()) words a row. Lists hold the user's
 // indices, in tree order (order()). Errors and allocation as above; time grows with what is found.

@@ -4,11 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 
 #include "exact/entry_time.hpp"
 #include "exact/sphere_entry_time.hpp"
+#include "shaftcull/first_contact.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace shaftcull::kernel {
@@ -22,7 +22,7 @@ using EntryTimesOf = std::conditional_t<std::is_same_v<View, SphereView>, Sphere
 template <class View>
 class FirstEntry {
  public:
-  static constexpr std::uint64_t none = ~std::uint64_t{0};
+  static constexpr std::uint64_t none = ~std::uint64_t{0};  ///< above all indices and positions
 
   explicit FirstEntry(const ShaftData& shaft) noexcept : times_(shaft) {}
 
@@ -48,10 +48,11 @@ class FirstEntry {
 
   /// Rough entry times of boxes around bounds.
   [[nodiscard]] const EntryTimes& times_of_boxes() const noexcept { return times_.times_of_boxes(); }
-  [[nodiscard]] std::uint64_t index() const noexcept { return index_; }  ///< `none` if nothing was offered
-  /// Rounded down; +∞ if nothing was offered.
-  [[nodiscard]] float time() const noexcept {
-    return index_ == none ? std::numeric_limits<float>::infinity() : times_.rounded_down(time_);
+  [[nodiscard]] bool is_there() const noexcept { return index_ != none; }  ///< whether anything was offered
+  [[nodiscard]] std::uint64_t index() const noexcept { return index_; }    ///< `none` if nothing was
+  [[nodiscard]] FirstContact contact() const noexcept {
+    if (!is_there()) return {};
+    return {static_cast<std::uint32_t>(index_), times_.rounded_down(time_)};
   }
 
  private:

@@ -47,11 +47,11 @@ void count_some(std::span<const kernel::ShaftData> shafts, const View& bounds, s
 /// Shafts in a task that lists: it sees all bounds in their order, since the first ones are listed.
 constexpr std::size_t listing_shafts = 8;
 
-template <class View, class Index>
-void list_some(std::span<const kernel::ShaftData> shafts, const View& bounds, std::size_t most, std::span<Index> kept,
-               std::span<std::uint64_t> counts, Form form) {
+template <class View>
+void list_some(std::span<const kernel::ShaftData> shafts, const View& bounds, std::size_t most,
+               std::span<std::uint32_t> kept, std::span<std::uint64_t> counts, Form form) {
   kernel::require_valid_query(shafts, bounds, kernel::Bits::kept, form);
-  kernel::require_index_width<Index>("list_at_most_many()", bounds.count);
+  kernel::require_index_width("list_at_most_many()", bounds.count);
   kernel::require_room("kept", kept, shafts.size(), most);
   kernel::require_counts("kept_counts", counts, shafts.size());
   kernel::require_apart("list_at_most_many", "kept", kernel::bytes_of(kept), "kept_counts", kernel::bytes_of(counts));
@@ -69,7 +69,7 @@ void list_some(std::span<const kernel::ShaftData> shafts, const View& bounds, st
         if (found == most) continue;
         std::uint64_t bits[words_for(kernel::float_tile_bounds)];
         test(shafts[s], tile.stream.data(), tile.count, bits, nullptr);
-        kernel::IndexWriter<Index> listed(kernels.set_bits, kept.subspan(s * most + found, most - found));
+        kernel::IndexWriter listed(kernels.set_bits, kept.subspan(s * most + found, most - found));
         listed.add(first, bits, words_for(tile.count));
         counts[s] = std::min(found + listed.count(), most);
         are_all_done = are_all_done && counts[s] == most;
@@ -95,16 +95,8 @@ void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& box
                        std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts, Form form) {
   list_some(kernel::data_of(shafts), boxes, most, kept, kept_counts, form);
 }
-void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                       std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts, Form form) {
-  list_some(kernel::data_of(shafts), boxes, most, kept, kept_counts, form);
-}
 void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
                        std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts, Form form) {
-  list_some(kernel::data_of(shafts), spheres, most, kept, kept_counts, form);
-}
-void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
-                       std::span<std::uint64_t> kept, std::span<std::uint64_t> kept_counts, Form form) {
   list_some(kernel::data_of(shafts), spheres, most, kept, kept_counts, form);
 }
 

@@ -51,17 +51,16 @@ void for_each_chunk(const kernel::ShaftData& shaft, const BoxView& solids, std::
   }
 }
 
-template <class Index>
-std::size_t list_blockers(const CompiledShaft& shaft, const BoxView& solids, std::span<Index> blocking) {
+std::size_t list_blockers(const CompiledShaft& shaft, const BoxView& solids, std::span<std::uint32_t> blocking) {
   const kernel::ShaftData& data = checked(shaft, solids);
-  kernel::require_index_width<Index>("list_blocking()", solids.count);
+  kernel::require_index_width("list_blocking()", solids.count);
   kernel::require_memory("blocking", blocking, "indices");
   std::size_t count = 0;
   for_each_chunk(data, solids, chunk_boxes, [&](std::size_t first, const std::uint64_t* bits, std::size_t words) {
     for (std::size_t w = 0; w != words; ++w) {
       for (std::uint64_t left = bits[w]; left != 0; left &= left - 1, ++count) {
         const std::size_t index = first + w * 64 + static_cast<std::size_t>(std::countr_zero(left));
-        if (count < blocking.size()) blocking[count] = static_cast<Index>(index);
+        if (count < blocking.size()) blocking[count] = static_cast<std::uint32_t>(index);
       }
     }
     return true;
@@ -111,9 +110,6 @@ std::optional<std::size_t> blocked_by(const CompiledShaft& shaft, const BoxView&
 }
 
 std::size_t list_blocking(const CompiledShaft& shaft, const BoxView& solids, std::span<std::uint32_t> blocking) {
-  return list_blockers(shaft, solids, blocking);
-}
-std::size_t list_blocking(const CompiledShaft& shaft, const BoxView& solids, std::span<std::uint64_t> blocking) {
   return list_blockers(shaft, solids, blocking);
 }
 

@@ -17,9 +17,6 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
-using ContactInView = FirstContactOf<std::uint64_t>;
-static_assert(ContactInView::none == kernel::FirstEntry<BoxView>::none);
-
 /// Offers the bounds from `from` on whose bits are set. Bounds are offered in order.
 template <class View>
 void offer(kernel::FirstEntry<View>& first, const View& bounds, std::size_t from, const std::uint64_t* kept,
@@ -35,22 +32,23 @@ void offer(kernel::FirstEntry<View>& first, const View& bounds, std::size_t from
 
 /// Makes bound `index` the first one that shaft s reaches, unless the one in `first` comes before it.
 template <class View>
-void hand_over(const kernel::ShaftData& shaft, const View& bounds, std::uint64_t index, std::uint64_t& first) noexcept {
-  const kernel::SharedNumber<std::uint64_t> best(first);
-  std::uint64_t other = best.load();
+void hand_over(const kernel::ShaftData& shaft, const View& bounds, std::uint32_t index, std::uint32_t& first) noexcept {
+  const kernel::SharedNumber<std::uint32_t> best(first);
+  std::uint32_t other = best.load();
   for (;;) {
     kernel::FirstEntry<View> both(shaft);
     both.offer(bounds.stream.data(), index, index);
-    if (other != ContactInView::none) both.offer(bounds.stream.data(), other, other);
+    if (other != FirstContact::none) both.offer(bounds.stream.data(), other, other);
     if (both.index() == other) return;
     if (best.exchange(other, index)) return;
   }
 }
 
 template <class View>
-ContactInView contact_in_view(const CompiledShaft& shaft, const View& bounds, Form form) {
+FirstContact contact_in_view(const CompiledShaft& shaft, const View& bounds, Form form) {
   const kernel::Chunks<View> chunks(shaft, bounds, false, form);
   kernel::require_motion(kernel::data_of(shaft), 0);
+  kernel::require_index_width("first_contact()", bounds.count);
   return kernel::in_float_environment([&] {
     kernel::FirstEntry<View> first(kernel::data_of(shaft));
     chunks.for_each(kernel::first_chunk_bounds,
@@ -58,18 +56,19 @@ ContactInView contact_in_view(const CompiledShaft& shaft, const View& bounds, Fo
                       offer(first, bounds, from, kept, words);
                       return !first.is_before_all_above(from + 64 * words);
                     });
-    return ContactInView{first.index(), first.time()};
+    return first.contact();
   });
 }
 
 template <class View>
-void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds, std::span<ContactInView> contacts,
+void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds, std::span<FirstContact> contacts,
                       Form form) {
   const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
   kernel::require_counts("contacts", contacts, shafts.size());
+  kernel::require_index_width("first_contact_many()", bounds.count);
   const std::span<const kernel::ShaftData> data = kernel::data_of(shafts);
   for (std::size_t s = 0; s != data.size(); ++s) kernel::require_motion(data[s], s);
-  std::fill(contacts.begin(), contacts.end(), ContactInView());
+  std::fill(contacts.begin(), contacts.end(), FirstContact());
   const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const kernel::IndexRange block = tiling.block(b);
@@ -82,8 +81,8 @@ void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds,
       const kernel::ShaftData& shaft = data[group.first + s];
       kernel::FirstEntry<View> first(shaft);
       offer(first, bounds, block.first, kept + s * words, words);
-      if (first.index() == ContactInView::none) continue;
-      hand_over(shaft, bounds, first.index(), contacts[group.first + s].index);
+      if (!first.is_there()) continue;
+      hand_over(shaft, bounds, static_cast<std::uint32_t>(first.index()), contacts[group.first + s].index);
     }
   });
   kernel::in_float_environment([&] {
@@ -91,26 +90,26 @@ void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds,
       if (!contacts[s]) continue;
       kernel::FirstEntry<View> first(data[s]);
       first.offer(bounds.stream.data(), contacts[s].index, contacts[s].index);
-      contacts[s].time = first.time();
+      contacts[s] = first.contact();
     }
   });
 }
 
 }  // namespace
 
-FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
+FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
   return contact_in_view(shaft, boxes, form);
 }
-FirstContactOf<std::uint64_t> first_contact(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
+FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
   return contact_in_view(shaft, spheres, form);
 }
 
-void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form) {
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<FirstContact> contacts,
+                        Form form) {
   contacts_in_view(shafts, boxes, contacts, form);
 }
 void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                        std::span<FirstContactOf<std::uint64_t>> contacts, Form form) {
+                        std::span<FirstContact> contacts, Form form) {
   contacts_in_view(shafts, spheres, contacts, form);
 }
 

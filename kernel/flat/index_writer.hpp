@@ -12,10 +12,9 @@
 namespace shaftcull::kernel {
 
 /// Writes positions of set bits to the user's span. Those that do not fit are only counted.
-template <class Index>
 class IndexWriter {
  public:
-  IndexWriter(const SetBits& set_bits, std::span<Index> out) noexcept : set_bits_(set_bits), out_(out) {}
+  IndexWriter(const SetBits& set_bits, std::span<std::uint32_t> out) noexcept : set_bits_(set_bits), out_(out) {}
 
   /// Those of `words` words, the first bit being that of bound `first`.
   void add(std::size_t first, const std::uint64_t* bits, std::size_t words) noexcept {
@@ -26,9 +25,9 @@ class IndexWriter {
       if (set != 0 && count_ < out_.size()) {
         std::uint32_t position[most_words * 64 + set_bits_slack];
         set_bits_.write(bits + w, some, set, position);
-        const auto from = static_cast<Index>(first + w * 64);
+        const auto from = static_cast<std::uint32_t>(first + w * 64);
         std::transform(position, position + std::min(set, out_.size() - count_), out_.data() + count_,
-                       [from](std::uint32_t i) { return static_cast<Index>(from + i); });
+                       [from](std::uint32_t i) { return static_cast<std::uint32_t>(from + i); });
       }
       count_ += set;
     }
@@ -37,7 +36,7 @@ class IndexWriter {
 
  private:
   const SetBits& set_bits_;
-  std::span<Index> out_;
+  std::span<std::uint32_t> out_;
   std::size_t count_ = 0;
 };
 

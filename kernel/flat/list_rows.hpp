@@ -36,10 +36,10 @@ inline void turn_into_positions(std::vector<std::uint64_t>& counts, std::size_t 
   }
 }
 
-/// Lists the bounds of a job of one kind, those kept, or of two: those that overlap and those inside. An Index is wide
-/// enough for them.
-template <class Index, std::size_t kinds, class Job>
-void list_rows(const Job& job, const std::array<IndexListsOf<Index>*, kinds>& lists) {
+/// Lists the bounds of a job of one kind, those kept, or of two: those that overlap and those inside. Indices of
+/// 32 bits tell them apart.
+template <std::size_t kinds, class Job>
+void list_rows(const Job& job, const std::array<IndexLists*, kinds>& lists) {
   const Tiling tiling = Tiling::unordered(job.bounds(), job.shafts());
   std::array<std::vector<TaskList>, kinds> task_lists;
   std::array<std::vector<std::uint64_t>, kinds> positions;  // counts at first
@@ -78,7 +78,7 @@ void list_rows(const Job& job, const std::array<IndexListsOf<Index>*, kinds>& li
     }
   });
 
-  using InProgress = IncompleteLists<Index>;
+  using InProgress = IncompleteLists<std::uint32_t>;
   auto in_progress = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
     return std::array<InProgress, kinds>{InProgress(lists[kind]->offsets, lists[kind]->indices)...};
   }
@@ -96,8 +96,9 @@ void list_rows(const Job& job, const std::array<IndexListsOf<Index>*, kinds>& li
           b + 1 == tiling.blocks() ? lists[kind]->offsets.data() + 1 : here + job.shafts();
       for (std::size_t s = tiling.group(g).first; s != tiling.group(g).end(); ++s) {
         const auto size = static_cast<std::size_t>(next[s] - here[s]);
-        std::transform(from, from + size, lists[kind]->indices.data() + here[s],
-                       [first = static_cast<Index>(tiling.block(b).first)](std::uint32_t i) { return first + i; });
+        std::transform(
+            from, from + size, lists[kind]->indices.data() + here[s],
+            [first = static_cast<std::uint32_t>(tiling.block(b).first)](std::uint32_t i) { return first + i; });
         from += size;
       }
     }

@@ -12,70 +12,47 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 /// Lists bounds of one kind, those kept, or of two: those that overlap and those inside.
-template <class View, class Index, std::size_t kinds>
-void list_rows(std::span<const CompiledShaft> shafts, const View& bounds,
-               const std::array<IndexListsOf<Index>*, kinds>& lists, const char* call, Form form,
+template <class View, std::size_t kinds>
+void list_rows(std::span<const CompiledShaft> shafts, const View& bounds, const std::array<IndexLists*, kinds>& lists,
+               const char* call, Form form,
                kernel::Bits kind_of_bits = kinds == 2 ? kernel::Bits::kept_and_inside : kernel::Bits::kept) {
   const kernel::BatchJob<View> job(shafts, bounds, kind_of_bits, form);
-  kernel::require_index_width<Index>(call, bounds.count);
+  kernel::require_index_width(call, bounds.count);
   kernel::list_rows(job, lists);
 }
 
-template <class View, class Index>
-void list_kept(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& lists, Form form) {
-  list_rows<View, Index, 1>(shafts, bounds, {&lists}, "list_many()", form);
+template <class View>
+void list_kept(std::span<const CompiledShaft> shafts, const View& bounds, IndexLists& lists, Form form) {
+  list_rows<View, 1>(shafts, bounds, {&lists}, "list_many()", form);
 }
 
-template <class View, class Index>
-void list_classes(std::span<const CompiledShaft> shafts, const View& bounds, IndexListsOf<Index>& overlap,
-                  IndexListsOf<Index>& inside, Form form) {
+template <class View>
+void list_classes(std::span<const CompiledShaft> shafts, const View& bounds, IndexLists& overlap, IndexLists& inside,
+                  Form form) {
   if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
-  list_rows<View, Index, 2>(shafts, bounds, {&overlap, &inside}, "list_classified_many()", form);
+  list_rows<View, 2>(shafts, bounds, {&overlap, &inside}, "list_classified_many()", form);
 }
 
 }  // namespace
 
-template <BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& lists, Form form) {
+void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists, Form form) {
   list_kept(shafts, boxes, lists, form);
 }
-template <BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexListsOf<Index>& lists,
-               Form form) {
+void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists, Form form) {
   list_kept(shafts, spheres, lists, form);
 }
 
-template <BoundIndex Index>
-void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexListsOf<Index>& overlap,
-                          IndexListsOf<Index>& inside, Form form) {
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& overlap,
+                          IndexLists& inside, Form form) {
   list_classes(shafts, boxes, overlap, inside, form);
 }
-template <BoundIndex Index>
-void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                          IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside, Form form) {
+void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& overlap,
+                          IndexLists& inside, Form form) {
   list_classes(shafts, spheres, overlap, inside, form);
 }
 
-template <BoundIndex Index>
-void list_blocking_many(std::span<const CompiledShaft> shafts, const BoxView& solids, IndexListsOf<Index>& lists) {
-  list_rows<BoxView, Index, 1>(shafts, solids, {&lists}, "list_blocking_many()", Form::fastest, kernel::Bits::blocking);
+void list_blocking_many(std::span<const CompiledShaft> shafts, const BoxView& solids, IndexLists& lists) {
+  list_rows<BoxView, 1>(shafts, solids, {&lists}, "list_blocking_many()", Form::fastest, kernel::Bits::blocking);
 }
-
-template void list_blocking_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&);
-template void list_blocking_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&);
-
-template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&, Form);
-template void list_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&, Form);
-template void list_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint32_t>&, Form);
-template void list_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint64_t>&, Form);
-
-template void list_classified_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint32_t>&,
-                                   IndexListsOf<std::uint32_t>&, Form);
-template void list_classified_many(std::span<const CompiledShaft>, const BoxView&, IndexListsOf<std::uint64_t>&,
-                                   IndexListsOf<std::uint64_t>&, Form);
-template void list_classified_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint32_t>&,
-                                   IndexListsOf<std::uint32_t>&, Form);
-template void list_classified_many(std::span<const CompiledShaft>, const SphereView&, IndexListsOf<std::uint64_t>&,
-                                   IndexListsOf<std::uint64_t>&, Form);
 
 }  // namespace shaftcull

@@ -63,13 +63,13 @@ std::size_t count_some(const CompiledShaft& shaft, const View& bounds, std::size
   return std::min(count, most);
 }
 
-template <class View, class Index>
-std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<Index> kept, Form form) {
+template <class View>
+std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> kept, Form form) {
   const Chunks<View> chunks(shaft, bounds, false, form);
-  kernel::require_index_width<Index>("list_at_most()", bounds.count);
+  kernel::require_index_width("list_at_most()", bounds.count);
   kernel::require_memory("kept", kept, "indices");
   if (kept.empty()) return 0;
-  IndexWriter<Index> listed(chunks.set_bits(), kept);
+  IndexWriter listed(chunks.set_bits(), kept);
   chunks.for_each(first_chunk_bounds,
                   [&](std::size_t first, std::size_t words, const std::uint64_t* bits, const std::uint64_t*) {
                     listed.add(first, bits, words);
@@ -78,12 +78,12 @@ std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<
   return std::min(listed.count(), kept.size());
 }
 
-template <class View, class Index>
-std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<Index> kept, Form form) {
+template <class View>
+std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> kept, Form form) {
   const Chunks<View> chunks(shaft, bounds, false, form);
-  kernel::require_index_width<Index>("list()", bounds.count);
+  kernel::require_index_width("list()", bounds.count);
   kernel::require_memory("kept", kept, "indices");
-  IndexWriter<Index> listed(chunks.set_bits(), kept);
+  IndexWriter listed(chunks.set_bits(), kept);
   chunks.for_each(chunk_bounds,
                   [&](std::size_t first, std::size_t words, const std::uint64_t* bits, const std::uint64_t*) {
                     listed.add(first, bits, words);
@@ -92,16 +92,16 @@ std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<
   return listed.count();
 }
 
-template <class View, class Index>
-KeptCounts list_classes(const CompiledShaft& shaft, const View& bounds, std::span<Index> overlap,
-                        std::span<Index> inside, Form form) {
+template <class View>
+KeptCounts list_classes(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> overlap,
+                        std::span<std::uint32_t> inside, Form form) {
   const Chunks<View> chunks(shaft, bounds, true, form);
-  kernel::require_index_width<Index>("list_classified()", bounds.count);
+  kernel::require_index_width("list_classified()", bounds.count);
   kernel::require_memory("overlap", overlap, "indices");
   kernel::require_memory("inside", inside, "indices");
   kernel::require_apart("list_classified", "overlap", kernel::bytes_of(overlap), "inside", kernel::bytes_of(inside));
-  IndexWriter<Index> overlaps(chunks.set_bits(), overlap);
-  IndexWriter<Index> insides(chunks.set_bits(), inside);
+  IndexWriter overlaps(chunks.set_bits(), overlap);
+  IndexWriter insides(chunks.set_bits(), inside);
   chunks.for_each(chunk_bounds,
                   [&](std::size_t first, std::size_t words, std::uint64_t* kept, const std::uint64_t* inside_bits) {
                     for (std::size_t w = 0; w != words; ++w) kept[w] &= ~inside_bits[w];
@@ -141,27 +141,14 @@ bool any(const CompiledShaft& shaft, const SphereView& spheres, Form form) { ret
 std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept, Form form) {
   return list_kept(shaft, boxes, kept, form);
 }
-std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form) {
-  return list_kept(shaft, boxes, kept, form);
-}
 std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept, Form form) {
-  return list_kept(shaft, spheres, kept, form);
-}
-std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form) {
   return list_kept(shaft, spheres, kept, form);
 }
 
 std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept, Form form) {
   return list_some(shaft, boxes, kept, form);
 }
-std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form) {
-  return list_some(shaft, boxes, kept, form);
-}
 std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept,
-                         Form form) {
-  return list_some(shaft, spheres, kept, form);
-}
-std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
                          Form form) {
   return list_some(shaft, spheres, kept, form);
 }
@@ -170,16 +157,8 @@ KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes, std
                            std::span<std::uint32_t> inside, Form form) {
   return list_classes(shaft, boxes, overlap, inside, form);
 }
-KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> overlap,
-                           std::span<std::uint64_t> inside, Form form) {
-  return list_classes(shaft, boxes, overlap, inside, form);
-}
 KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> overlap,
                            std::span<std::uint32_t> inside, Form form) {
-  return list_classes(shaft, spheres, overlap, inside, form);
-}
-KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> overlap,
-                           std::span<std::uint64_t> inside, Form form) {
   return list_classes(shaft, spheres, overlap, inside, form);
 }
 

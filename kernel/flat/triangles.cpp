@@ -62,13 +62,12 @@ void for_each_chunk(const kernel::ShaftData& shaft, const TriangleView& triangle
   }
 }
 
-template <class Index>
-std::size_t list_kept(const CompiledShaft& shaft, const TriangleView& triangles, std::span<Index> kept,
+std::size_t list_kept(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint32_t> kept,
                       TriangleTest test) {
   const auto shafts = checked({&shaft, 1}, triangles, test);
-  kernel::require_index_width<Index>("list()", triangles.count);
+  kernel::require_index_width("list()", triangles.count);
   kernel::require_memory("kept", kept, "indices");
-  kernel::IndexWriter<Index> listed(kernel::active_kernels().set_bits, kept);
+  kernel::IndexWriter listed(kernel::active_kernels().set_bits, kept);
   for_each_chunk(shafts[0], triangles, test, chunk_triangles,
                  [&](std::size_t first, const std::uint64_t* bits, std::size_t words) {
                    listed.add(first, bits, words);
@@ -155,10 +154,6 @@ std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles, std:
                  TriangleTest test) {
   return list_kept(shaft, triangles, kept, test);
 }
-std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint64_t> kept,
-                 TriangleTest test) {
-  return list_kept(shaft, triangles, kept, test);
-}
 
 void cull_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, std::span<std::uint64_t> kept_rows,
                TriangleTest test) {
@@ -201,17 +196,11 @@ void any_many(std::span<const CompiledShaft> shafts, const TriangleView& triangl
       [&](std::size_t s, const TriangleView& tile, std::uint64_t* kept) { job.test_tile(s, tile, kept); });
 }
 
-template <BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, IndexListsOf<Index>& lists,
+void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, IndexLists& lists,
                TriangleTest test) {
   const TriangleJob job(shafts, triangles, test);
-  kernel::require_index_width<Index>("list_many()", triangles.count);
-  kernel::list_rows(job, std::array<IndexListsOf<Index>*, 1>{&lists});
+  kernel::require_index_width("list_many()", triangles.count);
+  kernel::list_rows(job, std::array<IndexLists*, 1>{&lists});
 }
-
-template void list_many(std::span<const CompiledShaft>, const TriangleView&, IndexListsOf<std::uint32_t>&,
-                        TriangleTest);
-template void list_many(std::span<const CompiledShaft>, const TriangleView&, IndexListsOf<std::uint64_t>&,
-                        TriangleTest);
 
 }  // namespace shaftcull

@@ -99,10 +99,13 @@ struct KeyCounts {
   std::size_t equal;
 };
 
-/// Halving entries of a tree: separate streams of a bound's centre, x, y and z, which are finite, and of what belongs
-/// to it. Entries are halved on the axis on which centres (of many, a sample) are spread out most. Those with smaller
-/// keys come first, but for ties at the cut, which come in order and before larger ones; otherwise entries keep their
-/// order. The halves are the same on every instruction set.
+/// Streams of the entries of a tree: a bound's centre, x, y and z, which is finite, and its index, as the bits of a
+/// float.
+inline constexpr std::size_t entry_streams = 4;
+
+/// Halving entries of a tree. Entries are halved on the axis on which centres (of many, a sample) are spread out most.
+/// Those with smaller keys come first, but for ties at the cut, which come in order and before larger ones; otherwise
+/// entries keep their order. The halves are the same on every instruction set.
 struct SplitKernels {
   /// Halves `count` entries. `first_half`, more than none and fewer than all, stay in `from`; the others move to `to`,
   /// from place `first_half` on. The other half of each holds unspecified values after that. O(count).
@@ -240,8 +243,7 @@ struct Kernels {
   KeepLayers* keep_layers;
   NodeBounds* node_bounds_of_boxes;
   NodeBounds* node_bounds_of_spheres;
-  SplitKernels split;       ///< four streams
-  SplitKernels split_wide;  ///< five
+  SplitKernels split;
   SetBits set_bits;
 
   [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {

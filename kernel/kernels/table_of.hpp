@@ -379,8 +379,7 @@ inline constexpr Kernels kernels_for = {
     .keep_layers = keep_layers<L>,
     .node_bounds_of_boxes = node_bounds_of_boxes<L>,
     .node_bounds_of_spheres = node_bounds_of_spheres<L>,
-    .split = split_kernels<L, 4>,
-    .split_wide = split_kernels<L, 5>,
+    .split = split_kernels<L>,
     .set_bits = {count_set_bits<L>, write_set_bits<L>},
 };
 

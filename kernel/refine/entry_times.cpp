@@ -19,8 +19,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
 
 /// Checks what is asked, but for the view or tree.
-template <class View, class Index>
-void require_askable(const kernel::ShaftData& shaft, std::size_t count, std::span<const Index> indices,
+template <class View>
+void require_askable(const kernel::ShaftData& shaft, std::size_t count, std::span<const std::uint32_t> indices,
                      std::span<float> times) {
   kernel::require_answers(shaft, true, false, std::is_same_v<View, SphereView>, 0);
   kernel::require_motion(shaft, 0);
@@ -33,8 +33,8 @@ void require_askable(const kernel::ShaftData& shaft, std::size_t count, std::spa
   kernel::require_apart("entry_times", "times", kernel::bytes_of(times), "indices", kernel::bytes_of(indices));
 }
 
-template <class View, class Index, class Position>
-void write_times(const kernel::ShaftData& shaft, const View& bounds, std::span<const Index> indices,
+template <class View, class Position>
+void write_times(const kernel::ShaftData& shaft, const View& bounds, std::span<const std::uint32_t> indices,
                  const Position& position, std::span<float> times) {
   kernel::KeepsOne* const keeps = kernel::active_kernels().keeps_one(bounds);
   kernel::in_float_environment([&] {
@@ -47,8 +47,8 @@ void write_times(const kernel::ShaftData& shaft, const View& bounds, std::span<c
   });
 }
 
-template <class View, class Index>
-void write_times_in_view(const CompiledShaft& shaft, const View& bounds, std::span<const Index> indices,
+template <class View>
+void write_times_in_view(const CompiledShaft& shaft, const View& bounds, std::span<const std::uint32_t> indices,
                          std::span<float> times) {
   kernel::require_view(bounds);
   require_askable<View>(kernel::data_of(shaft), bounds.count, indices, times);
@@ -61,34 +61,24 @@ void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<con
                  std::span<float> times) {
   write_times_in_view(shaft, boxes, indices, times);
 }
-void entry_times(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> indices,
-                 std::span<float> times) {
-  write_times_in_view(shaft, boxes, indices, times);
-}
 void entry_times(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> indices,
                  std::span<float> times) {
   write_times_in_view(shaft, spheres, indices, times);
 }
-void entry_times(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> indices,
+
+template <class Bound>
+void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<const std::uint32_t> indices,
                  std::span<float> times) {
-  write_times_in_view(shaft, spheres, indices, times);
-}
-
-template <class Bound, BoundIndex Index>
-void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                 std::type_identity_t<std::span<const Index>> indices, std::span<float> times) {
   kernel::require_refitted("entry_times", tree);
-  require_askable<ViewOf<Bound>, Index>(kernel::data_of(shaft), tree.size(), indices, times);
-  write_times<ViewOf<Bound>, Index>(kernel::data_of(shaft), tree.leaves(), indices, kernel::places_of(tree), times);
+  require_askable<ViewOf<Bound>>(kernel::data_of(shaft), tree.size(), indices, times);
+  write_times<ViewOf<Bound>>(kernel::data_of(shaft), tree.leaves(), indices, kernel::places_of(tree), times);
 }
 
-#define SHAFTCULL_ENTRY_TIMES(Bound, Index)                                                                \
-  template void entry_times(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<const Index>, \
+#define SHAFTCULL_ENTRY_TIMES(Bound)                                                                        \
+  template void entry_times(const CompiledShaft&, const BoundsTree<Bound>&, std::span<const std::uint32_t>, \
                             std::span<float>);
-SHAFTCULL_ENTRY_TIMES(Box, std::uint32_t)
-SHAFTCULL_ENTRY_TIMES(Box, std::uint64_t)
-SHAFTCULL_ENTRY_TIMES(Sphere, std::uint32_t)
-SHAFTCULL_ENTRY_TIMES(Sphere, std::uint64_t)
+SHAFTCULL_ENTRY_TIMES(Box)
+SHAFTCULL_ENTRY_TIMES(Sphere)
 #undef SHAFTCULL_ENTRY_TIMES
 
 }  // namespace shaftcull

@@ -26,8 +26,8 @@ constexpr std::size_t prefetched_bounds = 16;
 constexpr std::size_t prefetched_places = 32;
 
 /// Gathers the bounds of candidates [first, first + size).
-template <class View, class Index, class Position>
-void gather(const View& view, std::span<const Index> candidates, const Position& position, std::size_t first,
+template <class View, class Position>
+void gather(const View& view, std::span<const std::uint32_t> candidates, const Position& position, std::size_t first,
             std::size_t size, const kernel::RowsOf<View>& row) noexcept {
   for (std::size_t i = 0; i != size; ++i) {
     if (first + i + prefetched_places < candidates.size()) position.prefetch(candidates[first + i + prefetched_places]);
@@ -41,9 +41,8 @@ void gather(const View& view, std::span<const Index> candidates, const Position&
 }
 
 /// Checks what is asked of one shaft, but for the view or tree.
-template <class Index>
 void require_refinable(const kernel::ShaftData& shaft, bool spheres, std::size_t count,
-                       std::span<const Index> candidates, std::span<const Index> kept) {
+                       std::span<const std::uint32_t> candidates, std::span<const std::uint32_t> kept) {
   kernel::require_answers(shaft, true, false, spheres, 0);
   kernel::require_below("candidates", candidates, count);
   kernel::require_memory("kept", kept, "indices");
@@ -53,9 +52,9 @@ void require_refinable(const kernel::ShaftData& shaft, bool spheres, std::size_t
   }
 }
 
-template <class View, class Index, class Position>
-std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::span<const Index> candidates,
-                        const Position& position, std::span<Index> kept) {
+template <class View, class Position>
+std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::span<const std::uint32_t> candidates,
+                        const Position& position, std::span<std::uint32_t> kept) {
   kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);
   const kernel::WithPlanes with_planes(  // once, not block by block
       shaft, kernel::outside_needs_planes(shaft, std::is_same_v<View, SphereView>, Form::fastest));
@@ -73,7 +72,7 @@ std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::s
     for (std::size_t w = 0; w != words_for(some.count); ++w) {
       for (std::uint64_t left = bits[w]; left != 0; left &= left - 1) {
         // Never ahead of what is read, so `kept` may be the candidates' own memory.
-        const Index candidate = candidates[first + w * 64 + static_cast<std::size_t>(std::countr_zero(left))];
+        const std::uint32_t candidate = candidates[first + w * 64 + static_cast<std::size_t>(std::countr_zero(left))];
         if (count < kept.size()) kept[count] = candidate;
         ++count;
       }
@@ -82,16 +81,15 @@ std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::s
   return count;
 }
 
-template <class Index>
-void require_apart(std::span<const Index> candidates, const IndexListsOf<Index>& lists) {
+void require_apart(std::span<const std::uint32_t> candidates, const IndexLists& lists) {
   const auto bytes = kernel::bytes_of(candidates);
   kernel::require_apart("refine_many", "lists", kernel::bytes_of(lists.indices), "candidates", bytes);
   kernel::require_apart("refine_many", "lists", kernel::bytes_of(lists.offsets), "candidates", bytes);
 }
 
-template <class View, class Index, class Position>
-void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
-                  const Position& position, IndexListsOf<Index>& lists) {
+template <class View, class Position>
+void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const std::uint32_t> candidates,
+                  const Position& position, IndexLists& lists) {
   auto packed = StreamAccess::not_written<kernel::StreamOf<View>>(candidates.size());
   constexpr std::size_t block = 16384;
   kernel::parallel_for(kernel::chunk_count(candidates.size(), block), 1, [&](std::size_t b, std::size_t) {
@@ -107,18 +105,18 @@ void refine_lists(std::span<const CompiledShaft> shafts, const View& view, std::
   in_progress.complete();
 }
 
-template <class View, class Index>
-std::size_t refine_view(const CompiledShaft& shaft, const View& view, std::span<const Index> candidates,
-                        std::span<Index> kept) {
+template <class View>
+std::size_t refine_view(const CompiledShaft& shaft, const View& view, std::span<const std::uint32_t> candidates,
+                        std::span<std::uint32_t> kept) {
   kernel::require_view(view);
   const kernel::ShaftData& data = kernel::data_of(shaft);
-  require_refinable<Index>(data, std::is_same_v<View, SphereView>, view.count, candidates, kept);
+  require_refinable(data, std::is_same_v<View, SphereView>, view.count, candidates, kept);
   return refine_list(data, view, candidates, kernel::PositionInView(), kept);
 }
 
-template <class View, class Index>
-void refine_view_lists(std::span<const CompiledShaft> shafts, const View& view, std::span<const Index> candidates,
-                       IndexListsOf<Index>& lists) {
+template <class View>
+void refine_view_lists(std::span<const CompiledShaft> shafts, const View& view,
+                       std::span<const std::uint32_t> candidates, IndexLists& lists) {
   kernel::require_view(view);
   kernel::require_below("candidates", candidates, view.count);
   require_apart(candidates, lists);
@@ -131,66 +129,44 @@ std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<c
                    std::span<std::uint32_t> kept) {
   return refine_view(shaft, boxes, candidates, kept);
 }
-std::size_t refine(const CompiledShaft& shaft, const BoxView& boxes, std::span<const std::uint64_t> candidates,
-                   std::span<std::uint64_t> kept) {
-  return refine_view(shaft, boxes, candidates, kept);
-}
 std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint32_t> candidates,
                    std::span<std::uint32_t> kept) {
   return refine_view(shaft, spheres, candidates, kept);
 }
-std::size_t refine(const CompiledShaft& shaft, const SphereView& spheres, std::span<const std::uint64_t> candidates,
-                   std::span<std::uint64_t> kept) {
-  return refine_view(shaft, spheres, candidates, kept);
-}
 
-template <BoundIndex Index>
-void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
+void refine_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<const std::uint32_t> candidates,
+                 IndexLists& lists) {
   refine_view_lists(shafts, boxes, candidates, lists);
 }
-template <BoundIndex Index>
 void refine_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
+                 std::span<const std::uint32_t> candidates, IndexLists& lists) {
   refine_view_lists(shafts, spheres, candidates, lists);
 }
 
-template void refine_many(std::span<const CompiledShaft>, const BoxView&, std::span<const std::uint32_t>,
-                          IndexListsOf<std::uint32_t>&);
-template void refine_many(std::span<const CompiledShaft>, const BoxView&, std::span<const std::uint64_t>,
-                          IndexListsOf<std::uint64_t>&);
-template void refine_many(std::span<const CompiledShaft>, const SphereView&, std::span<const std::uint32_t>,
-                          IndexListsOf<std::uint32_t>&);
-template void refine_many(std::span<const CompiledShaft>, const SphereView&, std::span<const std::uint64_t>,
-                          IndexListsOf<std::uint64_t>&);
-
-template <class Bound, BoundIndex Index>
-std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                   std::type_identity_t<std::span<const Index>> candidates,
-                   std::type_identity_t<std::span<Index>> kept) {
+template <class Bound>
+std::size_t refine(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<const std::uint32_t> candidates,
+                   std::span<std::uint32_t> kept) {
   kernel::require_refitted("refine", tree);
   const kernel::ShaftData& data = kernel::data_of(shaft);
-  require_refinable<Index>(data, std::is_same_v<Bound, Sphere>, tree.size(), candidates, kept);
+  require_refinable(data, std::is_same_v<Bound, Sphere>, tree.size(), candidates, kept);
   return refine_list(data, tree.leaves(), candidates, kernel::places_of(tree), kept);
 }
-template <class Bound, BoundIndex Index>
-void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                 std::type_identity_t<std::span<const Index>> candidates, IndexListsOf<Index>& lists) {
+template <class Bound>
+void refine_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                 std::span<const std::uint32_t> candidates, IndexLists& lists) {
   kernel::require_refitted("refine", tree);
   kernel::require_below("candidates", candidates, tree.size());
   require_apart(candidates, lists);
   refine_lists(shafts, tree.leaves(), candidates, kernel::places_of(tree), lists);
 }
 
-#define SHAFTCULL_REFINE(Bound, Index)                                                                               \
-  template std::size_t refine(const CompiledShaft&, const BoundsTree<Bound, Index>&, std::span<const Index>,         \
-                              std::span<Index>);                                                                     \
-  template void refine_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<const Index>, \
-                            IndexListsOf<Index>&);
-SHAFTCULL_REFINE(Box, std::uint32_t)
-SHAFTCULL_REFINE(Sphere, std::uint32_t)
-SHAFTCULL_REFINE(Box, std::uint64_t)
-SHAFTCULL_REFINE(Sphere, std::uint64_t)
+#define SHAFTCULL_REFINE(Bound)                                                                                       \
+  template std::size_t refine(const CompiledShaft&, const BoundsTree<Bound>&, std::span<const std::uint32_t>,         \
+                              std::span<std::uint32_t>);                                                              \
+  template void refine_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, std::span<const std::uint32_t>, \
+                            IndexLists&);
+SHAFTCULL_REFINE(Box)
+SHAFTCULL_REFINE(Sphere)
 #undef SHAFTCULL_REFINE
 
 }  // namespace shaftcull

@@ -123,8 +123,7 @@ void require_counts(const char* what, std::span<Count> counts, std::size_t shaft
 }
 
 /// The span called `what` has room for exactly `most` indices a shaft.
-template <class Index>
-void require_room(const char* what, std::span<Index> indices, std::size_t shafts, std::size_t most) {
+inline void require_room(const char* what, std::span<std::uint32_t> indices, std::size_t shafts, std::size_t most) {
   const bool overflows = most != 0 && shafts > std::numeric_limits<std::size_t>::max() / most;
   if (overflows || indices.size() != shafts * most) [[unlikely]]
     refuse_room(what, indices.size(), shafts, most);
@@ -138,13 +137,10 @@ inline void require_shaft_bits(const char* what, std::span<const std::uint64_t> 
   require_memory(what, words, "words");
 }
 
-/// An Index is wide enough for so many bounds.
-template <class Index>
-void require_index_width(const char* call, std::size_t bounds) {
-  if constexpr (sizeof(Index) < sizeof(bounds)) {
-    if (bounds > std::uint64_t{std::numeric_limits<Index>::max()} + 1) [[unlikely]]
-      refuse_index_width(call, bounds);
-  }
+/// Indices of 32 bits number so many bounds, and leave one index that is none.
+inline void require_index_width(const char* call, std::size_t bounds) {
+  if (bounds > std::numeric_limits<std::uint32_t>::max()) [[unlikely]]
+    refuse_index_width(call, bounds);
 }
 
 /// What `call` writes, and what else it writes or reads, share no memory. `one` and `other` are their names.
@@ -155,11 +151,10 @@ inline void require_apart(const char* call, const char* one, std::span<const std
 }
 
 /// The span called `what` is there, and holds indices of so many bounds.
-template <class Index>
-void require_below(const char* what, std::span<const Index> indices, std::size_t bounds) {
+inline void require_below(const char* what, std::span<const std::uint32_t> indices, std::size_t bounds) {
   require_memory(what, indices, "indices");
-  Index most = 0;
-  for (const Index index : indices) most = std::max(most, index);  // no early end: this loop becomes vectors
+  std::uint32_t most = 0;
+  for (const std::uint32_t index : indices) most = std::max(most, index);  // no early end: this loop becomes vectors
   if (indices.empty() || most < bounds) return;
   std::size_t bad = 0;
   while (indices[bad] < bounds) ++bad;

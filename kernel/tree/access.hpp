@@ -9,23 +9,23 @@
 
 namespace shaftcull {
 
-template <class Bound, BoundIndex Index>
-struct BoundsTree<Bound, Index>::Parts : kernel::TreeParts<Bound, Index> {};
+template <class Bound>
+struct BoundsTree<Bound>::Parts : kernel::TreeParts<Bound> {};
 
 struct TreeAccess {
   /// Null for a tree that was never given any bounds.
-  template <class Bound, class Index>
-  [[nodiscard]] static const kernel::TreeParts<Bound, Index>* parts(const BoundsTree<Bound, Index>& tree) noexcept {
+  template <class Bound>
+  [[nodiscard]] static const kernel::TreeParts<Bound>* parts(const BoundsTree<Bound>& tree) noexcept {
     return tree.parts_.get();
   }
-  template <class Bound, class Index>
-  [[nodiscard]] static kernel::TreeParts<Bound, Index>* parts(BoundsTree<Bound, Index>& tree) noexcept {
+  template <class Bound>
+  [[nodiscard]] static kernel::TreeParts<Bound>* parts(BoundsTree<Bound>& tree) noexcept {
     return tree.parts_.get();
   }
-  template <class Bound, class Index>
-  [[nodiscard]] static BoundsTree<Bound, Index> tree_of(kernel::TreeParts<Bound, Index> parts) {
-    using Parts = typename BoundsTree<Bound, Index>::Parts;
-    BoundsTree<Bound, Index> tree;
+  template <class Bound>
+  [[nodiscard]] static BoundsTree<Bound> tree_of(kernel::TreeParts<Bound> parts) {
+    using Parts = typename BoundsTree<Bound>::Parts;
+    BoundsTree<Bound> tree;
     tree.parts_ = std::make_unique<Parts>(Parts{std::move(parts)});
     return tree;
   }

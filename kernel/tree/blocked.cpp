@@ -13,18 +13,16 @@ namespace {
 
 using kernel::Question;
 
-template <class Index>
-bool is_blocked(const kernel::Query<Box, Index>& query, std::size_t s) {
+bool is_blocked(const kernel::Query<Box>& query, std::size_t s) {
   kernel::Finder visitor;
   query.walk(s, visitor);
   return visitor.is_done();
 }
 
 /// Visitor that takes the first box in tree order, and then ends the walk.
-template <class Index>
 class FirstFinder {
  public:
-  explicit FirstFinder(const kernel::LeafIndices<Index>& indices) noexcept : indices_(indices) {}
+  explicit FirstFinder(const kernel::LeafIndices& indices) noexcept : indices_(indices) {}
 
   void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
@@ -32,48 +30,42 @@ class FirstFinder {
   }
   void range(std::size_t first, std::size_t /*size*/) noexcept { found_ = indices_[first]; }
   [[nodiscard]] bool is_done() const noexcept { return found_.has_value(); }
-  [[nodiscard]] const std::optional<Index>& found() const noexcept { return found_; }
+  [[nodiscard]] const std::optional<std::uint32_t>& found() const noexcept { return found_; }
 
  private:
-  kernel::LeafIndices<Index> indices_;
-  std::optional<Index> found_;
+  kernel::LeafIndices indices_;
+  std::optional<std::uint32_t> found_;
 };
 
 }  // namespace
 
-template <BoundIndex Index>
-bool blocked(const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids,
-             const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Box, Index> query({&shaft, 1}, solids, Question::blocking, excluding);
+bool blocked(const CompiledShaft& shaft, const BoundsTree<Box>& solids, const Excluding& excluding) {
+  const kernel::Query<Box> query({&shaft, 1}, solids, Question::blocking, excluding);
   return is_blocked(query, 0);
 }
 
-template <BoundIndex Index>
-std::optional<Index> blocked_by(const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids,
-                                const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Box, Index> query({&shaft, 1}, solids, Question::blocking, excluding);
-  FirstFinder<Index> visitor(query.indices());
+std::optional<std::uint32_t> blocked_by(const CompiledShaft& shaft, const BoundsTree<Box>& solids,
+                                        const Excluding& excluding) {
+  const kernel::Query<Box> query({&shaft, 1}, solids, Question::blocking, excluding);
+  FirstFinder visitor(query.indices());
   query.walk(0, visitor);
   return visitor.found();
 }
 
-template <BoundIndex Index>
-std::size_t list_blocking(const CompiledShaft& shaft, const BoundsTree<Box, Index>& solids,
-                          std::type_identity_t<std::span<Index>> blocking,
-                          const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Box, Index> query({&shaft, 1}, solids, Question::blocking, excluding);
+std::size_t list_blocking(const CompiledShaft& shaft, const BoundsTree<Box>& solids, std::span<std::uint32_t> blocking,
+                          const Excluding& excluding) {
+  const kernel::Query<Box> query({&shaft, 1}, solids, Question::blocking, excluding);
   kernel::require_memory("blocking", blocking, "indices");
   query.require_apart("list_blocking", "blocking", kernel::bytes_of(blocking));
-  kernel::SpanOutput<Index> output(blocking);
-  kernel::KeptLister lister(kernel::IndexList<Index, kernel::SpanOutput<Index>>(query.indices(), output));
+  kernel::SpanOutput<std::uint32_t> output(blocking);
+  kernel::KeptLister lister(kernel::IndexList<kernel::SpanOutput<std::uint32_t>>(query.indices(), output));
   query.walk(0, lister);
   return output.count();
 }
 
-template <BoundIndex Index>
-void blocked_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& solids,
-                  std::span<std::uint64_t> blocked, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Box, Index> query(shafts, solids, Question::blocking, excluding);
+void blocked_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box>& solids,
+                  std::span<std::uint64_t> blocked, const Excluding& excluding) {
+  const kernel::Query<Box> query(shafts, solids, Question::blocking, excluding);
   kernel::require_shaft_bits("blocked", blocked, shafts.size());
   query.require_apart("blocked_many", "blocked", kernel::bytes_of(blocked));
   kernel::parallel_for(blocked.size(), 1, [&](std::size_t w, std::size_t) {  // no two tasks share a word
@@ -84,17 +76,5 @@ void blocked_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, I
     blocked[w] = bits;
   });
 }
-
-#define SHAFTCULL_BLOCKED(Index)                                                                                      \
-  template bool blocked(const CompiledShaft&, const BoundsTree<Box, Index>&, const ExcludingOf<Index>&);              \
-  template std::optional<Index> blocked_by(const CompiledShaft&, const BoundsTree<Box, Index>&,                       \
-                                           const ExcludingOf<Index>&);                                                \
-  template std::size_t list_blocking(const CompiledShaft&, const BoundsTree<Box, Index>&, std::span<Index>,           \
-                                     const ExcludingOf<Index>&);                                                      \
-  template void blocked_many(std::span<const CompiledShaft>, const BoundsTree<Box, Index>&, std::span<std::uint64_t>, \
-                             const ExcludingOf<Index>&);
-SHAFTCULL_BLOCKED(std::uint32_t)
-SHAFTCULL_BLOCKED(std::uint64_t)
-#undef SHAFTCULL_BLOCKED
 
 }  // namespace shaftcull

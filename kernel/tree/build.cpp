@@ -43,23 +43,22 @@ namespace {
 static_assert(source_block % gap_leaves == 0, "tasks that write leaves must not share a word of gaps");
 
 /// The least of some indices, at least one. A loop without branches, which becomes vectors.
-template <class Index>
-Index least(const Index* index, std::size_t count) noexcept {
-  Index least = *index;
+std::uint32_t least(const std::uint32_t* index, std::size_t count) noexcept {
+  std::uint32_t least = *index;
   for (std::size_t i = 1; i < count; ++i) least = std::min(least, index[i]);
   return least;
 }
 
 /// Builds a tree of the bounds of a source, which may be the scratch's own records.
-template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, const Source& source) {
+template <class Bound, class Source>
+TreeParts<Bound> build_in(const BuildScratch<Bound>& scratch, const Source& source) {
   const Kernels& kernels = active_kernels();
   const ClassBounds class_first = write_entries<Bound>(source, scratch.place());
-  TreeParts<Bound, Index> parts;
+  TreeParts<Bound> parts;
   lay_out(parts, source.count());
-  parts.order = TreeArray<Index>(parts.size);
-  parts.least_index = TreeArray<Index>(words_for(parts.size));
-  write_tree_order<Index>(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
+  parts.order = TreeArray<std::uint32_t>(parts.size);
+  parts.least_index = TreeArray<std::uint32_t>(words_for(parts.size));
+  write_tree_order(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(records_in<Bound>(scratch.records(), parts.size));
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
@@ -76,8 +75,8 @@ TreeParts<Bound, Index> build_in(const BuildScratch<Bound, Index>& scratch, cons
 constexpr std::size_t prefetched_records = 16;
 
 /// Writes a tree's bounds as records in the user's order.
-template <class Bound, class Index>
-void put_back(const TreeParts<Bound, Index>& parts, float* records) {
+template <class Bound>
+void put_back(const TreeParts<Bound>& parts, float* records) {
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, source_block, b);
     const auto stream = parts.leaves.view().stream;
@@ -95,52 +94,49 @@ void put_back(const TreeParts<Bound, Index>& parts, float* records) {
 
 }  // namespace
 
-template <class Bound, class Index>
-void find_least_indices(TreeParts<Bound, Index>& parts, const IndexRange& leaves) noexcept {
+template <class Bound>
+void find_least_indices(TreeParts<Bound>& parts, const IndexRange& leaves) noexcept {
   for (std::size_t first = leaves.first; first < leaves.end(); first += fanout) {
     parts.least_index[first / fanout] = least(parts.order.data() + first, std::min(fanout, leaves.end() - first));
   }
 }
 
-template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build(const Source& source, const RegionSizes& sizes) {
-  if (are_regions_worth_it(source.count(), sizes)) return build_by_regions<Bound, Index>(source, sizes);
-  return build_in(BuildScratch<Bound, Index>(source.count()), source);
+template <class Bound, class Source>
+TreeParts<Bound> build(const Source& source, const RegionSizes& sizes) {
+  if (are_regions_worth_it(source.count(), sizes)) return build_by_regions<Bound>(source, sizes);
+  return build_in(BuildScratch<Bound>(source.count()), source);
 }
 
-template <class Bound, class Index>
-TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts, const RegionSizes& sizes) {
+template <class Bound>
+TreeParts<Bound> rebuild(const TreeParts<Bound>& parts, const RegionSizes& sizes) {
   // Bounds are put back into the user's order, so that nothing depends on where they are now.
-  TreeParts<Bound, Index> rebuilt = [&] {
+  TreeParts<Bound> rebuilt = [&] {
     if (are_regions_worth_it(parts.size, sizes)) {
       const LargeMemory<float> records(parts.size * rows_of<Bound>);
       put_back(parts, records.get());
       const RecordSource<Bound> source(records_in<Bound>(records.get(), parts.size));
-      return build_by_regions<Bound, Index>(source, sizes);
+      return build_by_regions<Bound>(source, sizes);
     }
-    const BuildScratch<Bound, Index> scratch(parts.size);
+    const BuildScratch<Bound> scratch(parts.size);
     put_back(parts, scratch.records());
     return build_in(scratch, RecordSource<Bound>(records_in<Bound>(scratch.records(), parts.size)));
   }();
   if (parts.layers.exist()) {
-    rebuilt.layers = layers_of<Bound, Index>(rebuilt, rebuilt.order, layers_by_index<Bound, Index>(parts, parts.order));
+    rebuilt.layers = layers_of<Bound>(rebuilt, rebuilt.order, layers_by_index<Bound>(parts, parts.order));
   }
   return rebuilt;
 }
 
 template std::size_t lay_out_levels(TreeLevels<Box>&, std::size_t) noexcept;
 template std::size_t lay_out_levels(TreeLevels<Sphere>&, std::size_t) noexcept;
-#define SHAFTCULL_BUILD(Bound, Index)                                                     \
-  template void find_least_indices(TreeParts<Bound, Index>&, const IndexRange&) noexcept; \
-  template TreeParts<Bound, Index> build(const ViewSource<Bound>&, const RegionSizes&);   \
-  template TreeParts<Bound, Index> build(const RecordSource<Bound>&, const RegionSizes&); \
-  template TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>&, const RegionSizes&);
-SHAFTCULL_BUILD(Box, std::uint32_t)
-SHAFTCULL_BUILD(Sphere, std::uint32_t)
-SHAFTCULL_BUILD(Box, std::uint64_t)
-SHAFTCULL_BUILD(Sphere, std::uint64_t)
+#define SHAFTCULL_BUILD(Bound)                                                     \
+  template void find_least_indices(TreeParts<Bound>&, const IndexRange&) noexcept; \
+  template TreeParts<Bound> build(const ViewSource<Bound>&, const RegionSizes&);   \
+  template TreeParts<Bound> build(const RecordSource<Bound>&, const RegionSizes&); \
+  template TreeParts<Bound> rebuild(const TreeParts<Bound>&, const RegionSizes&);
+SHAFTCULL_BUILD(Box)
+SHAFTCULL_BUILD(Sphere)
 #undef SHAFTCULL_BUILD
-template TreeParts<Box, std::uint32_t> build(const CentreExtentSource&, const RegionSizes&);
-template TreeParts<Box, std::uint64_t> build(const CentreExtentSource&, const RegionSizes&);
+template TreeParts<Box> build(const CentreExtentSource&, const RegionSizes&);
 
 }  // namespace shaftcull::kernel

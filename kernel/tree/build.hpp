@@ -19,15 +19,15 @@ struct RegionSizes {
 
 /// Sorts the bounds of a source and fits nodes to them. Leaf p is bound order[p] of the source. Throws BadBound for the
 /// first illegal bound.
-template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build(const Source& source, const RegionSizes& sizes = {});
+template <class Bound, class Source>
+TreeParts<Bound> build(const Source& source, const RegionSizes& sizes = {});
 
 /// The tree that build() makes of the same bounds in the user's order, whatever order they have in `parts`.
-template <class Bound, class Index>
-TreeParts<Bound, Index> rebuild(const TreeParts<Bound, Index>& parts, const RegionSizes& sizes = {});
+template <class Bound>
+TreeParts<Bound> rebuild(const TreeParts<Bound>& parts, const RegionSizes& sizes = {});
 
 /// Finds the least index of each word of some leaves: whole words, but for the tree's last one.
-template <class Bound, class Index>
-void find_least_indices(TreeParts<Bound, Index>& parts, const IndexRange& leaves) noexcept;
+template <class Bound>
+void find_least_indices(TreeParts<Bound>& parts, const IndexRange& leaves) noexcept;
 
 }  // namespace shaftcull::kernel

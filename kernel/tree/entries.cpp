@@ -61,14 +61,11 @@ class Chunk {
     writer.write(record, records, count_ * rows_of<Bound>);
   }
 
-  template <std::size_t streams>
-  void write_entries(const std::array<float*, streams>& entries, const WordWriter& writer) const noexcept {
+  void write_entries(const EntryStreams& entries, const WordWriter& writer) const noexcept {
     for (std::size_t k = 0; k != 3; ++k) writer.write(entries[k] + first_, centre_[k], count_);
-    for (std::size_t s = 3; s != streams; ++s) {
-      alignas(64) float index[most];
-      for (std::size_t i = 0; i != count_; ++i) index[i] = index_bits(first_ + i, s);
-      writer.write(entries[s] + first_, index, count_);
-    }
+    alignas(64) float index[most];
+    for (std::size_t i = 0; i != count_; ++i) index[i] = index_bits(first_ + i);
+    writer.write(entries[3] + first_, index, count_);
   }
 
   void count_classes(float node_size, std::array<std::size_t, size_classes>& counts) const noexcept {
@@ -105,8 +102,8 @@ class Chunk {
 
 /// Writes the record and the entry of every bound in the user's order and counts classes; returns whether all bounds
 /// are legal.
-template <class Bound, class Index, class Source>
-bool write_in_order(const Source& source, const IndexRange& range, float node_size, const EntryPlace<Index>& place,
+template <class Bound, class Source>
+bool write_in_order(const Source& source, const IndexRange& range, float node_size, const EntryPlace& place,
                     std::array<std::size_t, size_classes>& counts) noexcept {
   const WordWriter writer(place.bytes);
   bool is_legal = true;
@@ -121,10 +118,10 @@ bool write_in_order(const Source& source, const IndexRange& range, float node_si
 }
 
 /// Writes entries where those of their class go next.
-template <class Bound, class Index, class Source>
-void write_by_class(const Source& source, const EntryPlace<Index>& place, const IndexRange& range, float node_size,
+template <class Bound, class Source>
+void write_by_class(const Source& source, const EntryPlace& place, const IndexRange& range, float node_size,
                     std::array<std::size_t, size_classes> next) noexcept {
-  const EntryStreams<Index>& entries = place.entries;
+  const EntryStreams& entries = place.entries;
   for (std::size_t i = range.first; i != range.end(); ++i) {
     float bound[rows_of<Bound>];
     if (place.records != nullptr) {
@@ -135,14 +132,14 @@ void write_by_class(const Source& source, const EntryPlace<Index>& place, const 
     const Placement at = placement(bound);
     const std::size_t to = next[size_class(at.extent, node_size)]++;
     for (std::size_t k = 0; k != 3; ++k) entries[k][to] = at.centre[k];
-    for (std::size_t s = 3; s != entries.size(); ++s) entries[s][to] = index_bits(i, s);
+    entries[3][to] = index_bits(i);
   }
 }
 
 }  // namespace
 
-template <class Bound, class Index, class Source>
-ClassBounds write_entries(const Source& source, const EntryPlace<Index>& place) {
+template <class Bound, class Source>
+ClassBounds write_entries(const Source& source, const EntryPlace& place) {
   const std::size_t count = source.count();
   const float node_size = usual_node_size(sample_of<Bound>(source), count);
   const std::size_t blocks = chunk_count(count, source_block);
@@ -172,7 +169,7 @@ ClassBounds write_entries(const Source& source, const EntryPlace<Index>& place) 
 }
 
 template <class Bound>
-void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace<std::uint32_t>& place) noexcept {
+void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace& place) noexcept {
   const ViewSource<Bound> source(bounds);
   const WordWriter writer(place.bytes);
   for (std::size_t first = 0; first < bounds.count; first += Chunk<Bound>::most) {
@@ -182,18 +179,13 @@ void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace<std
   }
 }
 
-template void write_entries_and_records<Box>(const BoxView&, const EntryPlace<std::uint32_t>&) noexcept;
-template void write_entries_and_records<Sphere>(const SphereView&, const EntryPlace<std::uint32_t>&) noexcept;
+template void write_entries_and_records<Box>(const BoxView&, const EntryPlace&) noexcept;
+template void write_entries_and_records<Sphere>(const SphereView&, const EntryPlace&) noexcept;
 
-template ClassBounds write_entries<Box>(const ViewSource<Box>&, const EntryPlace<std::uint32_t>&);
-template ClassBounds write_entries<Box>(const RecordSource<Box>&, const EntryPlace<std::uint32_t>&);
-template ClassBounds write_entries<Box>(const CentreExtentSource&, const EntryPlace<std::uint32_t>&);
-template ClassBounds write_entries<Sphere>(const ViewSource<Sphere>&, const EntryPlace<std::uint32_t>&);
-template ClassBounds write_entries<Sphere>(const RecordSource<Sphere>&, const EntryPlace<std::uint32_t>&);
-template ClassBounds write_entries<Box>(const ViewSource<Box>&, const EntryPlace<std::uint64_t>&);
-template ClassBounds write_entries<Box>(const RecordSource<Box>&, const EntryPlace<std::uint64_t>&);
-template ClassBounds write_entries<Box>(const CentreExtentSource&, const EntryPlace<std::uint64_t>&);
-template ClassBounds write_entries<Sphere>(const ViewSource<Sphere>&, const EntryPlace<std::uint64_t>&);
-template ClassBounds write_entries<Sphere>(const RecordSource<Sphere>&, const EntryPlace<std::uint64_t>&);
+template ClassBounds write_entries<Box>(const ViewSource<Box>&, const EntryPlace&);
+template ClassBounds write_entries<Box>(const RecordSource<Box>&, const EntryPlace&);
+template ClassBounds write_entries<Box>(const CentreExtentSource&, const EntryPlace&);
+template ClassBounds write_entries<Sphere>(const ViewSource<Sphere>&, const EntryPlace&);
+template ClassBounds write_entries<Sphere>(const RecordSource<Sphere>&, const EntryPlace&);
 
 }  // namespace shaftcull::kernel

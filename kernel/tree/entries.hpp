@@ -6,32 +6,25 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 
+#include "kernels/table.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/streams.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
 
-/// Entries, in separate streams: x, y and z of a bound's centre, which is finite, and its index, as the bits of a float
-/// or of two, the low ones first.
-template <class Index>
-using EntryStreams = std::array<float*, 3 + sizeof(Index) / sizeof(float)>;
+/// Entries, in separate streams (kernels/table.hpp).
+using EntryStreams = std::array<float*, entry_streams>;
 
-/// What stream s of entries, 3 or 4, holds of an index.
-[[nodiscard]] inline float index_bits(std::size_t index, std::size_t s) noexcept {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(std::uint64_t{index} >> 32 * (s - 3)));
+/// What the last stream holds of an index.
+[[nodiscard]] inline float index_bits(std::size_t index) noexcept {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(index));
 }
 
 /// The index of entry i.
-template <class Index>
-[[nodiscard]] Index index_of(const EntryStreams<Index>& entries, std::size_t i) noexcept {
-  Index index = 0;
-  for (std::size_t s = 3; s != entries.size(); ++s) {
-    index |= static_cast<Index>(std::bit_cast<std::uint32_t>(entries[s][i])) << 32 * (s - 3);
-  }
-  return index;
+[[nodiscard]] inline std::uint32_t index_of(const EntryStreams& entries, std::size_t i) noexcept {
+  return std::bit_cast<std::uint32_t>(entries[3][i]);
 }
 
 /// Entries are put in order class by class: see size_class().
@@ -41,9 +34,8 @@ inline constexpr unsigned size_classes = 10;
 using ClassBounds = std::array<std::size_t, size_classes + 1>;
 
 /// Where entries are written, and records of the bounds themselves.
-template <class Index>
 struct EntryPlace {
-  EntryStreams<Index> entries;
+  EntryStreams entries;
   float* records;     ///< as many floats each as a bound has streams; null if none are wanted
   std::size_t bytes;  ///< of all this, and what is written along with it
 };
@@ -57,7 +49,7 @@ template <class Bound>
 
 /// Scratch memory of a build: entries, as much memory to move them to, and the bounds themselves as records, because
 /// tree order reads them from all over memory and a record is in one place, not in six.
-template <class Bound, class Index>
+template <class Bound>
 class BuildScratch {
  public:
   explicit BuildScratch(std::size_t count)
@@ -65,9 +57,9 @@ class BuildScratch {
         entries_(2 * entry_streams * stride_),
         records_(rows_of<Bound> * count) {}
 
-  [[nodiscard]] EntryStreams<Index> entries() const noexcept { return streams(0); }
-  [[nodiscard]] EntryStreams<Index> spare() const noexcept { return streams(entry_streams); }
-  [[nodiscard]] EntryPlace<Index> place() const noexcept { return {entries(), records_.get(), bytes()}; }
+  [[nodiscard]] EntryStreams entries() const noexcept { return streams(0); }
+  [[nodiscard]] EntryStreams spare() const noexcept { return streams(entry_streams); }
+  [[nodiscard]] EntryPlace place() const noexcept { return {entries(), records_.get(), bytes()}; }
 
   /// The bounds themselves.
   [[nodiscard]] float* records() const noexcept { return records_.get(); }
@@ -77,10 +69,9 @@ class BuildScratch {
  private:
   /// Streams a power of two apart would map to the same few cache sets.
   static constexpr std::size_t apart = 80;
-  static constexpr std::size_t entry_streams = std::tuple_size_v<EntryStreams<Index>>;
 
-  [[nodiscard]] EntryStreams<Index> streams(std::size_t first) const noexcept {
-    EntryStreams<Index> stream;
+  [[nodiscard]] EntryStreams streams(std::size_t first) const noexcept {
+    EntryStreams stream;
     for (std::size_t s = 0; s != entry_streams; ++s) stream[s] = entries_.get() + (first + s) * stride_;
     return stream;
   }
@@ -92,11 +83,11 @@ class BuildScratch {
 
 /// Writes all bounds' records and entries, these sorted by size class, and returns where each class begins. Throws
 /// BadBound for the first illegal bound.
-template <class Bound, class Index, class Source>
-ClassBounds write_entries(const Source& source, const EntryPlace<Index>& place);
+template <class Bound, class Source>
+ClassBounds write_entries(const Source& source, const EntryPlace& place);
 
 /// The same for legal bounds, in order, by one task. Both are wanted.
 template <class Bound>
-void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace<std::uint32_t>& place) noexcept;
+void write_entries_and_records(const ViewOf<Bound>& bounds, const EntryPlace& place) noexcept;
 
 }  // namespace shaftcull::kernel

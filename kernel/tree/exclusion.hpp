@@ -61,11 +61,10 @@ class LayerFilter {
   std::uint32_t mask_ = 0;
 };
 
-template <class Index>
 class Exclusion {
  public:
-  /// `own` and `mask` as in ExcludingOf, for one shaft.
-  Exclusion(const LeafIndices<Index>& indices, std::span<const Index> own, std::span<const std::uint64_t> mask,
+  /// `own` and `mask` as in Excluding, for one shaft.
+  Exclusion(const LeafIndices& indices, std::span<const std::uint32_t> own, std::span<const std::uint64_t> mask,
             const LayerFilter& layers) noexcept
       : indices_(indices), own_(own), mask_(mask), layers_(layers) {}
 
@@ -93,16 +92,16 @@ class Exclusion {
   [[nodiscard]] std::uint64_t left_out_by_index(std::size_t first, std::uint64_t asked) const noexcept {
     std::uint64_t out = 0;
     for (std::uint64_t left = asked; left != 0; left &= left - 1) {
-      const Index index = indices_[first + static_cast<std::size_t>(std::countr_zero(left))];
+      const std::uint32_t index = indices_[first + static_cast<std::size_t>(std::countr_zero(left))];
       bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
-      for (const Index own : own_) is_out |= own == index;
+      for (const std::uint32_t own : own_) is_out |= own == index;
       if (is_out) out |= left & -left;
     }
     return out;
   }
 
-  LeafIndices<Index> indices_;
-  std::span<const Index> own_;
+  LeafIndices indices_;
+  std::span<const std::uint32_t> own_;
   std::span<const std::uint64_t> mask_;
   LayerFilter layers_;
 };

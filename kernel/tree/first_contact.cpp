@@ -13,29 +13,24 @@ namespace {
 using kernel::Question;
 using kernel::task_shafts;
 
-template <class Bound, class Index>
-FirstContactOf<Index> contact_of(const kernel::Query<Bound, Index>& query, std::size_t s) {
-  return query.template walk_with<kernel::FirstContactWalk<Bound, Index>>(s, [](auto& walk) {
-    const auto& first = walk.run();
-    return FirstContactOf<Index>{static_cast<Index>(first.index()), first.time()};
-  });
+template <class Bound>
+FirstContact contact_of(const kernel::Query<Bound>& query, std::size_t s) {
+  return query.template walk_with<kernel::FirstContactWalk<Bound>>(s, [](auto& walk) { return walk.run().contact(); });
 }
 
 }  // namespace
 
-template <class Bound, BoundIndex Index>
-FirstContactOf<Index> first_contact(const CompiledShaft& shaft, const BoundsTree<Bound, Index>& tree,
-                                    const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query({&shaft, 1}, tree, Question::kept, excluding);
+template <class Bound>
+FirstContact first_contact(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, const Excluding& excluding) {
+  const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept, excluding);
   kernel::require_motion(kernel::data_of(shaft), 0);
   return contact_of(query, 0);
 }
 
-template <class Bound, BoundIndex Index>
-void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                        std::type_identity_t<std::span<FirstContactOf<Index>>> contacts,
-                        const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+template <class Bound>
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                        std::span<FirstContact> contacts, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
   for (std::size_t s = 0; s != shafts.size(); ++s) kernel::require_motion(kernel::data_of(shafts)[s], s);
   kernel::require_counts("contacts", contacts, shafts.size());
   query.require_apart("first_contact_many", "contacts", kernel::bytes_of(contacts));
@@ -45,15 +40,12 @@ void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<
   });
 }
 
-#define SHAFTCULL_FIRST_CONTACT(Bound, Index)                                                         \
-  template FirstContactOf<Index> first_contact(const CompiledShaft&, const BoundsTree<Bound, Index>&, \
-                                               const ExcludingOf<Index>&);                            \
-  template void first_contact_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,   \
-                                   std::span<FirstContactOf<Index>>, const ExcludingOf<Index>&);
-SHAFTCULL_FIRST_CONTACT(Box, std::uint32_t)
-SHAFTCULL_FIRST_CONTACT(Box, std::uint64_t)
-SHAFTCULL_FIRST_CONTACT(Sphere, std::uint32_t)
-SHAFTCULL_FIRST_CONTACT(Sphere, std::uint64_t)
+#define SHAFTCULL_FIRST_CONTACT(Bound)                                                                                \
+  template FirstContact first_contact(const CompiledShaft&, const BoundsTree<Bound>&, const Excluding&);              \
+  template void first_contact_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, std::span<FirstContact>, \
+                                   const Excluding&);
+SHAFTCULL_FIRST_CONTACT(Box)
+SHAFTCULL_FIRST_CONTACT(Sphere)
 #undef SHAFTCULL_FIRST_CONTACT
 
 }  // namespace shaftcull

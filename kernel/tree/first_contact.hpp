@@ -20,11 +20,11 @@
 
 namespace shaftcull::kernel {
 
-template <class Bound, class Index>
+template <class Bound>
 class FirstContactWalk {
  public:
-  FirstContactWalk(const TreeParts<Bound, Index>& parts, const Kernels& kernels, const ShaftData& shaft,
-                   const Exclusion<Index>& exclusion) noexcept
+  FirstContactWalk(const TreeParts<Bound>& parts, const Kernels& kernels, const ShaftData& shaft,
+                   const Exclusion& exclusion) noexcept
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
         test_nodes_(kernels.listed_boxes),
@@ -105,12 +105,12 @@ class FirstContactWalk {
     }
   }
 
-  const TreeParts<Bound, Index>& parts_;
+  const TreeParts<Bound>& parts_;
   TestListedWords* test_leaves_;
   TestListedWords* test_nodes_;
   WithPlanes with_planes_;
   WithClosedContact of_nodes_;
-  Exclusion<Index> exclusion_;
+  Exclusion exclusion_;
   bool prefetches_;
   std::array<const float*, rows_of<Bound>> leaf_;
   FirstEntry<ViewOf<Bound>> first_;

@@ -60,25 +60,22 @@ constexpr std::size_t in_lines(std::size_t bytes) noexcept { return (bytes + lin
 /// What images call a kind of tree, and messages.
 template <class Tree>
 struct ImageKind;
-template <class Bound, class Index>
-struct ImageKind<BoundsTree<Bound, Index>> {
+template <class Bound>
+struct ImageKind<BoundsTree<Bound>> {
   static constexpr std::uint32_t bound = static_cast<std::uint32_t>(rows_of<Bound>);
-  static constexpr std::uint32_t index_bytes = sizeof(Index);
 };
 template <>
 struct ImageKind<TriangleTree> {
   static constexpr std::uint32_t bound = 9;
-  static constexpr std::uint32_t index_bytes = sizeof(std::uint32_t);
 };
 
-std::string kind_text(std::uint32_t bound, std::uint32_t index_bytes) {
-  const char* const noun = bound == 6 ? "boxes" : bound == 4 ? "spheres" : bound == 9 ? "triangles" : "unknown bounds";
-  return std::string(noun) + " with " + std::to_string(8 * index_bytes) + "-bit indices";
+std::string kind_text(std::uint32_t bound) {
+  return bound == 6 ? "boxes" : bound == 4 ? "spheres" : bound == 9 ? "triangles" : "unknown bounds";
 }
 
 /// Calls use(bytes) for everything that a tree holds in memory.
-template <class Bound, class Index, class Use>
-void for_sections(const TreeParts<Bound, Index>& parts, const Use& use) {
+template <class Bound, class Use>
+void for_sections(const TreeParts<Bound>& parts, const Use& use) {
   use(StreamAccess::memory(parts.leaves));
   use(StreamAccess::memory(parts.nodes));
   use(bytes_of(parts.gaps));
@@ -94,8 +91,8 @@ void for_sections(const TriangleParts& parts, const Use& use) {
 }
 
 /// What a tree holds; null for an empty one.
-template <class Bound, class Index>
-const TreeParts<Bound, Index>* parts_of(const BoundsTree<Bound, Index>& tree) {
+template <class Bound>
+const TreeParts<Bound>* parts_of(const BoundsTree<Bound>& tree) {
   if (tree.needs_refit()) kernel::fail(NeedsRefit("the image of a tree whose bounds were updated; call refit() first"));
   return tree.size() == 0 ? nullptr : TreeAccess::parts(tree);
 }
@@ -103,8 +100,8 @@ const TriangleParts* parts_of(const TriangleTree& tree) noexcept {
   return tree.size() == 0 ? nullptr : &TriangleTreeAccess::parts(tree);
 }
 
-template <class Bound, class Index>
-void describe(const TreeParts<Bound, Index>& parts, ImageHeader& header) noexcept {
+template <class Bound>
+void describe(const TreeParts<Bound>& parts, ImageHeader& header) noexcept {
   header.size = parts.size;
   header.surface_when_built = parts.surface_when_built;
   header.has_layers = parts.layers.exist() ? 1 : 0;
@@ -158,15 +155,15 @@ class ImageReader {
 };
 
 /// Bytes of the sections of a tree as a header describes it.
-template <class Bound, class Index>
-std::uint64_t section_bytes(const ImageHeader& header, const BoundsTree<Bound, Index>& /*kind*/) noexcept {
+template <class Bound>
+std::uint64_t section_bytes(const ImageHeader& header, const BoundsTree<Bound>& /*kind*/) noexcept {
   TreeLevels<Bound> levels;
   const std::size_t size = static_cast<std::size_t>(header.size);
   const std::size_t nodes = lay_out_levels(levels, size);
   const std::size_t words = words_for(size);
   std::uint64_t bytes = rows_of<Bound> * row_floats(rows_of<Bound>, size) * sizeof(float) +
                         6 * row_floats(6, nodes) * sizeof(float) + in_lines(nodes / 64 * sizeof(std::uint64_t)) +
-                        in_lines(size * sizeof(Index)) + in_lines(words * sizeof(Index));
+                        in_lines(size * sizeof(std::uint32_t)) + in_lines(words * sizeof(std::uint32_t));
   if (header.has_layers != 0) {
     bytes += in_lines(words * fanout * sizeof(std::uint32_t)) + in_lines(nodes * sizeof(std::uint32_t));
   }
@@ -213,15 +210,14 @@ ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
   if (header.format != image_format) {
     refuse("has format " + std::to_string(header.format) + "; this version reads " + std::to_string(image_format));
   }
-  if (header.bound != Kind::bound || header.index_bytes != Kind::index_bytes) {
-    refuse("is of " + kind_text(header.bound, header.index_bytes) + ", not of " +
-           kind_text(Kind::bound, Kind::index_bytes));
-  }
+  if (header.bound != Kind::bound) refuse("is of " + kind_text(header.bound) + ", not of " + kind_text(Kind::bound));
   if (header.bytes != image.size()) {
     refuse("has " + std::to_string(header.bytes) + " bytes; here are " + std::to_string(image.size()));
   }
-  constexpr std::uint64_t most = std::min<std::uint64_t>(
-      Kind::index_bytes == 4 ? std::numeric_limits<std::uint32_t>::max() : most_bounds, most_bounds);
+  if (header.index_bytes != sizeof(std::uint32_t)) {
+    refuse("has indices of " + std::to_string(header.index_bytes) + " bytes; this version reads those of 4");
+  }
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   const bool is_possible = header.size == 0 || (header.size <= most && are_chunks_possible<Tree>(header));
   const std::uint64_t sections = header.size == 0 || !is_possible ? 0 : section_bytes(header, Tree());
   if (!is_possible || sizeof header + sections != header.bytes) {
@@ -233,18 +229,18 @@ ImageHeader checked_header(std::span<const std::byte> image, ImageCheck check) {
   return header;
 }
 
-template <class Bound, class Index>
-BoundsTree<Bound, Index> tree_in(const ImageHeader& header, std::span<const std::byte> image,
-                                 const BoundsTree<Bound, Index>& /*kind*/) {
+template <class Bound>
+BoundsTree<Bound> tree_in(const ImageHeader& header, std::span<const std::byte> image,
+                          const BoundsTree<Bound>& /*kind*/) {
   ImageReader reader(image.data() + sizeof header);
-  TreeParts<Bound, Index> parts;
+  TreeParts<Bound> parts;
   const std::size_t size = static_cast<std::size_t>(header.size);
   const std::size_t nodes = lay_out_levels(parts, size);
   parts.leaves = reader.stream<StreamOf<ViewOf<Bound>>>(size);
   parts.nodes = reader.stream<BoxStream>(nodes);
   parts.gaps = reader.array<std::uint64_t>(nodes / 64);
-  parts.order = reader.array<Index>(size);
-  parts.least_index = reader.array<Index>(words_for(size));
+  parts.order = reader.array<std::uint32_t>(size);
+  parts.least_index = reader.array<std::uint32_t>(words_for(size));
   if (header.has_layers != 0) {
     parts.layers.leaves = reader.array<std::uint32_t>(words_for(size) * fanout);
     parts.layers.nodes = reader.array<std::uint32_t>(nodes);
@@ -301,7 +297,7 @@ void write_image(const Tree& tree, std::span<std::byte> image) {
   header.format = kernel::image_format;
   header.byte_order = kernel::native_order;
   header.bound = kernel::ImageKind<Tree>::bound;
-  header.index_bytes = kernel::ImageKind<Tree>::index_bytes;
+  header.index_bytes = sizeof(std::uint32_t);
   header.bytes = bytes;
   std::byte* next = image.data() + sizeof header;
   if (parts != nullptr) {
@@ -332,8 +328,6 @@ TreeInImage<Tree>::TreeInImage(std::span<const std::byte> image, ImageCheck chec
   template class TreeInImage<__VA_ARGS__>;
 SHAFTCULL_IMAGE(BoxTree)
 SHAFTCULL_IMAGE(SphereTree)
-SHAFTCULL_IMAGE(BoundsTree<Box, std::uint64_t>)
-SHAFTCULL_IMAGE(BoundsTree<Sphere, std::uint64_t>)
 SHAFTCULL_IMAGE(TriangleTree)
 #undef SHAFTCULL_IMAGE
 

@@ -13,24 +13,23 @@ namespace shaftcull::kernel {
 
 /// Leaves that a shaft keeps, before it is known where their indices go: words of them, and ranges that are kept as a
 /// whole. From four leaves a word on that takes less memory than indices, and these are not copied once more.
-template <class Index>
 class KeptLeavesOutput {
  public:
   void add_word(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
-    items_.push({bits, static_cast<Index>(first), 0});
+    items_.push({bits, static_cast<std::uint32_t>(first), 0});
     count_ += static_cast<std::size_t>(std::popcount(bits));
   }
   void add_range(std::size_t first, std::size_t size) {
-    items_.push({0, static_cast<Index>(first), static_cast<Index>(size)});
+    items_.push({0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
     count_ += size;
   }
   /// Number of leaves.
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
   /// Writes their indices from `out` on, count() of them and nothing else.
-  void write(const LeafIndices<Index>& indices, Index* out) const noexcept {
-    const Index* const end = out + count_;
+  void write(const LeafIndices& indices, std::uint32_t* out) const noexcept {
+    const std::uint32_t* const end = out + count_;
     items_.for_each_chunk([&](const WordOrRange* item, std::size_t size) {
       for (std::size_t i = 0; i != size; ++i) {
         if (i + prefetched_words < size) indices.prefetch(item[i + prefetched_words].first);
@@ -50,8 +49,8 @@ class KeptLeavesOutput {
   /// A word's bits, or a range of whole words.
   struct WordOrRange {
     std::uint64_t bits;
-    Index first;
-    Index range;  ///< size, or 0 for a word
+    std::uint32_t first;
+    std::uint32_t range;  ///< size, or 0 for a word
   };
   /// Words ahead of the one written whose indices are prefetched.
   static constexpr std::size_t prefetched_words = 16;

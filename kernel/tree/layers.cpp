@@ -21,8 +21,8 @@ std::uint32_t all_of_word(const std::uint32_t* layers) noexcept {
 
 }  // namespace
 
-template <class Bound, class Index>
-TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const Index> order,
+template <class Bound>
+TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const std::uint32_t> order,
                      std::span<const std::uint32_t> layers) {
   TreeLayers result;
   result.leaves = {words_for(parts.size) * fanout, 0U};
@@ -59,8 +59,8 @@ void set_layers_of_leaf(TreeLevels<Bound>& parts, std::size_t leaf, std::uint32_
   }
 }
 
-template <class Bound, class Index>
-std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>& parts, std::span<const Index> order) {
+template <class Bound>
+std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>& parts, std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> layers(parts.size);
   for (std::size_t p = 0; p != parts.size; ++p) layers[order[p]] = parts.layers.leaves[p];
   return layers;
@@ -68,13 +68,12 @@ std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>& parts, std::
 
 template void set_layers_of_leaf(TreeLevels<Box>&, std::size_t, std::uint32_t) noexcept;
 template void set_layers_of_leaf(TreeLevels<Sphere>&, std::size_t, std::uint32_t) noexcept;
-#define SHAFTCULL_LAYERS(Bound, Index)                                                                             \
-  template TreeLayers layers_of(const TreeLevels<Bound>&, std::span<const Index>, std::span<const std::uint32_t>); \
-  template std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>&, std::span<const Index>);
-SHAFTCULL_LAYERS(Box, std::uint32_t)
-SHAFTCULL_LAYERS(Sphere, std::uint32_t)
-SHAFTCULL_LAYERS(Box, std::uint64_t)
-SHAFTCULL_LAYERS(Sphere, std::uint64_t)
+#define SHAFTCULL_LAYERS(Bound)                                                           \
+  template TreeLayers layers_of(const TreeLevels<Bound>&, std::span<const std::uint32_t>, \
+                                std::span<const std::uint32_t>);                          \
+  template std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>&, std::span<const std::uint32_t>);
+SHAFTCULL_LAYERS(Box)
+SHAFTCULL_LAYERS(Sphere)
 #undef SHAFTCULL_LAYERS
 
 }  // namespace shaftcull::kernel

@@ -35,8 +35,8 @@ struct TreeLayers {
 };
 
 /// The layers of a tree whose bound with the user's index i has layers[i], one for each bound.
-template <class Bound, class Index>
-TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const Index> order,
+template <class Bound>
+TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const std::uint32_t> order,
                      std::span<const std::uint32_t> layers);
 
 /// Changes those of one leaf, and of the nodes above it. O(levels).
@@ -44,7 +44,7 @@ template <class Bound>
 void set_layers_of_leaf(TreeLevels<Bound>& parts, std::size_t leaf, std::uint32_t layers) noexcept;
 
 /// Those of `parts` by the user's index, for another tree of the same bounds.
-template <class Bound, class Index>
-std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>& parts, std::span<const Index> order);
+template <class Bound>
+std::vector<std::uint32_t> layers_by_index(const TreeLevels<Bound>& parts, std::span<const std::uint32_t> order);
 
 }  // namespace shaftcull::kernel

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include "kernels/table.hpp"
 #include "support/compiler.hpp"
@@ -17,17 +16,16 @@
 namespace shaftcull::kernel {
 
 /// Tree order, as the user's indices are read from it: word by word of leaves.
-template <class Index>
 class LeafIndices {
  public:
   /// `prefetches` as TreeLevels::is_worth_prefetching().
-  LeafIndices(std::span<const Index> order, bool prefetches, const Kernels& kernels) noexcept
+  LeafIndices(std::span<const std::uint32_t> order, bool prefetches, const Kernels& kernels) noexcept
       : order_(order.data()),
         in_whole_words_(order.size() / fanout * fanout),
         prefetched_(prefetches ? in_whole_words_ : 0),
         compress_(kernels.compress_indices) {}
 
-  [[nodiscard]] Index operator[](std::size_t leaf) const noexcept { return order_[leaf]; }
+  [[nodiscard]] std::uint32_t operator[](std::size_t leaf) const noexcept { return order_[leaf]; }
 
   /// Prefetches the indices of the word of leaves from `first` on.
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {
@@ -37,27 +35,25 @@ class LeafIndices {
   }
 
   /// Writes those of the leaves [first, first + size).
-  Index* copy(std::size_t first, std::size_t size, Index* out) const noexcept {
+  std::uint32_t* copy(std::size_t first, std::size_t size, std::uint32_t* out) const noexcept {
     return std::copy_n(order_ + first, size, out);
   }
 
   /// Writes those of the leaves `first` + i, for every set bit i, ascending. `out` must have space for 64, all of which
   /// may be overwritten. Returns how many.
-  std::size_t compress(std::size_t first, std::uint64_t bits, Index* out) const noexcept {
-    if constexpr (std::is_same_v<Index, std::uint32_t>) {
-      if (first < in_whole_words_) return compress_(order_ + first, bits, out);
-    }
+  std::size_t compress(std::size_t first, std::uint64_t bits, std::uint32_t* out) const noexcept {
+    if (first < in_whole_words_) return compress_(order_ + first, bits, out);
     return compress_exactly(first, bits, out);
   }
   /// The same, but nothing past them is overwritten.
-  std::size_t compress_exactly(std::size_t first, std::uint64_t bits, Index* out) const noexcept {
-    Index* end = out;
+  std::size_t compress_exactly(std::size_t first, std::uint64_t bits, std::uint32_t* out) const noexcept {
+    std::uint32_t* end = out;
     for (; bits != 0; bits &= bits - 1) *end++ = order_[first + static_cast<std::size_t>(std::countr_zero(bits))];
     return static_cast<std::size_t>(end - out);
   }
 
  private:
-  const Index* order_;
+  const std::uint32_t* order_;
   std::size_t in_whole_words_;  // leaves before this one are in whole words, which vectors may read to their end
   std::size_t prefetched_;      // leaves before this one are worth prefetching
   CompressIndices* compress_;

@@ -20,48 +20,29 @@ using kernel::IndexRange;
 using kernel::Question;
 using kernel::task_shafts;
 
-template <BoundIndex Index>
-std::vector<Index>& items_of(IndexListsOf<Index>& lists) {
-  return lists.indices;
-}
-template <BoundIndex Index>
-std::vector<LeafRangeOf<Index>>& items_of(LeafRangeListsOf<Index>& lists) {
-  return lists.ranges;
-}
-template <class Index>
-using LeafRanges = kernel::ChunkedOutput<LeafRangeOf<Index>>;
+std::vector<std::uint32_t>& items_of(IndexLists& lists) { return lists.indices; }
+std::vector<LeafRange>& items_of(LeafRangeLists& lists) { return lists.ranges; }
+using LeafRanges = kernel::ChunkedOutput<LeafRange>;
 
-template <class Index>
-kernel::KeptLeavesList<Index> list_of(const kernel::LeafIndices<Index>& /*indices*/,
-                                      kernel::KeptLeavesOutput<Index>& output) {
-  return kernel::KeptLeavesList<Index>(output);
+kernel::KeptLeavesList list_of(const kernel::LeafIndices& /*indices*/, kernel::KeptLeavesOutput& output) {
+  return kernel::KeptLeavesList(output);
 }
-template <class Index>
-kernel::LeafRangeList<Index, LeafRanges<Index>> list_of(const kernel::LeafIndices<Index>& indices,
-                                                        LeafRanges<Index>& output) {
+kernel::LeafRangeList<LeafRanges> list_of(const kernel::LeafIndices& indices, LeafRanges& output) {
   return {indices, output};
 }
 
-template <class Index>
-void write(const kernel::KeptLeavesOutput<Index>& kept, const kernel::LeafIndices<Index>& indices, Index* out) {
+void write(const kernel::KeptLeavesOutput& kept, const kernel::LeafIndices& indices, std::uint32_t* out) {
   kept.write(indices, out);
 }
-template <class Index>
-void write(const LeafRanges<Index>& ranges, const kernel::LeafIndices<Index>& /*indices*/, LeafRangeOf<Index>* out) {
-  ranges.for_each_chunk(
-      [&](const LeafRangeOf<Index>* items, std::size_t size) { out = std::copy_n(items, size, out); });
+void write(const LeafRanges& ranges, const kernel::LeafIndices& /*indices*/, LeafRange* out) {
+  ranges.for_each_chunk([&](const LeafRange* items, std::size_t size) { out = std::copy_n(items, size, out); });
 }
-
-template <class Index>
-kernel::KeptLeavesOutput<Index> output_for(const IndexListsOf<Index>&);
-template <class Index>
-LeafRanges<Index> output_for(const LeafRangeListsOf<Index>&);
 
 /// The tasks' outputs, to be concatenated.
 template <class Lists>
 class TaskOutputs {
  public:
-  using Output = decltype(output_for(std::declval<const Lists&>()));
+  using Output = std::conditional_t<std::is_same_v<Lists, IndexLists>, kernel::KeptLeavesOutput, LeafRanges>;
 
   TaskOutputs(std::size_t shafts, Lists& lists)
       : shafts_(shafts),
@@ -74,8 +55,7 @@ class TaskOutputs {
   /// Ends the list of shaft s, which is the last one in its task's output so far.
   void end_list(std::size_t task, std::size_t s) noexcept { lists_.offsets[s + 1] = output_[task].count(); }
 
-  template <class Index>
-  void concatenate(const kernel::LeafIndices<Index>& indices) {
+  void concatenate(const kernel::LeafIndices& indices) {
     std::uint64_t before = 0;
     for (std::size_t t = 0; t != output_.size(); ++t) {
       const IndexRange task = chunk_at(shafts_, task_shafts, t);
@@ -100,17 +80,16 @@ class TaskOutputs {
 };
 
 /// Throws InvalidArgument if lists, called `name` in the message of `call`, hold memory that excludes bounds.
-template <class Bound, class Index, class Lists>
-void require_apart(const kernel::Query<Bound, Index>& query, const char* call, const char* name, Lists& lists) {
+template <class Bound, class Lists>
+void require_apart(const kernel::Query<Bound>& query, const char* call, const char* name, Lists& lists) {
   query.require_apart(call, name, kernel::bytes_of(lists.offsets));
   query.require_apart(call, name, kernel::bytes_of(items_of(lists)));
 }
 
-template <class Bound, class Index, class Lists>
-void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& lists,
-               const ExcludingOf<Index>& excluding, Question question = Question::kept,
-               const char* call = "list_many") {
-  const kernel::Query<Bound, Index> query(shafts, tree, question, excluding);
+template <class Bound, class Lists>
+void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& lists,
+               const Excluding& excluding, Question question = Question::kept, const char* call = "list_many") {
+  const kernel::Query<Bound> query(shafts, tree, question, excluding);
   require_apart(query, call, "lists", lists);
   TaskOutputs<Lists> all(shafts.size(), lists);
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -125,10 +104,10 @@ void list_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, In
   all.complete();
 }
 
-template <class Bound, class Index, class Lists>
-void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Lists& overlap,
-                  Lists& inside, const ExcludingOf<Index>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
+template <class Bound, class Lists>
+void list_classes(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Lists& overlap, Lists& inside,
+                  const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept_and_inside, excluding);
   if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
   require_apart(query, "list_classified_many", "overlap", overlap);
   require_apart(query, "list_classified_many", "inside", inside);
@@ -159,8 +138,8 @@ void require_callback(const Callback& callback) {
 
 /// Walks with the visitor that visitor_of(slot) makes, for every shaft in parallel, and then calls deliver(s, slot),
 /// one at a time in their order. `Slot` is where a shaft's answers wait; it can be cleared.
-template <class Slot, class Bound, class Index, class VisitorOf, class Deliver>
-void deliver_in_order(const kernel::Query<Bound, Index>& query, const VisitorOf& visitor_of, const Deliver& deliver) {
+template <class Slot, class Bound, class VisitorOf, class Deliver>
+void deliver_in_order(const kernel::Query<Bound>& query, const VisitorOf& visitor_of, const Deliver& deliver) {
   std::vector<Slot> slots(slots_per_thread * static_cast<std::size_t>(kernel::threads_here()));
   const auto work = [&](std::size_t s, std::size_t slot) {
     slots[slot].clear();
@@ -171,22 +150,17 @@ void deliver_in_order(const kernel::Query<Bound, Index>& query, const VisitorOf&
                            [&](std::size_t s, std::size_t slot) { deliver(s, slots[slot]); });
 }
 
-template <class Index>
-using Ranges = kernel::GrowingOutput<LeafRangeOf<Index>>;
-template <class Index>
-using RangeList = kernel::LeafRangeList<Index, Ranges<Index>>;
+using Ranges = kernel::GrowingOutput<LeafRange>;
+using RangeList = kernel::LeafRangeList<Ranges>;
 
-template <class Index>
-std::span<const LeafRangeOf<Index>> span_of(const Ranges<Index>& ranges) noexcept {
-  return {ranges.data(), ranges.count()};
-}
+std::span<const LeafRange> span_of(const Ranges& ranges) noexcept { return {ranges.data(), ranges.count()}; }
 
 }  // namespace
 
-template <class Bound, BoundIndex Index>
-void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                std::span<std::uint64_t> kept_counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+template <class Bound>
+void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                std::span<std::uint64_t> kept_counts, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
   kernel::require_counts("kept_counts", kept_counts, shafts.size());
   query.require_apart("count_many", "kept_counts", kernel::bytes_of(kept_counts));
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -199,11 +173,10 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, I
   });
 }
 
-template <class Bound, BoundIndex Index>
-void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::size_t most,
-                        std::span<std::uint64_t> kept_counts,
-                        const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+template <class Bound>
+void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, std::size_t most,
+                        std::span<std::uint64_t> kept_counts, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
   kernel::require_counts("kept_counts", kept_counts, shafts.size());
   query.require_apart("count_at_most_many", "kept_counts", kernel::bytes_of(kept_counts));
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -216,11 +189,11 @@ void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<
   });
 }
 
-template <class Bound, BoundIndex Index>
-void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, std::size_t most,
-                       std::type_identity_t<std::span<Index>> kept, std::span<std::uint64_t> kept_counts,
-                       const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+template <class Bound>
+void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, std::size_t most,
+                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts,
+                       const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
   kernel::require_room("kept", kept, shafts.size(), most);
   kernel::require_counts("kept_counts", kept_counts, shafts.size());
   constexpr const char* call = "list_at_most_many";
@@ -230,19 +203,19 @@ void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<B
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::SpanOutput<Index> output(kept.subspan(s * most, most));
-      using List = kernel::IndexList<Index, kernel::SpanOutput<Index>>;
-      kernel::LimitedLister<List, Index> lister(List(query.indices(), output), output, most);
+      kernel::SpanOutput<std::uint32_t> output(kept.subspan(s * most, most));
+      using List = kernel::IndexList<kernel::SpanOutput<std::uint32_t>>;
+      kernel::LimitedLister<List> lister(List(query.indices(), output), output, most);
       if (most != 0) query.walk(s, lister);
       kept_counts[s] = std::min(output.count(), most);
     }
   });
 }
 
-template <class Bound, BoundIndex Index>
-void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                           std::span<KeptCounts> counts, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
+template <class Bound>
+void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                           std::span<KeptCounts> counts, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept_and_inside, excluding);
   kernel::require_counts("counts", counts, shafts.size());
   query.require_apart("count_classified_many", "counts", kernel::bytes_of(counts));
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
@@ -255,62 +228,52 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTr
   });
 }
 
-template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, IndexListsOf<Index>& lists,
-               const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+template <class Bound>
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, IndexLists& lists,
+               const Excluding& excluding) {
   list_kept(shafts, tree, lists, excluding);
 }
-template <class Bound, BoundIndex Index>
-void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-               LeafRangeListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+template <class Bound>
+void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, LeafRangeLists& lists,
+               const Excluding& excluding) {
   list_kept(shafts, tree, lists, excluding);
 }
 
-template <BoundIndex Index>
-void list_blocking_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box, Index>& solids,
-                        IndexListsOf<Index>& lists, const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+void list_blocking_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box>& solids, IndexLists& lists,
+                        const Excluding& excluding) {
   list_kept(shafts, solids, lists, excluding, Question::blocking, "list_blocking_many");
 }
-template void list_blocking_many(std::span<const CompiledShaft>, const BoundsTree<Box, std::uint32_t>&,
-                                 IndexListsOf<std::uint32_t>&, const ExcludingOf<std::uint32_t>&);
-template void list_blocking_many(std::span<const CompiledShaft>, const BoundsTree<Box, std::uint64_t>&,
-                                 IndexListsOf<std::uint64_t>&, const ExcludingOf<std::uint64_t>&);
-
-template <class Bound, BoundIndex Index>
-void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                          IndexListsOf<Index>& overlap, IndexListsOf<Index>& inside,
-                          const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+template <class Bound>
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, IndexLists& overlap,
+                          IndexLists& inside, const Excluding& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
-template <class Bound, BoundIndex Index>
-void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                          LeafRangeListsOf<Index>& overlap, LeafRangeListsOf<Index>& inside,
-                          const std::type_identity_t<ExcludingOf<Index>>& excluding) {
+template <class Bound>
+void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, LeafRangeLists& overlap,
+                          LeafRangeLists& inside, const Excluding& excluding) {
   list_classes(shafts, tree, overlap, inside, excluding);
 }
 
-template <class Bound, BoundIndex Index>
-void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                   std::type_identity_t<FunctionRef<void(const KeptRangesOf<Index>&)>> callback,
-                   const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept, excluding);
+template <class Bound>
+void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                   FunctionRef<void(const KeptRanges&)> callback, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept, excluding);
   require_callback(callback);
-  deliver_in_order<Ranges<Index>>(
-      query, [&](Ranges<Index>& kept) { return kernel::KeptLister(RangeList<Index>(query.indices(), kept)); },
-      [&](std::size_t s, const Ranges<Index>& kept) {
+  deliver_in_order<Ranges>(
+      query, [&](Ranges& kept) { return kernel::KeptLister(RangeList(query.indices(), kept)); },
+      [&](std::size_t s, const Ranges& kept) {
         callback({s, span_of(kept)});
       });
 }
 
-template <class Bound, BoundIndex Index>
-void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree,
-                         std::type_identity_t<FunctionRef<void(const ClassifiedRangesOf<Index>&)>> callback,
-                         const std::type_identity_t<ExcludingOf<Index>>& excluding) {
-  const kernel::Query<Bound, Index> query(shafts, tree, Question::kept_and_inside, excluding);
+template <class Bound>
+void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
+                         FunctionRef<void(const ClassifiedRanges&)> callback, const Excluding& excluding) {
+  const kernel::Query<Bound> query(shafts, tree, Question::kept_and_inside, excluding);
   require_callback(callback);
   struct Slot {
-    Ranges<Index> overlap;
-    Ranges<Index> inside;
+    Ranges overlap;
+    Ranges inside;
     void clear() noexcept {
       overlap.clear();
       inside.clear();
@@ -319,39 +282,35 @@ void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree
   deliver_in_order<Slot>(
       query,
       [&](Slot& slot) {
-        return kernel::ClassLister(RangeList<Index>(query.indices(), slot.overlap),
-                                   RangeList<Index>(query.indices(), slot.inside));
+        return kernel::ClassLister(RangeList(query.indices(), slot.overlap), RangeList(query.indices(), slot.inside));
       },
       [&](std::size_t s, const Slot& slot) {
         callback({s, span_of(slot.overlap), span_of(slot.inside)});
       });
 }
 
-#define SHAFTCULL_QUERIES(Bound, Index)                                                                               \
-  template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::span<std::uint64_t>, \
-                           const ExcludingOf<Index>&);                                                                \
-  template void count_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::size_t,      \
-                                   std::span<std::uint64_t>, const ExcludingOf<Index>&);                              \
-  template void list_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, std::size_t,       \
-                                  std::span<Index>, std::span<std::uint64_t>, const ExcludingOf<Index>&);             \
-  template void count_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                \
-                                      std::span<KeptCounts>, const ExcludingOf<Index>&);                              \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, IndexListsOf<Index>&,      \
-                          const ExcludingOf<Index>&);                                                                 \
-  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&, LeafRangeListsOf<Index>&,  \
-                          const ExcludingOf<Index>&);                                                                 \
-  template void list_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                 \
-                                     IndexListsOf<Index>&, IndexListsOf<Index>&, const ExcludingOf<Index>&);          \
-  template void list_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                 \
-                                     LeafRangeListsOf<Index>&, LeafRangeListsOf<Index>&, const ExcludingOf<Index>&);  \
-  template void for_each_kept(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                        \
-                              FunctionRef<void(const KeptRangesOf<Index>&)>, const ExcludingOf<Index>&);              \
-  template void for_each_classified(std::span<const CompiledShaft>, const BoundsTree<Bound, Index>&,                  \
-                                    FunctionRef<void(const ClassifiedRangesOf<Index>&)>, const ExcludingOf<Index>&);
-SHAFTCULL_QUERIES(Box, std::uint32_t)
-SHAFTCULL_QUERIES(Sphere, std::uint32_t)
-SHAFTCULL_QUERIES(Box, std::uint64_t)
-SHAFTCULL_QUERIES(Sphere, std::uint64_t)
+#define SHAFTCULL_QUERIES(Bound)                                                                                       \
+  template void count_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, std::span<std::uint64_t>,         \
+                           const Excluding&);                                                                          \
+  template void count_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, std::size_t,              \
+                                   std::span<std::uint64_t>, const Excluding&);                                        \
+  template void list_at_most_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, std::size_t,               \
+                                  std::span<std::uint32_t>, std::span<std::uint64_t>, const Excluding&);               \
+  template void count_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, std::span<KeptCounts>, \
+                                      const Excluding&);                                                               \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, IndexLists&, const Excluding&);    \
+  template void list_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, LeafRangeLists&,                   \
+                          const Excluding&);                                                                           \
+  template void list_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, IndexLists&,            \
+                                     IndexLists&, const Excluding&);                                                   \
+  template void list_classified_many(std::span<const CompiledShaft>, const BoundsTree<Bound>&, LeafRangeLists&,        \
+                                     LeafRangeLists&, const Excluding&);                                               \
+  template void for_each_kept(std::span<const CompiledShaft>, const BoundsTree<Bound>&,                                \
+                              FunctionRef<void(const KeptRanges&)>, const Excluding&);                                 \
+  template void for_each_classified(std::span<const CompiledShaft>, const BoundsTree<Bound>&,                          \
+                                    FunctionRef<void(const ClassifiedRanges&)>, const Excluding&);
+SHAFTCULL_QUERIES(Box)
+SHAFTCULL_QUERIES(Sphere)
 #undef SHAFTCULL_QUERIES
 
 }  // namespace shaftcull

@@ -27,23 +27,21 @@ std::size_t cut_of(std::size_t first, std::size_t last) noexcept {
 }
 
 /// Writes the indices of a part's entries.
-template <class Index>
-void write_indices(const Part<Index>& part, Index* indices) noexcept {
+void write_indices(const Part& part, std::uint32_t* indices) noexcept {
   for (std::size_t i = part.first - part.origin; i != part.last - part.origin; ++i) {
-    indices[i] = index_of<Index>(*part.entries, i);
+    indices[i] = index_of(*part.entries, i);
   }
 }
 
 /// Writes the order of a part: that of one half and then that of the other, or of both at once. Not level by level, so
 /// that a part that fits a cache stays there. Parts of at most `most` entries stay as they are. `parts` of this size,
 /// or so, are worked on at once.
-template <class Index>
-void order_part(const Part<Index>& part, std::size_t most, std::size_t parts, const Kernels& kernels, Index* order) {
+void order_part(const Part& part, std::size_t most, std::size_t parts, const Kernels& kernels, std::uint32_t* order) {
   const std::size_t cut = part.size() <= most ? 0 : cut_of(part.first, part.last);
   if (cut == 0) return write_indices(part, order);
   const bool threads_are_idle =
       part.size() >= fewest_for_parallel_split && parts < static_cast<std::size_t>(threads_here());
-  const Halves<Index> halves = threads_are_idle ? split_in_parallel(part, cut, kernels) : split(part, cut, kernels);
+  const Halves halves = threads_are_idle ? split_in_parallel(part, cut, kernels) : split(part, cut, kernels);
   if (part.size() <= most_in_one_task) {
     order_part(halves.low, most, 2 * parts, kernels, order);
     order_part(halves.high, most, 2 * parts, kernels, order);
@@ -55,20 +53,19 @@ void order_part(const Part<Index>& part, std::size_t most, std::size_t parts, co
 }
 
 /// order_part() of all classes.
-template <class Index>
-void order_classes(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare, const ClassBounds& class_first,
-                   std::size_t most, const Kernels& kernels, Index* order) {
+void order_classes(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
+                   std::size_t most, const Kernels& kernels, std::uint32_t* order) {
   parallel_for(size_classes, 1, [&](std::size_t c, std::size_t) {
     if (class_first[c] != class_first[c + 1]) {
-      order_part<Index>({class_first[c], class_first[c + 1], &entries, &spare}, most, 1, kernels, order);
+      order_part({class_first[c], class_first[c + 1], &entries, &spare}, most, 1, kernels, order);
     }
   });
 }
 
-void order_alone(const Part<std::uint32_t>& part, const Kernels& kernels, std::uint32_t* order) noexcept {
+void order_alone(const Part& part, const Kernels& kernels, std::uint32_t* order) noexcept {
   const std::size_t cut = cut_of(part.first, part.last);
   if (cut == 0) return write_indices(part, order);
-  const Halves<std::uint32_t> halves = split(part, cut, kernels);
+  const Halves halves = split(part, cut, kernels);
   order_alone(halves.low, kernels, order);
   order_alone(halves.high, kernels, order);
 }
@@ -82,9 +79,8 @@ void add_regions(std::size_t first, std::size_t last, std::size_t most, std::vec
 
 }  // namespace
 
-template <class Index>
-void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
-                      const ClassBounds& class_first, const Kernels& kernels, Index* order) {
+void write_tree_order(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
+                      const Kernels& kernels, std::uint32_t* order) {
   order_classes(entries, spare, class_first, 0, kernels, order);
 }
 
@@ -96,20 +92,14 @@ std::vector<IndexRange> regions_of(const ClassBounds& class_first, std::size_t m
   return regions;
 }
 
-void write_regions(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
-                   const ClassBounds& class_first, std::size_t most, const Kernels& kernels, std::uint32_t* indices) {
+void write_regions(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
+                   std::size_t most, const Kernels& kernels, std::uint32_t* indices) {
   order_classes(entries, spare, class_first, most, kernels, indices);
 }
 
-void write_order_within(const IndexRange& region, const EntryStreams<std::uint32_t>& entries,
-                        const EntryStreams<std::uint32_t>& spare, const Kernels& kernels,
-                        std::uint32_t* order) noexcept {
+void write_order_within(const IndexRange& region, const EntryStreams& entries, const EntryStreams& spare,
+                        const Kernels& kernels, std::uint32_t* order) noexcept {
   order_alone({region.first, region.end(), &entries, &spare, region.first}, kernels, order);
 }
-
-template void write_tree_order(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
-                               const ClassBounds& class_first, const Kernels& kernels, std::uint32_t* order);
-template void write_tree_order(const EntryStreams<std::uint64_t>& entries, const EntryStreams<std::uint64_t>& spare,
-                               const ClassBounds& class_first, const Kernels& kernels, std::uint64_t* order);
 
 }  // namespace shaftcull::kernel

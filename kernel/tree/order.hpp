@@ -15,9 +15,8 @@ namespace shaftcull::kernel {
 /// Writes the indices of entries in tree order: class after class, and within a class so that any 64, 4096, … in a row
 /// from a multiple of that on are close together. It is the same on every instruction set and for any number of
 /// threads. Entries are lost; `spare` has space for as many.
-template <class Index>
-void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Index>& spare,
-                      const ClassBounds& class_first, const Kernels& kernels, Index* order);
+void write_tree_order(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
+                      const Kernels& kernels, std::uint32_t* order);
 
 // The same in two steps, for more entries than caches hold.
 
@@ -26,12 +25,11 @@ void write_tree_order(const EntryStreams<Index>& entries, const EntryStreams<Ind
 
 /// Makes the halvings that make regions, and writes the indices of each region's entries, in the order
 /// that halvings within it begin with.
-void write_regions(const EntryStreams<std::uint32_t>& entries, const EntryStreams<std::uint32_t>& spare,
-                   const ClassBounds& class_first, std::size_t most, const Kernels& kernels, std::uint32_t* indices);
+void write_regions(const EntryStreams& entries, const EntryStreams& spare, const ClassBounds& class_first,
+                   std::size_t most, const Kernels& kernels, std::uint32_t* indices);
 
 /// Writes the indices of a region's entries in tree order. Streams and `order` begin with the region. By one task.
-void write_order_within(const IndexRange& region, const EntryStreams<std::uint32_t>& entries,
-                        const EntryStreams<std::uint32_t>& spare, const Kernels& kernels,
-                        std::uint32_t* order) noexcept;
+void write_order_within(const IndexRange& region, const EntryStreams& entries, const EntryStreams& spare,
+                        const Kernels& kernels, std::uint32_t* order) noexcept;
 
 }  // namespace shaftcull::kernel

@@ -25,9 +25,8 @@ inline constexpr std::size_t top_words = 2;
 /// What second-level caches hold. Prefetching leaves that one holds costs a walk a tenth, and gains nothing.
 inline constexpr std::size_t second_level_bytes = std::size_t{2} << 20U;
 
-/// A tree's levels hold at most this many bounds.
+/// Levels of a tree of 2³² − 1 bounds.
 inline constexpr std::size_t most_levels = 6;
-inline constexpr std::uint64_t most_bounds = std::uint64_t{top_words} << 6 * most_levels;
 
 /// One level: level 0 is the leaves, entry i of another is the box around entries 64 i … of the one below.
 struct TreeLevel {
@@ -93,11 +92,11 @@ struct TreeLevels {
   }
 };
 
-template <class Bound, class Index>
+template <class Bound>
 struct TreeParts : TreeLevels<Bound> {
-  TreeArray<Index> order;        ///< leaf → the user's index
-  TreeArray<Index> least_index;  ///< of each word of leaves
-  LeafPlaces<Index> places;      ///< the user's index → leaf
+  TreeArray<std::uint32_t> order;        ///< leaf → the user's index
+  TreeArray<std::uint32_t> least_index;  ///< of each word of leaves
+  LeafPlaces places;                     ///< the user's index → leaf
 };
 
 /// Lays out the levels over `size` bounds, and returns how many nodes there are.

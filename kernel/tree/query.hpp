@@ -25,12 +25,12 @@ namespace shaftcull::kernel {
 /// Shafts in a task: some ten to hundreds of microseconds.
 inline constexpr std::size_t task_shafts = 16;
 
-template <class Bound, class Index>
+template <class Bound>
 class Query {
  public:
   /// Throws NeedsRefit and InvalidArgument as shaftcull/query.hpp says.
-  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound, Index>& tree, Question question,
-        const ExcludingOf<Index>& excluding)
+  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Question question,
+        const Excluding& excluding)
       : shafts_(data_of(shafts)),
         parts_(TreeAccess::parts(tree) == nullptr ? empty_ : *TreeAccess::parts(tree)),
         kernels_(active_kernels()),
@@ -77,9 +77,7 @@ class Query {
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
   [[nodiscard]] std::size_t size() const noexcept { return parts_.size; }
   [[nodiscard]] std::size_t row_words() const noexcept { return words_for(parts_.size); }
-  [[nodiscard]] LeafIndices<Index> indices() const noexcept {
-    return {parts_.order, parts_.is_worth_prefetching(), kernels_};
-  }
+  [[nodiscard]] LeafIndices indices() const noexcept { return {parts_.order, parts_.is_worth_prefetching(), kernels_}; }
 
   /// Throws InvalidArgument if `output`, called `name` in the message, is memory that excludes bounds.
   void require_apart(const char* call, const char* name, std::span<const std::byte> output) const {
@@ -89,7 +87,7 @@ class Query {
   }
 
   /// What is left out for shaft s.
-  [[nodiscard]] Exclusion<Index> exclusion(std::size_t s) const noexcept {
+  [[nodiscard]] Exclusion exclusion(std::size_t s) const noexcept {
     return {indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, layer_filter(s)};
   }
 
@@ -107,11 +105,11 @@ class Query {
   template <class Visitor>
   void walk(std::size_t s, Visitor& visitor) const {
     in_float_environment([&] {
-      if (const Exclusion<Index> excluded = exclusion(s); !excluded.is_on()) {
+      if (const Exclusion excluded = exclusion(s); !excluded.is_on()) {
         Walk<Bound, Visitor>(parts_, kernels_, shafts_[s], question_, visitor).run();
       } else {
-        Filter<Index, Visitor> filter(excluded, visitor);
-        Walk<Bound, Filter<Index, Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
+        Filter<Visitor> filter(excluded, visitor);
+        Walk<Bound, Filter<Visitor>>(parts_, kernels_, shafts_[s], question_, filter).run();
       }
     });
   }
@@ -125,12 +123,12 @@ class Query {
     return {parts_.layers, parts_.level.data(), mask, kernels_};
   }
 
-  inline static const TreeParts<Bound, Index> empty_{};
+  inline static const TreeParts<Bound> empty_{};
   std::span<const ShaftData> shafts_;
-  const TreeParts<Bound, Index>& parts_;
+  const TreeParts<Bound>& parts_;
   const Kernels& kernels_;
   Question question_;
-  std::span<const Index> own_;
+  std::span<const std::uint32_t> own_;
   std::size_t own_per_shaft_;
   std::span<const std::uint64_t> mask_;
   std::span<const std::uint32_t> only_layers_;

@@ -5,9 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "dispatch/active_kernels.hpp"
@@ -141,9 +139,9 @@ class RegionScratch {
         records_(most * rows_of<Bound>),
         indices_(2 * most) {}
 
-  [[nodiscard]] EntryStreams<std::uint32_t> entries() const noexcept { return streams(0); }
-  [[nodiscard]] EntryStreams<std::uint32_t> spare() const noexcept { return streams(entry_streams); }
-  [[nodiscard]] EntryPlace<std::uint32_t> place() const noexcept { return {entries(), records_.get(), 0}; }
+  [[nodiscard]] EntryStreams entries() const noexcept { return streams(0); }
+  [[nodiscard]] EntryStreams spare() const noexcept { return streams(entry_streams); }
+  [[nodiscard]] EntryPlace place() const noexcept { return {entries(), records_.get(), 0}; }
   [[nodiscard]] RecordSource<Bound> records(std::size_t count) const {
     return RecordSource<Bound>(records_in<Bound>(records_.get(), count));
   }
@@ -151,10 +149,9 @@ class RegionScratch {
 
  private:
   static constexpr std::size_t apart = 80;  // as in BuildScratch
-  static constexpr std::size_t entry_streams = std::tuple_size_v<EntryStreams<std::uint32_t>>;
 
-  [[nodiscard]] EntryStreams<std::uint32_t> streams(std::size_t first) const noexcept {
-    EntryStreams<std::uint32_t> stream;
+  [[nodiscard]] EntryStreams streams(std::size_t first) const noexcept {
+    EntryStreams stream;
     for (std::size_t s = 0; s != entry_streams; ++s) stream[s] = entries_.get() + (first + s) * stride_;
     return stream;
   }
@@ -174,15 +171,15 @@ IndexRange whole_blocks(const IndexRange& region, std::size_t size) noexcept {
 
 /// Orders a region, whose bounds are where its leaves are to be, and writes these. Nodes are fitted, and least indices
 /// found, in whole blocks only.
-template <class Bound, class Index>
+template <class Bound>
 void write_region(const IndexRange& region, const std::uint32_t* index, const RegionScratch<Bound>& scratch,
-                  const Kernels& kernels, TreeParts<Bound, Index>& parts) {
+                  const Kernels& kernels, TreeParts<Bound>& parts) {
   write_entries_and_records<Bound>(parts.leaves.view().slice(region.first, region.size), scratch.place());
   std::uint32_t* const order = scratch.indices();  // within the region
   write_order_within(region, scratch.entries(), scratch.spare(), kernels, order);
   std::uint32_t* const indices = order + region.size;
   std::copy_n(index + region.first, region.size, indices);  // order may be written where they are
-  Index* const of_all = parts.order.data() + region.first;
+  std::uint32_t* const of_all = parts.order.data() + region.first;
   for (std::size_t i = 0; i != region.size; ++i) of_all[i] = indices[order[i]];
 
   const RecordSource<Bound> records = scratch.records(region.size);
@@ -203,9 +200,9 @@ void write_region(const IndexRange& region, const std::uint32_t* index, const Re
 }
 
 /// What write_region() leaves out: blocks that regions share.
-template <class Bound, class Index>
+template <class Bound>
 void finish_shared_blocks(std::span<const IndexRange> regions, const Kernels& kernels,
-                          TreeParts<Bound, Index>& parts) noexcept {
+                          TreeParts<Bound>& parts) noexcept {
   std::size_t done = 0;
   for (const IndexRange& region : regions) {
     if (region.end() == parts.size || region.end() % gap_leaves == 0) continue;
@@ -222,29 +219,25 @@ void finish_shared_blocks(std::span<const IndexRange> regions, const Kernels& ke
 }  // namespace
 
 bool are_regions_worth_it(std::size_t bounds, const RegionSizes& sizes) noexcept {
-  return bounds >= sizes.fewest_bounds && bounds <= std::numeric_limits<std::uint32_t>::max();
+  return bounds >= sizes.fewest_bounds;
 }
 
-template <class Bound, class Index, class Source>
-TreeParts<Bound, Index> build_by_regions(const Source& source, const RegionSizes& sizes) {
+template <class Bound, class Source>
+TreeParts<Bound> build_by_regions(const Source& source, const RegionSizes& sizes) {
   const Kernels& kernels = active_kernels();
   const std::size_t size = source.count();
   const auto threads = static_cast<std::size_t>(threads_here());
   const std::size_t most =
       std::min(sizes.most_in_region, std::max(sizes.least_in_region, size / (bounds_in_works * threads)));
-  TreeParts<Bound, Index> parts;
+  TreeParts<Bound> parts;
   lay_out(parts, size);
   const RowsOf<ViewOf<Bound>> row = parts.leaf_rows();
   ask_for_huge_pages(row[0], parts.leaves.memory_bytes());
-  parts.order = TreeArray<Index>(size);
-  parts.least_index = TreeArray<Index>(words_for(size));
+  parts.order = TreeArray<std::uint32_t>(size);
+  parts.least_index = TreeArray<std::uint32_t>(words_for(size));
 
   std::vector<IndexRange> regions;
-  LargeMemory<std::uint32_t> more_indices(size);
-  // Indices of 32 bits in regions are where tree order will be. It has no space for both them and wider ones.
-  constexpr bool is_narrow = sizeof(Index) == sizeof(std::uint32_t);
-  auto* const in_order = reinterpret_cast<std::uint32_t*>(parts.order.data());
-  std::uint32_t* const index = is_narrow ? in_order : more_indices.get();
+  std::uint32_t* const index = parts.order.data();  // those in regions are where tree order will be
   {
     // Entries are where leaves will be. Spheres have two streams too few for that.
     const std::size_t stride = words_for(size) * fanout;
@@ -252,15 +245,14 @@ TreeParts<Bound, Index> build_by_regions(const Source& source, const RegionSizes
     std::array<float*, 6> centre{};
     for (std::size_t k = 0; k != 6; ++k)
       centre[k] = k < rows_of<Bound> ? row[k] : more.get() + (k - rows_of<Bound>)*stride;
-    std::uint32_t* const spare_index = is_narrow ? more_indices.get() : in_order;
-    const EntryStreams<std::uint32_t> entries{centre[0], centre[1], centre[2], reinterpret_cast<float*>(index)};
-    const EntryStreams<std::uint32_t> spare{centre[3], centre[4], centre[5], reinterpret_cast<float*>(spare_index)};
-    const EntryPlace<std::uint32_t> place{entries, nullptr, parts.leaves.memory_bytes()};
+    const LargeMemory<std::uint32_t> spare_index(size);
+    const EntryStreams entries{centre[0], centre[1], centre[2], reinterpret_cast<float*>(index)};
+    const EntryStreams spare{centre[3], centre[4], centre[5], reinterpret_cast<float*>(spare_index.get())};
+    const EntryPlace place{entries, nullptr, parts.leaves.memory_bytes()};
     const ClassBounds class_first = write_entries<Bound>(source, place);
     write_regions(entries, spare, class_first, most, kernels, index);
     regions = regions_of(class_first, most);
   }
-  if (is_narrow) more_indices.free();
   carry(source, ascending_runs(regions, index), index, parts);
 
   std::size_t largest = 0;
@@ -278,15 +270,12 @@ TreeParts<Bound, Index> build_by_regions(const Source& source, const RegionSizes
   return parts;
 }
 
-#define SHAFTCULL_REGIONS(Bound, Index)                                                                          \
-  template TreeParts<Bound, Index> build_by_regions<Bound, Index>(const ViewSource<Bound>&, const RegionSizes&); \
-  template TreeParts<Bound, Index> build_by_regions<Bound, Index>(const RecordSource<Bound>&, const RegionSizes&);
-SHAFTCULL_REGIONS(Box, std::uint32_t)
-SHAFTCULL_REGIONS(Sphere, std::uint32_t)
-SHAFTCULL_REGIONS(Box, std::uint64_t)
-SHAFTCULL_REGIONS(Sphere, std::uint64_t)
+#define SHAFTCULL_REGIONS(Bound)                                                                   \
+  template TreeParts<Bound> build_by_regions<Bound>(const ViewSource<Bound>&, const RegionSizes&); \
+  template TreeParts<Bound> build_by_regions<Bound>(const RecordSource<Bound>&, const RegionSizes&);
+SHAFTCULL_REGIONS(Box)
+SHAFTCULL_REGIONS(Sphere)
 #undef SHAFTCULL_REGIONS
-template TreeParts<Box, std::uint32_t> build_by_regions(const CentreExtentSource&, const RegionSizes&);
-template TreeParts<Box, std::uint64_t> build_by_regions(const CentreExtentSource&, const RegionSizes&);
+template TreeParts<Box> build_by_regions(const CentreExtentSource&, const RegionSizes&);
 
 }  // namespace shaftcull::kernel

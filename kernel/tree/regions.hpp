@@ -9,7 +9,7 @@
 
 namespace shaftcull::kernel {
 
-/// Whether a tree of so many bounds is to be built by regions: indices within them have 32 bits.
+/// Whether a tree of so many bounds is to be built by regions.
 [[nodiscard]] bool are_regions_worth_it(std::size_t bounds, const RegionSizes& sizes) noexcept;
 
 /// The same tree as build() makes.
@@ -18,11 +18,10 @@ namespace shaftcull::kernel {
 /// the user's memory then carries bounds to their regions, so that what is read all over is near: each region is
 /// ordered and written by one task with memory that caches hold.
 ///
-/// Scratch memory, besides the tree that is made: with indices of 32 bits, 4 bytes a bound (spheres 12), and when these
-/// are free again at most 8 for regions that are in the works, or those of one thread if they take more. With 64 bits,
-/// 4 (spheres 12), of which 4 stay, and 8. Entries are where leaves will be. Blocks of bounds that are carried take 0.4
-/// MB a thread.
-template <class Bound, class Index, class Source>
-[[nodiscard]] TreeParts<Bound, Index> build_by_regions(const Source& source, const RegionSizes& sizes);
+/// Scratch memory, besides the tree that is made: 4 bytes a bound (spheres 12), and when these are free again at most 8
+/// for regions that are in the works, or those of one thread if they take more. Entries are where leaves will be.
+/// Blocks of bounds that are carried take 0.4 MB a thread.
+template <class Bound, class Source>
+[[nodiscard]] TreeParts<Bound> build_by_regions(const Source& source, const RegionSizes& sizes);
 
 }  // namespace shaftcull::kernel

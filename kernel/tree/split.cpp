@@ -14,16 +14,10 @@ namespace {
 /// Entries in a chunk, which one task handles.
 constexpr std::size_t chunk_entries = 16384;
 
-template <class Index>
-[[nodiscard]] EntryStreams<Index> moved_by(const EntryStreams<Index>& streams, std::size_t entries) noexcept {
-  EntryStreams<Index> moved = streams;
+[[nodiscard]] EntryStreams moved_by(const EntryStreams& streams, std::size_t entries) noexcept {
+  EntryStreams moved = streams;
   for (float*& stream : moved) stream += entries;
   return moved;
-}
-
-template <class Index>
-[[nodiscard]] const SplitKernels& kernels_for(const Kernels& kernels) noexcept {
-  return sizeof(Index) == sizeof(std::uint32_t) ? kernels.split : kernels.split_wide;
 }
 
 /// A pivot, and what each chunk has of keys before it and equal to it.
@@ -34,11 +28,10 @@ struct PivotOfChunks {
 };
 
 /// Finds the key that `rank` entries of a part are less than.
-template <class Index>
-PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitKernels& kernels) {
+PivotOfChunks find_pivot(const Part& part, std::size_t rank, const SplitKernels& kernels) {
   const std::size_t count = part.size();
-  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first - part.origin);
-  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first - part.origin);
+  const EntryStreams entries = moved_by(*part.entries, part.first - part.origin);
+  const EntryStreams scratch = moved_by(*part.scratch, part.first - part.origin);
   const SampleBracket bracket = kernels.bracket(entries.data(), count, rank, scratch.data());
   const float* const key = entries[bracket.axis];
   float* const some = scratch[bracket.axis];  // what a chunk has within the bracket is where the chunk is
@@ -80,18 +73,16 @@ PivotOfChunks find_pivot(const Part<Index>& part, std::size_t rank, const SplitK
 
 }  // namespace
 
-template <class Index>
-Halves<Index> split(const Part<Index>& part, std::size_t cut, const Kernels& kernels) noexcept {
-  const EntryStreams<Index> entries = moved_by<Index>(*part.entries, part.first - part.origin);
-  const EntryStreams<Index> scratch = moved_by<Index>(*part.scratch, part.first - part.origin);
-  kernels_for<Index>(kernels).halve(entries.data(), scratch.data(), part.size(), cut - part.first);
+Halves split(const Part& part, std::size_t cut, const Kernels& kernels) noexcept {
+  const EntryStreams entries = moved_by(*part.entries, part.first - part.origin);
+  const EntryStreams scratch = moved_by(*part.scratch, part.first - part.origin);
+  kernels.split.halve(entries.data(), scratch.data(), part.size(), cut - part.first);
   return {{part.first, cut, part.entries, part.scratch, part.origin},
           {cut, part.last, part.scratch, part.entries, part.origin}};
 }
 
-template <class Index>
-Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const Kernels& kernels) {
-  const SplitKernels& its_kernels = kernels_for<Index>(kernels);
+Halves split_in_parallel(const Part& part, std::size_t cut, const Kernels& kernels) {
+  const SplitKernels& its_kernels = kernels.split;
   const std::size_t rank = cut - part.first;
   const PivotOfChunks pivot = find_pivot(part, rank, its_kernels);
   const unsigned axis = pivot.axis;
@@ -126,20 +117,15 @@ Halves<Index> split_in_parallel(const Part<Index>& part, std::size_t cut, const 
   parallel_for_nested(places.size(), 1, [&](std::size_t c, std::size_t) {
     const std::size_t first = start + chunk_at(part.size(), chunk_entries, c).first;
     const std::size_t size = chunk_at(part.size(), chunk_entries, c).size;
-    const EntryStreams<Index> chunk = moved_by<Index>(*part.entries, first);
-    const EntryStreams<Index> less = moved_by<Index>(*part.scratch, places[c].less);
-    const EntryStreams<Index> equal = moved_by<Index>(*part.scratch, places[c].equal);
-    const EntryStreams<Index> larger = moved_by<Index>(*part.scratch, places[c].larger);
+    const EntryStreams chunk = moved_by(*part.entries, first);
+    const EntryStreams less = moved_by(*part.scratch, places[c].less);
+    const EntryStreams equal = moved_by(*part.scratch, places[c].equal);
+    const EntryStreams larger = moved_by(*part.scratch, places[c].larger);
     its_kernels.scatter(chunk.data(), size, axis, key, of_chunks[c], less.data(), are_apart ? equal.data() : nullptr,
                         larger.data());
   });
   return {{part.first, cut, part.scratch, part.entries, part.origin},
           {cut, part.last, part.scratch, part.entries, part.origin}};
 }
-
-template Halves<std::uint32_t> split(const Part<std::uint32_t>&, std::size_t, const Kernels&) noexcept;
-template Halves<std::uint64_t> split(const Part<std::uint64_t>&, std::size_t, const Kernels&) noexcept;
-template Halves<std::uint32_t> split_in_parallel(const Part<std::uint32_t>&, std::size_t, const Kernels&);
-template Halves<std::uint64_t> split_in_parallel(const Part<std::uint64_t>&, std::size_t, const Kernels&);
 
 }  // namespace shaftcull::kernel

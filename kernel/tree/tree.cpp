@@ -22,21 +22,18 @@ namespace shaftcull {
 namespace {
 
 /// `bounds`, or an exception.
-template <class Index, class Bounds>
+template <class Bounds>
 const Bounds& within_capacity(const Bounds& bounds) {
-  constexpr std::uint64_t most = std::min<std::uint64_t>(std::numeric_limits<Index>::max(), kernel::most_bounds);
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   if (bounds.count <= most) return bounds;
-  kernel::fail(
-      InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: with " +
-                      std::to_string(8 * sizeof(Index)) + "-bit indices it can hold " + std::to_string(most) +
-                      (most < kernel::most_bounds ? "; use a BoundsTree<…, std::uint64_t>" : "; build several")));
+  kernel::fail(InvalidArgument("a tree of " + std::to_string(bounds.count) + " bounds: one can hold " +
+                               std::to_string(most) + "; build several"));
 }
 
 /// A tree's parts, built from `source`.
-template <class Parts, class Bound, class Index, class Source>
+template <class Parts, class Bound, class Source>
 std::unique_ptr<Parts> built_from(const Source& source) {
-  return kernel::in_float_environment(
-      [&] { return std::make_unique<Parts>(Parts{kernel::build<Bound, Index>(source)}); });
+  return kernel::in_float_environment([&] { return std::make_unique<Parts>(Parts{kernel::build<Bound>(source)}); });
 }
 
 template <class Parts>
@@ -53,116 +50,114 @@ Parts& of(std::unique_ptr<Parts>& parts) {
 
 }  // namespace
 
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree() noexcept = default;
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::~BoundsTree() = default;
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(BoundsTree&& other) noexcept = default;
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(BoundsTree&& other) noexcept = default;
+template <class Bound>
+BoundsTree<Bound>::BoundsTree() noexcept = default;
+template <class Bound>
+BoundsTree<Bound>::~BoundsTree() = default;
+template <class Bound>
+BoundsTree<Bound>::BoundsTree(BoundsTree&& other) noexcept = default;
+template <class Bound>
+BoundsTree<Bound>& BoundsTree<Bound>::operator=(BoundsTree&& other) noexcept = default;
 
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(const View& bounds)
-    : parts_(built_from<Parts, Bound, Index>(kernel::ViewSource<Bound>(within_capacity<Index>(bounds)))) {}
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(const Records& bounds)
-    : parts_(built_from<Parts, Bound, Index>(kernel::RecordSource<Bound>(within_capacity<Index>(bounds)))) {}
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(std::span<const Bound> bounds)
-    : BoundsTree(kernel::required_records(bounds, "bounds")) {}
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>
-    : parts_([&] {
-      if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
-        return built_from<Parts, Bound, Index>(kernel::CentreExtentSource(within_capacity<Index>(bounds)));
-      } else {
-        return nullptr;
-      }
-    }()) {}
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_)) {}
-template <class Bound, BoundIndex Index>
-BoundsTree<Bound, Index>& BoundsTree<Bound, Index>::operator=(const BoundsTree& other) {
+template <class Bound>
+BoundsTree<Bound>::BoundsTree(const View& bounds)
+    : parts_(built_from<Parts, Bound>(kernel::ViewSource<Bound>(within_capacity(bounds)))) {}
+template <class Bound>
+BoundsTree<Bound>::BoundsTree(const Records& bounds)
+    : parts_(built_from<Parts, Bound>(kernel::RecordSource<Bound>(within_capacity(bounds)))) {}
+template <class Bound>
+BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(kernel::required_records(bounds, "bounds")) {}
+template <class Bound>
+BoundsTree<Bound>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> : parts_([&] {
+  if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
+    return built_from<Parts, Bound>(kernel::CentreExtentSource(within_capacity(bounds)));
+  } else {
+    return nullptr;
+  }
+}()) {}
+template <class Bound>
+BoundsTree<Bound>::BoundsTree(const BoundsTree& other) : parts_(copy_of(other.parts_)) {}
+template <class Bound>
+BoundsTree<Bound>& BoundsTree<Bound>::operator=(const BoundsTree& other) {
   if (this != &other) parts_ = copy_of(other.parts_);
   return *this;
 }
 
-template <class Bound, BoundIndex Index>
-std::size_t BoundsTree<Bound, Index>::size() const noexcept {
+template <class Bound>
+std::size_t BoundsTree<Bound>::size() const noexcept {
   return parts_ ? parts_->size : 0;
 }
 
-template <class Bound, BoundIndex Index>
-std::size_t BoundsTree<Bound, Index>::memory_bytes() const noexcept {
+template <class Bound>
+std::size_t BoundsTree<Bound>::memory_bytes() const noexcept {
   if (!parts_) return 0;
   return sizeof *parts_ + parts_->leaves.memory_bytes() + parts_->nodes.memory_bytes() + parts_->gaps.bytes() +
          sizeof(std::uint64_t) * parts_->dirty.capacity() + parts_->order.bytes() + parts_->least_index.bytes() +
          parts_->places.bytes() + parts_->layers.bytes();
 }
 
-template <class Bound, BoundIndex Index>
-auto BoundsTree<Bound, Index>::leaves() const noexcept -> View {
+template <class Bound>
+auto BoundsTree<Bound>::leaves() const noexcept -> View {
   return parts_ ? parts_->leaves.view() : View();
 }
 
-template <class Bound, BoundIndex Index>
-Box BoundsTree<Bound, Index>::box() const {
-  static const kernel::TreeParts<Bound, Index> empty;
+template <class Bound>
+Box BoundsTree<Bound>::box() const {
+  static const kernel::TreeParts<Bound> empty;
   if (needs_refit()) kernel::fail(NeedsRefit("box() of a tree whose bounds were updated; call refit() first"));
   return kernel::in_float_environment(
       [&] { return kernel::box_around<Bound>(parts_ ? *parts_ : empty, kernel::active_kernels()); });
 }
 
-template <class Bound, BoundIndex Index>
-std::span<const Index> BoundsTree<Bound, Index>::order() const noexcept {
+template <class Bound>
+std::span<const std::uint32_t> BoundsTree<Bound>::order() const noexcept {
   if (!parts_) return {};
   return parts_->order;
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(const View& all) {
+template <class Bound>
+void BoundsTree<Bound>::update(const View& all) {
   kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::ViewSource<Bound>(all)); });
 }
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(const Records& all) {
+template <class Bound>
+void BoundsTree<Bound>::update(const Records& all) {
   kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::RecordSource<Bound>(all)); });
 }
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(std::span<const Bound> all) {
+template <class Bound>
+void BoundsTree<Bound>::update(std::span<const Bound> all) {
   update(kernel::required_records(all, "bounds"));
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box> {
+template <class Bound>
+void BoundsTree<Bound>::update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box> {
   if constexpr (std::is_same_v<Bound, Box>) {  // as above
     kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::CentreExtentSource(all)); });
   }
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const View& bounds) {
+template <class Bound>
+void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, const View& bounds) {
   kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::ViewSource<Bound>(bounds)); });
 }
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(std::span<const Index> indices, const Records& bounds) {
+template <class Bound>
+void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, const Records& bounds) {
   kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::RecordSource<Bound>(bounds)); });
 }
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(std::span<const Index> indices, std::span<const Bound> bounds) {
+template <class Bound>
+void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds) {
   update(indices, kernel::required_records(bounds, "bounds"));
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::update(std::span<const Index> indices,
-                                      const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> {
+template <class Bound>
+void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices,
+                               const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> {
   if constexpr (std::is_same_v<Bound, Box>) {  // as above
     kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::CentreExtentSource(bounds)); });
   }
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::refit() {
+template <class Bound>
+void BoundsTree<Bound>::refit() {
   if (!needs_refit()) return;
   const kernel::Kernels& kernels = kernel::active_kernels();
   kernel::in_float_environment([&] {
@@ -174,23 +169,23 @@ void BoundsTree<Bound, Index>::refit() {
   });
 }
 
-template <class Bound, BoundIndex Index>
-bool BoundsTree<Bound, Index>::needs_refit() const noexcept {
+template <class Bound>
+bool BoundsTree<Bound>::needs_refit() const noexcept {
   return parts_ && parts_->dirty_words != 0;
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::set_layers(std::span<const std::uint32_t> layers) {
+template <class Bound>
+void BoundsTree<Bound>::set_layers(std::span<const std::uint32_t> layers) {
   kernel::require_memory("layers", layers, "layers");
   if (layers.size() != size()) {
     kernel::fail(InvalidArgument("set_layers() of a tree of " + kernel::counted(size(), "bound") + " got those of " +
                                  std::to_string(layers.size()) + "; give those of each"));
   }
-  if (parts_) parts_->layers = kernel::layers_of<Bound, Index>(*parts_, parts_->order, layers);
+  if (parts_) parts_->layers = kernel::layers_of<Bound>(*parts_, parts_->order, layers);
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::set_layers(std::span<const Index> indices, std::span<const std::uint32_t> layers) {
+template <class Bound>
+void BoundsTree<Bound>::set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) {
   kernel::require_memory("layers", layers, "layers");
   if (indices.size() != layers.size()) {
     kernel::fail(InvalidArgument("set_layers() got " + kernel::counted_indices(indices.size()) + " and the layers of " +
@@ -202,30 +197,30 @@ void BoundsTree<Bound, Index>::set_layers(std::span<const Index> indices, std::s
     kernel::fail(
         InvalidArgument("set_layers() of some bounds of a tree without layers; give those of all bounds first"));
   }
-  const Index* const place = parts_->places.of(parts_->order);
+  const std::uint32_t* const place = parts_->places.of(parts_->order);
   for (std::size_t i = 0; i != indices.size(); ++i) {
     kernel::set_layers_of_leaf<Bound>(*parts_, place[indices[i]], layers[i]);
   }
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::clear_layers() noexcept {
+template <class Bound>
+void BoundsTree<Bound>::clear_layers() noexcept {
   if (parts_) parts_->layers = {};
 }
 
-template <class Bound, BoundIndex Index>
-bool BoundsTree<Bound, Index>::has_layers() const noexcept {
+template <class Bound>
+bool BoundsTree<Bound>::has_layers() const noexcept {
   return parts_ && parts_->layers.exist();
 }
 
-template <class Bound, BoundIndex Index>
-std::span<const std::uint32_t> BoundsTree<Bound, Index>::layers() const noexcept {
+template <class Bound>
+std::span<const std::uint32_t> BoundsTree<Bound>::layers() const noexcept {
   if (!has_layers()) return {};
   return std::span(parts_->layers.leaves).first(parts_->size);
 }
 
-template <class Bound, BoundIndex Index>
-double BoundsTree<Bound, Index>::growth() const {
+template <class Bound>
+double BoundsTree<Bound>::growth() const {
   if (!parts_) return 1;
   if (needs_refit()) kernel::fail(NeedsRefit("growth() of a tree whose bounds were updated; call refit() first"));
   return kernel::in_float_environment([&] {
@@ -234,25 +229,23 @@ double BoundsTree<Bound, Index>::growth() const {
   });
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::rebuild() {
+template <class Bound>
+void BoundsTree<Bound>::rebuild() {
   if (!parts_) return;
-  *parts_ = Parts{kernel::in_float_environment([&] { return kernel::rebuild<Bound, Index>(*parts_); })};
+  *parts_ = Parts{kernel::in_float_environment([&] { return kernel::rebuild<Bound>(*parts_); })};
 }
 
-template <class Bound, BoundIndex Index>
-void BoundsTree<Bound, Index>::renumber() noexcept {
+template <class Bound>
+void BoundsTree<Bound>::renumber() noexcept {
   if (!parts_) return;
-  std::iota(parts_->order.begin(), parts_->order.end(), Index{0});
+  std::iota(parts_->order.begin(), parts_->order.end(), std::uint32_t{0});
   for (std::size_t w = 0; w != parts_->least_index.size(); ++w) {
-    parts_->least_index[w] = static_cast<Index>(w * kernel::fanout);
+    parts_->least_index[w] = static_cast<std::uint32_t>(w * kernel::fanout);
   }
   parts_->places.renumber();
 }
 
 template class BoundsTree<Box>;
 template class BoundsTree<Sphere>;
-template class BoundsTree<Box, std::uint64_t>;
-template class BoundsTree<Sphere, std::uint64_t>;
 
 }  // namespace shaftcull

@@ -194,7 +194,7 @@ class TriangleQuery {
  private:
   const TriangleParts& parts_;
   std::span<const kernel::ShaftData> data_;
-  kernel::Query<Box, std::uint32_t> query_;
+  kernel::Query<Box> query_;
   kernel::Test* keep_;
 };
 

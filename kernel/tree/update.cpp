@@ -33,8 +33,8 @@ void require_other_memory(const TreeLevels<Bound>& parts, const Source& source) 
 
 }  // namespace
 
-template <class Bound, class Index, class Source>
-void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
+template <class Bound, class Source>
+void update_all(TreeParts<Bound>& parts, const Source& source) {
   require_count(source.count(), parts.size);
   require_other_memory(parts, source);
   require_legal<Bound>(source);
@@ -47,8 +47,8 @@ void update_all(TreeParts<Bound, Index>& parts, const Source& source) {
   fit_upper(parts, kernels);
 }
 
-template <class Bound, class Index, class Source>
-void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices, const Source& source) {
+template <class Bound, class Source>
+void update_some(TreeParts<Bound>& parts, std::span<const std::uint32_t> indices, const Source& source) {
   if (indices.size() != source.count()) {
     kernel::fail(InvalidArgument("update got " + counted_indices(indices.size()) + " and " +
                                  counted(source.count(), "bound") + "; every index needs one bound"));
@@ -57,7 +57,7 @@ void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices,
   require_other_memory(parts, source);
   require_legal<Bound>(source);
   if (indices.empty()) return;
-  const Index* const place = parts.places.of(parts.order);
+  const std::uint32_t* const place = parts.places.of(parts.order);
   parts.dirty.resize(words_for(words_for(parts.size)));
   // Nothing from here on throws.
   const auto row = parts.leaf_rows();
@@ -73,35 +73,19 @@ void update_some(TreeParts<Bound, Index>& parts, std::span<const Index> indices,
   }
 }
 
-template void update_all(TreeParts<Box, std::uint32_t>& parts, const ViewSource<Box>& source);
-template void update_all(TreeParts<Box, std::uint32_t>& parts, const RecordSource<Box>& source);
-template void update_all(TreeParts<Box, std::uint32_t>& parts, const CentreExtentSource& source);
-template void update_all(TreeParts<Box, std::uint64_t>& parts, const CentreExtentSource& source);
-template void update_all(TreeParts<Sphere, std::uint32_t>& parts, const ViewSource<Sphere>& source);
-template void update_all(TreeParts<Sphere, std::uint32_t>& parts, const RecordSource<Sphere>& source);
-template void update_all(TreeParts<Box, std::uint64_t>& parts, const ViewSource<Box>& source);
-template void update_all(TreeParts<Box, std::uint64_t>& parts, const RecordSource<Box>& source);
-template void update_all(TreeParts<Sphere, std::uint64_t>& parts, const ViewSource<Sphere>& source);
-template void update_all(TreeParts<Sphere, std::uint64_t>& parts, const RecordSource<Sphere>& source);
-template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
-                          const ViewSource<Box>& source);
-template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
+template void update_all(TreeParts<Box>& parts, const ViewSource<Box>& source);
+template void update_all(TreeParts<Box>& parts, const RecordSource<Box>& source);
+template void update_all(TreeParts<Box>& parts, const CentreExtentSource& source);
+template void update_all(TreeParts<Sphere>& parts, const ViewSource<Sphere>& source);
+template void update_all(TreeParts<Sphere>& parts, const RecordSource<Sphere>& source);
+template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices, const ViewSource<Box>& source);
+template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices,
                           const RecordSource<Box>& source);
-template void update_some(TreeParts<Box, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
+template void update_some(TreeParts<Box>& parts, std::span<const std::uint32_t> indices,
                           const CentreExtentSource& source);
-template void update_some(TreeParts<Box, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
-                          const CentreExtentSource& source);
-template void update_some(TreeParts<Sphere, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
+template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices,
                           const ViewSource<Sphere>& source);
-template void update_some(TreeParts<Sphere, std::uint32_t>& parts, std::span<const std::uint32_t> indices,
-                          const RecordSource<Sphere>& source);
-template void update_some(TreeParts<Box, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
-                          const ViewSource<Box>& source);
-template void update_some(TreeParts<Box, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
-                          const RecordSource<Box>& source);
-template void update_some(TreeParts<Sphere, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
-                          const ViewSource<Sphere>& source);
-template void update_some(TreeParts<Sphere, std::uint64_t>& parts, std::span<const std::uint64_t> indices,
+template void update_some(TreeParts<Sphere>& parts, std::span<const std::uint32_t> indices,
                           const RecordSource<Sphere>& source);
 
 }  // namespace shaftcull::kernel

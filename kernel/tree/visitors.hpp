@@ -19,15 +19,15 @@
 namespace shaftcull::kernel {
 
 /// Leaves as the user's indices.
-template <class Index, class Output>
+template <class Output>
 class IndexList {
  public:
-  IndexList(const LeafIndices<Index>& indices, Output& output) noexcept : indices_(indices), output_(output) {}
+  IndexList(const LeafIndices& indices, Output& output) noexcept : indices_(indices), output_(output) {}
 
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
-    if (Index* const out = output_.next()) {
+    if (std::uint32_t* const out = output_.next()) {
       output_.advance(indices_.compress(first, bits, out));
     } else {
       for (; bits != 0; bits &= bits - 1) {
@@ -38,7 +38,7 @@ class IndexList {
   /// Whole words.
   void range(std::size_t first, std::size_t size) {
     for (std::size_t word = first; word != first + size; word += fanout) {
-      if (Index* const out = output_.next()) {
+      if (std::uint32_t* const out = output_.next()) {
         indices_.copy(word, fanout, out);
         output_.advance(fanout);
       } else {
@@ -48,29 +48,28 @@ class IndexList {
   }
 
  private:
-  LeafIndices<Index> indices_;
+  LeafIndices indices_;
   Output& output_;
 };
 
 /// Leaves as they were found, to be written as the user's indices when it is known where to.
-template <class Index>
 class KeptLeavesList {
  public:
-  explicit KeptLeavesList(KeptLeavesOutput<Index>& output) noexcept : output_(output) {}
+  explicit KeptLeavesList(KeptLeavesOutput& output) noexcept : output_(output) {}
 
   void prefetch(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) { output_.add_word(first, bits); }
   void range(std::size_t first, std::size_t size) { output_.add_range(first, size); }
 
  private:
-  KeptLeavesOutput<Index>& output_;
+  KeptLeavesOutput& output_;
 };
 
 /// Leaves as ranges, each as long as can be.
-template <class Index, class Output>
+template <class Output>
 class LeafRangeList {
  public:
-  LeafRangeList(const LeafIndices<Index>& /*indices*/, Output& output) noexcept : output_(output) {}
+  LeafRangeList(const LeafIndices& /*indices*/, Output& output) noexcept : output_(output) {}
 
   void prefetch(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) {
@@ -85,9 +84,9 @@ class LeafRangeList {
   void range(std::size_t first, std::size_t size) {
     // The end is remembered here: a span may have had no room for the range.
     if (first == end_ && end_ != 0) {
-      if (LeafRangeOf<Index>* const last = output_.last()) last->size += static_cast<Index>(size);
+      if (LeafRange* const last = output_.last()) last->size += static_cast<std::uint32_t>(size);
     } else {
-      output_.push({static_cast<Index>(first), static_cast<Index>(size)});
+      output_.push({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
     }
     end_ = first + size;
   }
@@ -98,10 +97,9 @@ class LeafRangeList {
 };
 
 /// Leaves as bits by the user's index, which are all zero at first.
-template <class Index>
 class IndexBits {
  public:
-  IndexBits(const LeafIndices<Index>& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
+  IndexBits(const LeafIndices& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
 
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) noexcept {
@@ -113,11 +111,11 @@ class IndexBits {
 
  private:
   void set(std::size_t leaf) noexcept {
-    const Index index = indices_[leaf];
+    const std::uint32_t index = indices_[leaf];
     words_[index / 64] |= std::uint64_t{1} << index % 64;
   }
 
-  LeafIndices<Index> indices_;
+  LeafIndices indices_;
   std::uint64_t* words_;
 };
 
@@ -153,10 +151,10 @@ class LimitedCounter {
 };
 
 /// Visitor that lists what is kept, and ends the walk when the caller's memory is full.
-template <class List, class Item>
+template <class List>
 class LimitedLister {
  public:
-  LimitedLister(const List& kept, const SpanOutput<Item>& output, std::size_t most) noexcept
+  LimitedLister(const List& kept, const SpanOutput<std::uint32_t>& output, std::size_t most) noexcept
       : kept_(kept), output_(output), most_(most) {}
 
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
@@ -166,7 +164,7 @@ class LimitedLister {
 
  private:
   List kept_;
-  const SpanOutput<Item>& output_;  // of `kept`
+  const SpanOutput<std::uint32_t>& output_;  // of `kept`
   std::size_t most_;
 };
 
@@ -267,12 +265,12 @@ class ClassLister {
 };
 
 /// Visitor in front of another that leaves bounds out.
-template <class Index, class Visitor>
+template <class Visitor>
 class Filter {
   static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
 
  public:
-  Filter(const Exclusion<Index>& exclusion, Visitor& visitor) noexcept : exclusion_(exclusion), visitor_(visitor) {}
+  Filter(const Exclusion& exclusion, Visitor& visitor) noexcept : exclusion_(exclusion), visitor_(visitor) {}
 
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { exclusion_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
@@ -299,7 +297,7 @@ class Filter {
   [[nodiscard]] bool is_done() const noexcept requires may_end_early { return visitor_.is_done(); }
 
  private:
-  Exclusion<Index> exclusion_;
+  Exclusion exclusion_;
   Visitor& visitor_;
 };
 

@@ -22,8 +22,8 @@ inline constexpr std::size_t prefetched_leaves = 64;
 ///
 /// Written one leaf at a time, every leaf would write as many cache lines as there are streams, and keep the next one
 /// waiting for them.
-template <class Bound, class Index, class Source>
-void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const Index* order, std::size_t size,
+template <class Bound, class Source>
+void write_leaves(TreeLevels<Bound>& parts, const Kernels& kernels, const std::uint32_t* order, std::size_t size,
                   const IndexRange& range, const Source& source) noexcept {
   constexpr std::size_t rows = rows_of<Bound>;
   const auto row = parts.leaf_rows();

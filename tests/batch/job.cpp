@@ -135,16 +135,17 @@ std::vector<std::uint64_t> numbers_in(const std::string& path, const std::string
 }
 
 /// Expects the datasets of lists in a group to be these.
-void expect_lists(const std::string& path, const std::string& group, const IndexListsOf<std::uint64_t>& lists) {
+void expect_lists(const std::string& path, const std::string& group, const IndexLists& lists) {
   EXPECT_EQ(numbers_in(path, group + "offsets"), lists.offsets);
-  EXPECT_EQ(numbers_in(path, group + "indices"), lists.indices);
+  EXPECT_EQ(numbers_in(path, group + "indices"),
+            std::vector<std::uint64_t>(lists.indices.begin(), lists.indices.end()));
 }
 
 /// Expects the file to hold what flat scans of `view` answer.
 template <class View>
 void expect_answers(const std::string& path, Answer answer, const std::vector<CompiledShaft>& asked, const View& view) {
   constexpr bool triangles = std::is_same_v<View, TriangleView>;
-  IndexListsOf<std::uint64_t> lists;
+  IndexLists lists;
   if (answer == Answer::count) {
     std::vector<std::uint64_t> counts(asked.size());
     count_many(std::span(asked), view, std::span(counts));
@@ -157,13 +158,13 @@ void expect_answers(const std::string& path, Answer answer, const std::vector<Co
   }
   if constexpr (!triangles) {
     if (answer == Answer::classify) {
-      IndexListsOf<std::uint64_t> inside;
+      IndexLists inside;
       list_classified_many(std::span(asked), view, lists, inside);
       expect_lists(path, "overlap/", lists);
       expect_lists(path, "inside/", inside);
       EXPECT_FALSE(inside.indices.empty());
     } else if (answer == Answer::first) {
-      std::vector<FirstContactOf<std::uint64_t>> contacts(asked.size());
+      std::vector<FirstContact> contacts(asked.size());
       first_contact_many(std::span(asked), view, std::span(contacts));
       const auto indices = dataset<std::int64_t>(path, "index", H5T_NATIVE_INT64);
       const auto times = dataset<float>(path, "time", H5T_NATIVE_FLOAT);

@@ -26,10 +26,8 @@ inline void add_blocked_calls(CallTable& table, const BoxView& view, const std::
   });
   table.add("list_blocking", true, [=, &table, &tree](AnswerWords& words) {
     std::vector<std::uint32_t> listed(view.count);
-    std::vector<std::uint64_t> wide(view.count);
     for (const CompiledShaft& shaft : table.between) {
       note(words, std::span(listed).first(list_blocking(shaft, view, listed)));
-      note(words, std::span(wide).first(list_blocking(shaft, view, wide)));
       note(words, std::span(listed).first(list_blocking(shaft, tree, listed, {.own = table.candidates})));
     }
   });

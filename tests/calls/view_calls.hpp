@@ -57,8 +57,8 @@ void add_view_calls(CallTable& table, const auto& stream, const std::vector<Boun
       }
     });
     table.add("list_classified" + how, true, [=, &table](AnswerWords& words) {
-      std::vector<std::uint64_t> overlap(view.count);
-      std::vector<std::uint64_t> inside(view.count);
+      std::vector<std::uint32_t> overlap(view.count);
+      std::vector<std::uint32_t> inside(view.count);
       for (const CompiledShaft& shaft : table.shafts) {
         const KeptCounts counts = list_classified(shaft, view, overlap, inside, form);
         note(words, std::span(overlap).first(counts.overlap));
@@ -105,7 +105,7 @@ void add_view_calls(CallTable& table, const auto& stream, const std::vector<Boun
         note(words, bits);
       });
       table.add("first_contact_many" + many, true, [=](AnswerWords& words) {
-        std::vector<FirstContactOf<std::uint64_t>> contacts(count);
+        std::vector<FirstContact> contacts(count);
         first_contact_many(asked(), view, contacts, form);
         note(words, contacts);
       });

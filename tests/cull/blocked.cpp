@@ -253,7 +253,7 @@ TEST(Blocked, PlacesInAViewDoNotMatter) {
         const BoxColumns memory(boxes);
         EXPECT_TRUE(blocked(shaft, memory.view())) << count;
         EXPECT_EQ(blocked_by(shaft, memory.view()), place);
-        std::uint64_t listed = 0;
+        std::uint32_t listed = 0;
         EXPECT_EQ(list_blocking(shaft, memory.view(), {&listed, 1}), 1U);
         EXPECT_EQ(listed, place);
         Bits expected(words_for(count));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -31,9 +32,8 @@ namespace {
 
 /// First contact by the definition: of the bounds that are not outside, the one with the least time.
 template <class Hull, class TimeOf, class Bound>
-FirstContactOf<std::uint64_t> expected_contact(const Hull& hull, const TimeOf& time_of,
-                                               const std::vector<Bound>& bounds) {
-  FirstContactOf<std::uint64_t> first;
+FirstContact expected_contact(const Hull& hull, const TimeOf& time_of, const std::vector<Bound>& bounds) {
+  FirstContact first;
   decltype(time_of(bounds[0])) least;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
     if (hull.answer(bounds[i]) == Answer::outside) continue;
@@ -44,21 +44,21 @@ FirstContactOf<std::uint64_t> expected_contact(const Hull& hull, const TimeOf& t
     }
     if (least && *least <= *time) continue;
     least = time;
-    first = {i, oracle::rounded_down(*time)};
+    first = {static_cast<std::uint32_t>(i), oracle::rounded_down(*time)};
   }
   return first;
 }
 
-std::string text_of(const FirstContactOf<std::uint64_t>& contact) {
+std::string text_of(const FirstContact& contact) {
   return std::to_string(contact.index) + " at " + std::to_string(contact.time);
 }
 
 /// Asks a view and trees, whose first contact must be the one expected.
 template <class Bound>
-void expect_contact(const CompiledShaft& shaft, const std::vector<Bound>& bounds,
-                    const FirstContactOf<std::uint64_t>& expected, const std::string& source) {
+void expect_contact(const CompiledShaft& shaft, const std::vector<Bound>& bounds, const FirstContact& expected,
+                    const std::string& source) {
   const auto memory = columns(bounds);
-  const auto expect = [&](const FirstContactOf<std::uint64_t>& found, const char* of, Isa isa) {
+  const auto expect = [&](const FirstContact& found, const char* of, Isa isa) {
     if (found == expected) return;
     ADD_FAILURE() << "on " << name(isa) << ", form " << of << "; of " << bounds.size() << " " << text_of(expected)
                   << " is first, answered " << text_of(found) << ":\n  " << source << "; "
@@ -68,10 +68,10 @@ void expect_contact(const CompiledShaft& shaft, const std::vector<Bound>& bounds
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const Form form : {Form::slab, Form::planes}) expect(first_contact(shaft, memory.view(), form), "view", isa);
-    std::vector<FirstContactOf<std::uint64_t>> many(3);
+    std::vector<FirstContact> many(3);
     first_contact_many(std::vector<CompiledShaft>(3, shaft), memory.view(), many);
     for (const auto& one : many) expect(one, "view of many shafts", isa);
-    const BoundsTree<Bound, std::uint64_t> tree{std::span<const Bound>(bounds)};
+    const BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
     expect(first_contact(shaft, tree), "tree", isa);
   }
 }
@@ -186,7 +186,7 @@ TEST(FirstContact, IsToldHoweverLateItIs) {
   on_each_instruction_set([] {
     const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
     const std::vector<Box> boxes = {{{0x1p100F, 0, 0}, {0x1.8p100F, 1, 1}}, {{0x1p99F, 0, 0}, {0x1.8p99F, 1, 1}}};
-    const FirstContactOf<std::uint64_t> contact = first_contact(shaft, BoxColumns(boxes).view());
+    const FirstContact contact = first_contact(shaft, BoxColumns(boxes).view());
     EXPECT_EQ(contact.index, 1U);
     EXPECT_EQ(contact.time, std::numeric_limits<float>::max()) << "the time is 2¹⁹⁹";
   });
@@ -277,7 +277,7 @@ TEST(FirstContact, IsTheLowestIndexOfThoseThatTouchAtTheStart) {
     boxes[1] = {{1.5F, 0, 0}, {2, 1, 1}};
     const BoxTree tree{std::span<const Box>(boxes)};
     EXPECT_EQ(first_contact(shaft, tree), (FirstContact{2, 0}));
-    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContactOf<std::uint64_t>{2, 0}));
+    EXPECT_EQ(first_contact(shaft, BoxColumns(boxes).view()), (FirstContact{2, 0}));
   });
 }
 
@@ -317,9 +317,9 @@ TYPED_TEST(FirstContactOfBounds, EntryTimesAreThoseOfExactArithmeticForAllFamili
       for (const Plane& plane : input.added) shaft.add_plane(plane);
       const CompiledShaft compiled = compile(shaft);
       const auto memory = columns(bounds);
-      const BoundsTree<TypeParam, std::uint64_t> tree{std::span<const TypeParam>(bounds)};
-      std::vector<std::uint64_t> indices;  // backwards
-      for (std::size_t n = bounds.size(); n-- != 0;) indices.push_back(n);
+      const BoundsTree<TypeParam> tree{std::span<const TypeParam>(bounds)};
+      std::vector<std::uint32_t> indices(bounds.size());
+      std::iota(indices.rbegin(), indices.rend(), 0U);
       for (const Isa isa : isas_under_test()) {
         const UseIsa use(isa);
         std::vector<float> times(bounds.size());

@@ -43,9 +43,9 @@ std::vector<float> times_of(const CompiledShaft& shaft, const std::vector<Sphere
 void expect_ties(const CompiledShaft& shaft, std::vector<Sphere> spheres, float time) {
   on_each_instruction_set([&] {
     for (std::size_t turn = 0; turn != spheres.size(); ++turn) {
-      const FirstContactOf<std::uint64_t> expected{0, time};
+      const FirstContact expected{0, time};
       EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), expected) << source_text(spheres[0]);
-      EXPECT_EQ(first_contact(shaft, BoundsTree<Sphere, std::uint64_t>{std::span<const Sphere>(spheres)}), expected)
+      EXPECT_EQ(first_contact(shaft, BoundsTree<Sphere>{std::span<const Sphere>(spheres)}), expected)
           << source_text(spheres[0]);
       EXPECT_EQ(times_of(shaft, spheres), std::vector<float>(spheres.size(), time));
       std::rotate(spheres.begin(), spheres.begin() + 1, spheres.end());
@@ -134,7 +134,7 @@ TEST(SphereContact, FollowsWhatSpecialValuesMean) {
                                          {{30, 30, 30}, infinity}, {{8, 0.5F, 0.5F}, nan}, {{nan, nan, nan}, 1},
                                          {{nan, 3, nan}, 1}};
     EXPECT_EQ(times_of(cube_along_x(), spheres), (std::vector<float>{0.25F, infinity, infinity, 0, 0, 0, infinity}));
-    EXPECT_EQ(first_contact(cube_along_x(), SphereColumns(spheres).view()), (FirstContactOf<std::uint64_t>{3, 0}));
+    EXPECT_EQ(first_contact(cube_along_x(), SphereColumns(spheres).view()), (FirstContact{3, 0}));
   });
 }
 
@@ -145,7 +145,7 @@ TEST(SphereContact, TimesHaveNoEndAsSweepsHaveNone) {
     const std::vector<float> times = times_of(shaft, spheres);
     constexpr float most = std::numeric_limits<float>::max();
     EXPECT_EQ(times, (std::vector<float>{most, most, 0x1p100F}));
-    EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), (FirstContactOf<std::uint64_t>{2, 0x1p100F}));
+    EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), (FirstContact{2, 0x1p100F}));
   });
 }
 
@@ -197,10 +197,10 @@ TEST(SphereContact, TellsTimesApartThatDoublesCannotTellApart) {
     const auto of_x = oracle::entry_time(input.a, input.b, spheres[0]);
     const auto of_y = oracle::entry_time(input.a, input.b, spheres[1]);
     ASSERT_TRUE(of_x && of_y);
-    const std::uint64_t first = *of_x <= *of_y ? 0 : 1;
+    const std::uint32_t first = *of_x <= *of_y ? 0 : 1;
     on_each_instruction_set([&] {
       const CompiledShaft shaft = compile(Shaft(input.a, input.b));
-      const FirstContactOf<std::uint64_t> expected{first, oracle::rounded_down(first == 0 ? *of_x : *of_y)};
+      const FirstContact expected{first, oracle::rounded_down(first == 0 ? *of_x : *of_y)};
       EXPECT_EQ(first_contact(shaft, SphereColumns(spheres).view()), expected) << source_text(input);
       const std::vector<Sphere> swapped(spheres.rbegin(), spheres.rend());
       EXPECT_EQ(first_contact(shaft, SphereColumns(swapped).view()).index, 1 - first) << source_text(input);

@@ -509,8 +509,6 @@ TEST(Triangles, CountsListsAndManyShaftsSayWhatBitsSay) {
         any_many(shafts, view, any_bits, test);
         IndexLists lists;
         list_many(shafts, view, lists, test);
-        IndexListsOf<std::uint64_t> wide_lists;
-        list_many(shafts, view, wide_lists, test);
         ASSERT_EQ(lists.size(), shafts.size());
         for (std::size_t s = 0; s != shafts.size(); ++s) {
           const Bits kept = kept_of(shafts[s], view, test);
@@ -527,7 +525,6 @@ TEST(Triangles, CountsListsAndManyShaftsSayWhatBitsSay) {
           listed.resize(list(shafts[s], view, listed, test));
           EXPECT_EQ(listed, expected);
           EXPECT_TRUE(std::equal(expected.begin(), expected.end(), lists[s].begin(), lists[s].end()));
-          EXPECT_TRUE(std::equal(expected.begin(), expected.end(), wide_lists[s].begin(), wide_lists[s].end()));
         }
       }
     }

@@ -133,7 +133,7 @@ TEST(Views, NothingBehindAViewIsReadForAnyKindOfShaft) {
     }
   };
   const auto expect_first = [](const CompiledShaft& shaft, const auto& view) {
-    const std::uint64_t none = FirstContactOf<std::uint64_t>::none;
+    const std::uint64_t none = FirstContact::none;
     const std::uint64_t first = first_contact(shaft, view).index;
     for (std::size_t count = 0; count <= most_bounds; ++count) {
       const GuardedView guarded(view.slice(0, count));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "columns.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
@@ -36,6 +37,18 @@ TEST(HullInterface, OpenContactIsRefused) {
     EXPECT_THAT(message_of([&] { set_contact(shafts[1], contact); }), HasSubstr("shaft 0 is a convex hull"));
   }
   EXPECT_EQ(shafts[0].contact(), Contact::closed) << "written before the error was found";
+}
+
+TEST(HullInterface, SpheresOfNegativeRadiusAreOutside) {
+  const ConvexHull hull(tetrahedron);
+  const std::vector<Sphere> spheres(70, Sphere{{0.8F, 0.8F, 0.8F}, -0.125F});  // deep inside
+  on_each_instruction_set([&] {
+    std::vector<std::uint64_t> kept(2, 5);
+    std::vector<std::uint64_t> inside(2, 5);
+    classify(hull.compiled(), SphereColumns(spheres).view(), kept, inside);
+    EXPECT_EQ(kept, std::vector<std::uint64_t>(2));
+    EXPECT_EQ(inside, std::vector<std::uint64_t>(2));
+  });
 }
 
 TEST(HullInterface, VerticesThatMakeNoHullAreRefused) {

@@ -15,65 +15,59 @@
 namespace shaftcull {
 namespace {
 
-template <class Index>
 class Excluded : public testing::Test {
  protected:
   static constexpr std::size_t size = 100;  // all in the shaft
 
   const CompiledShaft shaft_ = compile({{0, 0, 0}, {1, 1, 1}}, {{0, 0, 9}, {1, 1, 10}});
-  const BoundsTree<Box, Index> tree_{std::vector<Box>(size, Box{{0, 0, 5}, {1, 1, 6}})};
+  const BoundsTree<Box> tree_{std::vector<Box>(size, Box{{0, 0, 5}, {1, 1, 6}})};
 };
-using Indices = testing::Types<std::uint32_t, std::uint64_t>;
-TYPED_TEST_SUITE(Excluded, Indices);
-
-TYPED_TEST(Excluded, IndicesMayBeInBraces) {
-  std::array<std::uint64_t, words_for(Excluded<TypeParam>::size)> kept;
-  cull(this->shaft_, this->tree_, kept, {.own = {3, 7}});
+TEST_F(Excluded, IndicesMayBeInBraces) {
+  std::array<std::uint64_t, words_for(size)> kept;
+  cull(shaft_, tree_, kept, {.own = {3, 7}});
   EXPECT_EQ(kept[0], ~(std::uint64_t{1} << 3 | std::uint64_t{1} << 7));
-  EXPECT_EQ(count(this->shaft_, this->tree_, {.own = {3, 7, 99}}), this->size - 3);
-  EXPECT_EQ(count(this->shaft_, this->tree_, {.own = {42}}), this->size - 1);
-  EXPECT_EQ(count(this->shaft_, this->tree_, {.own = {}}), this->size);
-  EXPECT_EQ(count(this->shaft_, this->tree_, {}), this->size);
+  EXPECT_EQ(count(shaft_, tree_, {.own = {3, 7, 99}}), size - 3);
+  EXPECT_EQ(count(shaft_, tree_, {.own = {42}}), size - 1);
+  EXPECT_EQ(count(shaft_, tree_, {.own = {}}), size);
+  EXPECT_EQ(count(shaft_, tree_, {}), size);
 }
 
-TYPED_TEST(Excluded, BracesHoldARowForEachOfManyShafts) {
-  const std::vector<CompiledShaft> shafts(2, this->shaft_);
-  IndexListsOf<TypeParam> lists;
-  list_many(shafts, this->tree_, lists, {.own = {3, 7, 8, 9}});
+TEST_F(Excluded, BracesHoldARowForEachOfManyShafts) {
+  const std::vector<CompiledShaft> shafts(2, shaft_);
+  IndexLists lists;
+  list_many(shafts, tree_, lists, {.own = {3, 7, 8, 9}});
   ASSERT_EQ(lists.size(), 2U);
-  const auto has = [&](std::size_t shaft, TypeParam index) {
+  const auto has = [&](std::size_t shaft, std::uint32_t index) {
     return std::find(lists[shaft].begin(), lists[shaft].end(), index) != lists[shaft].end();
   };
-  for (const TypeParam index : std::vector<TypeParam>{3, 7, 8, 9}) {
+  for (const std::uint32_t index : std::vector<std::uint32_t>{3, 7, 8, 9}) {
     EXPECT_EQ(has(0, index), index >= 8) << index;
     EXPECT_EQ(has(1, index), index < 8) << index;
   }
 }
 
-TYPED_TEST(Excluded, IndicesMayBeAVectorAnArrayASpanOrAPointerAndASize) {
-  const std::vector<TypeParam> vector = {3, 7};
-  const std::array<TypeParam, 2> array = {3, 7};
-  TypeParam c_array[] = {3, 7};
-  const auto count_without = [&](const ExcludingOf<TypeParam>& excluding) {
-    return count(this->shaft_, this->tree_, excluding);
-  };
-  EXPECT_EQ(count_without({.own = vector}), this->size - 2);
-  EXPECT_EQ(count_without({.own = array}), this->size - 2);
-  EXPECT_EQ(count_without({.own = c_array}), this->size - 2);
-  EXPECT_EQ(count_without({.own = std::span(c_array)}), this->size - 2);
-  EXPECT_EQ(count_without({.own = std::span<TypeParam>(c_array)}), this->size - 2);
-  EXPECT_EQ(count_without({.own = std::span<const TypeParam>(vector).first(1)}), this->size - 1);
-  EXPECT_EQ(count_without({.own = {vector.data(), 1}}), this->size - 1);
-  EXPECT_EQ(count_without({.own = {vector.begin(), vector.end()}}), this->size - 2);
+TEST_F(Excluded, IndicesMayBeAVectorAnArrayASpanOrAPointerAndASize) {
+  const std::vector<std::uint32_t> vector = {3, 7};
+  const std::array<std::uint32_t, 2> array = {3, 7};
+  std::uint32_t c_array[] = {3, 7};
+  const auto count_without = [&](const Excluding& excluding) { return count(shaft_, tree_, excluding); };
+  EXPECT_EQ(count_without({.own = vector}), size - 2);
+  EXPECT_EQ(count_without({.own = array}), size - 2);
+  EXPECT_EQ(count_without({.own = c_array}), size - 2);
+  EXPECT_EQ(count_without({.own = std::span(c_array)}), size - 2);
+  EXPECT_EQ(count_without({.own = std::span<std::uint32_t>(c_array)}), size - 2);
+  EXPECT_EQ(count_without({.own = std::span<const std::uint32_t>(vector).first(1)}), size - 1);
+  EXPECT_EQ(count_without({.own = {vector.data(), 1}}), size - 1);
+  EXPECT_EQ(count_without({.own = {vector.begin(), vector.end()}}), size - 2);
 }
 
-TYPED_TEST(Excluded, BracesGoWithAMask) {
+TEST_F(Excluded, BracesGoWithAMask) {
   const std::vector<std::uint64_t> mask = {1, 0};  // bound 0
-  EXPECT_EQ(count(this->shaft_, this->tree_, {.own = {3, 7}, .mask = mask}), this->size - 3);
+  EXPECT_EQ(count(shaft_, tree_, {.own = {3, 7}, .mask = mask}), size - 3);
 }
 
-TYPED_TEST(Excluded, IndicesInBracesAreChecked) {
-  EXPECT_THROW(static_cast<void>(count(this->shaft_, this->tree_, {.own = {3, 100}})), InvalidArgument);
+TEST_F(Excluded, IndicesInBracesAreChecked) {
+  EXPECT_THROW(static_cast<void>(count(shaft_, tree_, {.own = {3, 100}})), InvalidArgument);
 }
 
 }  // namespace

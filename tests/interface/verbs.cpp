@@ -49,10 +49,8 @@ struct Given {
   const std::vector<CompiledShaft>& shafts;
   std::vector<std::uint64_t>& words;
   std::vector<std::uint32_t>& indices;
-  std::vector<std::uint64_t>& wide_indices;
   std::vector<KeptCounts>& counts;
   IndexLists& lists;
-  IndexListsOf<std::uint64_t>& wide_lists;
 };
 
 /// Callbacks.
@@ -97,16 +95,6 @@ concept GivesLists = requires(const Bounds& bounds, Given given) {
 };
 
 template <class Bounds>
-concept GivesWideLists = requires(const Bounds& bounds, Given given) {
-  { list(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
-  { list_at_most(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
-  { list_classified(given.shaft, bounds, given.wide_indices, given.wide_indices) } -> std::same_as<KeptCounts>;
-  { list_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
-  { list_at_most_many(given.shafts, bounds, std::size_t{3}, given.wide_indices, given.words) } -> std::same_as<void>;
-  { list_classified_many(given.shafts, bounds, given.wide_lists, given.wide_lists) } -> std::same_as<void>;
-};
-
-template <class Bounds>
 concept TellsWhetherAny = requires(const Bounds& bounds, Given given) {
   { any(given.shaft, bounds) } -> std::same_as<bool>;
   { any_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
@@ -125,27 +113,18 @@ concept ListsWhatBlocks = requires(const Bounds& bounds, Given given) {
   { list_blocking(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
   { list_blocking_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
 };
-template <class Bounds>
-concept ListsWhatBlocksWide = requires(const Bounds& bounds, Given given) {
-  { list_blocking(given.shaft, bounds, given.wide_indices) } -> std::same_as<std::size_t>;
-  { list_blocking_many(given.shafts, bounds, given.wide_lists) } -> std::same_as<void>;
-};
 
-/// As positions or as indices of the tree's kind.
-template <class Bounds, class Index>
-concept TellsFirstContact = requires(const Bounds& bounds, Given given, std::vector<FirstContactOf<Index>>& contacts,
-                                     std::vector<Index>& indices, std::vector<float>& times) {
+/// As positions, or as the user's indices in a tree.
+template <class Bounds>
+concept TellsFirstContact = requires(const Bounds& bounds, Given given, std::vector<FirstContact>& contacts,
+                                     std::vector<std::uint32_t>& indices, std::vector<float>& times) {
   { entry_times(given.shaft, bounds, indices, times) } -> std::same_as<void>;
-  { first_contact(given.shaft, bounds) } -> std::same_as<FirstContactOf<Index>>;
+  { first_contact(given.shaft, bounds) } -> std::same_as<FirstContact>;
   { first_contact_many(given.shafts, bounds, contacts) } -> std::same_as<void>;
 };
-static_assert(TellsFirstContact<BoxView, std::uint64_t> && TellsFirstContact<BoxStream, std::uint64_t>);
-static_assert(TellsFirstContact<BoxTree, std::uint32_t>);
-static_assert(TellsFirstContact<BoundsTree<Box, std::uint64_t>, std::uint64_t>);
-static_assert(TellsFirstContact<SphereView, std::uint64_t> && TellsFirstContact<SphereStream, std::uint64_t>);
-static_assert(TellsFirstContact<SphereTree, std::uint32_t>);
-static_assert(TellsFirstContact<BoundsTree<Sphere, std::uint64_t>, std::uint64_t>);
-static_assert(!TellsFirstContact<TriangleView, std::uint64_t>);
+static_assert(TellsFirstContact<BoxView> && TellsFirstContact<BoxStream> && TellsFirstContact<BoxTree>);
+static_assert(TellsFirstContact<SphereView> && TellsFirstContact<SphereStream> && TellsFirstContact<SphereTree>);
+static_assert(!TellsFirstContact<TriangleView>);
 
 template <class Bounds>
 concept CallsBackForTiles = requires(const Bounds& bounds, Given given) {
@@ -182,8 +161,8 @@ concept TakesForms = requires(const Bounds& bounds, Given given) {
 };
 
 template <class Bounds>
-concept AnswersAsAView = GivesBits<Bounds> && GivesNumbers<Bounds> && GivesLists<Bounds> && GivesWideLists<Bounds> &&
-    TellsWhetherAny<Bounds> && CallsBackForTiles<Bounds> && TakesForms<Bounds> && !CallsBackForShafts<Bounds>;
+concept AnswersAsAView = GivesBits<Bounds> && GivesNumbers<Bounds> && GivesLists<Bounds> && TellsWhetherAny<Bounds> &&
+    CallsBackForTiles<Bounds> && TakesForms<Bounds> && !CallsBackForShafts<Bounds>;
 
 static_assert(AnswersAsAView<BoxView>);
 static_assert(AnswersAsAView<SphereView>);
@@ -191,21 +170,17 @@ static_assert(AnswersAsAView<BoxStream>, "a stream goes where a view goes");
 static_assert(AnswersAsAView<SphereStream>);
 
 static_assert(TellsWhetherBlocked<BoxView> && TellsWhetherBlocked<BoxStream>);
-static_assert(TellsWhetherBlocked<BoxTree> && TellsWhetherBlocked<BoundsTree<Box, std::uint64_t>>);
+static_assert(TellsWhetherBlocked<BoxTree>);
 static_assert(!TellsWhetherBlocked<SphereView> && !TellsWhetherBlocked<SphereTree>);
-static_assert(ListsWhatBlocks<BoxView> && ListsWhatBlocksWide<BoxStream> && !ListsWhatBlocks<SphereView>);
-static_assert(ListsWhatBlocks<BoxTree> && !ListsWhatBlocksWide<BoxTree> && !ListsWhatBlocks<SphereTree>);
-static_assert(ListsWhatBlocksWide<BoundsTree<Box, std::uint64_t>>);
+static_assert(ListsWhatBlocks<BoxView> && ListsWhatBlocks<BoxStream> && !ListsWhatBlocks<SphereView>);
+static_assert(ListsWhatBlocks<BoxTree> && !ListsWhatBlocks<SphereTree>);
 
-/// Lists of trees have indices of the tree's kind.
 template <class Tree>
-concept AnswersAsATree = GivesBits<Tree> && GivesNumbers<Tree> && TellsWhetherAny<Tree> && CallsBackForShafts<Tree> &&
-                         !CallsBackForTiles<Tree> &&
-                         (GivesLists<Tree> != GivesWideLists<Tree>);
+concept AnswersAsATree = GivesBits<Tree> && GivesNumbers<Tree> && GivesLists<Tree> && TellsWhetherAny<Tree> &&
+    CallsBackForShafts<Tree> && !CallsBackForTiles<Tree>;
 
-static_assert(AnswersAsATree<BoxTree> && GivesLists<BoxTree> && !GivesWideLists<BoxTree>);
-static_assert(AnswersAsATree<SphereTree> && GivesLists<SphereTree>);
-static_assert(AnswersAsATree<BoundsTree<Box, std::uint64_t>> && GivesWideLists<BoundsTree<Box, std::uint64_t>>);
+static_assert(AnswersAsATree<BoxTree>);
+static_assert(AnswersAsATree<SphereTree>);
 
 /// Triangles are asked which are kept, by vertices or exactly.
 template <class Triangles>

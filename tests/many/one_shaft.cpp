@@ -24,21 +24,22 @@ constexpr std::uint64_t sentinel = 0x5e5e5e5e5e5e5e5e;
 constexpr std::size_t many_bounds = 40001;
 
 /// A list of `results` into room for `room` of them holds the first that fit, and nothing past the room is written.
-template <class Index, class List>
-void expect_listed(const std::vector<Index>& results, std::size_t room, const List& list) {
+template <class List>
+void expect_listed(const std::vector<std::uint32_t>& results, std::size_t room, const List& list) {
   SCOPED_TRACE("room for " + std::to_string(room) + " of " + std::to_string(results.size()));
-  constexpr auto unwritten = static_cast<Index>(sentinel);
-  std::vector<Index> memory(room + 64, unwritten);
+  constexpr auto unwritten = static_cast<std::uint32_t>(sentinel);
+  std::vector<std::uint32_t> memory(room + 64, unwritten);
   list(std::span(memory).first(room));
   const auto fit = static_cast<std::ptrdiff_t>(std::min(room, results.size()));
   EXPECT_TRUE(std::equal(results.begin(), results.begin() + fit, memory.begin()));
   const auto behind = memory.begin() + static_cast<std::ptrdiff_t>(room);
-  EXPECT_EQ(std::vector<Index>(behind, memory.end()), std::vector<Index>(64, unwritten)) << "written past the room";
+  EXPECT_EQ(std::vector<std::uint32_t>(behind, memory.end()), std::vector<std::uint32_t>(64, unwritten))
+      << "written past the room";
 }
 
-template <class Index, class View>
+template <class View>
 void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form form) {
-  const ExpectedLists<Index> right = ExpectedRows({shaft}, view).lists<Index>(0);
+  const ExpectedLists right = ExpectedRows({shaft}, view).lists(0);
   const KeptCounts counts{right.overlap.size(), right.inside.size()};
   ASSERT_GT(counts.overlap, 10U);
   ASSERT_GT(counts.inside, 10U);
@@ -48,15 +49,15 @@ void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form
   const std::size_t most = right.kept.size();
   for (const std::size_t room : {std::size_t{0}, std::size_t{1}, most / 2, most - 1, most, most + 1, most + 40}) {
     expect_listed(right.kept, room,
-                  [&](std::span<Index> kept) { EXPECT_EQ(list(shaft, view, kept, form), right.kept.size()); });
-    expect_listed(right.kept, room, [&](std::span<Index> kept) {
+                  [&](std::span<std::uint32_t> kept) { EXPECT_EQ(list(shaft, view, kept, form), right.kept.size()); });
+    expect_listed(right.kept, room, [&](std::span<std::uint32_t> kept) {
       EXPECT_EQ(list_at_most(shaft, view, kept, form), std::min(room, right.kept.size()));
     });
     EXPECT_EQ(count_at_most(shaft, view, room, form), std::min(room, right.kept.size()));
   }
   for (const std::size_t room : {std::size_t{0}, counts.inside / 2, counts.inside, most + 1}) {
-    expect_listed(right.inside, room, [&](std::span<Index> inside) {
-      expect_listed(right.overlap, counts.overlap - room % 7, [&](std::span<Index> overlap) {
+    expect_listed(right.inside, room, [&](std::span<std::uint32_t> inside) {
+      expect_listed(right.overlap, counts.overlap - room % 7, [&](std::span<std::uint32_t> overlap) {
         EXPECT_EQ(list_classified(shaft, view, overlap, inside, form), counts);
       });
     });
@@ -73,8 +74,7 @@ void expect_all(const std::vector<Bound>& bounds) {
   cut.add_plane({{0, 1, 1}, 1});
   for (const CompiledShaft& shaft : {compile(a, b), compile(Shaft(a, b)), compile(cut)}) {
     for (const Form form : {Form::slab, Form::planes}) {
-      expect_numbers_and_lists<std::uint32_t>(shaft, guarded.view(), form);
-      expect_numbers_and_lists<std::uint64_t>(shaft, guarded.view(), form);
+      expect_numbers_and_lists(shaft, guarded.view(), form);
     }
   }
 }
@@ -114,7 +114,7 @@ TEST(OneShaft, OfNoBoundsNothingIsKept) {
   EXPECT_EQ(count_classified(shaft, SphereView()), (KeptCounts{0, 0}));
   EXPECT_FALSE(any(shaft, BoxView()));
   EXPECT_EQ(list(shaft, SphereView(), std::span<std::uint32_t>()), 0U);
-  EXPECT_EQ(list_classified(shaft, BoxView(), std::span<std::uint64_t>(), std::span<std::uint64_t>()),
+  EXPECT_EQ(list_classified(shaft, BoxView(), std::span<std::uint32_t>(), std::span<std::uint32_t>()),
             (KeptCounts{0, 0}));
 }
 

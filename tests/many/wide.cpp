@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// More bounds than 32 bits number, in little memory: pages that nobody has written to are all the same one.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "message_of.hpp"
 #include "sanitizers.hpp"
-#include "shaftcull/many.hpp"
-#include "shaftcull/refine.hpp"
+#include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
 namespace {
@@ -35,31 +37,60 @@ class Wide : public testing::Test {
   }
 
   // Box i is the point whose three coordinates are number i: (5, 5, 5) for these and the origin for all others.
-  const std::vector<std::uint64_t> far_ = {3, 0xffffffff, 0x100000000, count - 1};
+  const std::vector<std::uint64_t> far_ = {3, 0xfffffffe, 0xffffffff, 0x100000000, count - 1};
   float* number_ = nullptr;
   BoxView boxes_;
   const CompiledShaft shaft_ = compile(Shaft({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}}));
 };
 
-TEST_F(Wide, ListsOfSixtyFourBitsNumberAllBounds) {
-  IndexListsOf<std::uint64_t> lists;
-  list_many({&shaft_, 1}, boxes_, lists);
-  EXPECT_EQ(lists.indices, far_);
+TEST_F(Wide, BitsAndCountsAreOfAllBounds) {
+  std::vector<std::uint64_t> kept(words_for(count));
+  cull(shaft_, boxes_, kept);
+  std::vector<std::uint64_t> set;
+  for (std::size_t w = 0; w != kept.size(); ++w) {
+    for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
+      set.push_back(64 * w + static_cast<unsigned>(std::countr_zero(left)));
+    }
+  }
+  EXPECT_EQ(set, far_);
+  EXPECT_EQ(shaftcull::count(shaft_, boxes_), far_.size());
+  std::uint64_t kept_count = 0;
+  count_many({&shaft_, 1}, boxes_, {&kept_count, 1});
+  EXPECT_EQ(kept_count, far_.size());
 }
 
-TEST_F(Wide, ListsOfThirtyTwoBitsReachAsFarAsTheyCan) {
+TEST_F(Wide, ListsReachAsFarAsIndicesOfThirtyTwoBitsCan) {
+  const BoxView most = boxes_.slice(0, (std::size_t{1} << 32U) - 1);
+  const std::vector<std::uint32_t> right = {3, 0xfffffffe};
   IndexLists lists;
-  list_many({&shaft_, 1}, boxes_.slice(0, std::size_t{1} << 32U), lists);
-  EXPECT_EQ(lists.indices, (std::vector<std::uint32_t>{3, 0xffffffff}));
+  list_many({&shaft_, 1}, most, lists);
+  EXPECT_EQ(lists.indices, right);
+  std::vector<std::uint32_t> kept(5);
+  kept.resize(list(shaft_, most, kept));
+  EXPECT_EQ(kept, right);
 }
 
-TEST_F(Wide, RefiningReachesAllBounds) {
-  const std::vector<std::uint64_t> candidates = {count - 2, count - 1, 0x100000001, 0x100000000, 3, 0xffffffff, 7};
-  const std::vector<std::uint64_t> right = {count - 1, 0x100000000, 3, 0xffffffff};
-  std::vector<std::uint64_t> kept(candidates.size());
+TEST_F(Wide, ListsOfMoreBoundsAreRefused) {
+  IndexLists lists;
+  std::vector<std::uint32_t> kept(5);
+  FirstContact contact;
+  const auto refuses = testing::AllOf(testing::HasSubstr("got 4294967497 bounds"), testing::HasSubstr("ask slices"));
+  EXPECT_THAT(message_of<InvalidArgument>([&] { list_many({&shaft_, 1}, boxes_, lists); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list(shaft_, boxes_, kept); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list_at_most(shaft_, boxes_, kept); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list_blocking(shaft_, boxes_, kept); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)first_contact(shaft_, boxes_); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { first_contact_many({&shaft_, 1}, boxes_, {&contact, 1}); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)BoxTree(boxes_); }), testing::HasSubstr("build several"));
+}
+
+TEST_F(Wide, RefiningReachesAllIndices) {
+  const std::vector<std::uint32_t> candidates = {0xfffffffd, 0xfffffffe, 3, 0xffffffff, 7};
+  const std::vector<std::uint32_t> right = {0xfffffffe, 3, 0xffffffff};
+  std::vector<std::uint32_t> kept(candidates.size());
   kept.resize(refine(shaft_, boxes_, candidates, kept));
   EXPECT_EQ(kept, right);
-  IndexListsOf<std::uint64_t> lists;
+  IndexLists lists;
   refine_many({&shaft_, 1}, boxes_, candidates, lists);
   EXPECT_EQ(lists.indices, right);
 }

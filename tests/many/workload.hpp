@@ -61,11 +61,10 @@ inline std::vector<Sphere> random_spheres(std::uint64_t seed, std::size_t count)
 }
 
 /// What classify() says of one shaft: indices, ascending.
-template <class Index>
 struct ExpectedLists {
-  std::vector<Index> kept;
-  std::vector<Index> overlap;
-  std::vector<Index> inside;
+  std::vector<std::uint32_t> kept;
+  std::vector<std::uint32_t> overlap;
+  std::vector<std::uint32_t> inside;
 };
 
 /// Rows of bits, as classify() gives them shaft by shaft.
@@ -82,13 +81,12 @@ struct ExpectedRows {
     }
   }
 
-  template <class Index>
-  [[nodiscard]] ExpectedLists<Index> lists(std::size_t shaft) const {
-    ExpectedLists<Index> result;
+  [[nodiscard]] ExpectedLists lists(std::size_t shaft) const {
+    ExpectedLists result;
     for (std::size_t w = 0; w != words; ++w) {
       for (std::uint64_t left = kept[shaft * words + w]; left != 0; left &= left - 1) {
         const int bit = std::countr_zero(left);
-        const auto index = static_cast<Index>(64 * w + static_cast<unsigned>(bit));
+        const auto index = static_cast<std::uint32_t>(64 * w + static_cast<unsigned>(bit));
         const bool is_inside = (inside[shaft * words + w] >> bit & 1U) != 0;
         result.kept.push_back(index);
         (is_inside ? result.inside : result.overlap).push_back(index);

@@ -6,8 +6,9 @@
 
 All faults of faults.txt are planted at once, in build/mutate/source. Which of them is there is chosen at run time, by
 the environment variable SHAFTCULL_PLANTED_FAULT, so all are built once. Tests are the entries of CTest of one layer
-(tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault, entries run until one fails: first those whose area is a
-folder in the path of the fault, then the others, each from the shortest to the longest.
+(tests/layers.cmake), without those with the label `sources`, which do not run the library. For each fault, entries run
+until one fails: first those whose area is a folder in the path of the fault, then the others. Of both, those are first
+that have noticed most for their time.
 
 What is found is written to build/mutate/PRESET/noticed_LAYER.csv, fault by fault. The exit status is 0 if at most --may-miss
 faults are not noticed, 1 if more are, and 2 if there was nothing to find out.
@@ -268,6 +269,13 @@ class Entry:
     will_fail: bool
     labels: list[str]
     seconds: float = 0  # without a fault
+    noticed: int = 0  # faults, so far
+
+    @property
+    def price(self) -> float:
+        """In seconds for a fault that is noticed, as far as is known."""
+        return max(self.seconds, 0.5) / (1 + self.noticed)
+
     # Scripts may write files of their own to a folder that they are given: they are not run twice at once.
     alone: threading.Lock = field(default_factory=threading.Lock)
 
@@ -442,7 +450,7 @@ def classified(entry: Entry, code: int, is_late: bool, output: str, seconds: flo
 
 
 def run_without_fault(runner: Runner, entries: Sequence[Entry], jobs: int) -> list[Entry]:
-    """Those entries that pass, from the shortest to the longest."""
+    """Those entries that pass."""
     usable: list[Entry] = []
     left_out: list[str] = []
 
@@ -471,16 +479,16 @@ def run_without_fault(runner: Runner, entries: Sequence[Entry], jobs: int) -> li
         raise Refusal("no entry passes without a fault")
     total = sum(entry.seconds for entry in usable)
     print(f"{len(usable)} entries pass, in {total:.0f} s one after the other", flush=True)
-    return sorted(usable, key=lambda entry: entry.seconds)
+    return usable
 
 
 Row = dict[str, str]
 
 
 def likely_first(fault: Fault, entries: Sequence[Entry]) -> list[Entry]:
-    """The entries as they come, those of the area that the file's folders name before the others."""
+    """The cheapest first, those of the area that the file's folders name before the others."""
     folders = set(re.split(r"[/_.]", fault.file))
-    return sorted(entries, key=lambda entry: re.split(r"[._]", entry.name)[0] not in folders)
+    return sorted(entries, key=lambda entry: (re.split(r"[._]", entry.name)[0] not in folders, entry.price))
 
 
 def try_fault(runner: Runner, fault: Fault, entries: Sequence[Entry]) -> Row:
@@ -490,6 +498,7 @@ def try_fault(runner: Runner, fault: Fault, entries: Sequence[Entry]) -> Row:
         outcome = runner.run(entry, fault.number, max(LEAST_TIMEOUT, SLOWER * entry.seconds))
         if outcome.result == "failed":
             row.update(entry=entry.name, test=outcome.test, how=outcome.how)
+            entry.noticed += 1
             break
     row["seconds"] = f"{time.monotonic() - begin:.1f}"
     return row

@@ -16,9 +16,8 @@ namespace shaftcull {
 namespace {
 
 /// Every way of asking one shaft.
-template <class Bound, class Index>
-void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector<Bound>& bounds,
-                         const CompiledShaft& shaft) {
+template <class Bound>
+void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>& bounds, const CompiledShaft& shaft) {
   const FlatAnswers flat(shaft, bounds);
   const Indices kept = flat.kept();
   EXPECT_EQ(count(shaft, tree), kept.size());
@@ -37,17 +36,17 @@ void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector
   EXPECT_EQ(others, kept_bits);
   EXPECT_EQ(some, inside_bits);
 
-  std::vector<Index> indices(bounds.size());
+  std::vector<std::uint32_t> indices(bounds.size());
   indices.resize(list(shaft, tree, std::span(indices)));
   EXPECT_EQ(sorted(indices), kept);
 
-  std::vector<LeafRangeOf<Index>> ranges(bounds.size());
+  std::vector<LeafRange> ranges(bounds.size());
   ranges.resize(list(shaft, tree, std::span(ranges)));
   EXPECT_EQ(sorted(ranges, tree.order()), kept);
   EXPECT_TRUE(are_maximal(ranges));
 
-  std::vector<Index> overlap(bounds.size());
-  std::vector<Index> inside(bounds.size());
+  std::vector<std::uint32_t> overlap(bounds.size());
+  std::vector<std::uint32_t> inside(bounds.size());
   const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
@@ -55,8 +54,8 @@ void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector
   EXPECT_EQ(sorted(overlap), flat.overlap);
   EXPECT_EQ(sorted(inside), flat.inside);
 
-  std::vector<LeafRangeOf<Index>> overlap_ranges(bounds.size());
-  std::vector<LeafRangeOf<Index>> inside_ranges(bounds.size());
+  std::vector<LeafRange> overlap_ranges(bounds.size());
+  std::vector<LeafRange> inside_ranges(bounds.size());
   const KeptCounts range_counts = list_classified(shaft, tree, std::span(overlap_ranges), std::span(inside_ranges));
   overlap_ranges.resize(range_counts.overlap);
   inside_ranges.resize(range_counts.inside);
@@ -66,18 +65,17 @@ void expect_flat_answers(const BoundsTree<Bound, Index>& tree, const std::vector
   EXPECT_TRUE(are_maximal(inside_ranges));
 }
 
-template <class Bound, class Index = std::uint32_t>
+template <class Bound>
 void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std::size_t shaft_count) {
   Random random(seed);
   const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
-  const BoundsTree<Bound, Index> tree{std::span<const Bound>(bounds)};
+  const BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
   ASSERT_EQ(tree.size(), count);
   for (const CompiledShaft& shaft : shafts_for(random, shaft_count)) {
     expect_flat_answers(tree, bounds, shaft);
     if (!testing::Test::HasFailure()) continue;
-    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere")
-                  << (sizeof(Index) == 8 ? ", std::uint64_t" : "") << ">(" << seed << ", shape " << text(shape) << ", "
-                  << count << ", " << shaft_count << ')';
+    ADD_FAILURE() << "expect_flat_answers<" << (std::is_same_v<Bound, Box> ? "Box" : "Sphere") << ">(" << seed
+                  << ", shape " << text(shape) << ", " << count << ", " << shaft_count << ')';
     return;
   }
 }
@@ -111,8 +109,6 @@ TEST(TreeAgreement, HoldsForEveryShapeAndCount) {
     for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 128U, 129U, 4096U, 4097U, 8193U}) {
       expect_flat_answers<Box>(++seed, shape, count, random_cases(10));
       expect_flat_answers<Sphere>(++seed, shape, count, random_cases(10));
-      expect_flat_answers<Box, std::uint64_t>(++seed, shape, count, random_cases(10));
-      expect_flat_answers<Sphere, std::uint64_t>(++seed, shape, count, random_cases(10));
       if (HasFailure()) return;
     }
   }
@@ -133,7 +129,7 @@ TEST(TreeAgreement, HoldsOnFourLevels) {
   expect_flat_answers<Box>(31, Shape::uniform, 530000, 3);
   expect_flat_answers<Box>(32, Shape::some_empty, 530000, 3);
   expect_flat_answers<Sphere>(33, Shape::uniform, 530000, 3);
-  expect_flat_answers<Box, std::uint64_t>(34, Shape::one_giant, 530000, 3);
+  expect_flat_answers<Box>(34, Shape::one_giant, 530000, 3);
 }
 
 }  // namespace

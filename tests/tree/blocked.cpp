@@ -86,7 +86,6 @@ TEST(TreeBlocked, SaysWhatAFlatScanSays) {
     const std::vector<Box> boxes = solids(random, shape, count);
     const BoxColumns memory(boxes);
     const BoxTree tree{std::span<const Box>(boxes)};
-    const BoundsTree<Box, std::uint64_t> wide{std::span<const Box>(boxes)};
     const std::vector<CompiledShaft> shafts = shafts_between(random, 70);
     std::vector<std::uint64_t> expected(2, 0x5555);
     blocked_many(shafts, memory.view(), expected);
@@ -96,7 +95,6 @@ TEST(TreeBlocked, SaysWhatAFlatScanSays) {
       const bool right = blocked(shafts[s], memory.view());
       EXPECT_EQ((expected[s / 64] >> s % 64 & 1U) != 0, right);
       EXPECT_EQ(blocked(shafts[s], tree), right);
-      EXPECT_EQ(blocked(shafts[s], wide), right);
       std::vector<std::uint32_t> flat(boxes.size());
       flat.resize(list_blocking(shafts[s], memory.view(), flat));
       std::vector<std::uint32_t> listed(boxes.size());

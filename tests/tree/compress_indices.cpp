@@ -36,9 +36,8 @@ std::vector<std::uint64_t> words_of_bits() {
   return words;
 }
 
-template <class Index>
-std::vector<Index> those_of(const std::vector<Index>& order, std::size_t first, std::uint64_t bits) {
-  std::vector<Index> picked;
+std::vector<std::uint32_t> those_of(const std::vector<std::uint32_t>& order, std::size_t first, std::uint64_t bits) {
+  std::vector<std::uint32_t> picked;
   for (std::size_t i = 0; i != 64; ++i) {
     if ((bits >> i & 1) != 0) picked.push_back(order[first + i]);
   }
@@ -62,24 +61,19 @@ TEST(CompressIndices, WritesThoseOfSetBitsInOrderAndKeepsToItsRoom) {
   }
 }
 
-/// Trees have a last word that is not whole, and indices of either size.
-template <class Index>
-class LeafIndices : public testing::Test {};
-using Indices = testing::Types<std::uint32_t, std::uint64_t>;
-TYPED_TEST_SUITE(LeafIndices, Indices);
-
-TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
+/// Trees have a last word that is not whole.
+TEST(LeafIndices, ArePickedInTheLastWordToo) {
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (const std::size_t size : {1U, 63U, 64U, 65U, 100U, 128U}) {
-      std::vector<TypeParam> order(size);
-      std::iota(order.rbegin(), order.rend(), TypeParam{7});
+      std::vector<std::uint32_t> order(size);
+      std::iota(order.rbegin(), order.rend(), std::uint32_t{7});
       order.shrink_to_fit();
-      const kernel::LeafIndices<TypeParam> indices(order, true, kernel::active_kernels());
+      const kernel::LeafIndices indices(order, true, kernel::active_kernels());
       for (std::uint64_t bits : words_of_bits()) {
         const std::size_t first = (size - 1) / 64 * 64;
         if (size - first < 64) bits &= (std::uint64_t{1} << (size - first)) - 1;
-        std::vector<TypeParam> out(space);
+        std::vector<std::uint32_t> out(space);
         indices.prefetch(first);
         out.resize(indices.compress(first, bits, out.data()));
         ASSERT_EQ(out, those_of(order, first, bits)) << size << " leaves, " << name(isa);
@@ -89,23 +83,23 @@ TYPED_TEST(LeafIndices, ArePickedInTheLastWordToo) {
 }
 
 /// Lists of many shafts are written side by side, each by whoever has its turn.
-TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
+TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
   constexpr std::size_t whole = 3000;  // words: more than one chunk of memory holds
   constexpr std::size_t size = 64 * whole + 17;
-  std::vector<TypeParam> order(size);
-  std::iota(order.rbegin(), order.rend(), TypeParam{7});
+  std::vector<std::uint32_t> order(size);
+  std::iota(order.rbegin(), order.rend(), std::uint32_t{7});
   const std::vector<std::uint64_t> words = words_of_bits();
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    const kernel::LeafIndices<TypeParam> indices(order, true, kernel::active_kernels());
+    const kernel::LeafIndices indices(order, true, kernel::active_kernels());
     for (const std::size_t last : {std::size_t{0}, std::size_t{1}, std::size_t{200}, whole}) {
-      kernel::KeptLeavesOutput<TypeParam> found;
-      std::vector<TypeParam> expected;
+      kernel::KeptLeavesOutput found;
+      std::vector<std::uint32_t> expected;
       for (std::size_t w = 0; w <= last; ++w) {
         const std::uint64_t bits =
             words[w % words.size()] & (w == whole ? 0x1ffff : ~std::uint64_t{0});  // 17 leaves in the last word
         found.add_word(64 * w, bits);
-        const std::vector<TypeParam> those = those_of(order, 64 * w, bits);
+        const std::vector<std::uint32_t> those = those_of(order, 64 * w, bits);
         expected.insert(expected.end(), those.begin(), those.end());
         if (w % 50 != 40 || w + 64 > whole) continue;
         found.add_range(64 * (w + 1), 64 * 3);
@@ -113,9 +107,9 @@ TYPED_TEST(LeafIndices, OfWhatWasFoundAreWrittenInOrderAndNothingElseIs) {
                         order.begin() + static_cast<std::ptrdiff_t>(64 * (w + 4)));
       }
       ASSERT_EQ(found.count(), expected.size());
-      std::vector<TypeParam> out(expected.size() + space, TypeParam{untouched});
+      std::vector<std::uint32_t> out(expected.size() + space, std::uint32_t{untouched});
       found.write(indices, out.data());
-      ASSERT_EQ(std::vector(out.end() - space, out.end()), std::vector(space, TypeParam{untouched})) << name(isa);
+      ASSERT_EQ(std::vector(out.end() - space, out.end()), std::vector(space, std::uint32_t{untouched})) << name(isa);
       out.resize(expected.size());
       ASSERT_EQ(out, expected) << last << ", " << name(isa);
     }

@@ -27,7 +27,7 @@ class TreeExceptions : public testing::Test {
  protected:
   static void expect_flat_answers(const Tree& tree, const std::vector<CompiledShaft>& shafts,
                                   const std::vector<BoundOf<Tree>>& bounds) {
-    IndexListsOf<IndexOf<Tree>> kept;
+    IndexLists kept;
     list_many(shafts, tree, kept);
     for (std::size_t s = 0; s != shafts.size(); ++s) ASSERT_EQ(sorted(kept[s]), FlatAnswers(shafts[s], bounds).kept());
   }
@@ -120,7 +120,7 @@ TYPED_TEST(TreeExceptions, AnUpdateThatDidNotEndAsksForARefit) {
     EXPECT_FALSE(copy.needs_refit());
     this->expect_flat_answers(copy, shafts, bounds);
 
-    const std::vector<IndexOf<TypeParam>> one = {static_cast<IndexOf<TypeParam>>(count - 1)};
+    const std::vector<std::uint32_t> one = {static_cast<std::uint32_t>(count - 1)};
     updated.update(one, std::span<const Bound>(news).first(1));
     bounds[one[0]] = news[0];
     updated.refit();

@@ -24,46 +24,31 @@
 namespace shaftcull {
 namespace {
 
-/// A tree's kind of bounds and of indices.
-template <class BoundKind, class IndexKind>
-struct TreeKind {
-  using Bound = BoundKind;
-  using Index = IndexKind;
-};
-
-template <class Kind>
+template <class Bound>
 class TreeFirstContact : public testing::Test {
  protected:
-  using Tree = BoundsTree<typename Kind::Bound, typename Kind::Index>;
+  using Tree = BoundsTree<Bound>;
 
   /// The tree's answers for all shafts, one by one and together, are those of a scan of `bounds`.
-  static void expect_flat(const Tree& tree, const std::vector<typename Kind::Bound>& bounds,
-                          const std::vector<CompiledShaft>& shafts,
-                          const ExcludingOf<typename Kind::Index>& excluding = {}) {
-    using Index = typename Kind::Index;
+  static void expect_flat(const Tree& tree, const std::vector<Bound>& bounds, const std::vector<CompiledShaft>& shafts,
+                          const Excluding& excluding = {}) {
     const auto memory = columns(bounds);
-    std::vector<FirstContactOf<std::uint64_t>> flat(shafts.size());
-    std::vector<FirstContactOf<Index>> many(shafts.size());
+    std::vector<FirstContact> flat(shafts.size());
+    std::vector<FirstContact> many(shafts.size());
     first_contact_many(shafts, memory.view(), flat);
     first_contact_many(shafts, tree, many, excluding);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       SCOPED_TRACE("shaft " + std::to_string(s) + " of " + std::to_string(bounds.size()) + " bounds");
-      const FirstContactOf<std::uint64_t> one = first_contact(shafts[s], memory.view());
+      const FirstContact one = first_contact(shafts[s], memory.view());
       EXPECT_EQ(flat[s], one);
-      EXPECT_EQ(many[s].index, static_cast<Index>(one.index));
-      EXPECT_EQ(many[s].time, one.time);
+      EXPECT_EQ(many[s], one);
       EXPECT_EQ(first_contact(shafts[s], tree, excluding), many[s]);
       if (testing::Test::HasFailure()) return;
     }
   }
 };
-#ifdef NDEBUG  // as in kinds.hpp
-using TreeKinds = testing::Types<TreeKind<Box, std::uint32_t>, TreeKind<Sphere, std::uint64_t>>;
-#else
-using TreeKinds = testing::Types<TreeKind<Box, std::uint32_t>, TreeKind<Box, std::uint64_t>,
-                                 TreeKind<Sphere, std::uint32_t>, TreeKind<Sphere, std::uint64_t>>;
-#endif
-TYPED_TEST_SUITE(TreeFirstContact, TreeKinds);
+using Bounds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(TreeFirstContact, Bounds);
 
 /// What no shaft meets.
 template <class Bound>
@@ -86,7 +71,7 @@ Bound unit_bound() {
 }
 
 TYPED_TEST(TreeFirstContact, IsThatOfAFlatScanForEveryShapeAndCount) {
-  using Bound = typename TypeParam::Bound;
+  using Bound = TypeParam;
   Random random(810);
   for (const Shape shape : shapes) {
     for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 129U, 4097U, 20000U}) {
@@ -100,8 +85,7 @@ TYPED_TEST(TreeFirstContact, IsThatOfAFlatScanForEveryShapeAndCount) {
 }
 
 TYPED_TEST(TreeFirstContact, StaysThatOfAFlatScanAsTheTreeChanges) {
-  using Bound = typename TypeParam::Bound;
-  using Index = typename TypeParam::Index;
+  using Bound = TypeParam;
   Random random(811);
   std::vector<Bound> bounds = scene<Bound>(random, Shape::grid, 5000);
   typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
@@ -113,13 +97,13 @@ TYPED_TEST(TreeFirstContact, StaysThatOfAFlatScanAsTheTreeChanges) {
   this->expect_flat(tree, bounds, shafts);
   this->expect_flat(typename TestFixture::Tree(tree), bounds, shafts);
   std::vector<Bound> renumbered;
-  for (const Index i : tree.order()) renumbered.push_back(bounds[i]);
+  for (const std::uint32_t i : tree.order()) renumbered.push_back(bounds[i]);
   tree.renumber();
   this->expect_flat(tree, renumbered, shafts);
 }
 
 TYPED_TEST(TreeFirstContact, LooksOnWhereTheFirstIsLeftOut) {
-  using Bound = typename TypeParam::Bound;
+  using Bound = TypeParam;
   Random random(812);
   for (const Shape shape : {Shape::uniform, Shape::grid}) {
     const std::vector<Bound> bounds = scene<Bound>(random, shape, 5000);
@@ -151,25 +135,23 @@ TYPED_TEST(TreeFirstContact, LooksOnWhereTheFirstIsLeftOut) {
 }
 
 TYPED_TEST(TreeFirstContact, WantsOneContactForEachShaft) {
-  using Bound = typename TypeParam::Bound;
-  using Index = typename TypeParam::Index;
+  using Bound = TypeParam;
   const typename TestFixture::Tree tree{std::vector<Bound>(100, unit_bound<Bound>())};
   Random random(813);
   const std::vector<CompiledShaft> shafts = shafts_for(random, 3);
-  std::vector<FirstContactOf<Index>> two(2, {9, 0.25F});
+  std::vector<FirstContact> two(2, {9, 0.25F});
   EXPECT_THAT(message_of([&] { first_contact_many(shafts, tree, two); }),
               testing::HasSubstr("contacts has room for 2; 3 shafts need one each"));
-  EXPECT_EQ(two, (std::vector<FirstContactOf<Index>>(2, {9, 0.25F})));
+  EXPECT_EQ(two, (std::vector<FirstContact>(2, {9, 0.25F})));
 }
 
 TYPED_TEST(TreeFirstContact, TimesOfAListFitTheListAndTheTree) {
-  using Bound = typename TypeParam::Bound;
-  using Index = typename TypeParam::Index;
+  using Bound = TypeParam;
   const std::vector<Bound> bounds(100, unit_bound<Bound>());
   typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
   const CompiledShaft shaft = compile({{-3, 0, 0}, {-2, 1, 1}}, {{1, 0, 0}, {2, 1, 1}});
   std::vector<float> times(3, 7);
-  const std::vector<Index> indices = {3, 99, 100};
+  const std::vector<std::uint32_t> indices = {3, 99, 100};
   EXPECT_THAT(message_of([&] { entry_times(shaft, tree, indices, times); }),
               testing::HasSubstr("indices[2] = 100 is not below the number of bounds, 100"));
   EXPECT_THAT(message_of([&] { entry_times(shaft, tree, std::span(indices).first(2), times); }),
@@ -188,17 +170,16 @@ TYPED_TEST(TreeFirstContact, TimesOfAListFitTheListAndTheTree) {
 }
 
 TYPED_TEST(TreeFirstContact, IsRefusedForAConvexHullInWhichNothingMoves) {
-  using Bound = typename TypeParam::Bound;
-  using Index = typename TypeParam::Index;
+  using Bound = TypeParam;
   const std::vector<Bound> bounds(3, unit_bound<Bound>());
   const typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
   const std::vector<Vec3> points = {{-1, -1, -1}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
   const ConvexHull hull(points);
   const auto memory = columns(bounds);
-  std::vector<FirstContactOf<Index>> contacts(1);
-  std::vector<FirstContactOf<std::uint64_t>> flat(1);
+  std::vector<FirstContact> contacts(1);
+  std::vector<FirstContact> flat(1);
   std::vector<float> times(1);
-  const std::vector<Index> indices = {0};
+  const std::vector<std::uint32_t> indices = {0};
   const auto refuses = testing::HasSubstr("shaft 0 is a convex hull, in which nothing moves");
   EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, tree)); }), refuses);
   EXPECT_THAT(message_of([&] { static_cast<void>(first_contact(hull, memory.view())); }), refuses);
@@ -232,8 +213,8 @@ Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
   kernels.listed_boxes = count_words<test_boxes>;
   kernels.listed_spheres = count_words<test_spheres>;
   words_tested = 0;
-  const kernel::Exclusion<std::uint32_t> nothing({parts.order, false, kernels}, {}, {}, {});
-  (void)kernel::FirstContactWalk<Bound, std::uint32_t>(parts, kernels, kernel::data_of(shaft), nothing).run();
+  const kernel::Exclusion nothing({parts.order, false, kernels}, {}, {}, {});
+  (void)kernel::FirstContactWalk<Bound>(parts, kernels, kernel::data_of(shaft), nothing).run();
   const std::size_t first = words_tested;
   words_tested = 0;
   kernel::Counter counter;

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "columns.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/query.hpp"
-#include "support/fail.hpp"
 
 namespace shaftcull {
 
@@ -48,29 +45,20 @@ inline std::vector<std::uint64_t> bits_of(const Indices& indices, std::size_t bo
   return bits;
 }
 
-/// An index of 32 or 64 bits as one of 32; throws if it is not.
-template <class Index>
-std::uint32_t narrow(Index index) {
-  const auto narrow = static_cast<std::uint32_t>(index);
-  if (narrow != index) kernel::fail(std::out_of_range("an index of more than 32 bits: " + std::to_string(index)));
-  return narrow;
-}
-
-/// Ascending indices, of 32 or 64 bits.
+/// Ascending indices.
 template <class List>
 Indices sorted(const List& indices) {
-  Indices all;
-  for (const auto index : indices) all.push_back(narrow(index));
+  Indices all(indices.begin(), indices.end());
   std::sort(all.begin(), all.end());
   return all;
 }
 
 /// The indices that leaf ranges stand for, ascending.
-template <class Ranges, class Index>
-Indices sorted(const Ranges& ranges, std::span<const Index> order) {
+template <class Ranges>
+Indices sorted(const Ranges& ranges, std::span<const std::uint32_t> order) {
   Indices all;
-  for (const LeafRangeOf<Index>& range : ranges) {
-    for (Index p = range.first; p != range.first + range.size; ++p) all.push_back(narrow(order[p]));
+  for (const LeafRange& range : ranges) {
+    for (std::uint32_t p = range.first; p != range.first + range.size; ++p) all.push_back(order[p]);
   }
   std::sort(all.begin(), all.end());
   return all;

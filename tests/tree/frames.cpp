@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "columns.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/tree_image.hpp"
 #include "tree/flat.hpp"
 #include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
@@ -24,8 +26,8 @@ class TreeFrames : public testing::Test {
   static void expect_flat_answers(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds, std::uint64_t seed) {
     Random random(seed);
     const std::vector<CompiledShaft> shafts = shafts_for(random, 8);
-    IndexListsOf<IndexOf<Tree>> overlap;
-    IndexListsOf<IndexOf<Tree>> inside;
+    IndexLists overlap;
+    IndexLists inside;
     list_classified_many(shafts, tree, overlap, inside);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       const FlatAnswers flat(shafts[s], bounds);
@@ -59,7 +61,6 @@ TYPED_TEST(TreeFrames, UpdatingEverythingFromRecordsOrStreamsEqualsTheNewBounds)
 
 TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(72);
   for (const std::size_t count : counts) {
     if (count == 0) continue;
@@ -67,7 +68,7 @@ TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
       std::vector<Bound> bounds = scene<Bound>(random, shape, count);
       TypeParam tree{std::span<const Bound>(bounds)};
       for (const std::size_t moves : {std::size_t{1}, count / 100 + 1, count}) {  // few and many dirty nodes
-        std::vector<Index> indices;
+        std::vector<std::uint32_t> indices;
         const std::vector<Bound> values = scene<Bound>(random, shapes[random.below(std::size(shapes))], moves);
         for (const Bound& value : values) {
           indices.push_back(random.below(static_cast<unsigned>(count)));  // some twice: the last value counts
@@ -86,13 +87,12 @@ TYPED_TEST(TreeFrames, UpdatingSomeAndRefittingEqualsTheNewBounds) {
 
 TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(73);
   std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 20000);
   TypeParam few{std::span<const Bound>(bounds)};
   TypeParam all = few;
   const std::vector<Bound> values = scene<Bound>(random, Shape::uniform, 9);
-  std::vector<Index> indices;
+  std::vector<std::uint32_t> indices;
   for (const Bound& value : values) {
     indices.push_back(random.below(20000));
     bounds[indices.back()] = value;
@@ -101,6 +101,11 @@ TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
   few.refit();
   all.update(std::span<const Bound>(bounds));
   EXPECT_EQ(few.growth(), all.growth());
+  std::vector<std::byte> image_of_few(image_bytes(few));
+  std::vector<std::byte> image_of_all(image_bytes(all));
+  write_image(few, image_of_few);
+  write_image(all, image_of_all);
+  EXPECT_EQ(image_of_few == image_of_all, true);
 }
 
 TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
@@ -120,7 +125,6 @@ TEST(TreeFramesOfBoxes, ABoxThatBecomesEmptyIsNotInsideANodeThatIs) {
 
 TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(74);
   TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, 20000))};
   EXPECT_EQ(tree.growth(), 1.0);
@@ -131,7 +135,7 @@ TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
   EXPECT_EQ(tree.growth(), 1.0);
   this->expect_flat_answers(tree, shuffled, 741);
   const std::vector<Bound> again = scene<Bound>(random, Shape::uniform, 20000);
-  const std::vector<Index> indices = {5, 19999};
+  const std::vector<std::uint32_t> indices = {5, 19999};
   tree.update(indices, std::span<const Bound>(again).first(2));
   tree.refit();
   std::vector<Bound> bounds = shuffled;
@@ -142,12 +146,11 @@ TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
 
 TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   const std::vector<Bound> points(1000, Bound{});
   TypeParam tree{std::span<const Bound>(points)};
   EXPECT_EQ(tree.growth(), 1.0);
   if constexpr (std::is_same_v<Bound, Box>) {  // the nodes of spheres are rounded outwards
-    const std::vector<Index> one = {3};
+    const std::vector<std::uint32_t> one = {3};
     const std::vector<Bound> away = {{{1, 1, 1}, {2, 2, 2}}};
     tree.update(one, std::span<const Bound>(away));
     tree.refit();
@@ -157,21 +160,20 @@ TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
 
 TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(79);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
   for (const bool updated_before : {false, true}) {
     TypeParam tree{std::span<const Bound>(bounds)};
     if (updated_before) {
-      tree.update(std::vector<Index>{7}, std::span<const Bound>(bounds).subspan(7, 1));
+      tree.update(std::vector<std::uint32_t>{7}, std::span<const Bound>(bounds).subspan(7, 1));
       tree.refit();
     }
     std::vector<Bound> sorted;
-    for (const Index i : tree.order()) sorted.push_back(bounds[i]);
+    for (const std::uint32_t i : tree.order()) sorted.push_back(bounds[i]);
     tree.renumber();
     this->expect_flat_answers(tree, sorted, 791);
     sorted[33] = sorted[4000];
-    tree.update(std::vector<Index>{33}, std::span<const Bound>(sorted).subspan(33, 1));
+    tree.update(std::vector<std::uint32_t>{33}, std::span<const Bound>(sorted).subspan(33, 1));
     tree.refit();
     this->expect_flat_answers(tree, sorted, 792);
     tree.update(std::span<const Bound>(bounds));
@@ -216,27 +218,25 @@ TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
 
 TYPED_TEST(TreeFrames, NodesTakeLittleNextToLeavesAndOrder) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(77);
   const std::size_t count = 400000;
   const TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, count))};
-  const std::size_t needed = count * (tree.leaves().stream.size() * sizeof(float) + sizeof(Index));
+  const std::size_t needed = count * (tree.leaves().stream.size() * sizeof(float) + sizeof(std::uint32_t));
   const std::size_t per_mille = std::is_same_v<Bound, Box> ? 20 : 25;  // a sphere is four numbers, its node six
   EXPECT_LT(tree.memory_bytes(), needed + needed * per_mille / 1000);
 }
 
 TYPED_TEST(TreeFrames, UpdatesByIndexTakeOneMoreIndexABound) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(80);
   const std::size_t count = 400000;
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, count);
   TypeParam tree{std::span<const Bound>(bounds)};
   const std::size_t before = tree.memory_bytes();
   for (int again = 0; again != 2; ++again) {
-    tree.update(std::vector<Index>{7}, std::span<const Bound>(bounds).subspan(8, 1));
+    tree.update(std::vector<std::uint32_t>{7}, std::span<const Bound>(bounds).subspan(8, 1));
     tree.refit();
-    EXPECT_LT(tree.memory_bytes() - before, count * sizeof(Index) + count / 256);
+    EXPECT_LT(tree.memory_bytes() - before, count * sizeof(std::uint32_t) + count / 256);
   }
 }
 

@@ -59,9 +59,8 @@ void expect_same(const Tree& one, const Tree& other, std::span<const CompiledSha
   EXPECT_EQ(one.box(), other.box());
   EXPECT_EQ(one.growth(), other.growth());
   EXPECT_TRUE(std::ranges::equal(one.layers(), other.layers()));
-  using Index = IndexOf<Tree>;
-  std::vector<Index> of_one(one.size());
-  std::vector<Index> of_other(one.size());
+  std::vector<std::uint32_t> of_one(one.size());
+  std::vector<std::uint32_t> of_other(one.size());
   std::vector<std::uint64_t> bits(words_for(one.size()));
   std::vector<std::uint64_t> other_bits(bits.size());
   for (const CompiledShaft& shaft : shafts) {
@@ -72,8 +71,8 @@ void expect_same(const Tree& one, const Tree& other, std::span<const CompiledSha
     cull(shaft, other, other_bits);
     EXPECT_EQ(bits, other_bits);
     EXPECT_EQ(count_classified(shaft, one), count_classified(shaft, other));
-    const FirstContactOf<Index> first = first_contact(shaft, one);
-    const FirstContactOf<Index> other_first = first_contact(shaft, other);
+    const FirstContact first = first_contact(shaft, one);
+    const FirstContact other_first = first_contact(shaft, other);
     EXPECT_EQ(first.index, other_first.index);
     EXPECT_EQ(first.time, other_first.time);
   }
@@ -144,20 +143,23 @@ TYPED_TEST(TreeImages, AnswerQuestionsAboutLayersAndCandidates) {
   auto tree = tree_of<TypeParam>(scene<BoundOf<TypeParam>>(random, Shape::uniform, 20000));
   std::vector<std::uint32_t> layers(tree.size());
   for (std::uint32_t& each : layers) each = 1U << random.below(3);
+  layers[7] = 0;
   tree.set_layers(layers);
   const Pages pages(image_bytes(tree));
   write_image(tree, pages.bytes());
   ASSERT_TRUE(pages.forbid_writing());
   const TreeInImage<TypeParam> image(pages.bytes());
-  using Index = IndexOf<TypeParam>;
+  const CompiledShaft everything = compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}}));
+  EXPECT_EQ(count(everything, image.tree()), 20000U);
+  EXPECT_EQ(count(everything, image.tree(), {.only_layers = {7}}), 19999U);
   const std::uint32_t two_layers[] = {5};
-  const ExcludingOf<Index> excluding{.only_layers = std::span(two_layers)};
-  std::vector<Index> candidates(1000);
-  for (Index& each : candidates) each = random.below(20000);
+  const Excluding excluding{.only_layers = std::span(two_layers)};
+  std::vector<std::uint32_t> candidates(1000);
+  for (std::uint32_t& each : candidates) each = random.below(20000);
   for (const CompiledShaft& shaft : shafts_for(random, 50)) {
     EXPECT_EQ(count(shaft, tree, excluding), count(shaft, image.tree(), excluding));
-    std::vector<Index> kept(candidates.size());
-    std::vector<Index> others(candidates.size());
+    std::vector<std::uint32_t> kept(candidates.size());
+    std::vector<std::uint32_t> others(candidates.size());
     const std::size_t size = refine(shaft, tree, std::span(std::as_const(candidates)), std::span(kept));
     EXPECT_EQ(size, refine(shaft, image.tree(), std::span(std::as_const(candidates)), std::span(others)));
     EXPECT_EQ(kept, others);
@@ -177,7 +179,7 @@ TYPED_TEST(TreeImages, CopiesOfTheTreeOwnTheirMemory) {
   const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
   expect_same(tree, copy, shafts);
   for (TypeParam* const each : {&tree, &copy}) {
-    const IndexOf<TypeParam> moved[] = {3, 8000};
+    const std::uint32_t moved[] = {3, 8000};
     each->update(std::span(moved), std::span(others).first(2));
     each->refit();
   }
@@ -219,7 +221,7 @@ TYPED_TEST(TreeImages, OfTreesThatNeedARefitAreNotWritten) {
   const auto bounds = scene<BoundOf<TypeParam>>(random, Shape::uniform, 200);
   auto tree = tree_of<TypeParam>(bounds);
   const std::vector<std::byte> before = image_of(tree);
-  const IndexOf<TypeParam> moved[] = {3};
+  const std::uint32_t moved[] = {3};
   tree.update(std::span(moved), std::span(bounds).subspan(5, 1));
   EXPECT_THROW(static_cast<void>(image_bytes(tree)), NeedsRefit);
   std::vector<std::byte> image = before;
@@ -283,9 +285,7 @@ TEST(TreeImage, SaysWhyMemoryIsNone) {
               AllOf(HasSubstr(std::to_string(size)), HasSubstr(std::to_string(size - 64))));
   EXPECT_THAT(complaint(pages.bytes()), HasSubstr(std::to_string(size + 64)));
   EXPECT_THAT(message_of<InvalidArgument>([&] { TreeInImage<SphereTree>{image}; }),
-              HasSubstr("is of boxes with 32-bit indices, not of spheres with 32-bit indices"));
-  EXPECT_THAT(message_of<InvalidArgument>([&] { TreeInImage<BoundsTree<Box, std::uint64_t>>{image}; }),
-              HasSubstr("with 64-bit indices"));
+              HasSubstr("is of boxes, not of spheres"));
   EXPECT_THAT(complaint(image, static_cast<ImageCheck>(7)), HasSubstr("ImageCheck 7"));
 
   const auto with = [&](std::size_t at, std::uint32_t value) {

@@ -50,9 +50,9 @@ FlatAnswers flat_answers(const CompiledShaft& shaft, const std::vector<Bound>& b
 }
 
 /// Every verb of one shaft.
-template <class Bound, class Index>
-void expect_answers(const BoundsTree<Bound, Index>& tree, const FlatAnswers& flat, const CompiledShaft& shaft,
-                    const ExcludingOf<Index>& excluding) {
+template <class Bound>
+void expect_answers(const BoundsTree<Bound>& tree, const FlatAnswers& flat, const CompiledShaft& shaft,
+                    const Excluding& excluding) {
   const Indices kept = flat.kept();
   EXPECT_EQ(count(shaft, tree, excluding), kept.size());
   EXPECT_EQ(any(shaft, tree, excluding), !kept.empty());
@@ -69,19 +69,19 @@ void expect_answers(const BoundsTree<Bound, Index>& tree, const FlatAnswers& fla
   EXPECT_EQ(some, bits_of(kept, tree.size()));
   EXPECT_EQ(others, bits_of(flat.inside, tree.size()));
 
-  std::vector<Index> indices(tree.size());
+  std::vector<std::uint32_t> indices(tree.size());
   indices.resize(list(shaft, tree, std::span(indices), excluding));
   EXPECT_EQ(sorted(indices), kept);
-  std::vector<Index> first(indices.size() / 2);
+  std::vector<std::uint32_t> first(indices.size() / 2);
   EXPECT_EQ(list_at_most(shaft, tree, std::span(first), excluding), first.size());
   EXPECT_TRUE(std::equal(first.begin(), first.end(), indices.begin()));
-  std::vector<LeafRangeOf<Index>> ranges(tree.size());
+  std::vector<LeafRange> ranges(tree.size());
   ranges.resize(list(shaft, tree, std::span(ranges), excluding));
   EXPECT_EQ(sorted(ranges, tree.order()), kept);
   EXPECT_TRUE(are_maximal(ranges));
 
-  std::vector<Index> overlap(tree.size());
-  std::vector<Index> inside(tree.size());
+  std::vector<std::uint32_t> overlap(tree.size());
+  std::vector<std::uint32_t> inside(tree.size());
   const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside), excluding);
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
@@ -93,12 +93,12 @@ template <class Tree>
 class TreeLayers : public testing::Test {
  protected:
   static void expect_answers_with(const Tree& tree, const std::vector<BoundOf<Tree>>& bounds, const Layers& layers,
-                                  const std::vector<CompiledShaft>& shafts) {
+                                  std::vector<CompiledShaft> shafts) {
+    shafts.push_back(compile(Shaft({{-99, -99, 0}, {99, 99, 0}}, {{-99, -99, 99}, {99, 99, 99}})));  // many of them
     for (const CompiledShaft& shaft : shafts) {
       for (const std::uint32_t mask : {0U, ~0U, 1U, 0x80000000U, 0x00ff00ffU}) {
         SCOPED_TRACE("layers " + std::to_string(mask) + " of " + std::to_string(tree.size()) + " bounds");
-        expect_answers<BoundOf<Tree>, IndexOf<Tree>>(tree, flat_answers(shaft, bounds, layers, mask), shaft,
-                                                     {.only_layers = {mask}});
+        expect_answers<BoundOf<Tree>>(tree, flat_answers(shaft, bounds, layers, mask), shaft, {.only_layers = {mask}});
         if (testing::Test::HasFailure()) return;
       }
     }
@@ -139,7 +139,6 @@ TYPED_TEST(TreeLayers, ThatAllBoundsAreInLeaveOutNothing) {
 }
 
 TYPED_TEST(TreeLayers, GoWithIndicesAndAMaskOfBits) {
-  using Index = IndexOf<TypeParam>;
   Random random(702);
   const auto bounds = scene<BoundOf<TypeParam>>(random, Shape::uniform, 5000);
   const Layers layers = random_layers(random, bounds.size());
@@ -149,16 +148,15 @@ TYPED_TEST(TreeLayers, GoWithIndicesAndAMaskOfBits) {
   for (const CompiledShaft& shaft : shafts_for(random, 8)) {
     FlatAnswers flat = flat_answers(shaft, bounds, layers, 0xffff);
     const Indices kept = flat.kept();
-    const std::vector<Index> own = {kept.empty() ? Index{9} : Index{kept[kept.size() / 2]}};
+    const std::vector<std::uint32_t> own = {kept.empty() ? std::uint32_t{9} : std::uint32_t{kept[kept.size() / 2]}};
     const auto is_out = [&](std::uint32_t i) { return i == own[0] || (mask[i / 64] >> i % 64 & 1) != 0; };
     std::erase_if(flat.overlap, is_out);
     std::erase_if(flat.inside, is_out);
-    expect_answers<BoundOf<TypeParam>, Index>(tree, flat, shaft, {.own = own, .mask = mask, .only_layers = {0xffff}});
+    expect_answers<BoundOf<TypeParam>>(tree, flat, shaft, {.own = own, .mask = mask, .only_layers = {0xffff}});
   }
 }
 
 TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
-  using Index = IndexOf<TypeParam>;
   Random random(703);
   const auto bounds = scene<BoundOf<TypeParam>>(random, Shape::uniform, 6000);
   const Layers layers = random_layers(random, bounds.size());
@@ -169,11 +167,11 @@ TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
   for (std::size_t s = 0; s != shafts.size(); ++s) masks.push_back(s % 7 == 0 ? ~0U : 0x11U << s % 28);
   for (const bool has_one_for_all : {false, true}) {
     const Layers asked = has_one_for_all ? Layers{0xf0f0} : masks;
-    const ExcludingOf<Index> excluding{.only_layers = asked};
-    IndexListsOf<Index> kept;
-    IndexListsOf<Index> overlap;
-    IndexListsOf<Index> inside;
-    LeafRangeListsOf<Index> ranges;
+    const Excluding excluding{.only_layers = asked};
+    IndexLists kept;
+    IndexLists overlap;
+    IndexLists inside;
+    LeafRangeLists ranges;
     std::vector<std::uint64_t> counts(shafts.size());
     std::vector<std::uint64_t> few(shafts.size());
     std::vector<KeptCounts> classified(shafts.size());
@@ -192,8 +190,7 @@ TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
     cull_many(shafts, tree, kept_bits, excluding);
     contained_many(shafts, tree, inside_bits, excluding);
     for_each_kept(
-        shafts, tree,
-        [&](const KeptRangesOf<Index>& answers) { called_back.push_back(sorted(answers.kept, tree.order())); },
+        shafts, tree, [&](const KeptRanges& answers) { called_back.push_back(sorted(answers.kept, tree.order())); },
         excluding);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       SCOPED_TRACE("shaft " + std::to_string(s));
@@ -219,7 +216,6 @@ TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
 
 TYPED_TEST(TreeLayers, StayThroughUpdatesRebuildsAndCopies) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(704);
   auto bounds = scene<Bound>(random, Shape::uniform, 5000);
   const Layers layers = random_layers(random, bounds.size());
@@ -232,12 +228,12 @@ TYPED_TEST(TreeLayers, StayThroughUpdatesRebuildsAndCopies) {
   bounds = scene<Bound>(random, Shape::clustered, bounds.size());
   tree.update(std::span<const Bound>(bounds));
   this->expect_answers_with(tree, bounds, layers, shafts);
-  const std::vector<Index> some = {7, 4998, 64};
-  for (const Index i : some) bounds[i] = before[i];
+  const std::vector<std::uint32_t> some = {7, 4998, 64};
+  for (const std::uint32_t i : some) bounds[i] = before[i];
   tree.update(some, std::span<const Bound>(std::vector<Bound>{before[7], before[4998], before[64]}));
   tree.refit();
   this->expect_answers_with(tree, bounds, layers, shafts);
-  const std::vector<Index> order(tree.order().begin(), tree.order().end());
+  const std::vector<std::uint32_t> order(tree.order().begin(), tree.order().end());
   tree.rebuild();
   EXPECT_FALSE(std::equal(order.begin(), order.end(), tree.order().begin())) << "nothing moved";
   this->expect_answers_with(tree, bounds, layers, shafts);
@@ -288,7 +284,6 @@ TYPED_TEST(TreeLayers, AreReplacedAndForgottenWithTheirMemory) {
 
 TYPED_TEST(TreeLayers, OfSingleBoundsAreChangedWithThoseOfTheNodesAbove) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(711);
   for (const std::size_t count : {100U, 9000U}) {
     const auto bounds = scene<Bound>(random, Shape::uniform, count);
@@ -297,7 +292,7 @@ TYPED_TEST(TreeLayers, OfSingleBoundsAreChangedWithThoseOfTheNodesAbove) {
     tree.set_layers(layers);
     const std::vector<CompiledShaft> shafts = shafts_for(random, 2);
     for (int again = 0; again != 4; ++again) {
-      std::vector<Index> some;
+      std::vector<std::uint32_t> some;
       Layers their_layers;
       for (int i = 0; i != 30; ++i) {
         some.push_back(random.below(static_cast<std::uint32_t>(count)));
@@ -312,8 +307,8 @@ TYPED_TEST(TreeLayers, OfSingleBoundsAreChangedWithThoseOfTheNodesAbove) {
     // Where no bound is in a layer any longer, no node says that there is one.
     tree.set_layers(layers);
     const auto nodes = TreeAccess::parts(tree)->layers.nodes;
-    std::vector<Index> all(count);
-    for (Index i = 0; i != count; ++i) all[i] = i;
+    std::vector<std::uint32_t> all(count);
+    for (std::uint32_t i = 0; i != count; ++i) all[i] = i;
     tree.set_layers(all, Layers(count, 0x80));
     tree.set_layers(all, layers);
     EXPECT_EQ(TreeAccess::parts(tree)->layers.nodes, nodes);
@@ -322,7 +317,6 @@ TYPED_TEST(TreeLayers, OfSingleBoundsAreChangedWithThoseOfTheNodesAbove) {
 
 TYPED_TEST(TreeLayers, AreRefusedWhereTheyDoNotFit) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(707);
   const auto bounds = scene<Bound>(random, Shape::uniform, 100);
   TypeParam tree{std::span<const Bound>(bounds)};
@@ -337,7 +331,7 @@ TYPED_TEST(TreeLayers, AreRefusedWhereTheyDoNotFit) {
                 tree.set_layers({static_cast<const std::uint32_t*>(nullptr), 100});
               }),
               HasSubstr("layers is null"));
-  const std::vector<Index> some = {3, 100};
+  const std::vector<std::uint32_t> some = {3, 100};
   EXPECT_THAT(message_of([&] { tree.set_layers(std::span(some).first(1), Layers(1)); }),
               HasSubstr("a tree without layers; give those of all bounds first"));
   EXPECT_FALSE(tree.has_layers());
@@ -351,11 +345,11 @@ TYPED_TEST(TreeLayers, AreRefusedWhereTheyDoNotFit) {
                 count_many(shafts, tree, counts, {.only_layers = {1, 2}});
               }),
               HasSubstr("excluding.only_layers has 2 sets of layers for 3 shafts; give one for each, or one for all"));
-  EXPECT_THAT(message_of([&] {
-                count_many(shafts, tree, counts,
-                           ExcludingOf<Index>{.only_layers = {static_cast<const std::uint32_t*>(nullptr), 3}});
-              }),
-              HasSubstr("excluding.only_layers is null"));
+  EXPECT_THAT(
+      message_of([&] {
+        count_many(shafts, tree, counts, Excluding{.only_layers = {static_cast<const std::uint32_t*>(nullptr), 3}});
+      }),
+      HasSubstr("excluding.only_layers is null"));
   EXPECT_EQ(counts, std::vector<std::uint64_t>(shafts.size(), 77));
   EXPECT_EQ(count(shafts[0], TypeParam(), {.only_layers = {1}}), 0U) << "an empty tree needs no layers";
 }
@@ -377,14 +371,14 @@ TEST(TreeLayerWalk, PassesOverNodesOfOtherLayers) {
   for (const Box& box : boxes) layers.push_back(box.lo[0] < -4 ? 1 : 2);
   tree.set_layers(layers);
   const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
-  const kernel::TreeParts<Box, std::uint32_t>& parts = *TreeAccess::parts(tree);
+  const kernel::TreeParts<Box>& parts = *TreeAccess::parts(tree);
   kernel::Kernels kernels = kernel::active_kernels();
   real_test = kernels.listed_boxes;
   kernels.listed_boxes = count_words;
   const auto words_for_layers = [&](std::uint32_t mask) {
     words_tested = 0;
     kernel::Counter counter;
-    using Filter = kernel::Filter<std::uint32_t, kernel::Counter>;
+    using Filter = kernel::Filter<kernel::Counter>;
     Filter filter({{parts.order, false, kernels}, {}, {}, {parts.layers, parts.level.data(), mask, kernels}}, counter);
     kernel::Walk<Box, Filter>(parts, kernels, kernel::data_of(shaft), kernel::Question::kept, filter).run();
     EXPECT_EQ(counter.count(), flat_answers(shaft, boxes, layers, mask).kept().size());

@@ -36,19 +36,18 @@ class TreeMany : public testing::Test {
 TYPED_TEST_SUITE(TreeMany, TreeKinds);
 
 TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
-  using Index = IndexOf<TypeParam>;
   for (const int threads : thread_counts) {
     with_threads(threads, [&] {
       std::vector<std::uint64_t> counts(this->shafts_.size(), 99);
       count_many(this->shafts_, this->tree_, counts);
       std::vector<KeptCounts> classified(this->shafts_.size(), KeptCounts{99, 99});
       count_classified_many(this->shafts_, this->tree_, classified);
-      IndexListsOf<Index> kept;
-      IndexListsOf<Index> overlap;
-      IndexListsOf<Index> inside;
-      LeafRangeListsOf<Index> kept_ranges;
-      LeafRangeListsOf<Index> overlap_ranges;
-      LeafRangeListsOf<Index> inside_ranges;
+      IndexLists kept;
+      IndexLists overlap;
+      IndexLists inside;
+      LeafRangeLists kept_ranges;
+      LeafRangeLists overlap_ranges;
+      LeafRangeLists inside_ranges;
       for (int again = 0; again != 2; ++again) {  // into used memory
         list_many(this->shafts_, this->tree_, kept);
         list_classified_many(this->shafts_, this->tree_, overlap, inside);
@@ -58,11 +57,11 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
       ASSERT_EQ(kept.size(), this->shafts_.size());
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         SCOPED_TRACE("shaft " + std::to_string(s) + ", " + std::to_string(threads) + " threads");
-        std::vector<Index> one(this->bounds_.size());
+        std::vector<std::uint32_t> one(this->bounds_.size());
         one.resize(list(this->shafts_[s], this->tree_, std::span(one)));
         EXPECT_EQ(counts[s], one.size());
         EXPECT_EQ(classified[s], (KeptCounts{overlap[s].size(), inside[s].size()}));
-        EXPECT_EQ(std::vector<Index>(kept[s].begin(), kept[s].end()), one);
+        EXPECT_EQ(std::vector<std::uint32_t>(kept[s].begin(), kept[s].end()), one);
         const FlatAnswers flat(this->shafts_[s], this->bounds_);
         EXPECT_EQ(sorted(kept[s]), flat.kept());
         EXPECT_EQ(sorted(overlap[s]), flat.overlap);
@@ -112,26 +111,23 @@ TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
 }
 
 TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRangesOfEachShaft) {
-  using Index = IndexOf<TypeParam>;
-  LeafRangeListsOf<Index> kept;
-  LeafRangeListsOf<Index> overlap;
-  LeafRangeListsOf<Index> inside;
+  LeafRangeLists kept;
+  LeafRangeLists overlap;
+  LeafRangeLists inside;
   list_many(this->shafts_, this->tree_, kept);
   list_classified_many(this->shafts_, this->tree_, overlap, inside);
-  using Ranges = std::vector<LeafRangeOf<Index>>;
-  const auto vector_of = [](std::span<const LeafRangeOf<Index>> ranges) {
-    return Ranges(ranges.begin(), ranges.end());
-  };
+  using Ranges = std::vector<LeafRange>;
+  const auto vector_of = [](std::span<const LeafRange> ranges) { return Ranges(ranges.begin(), ranges.end()); };
   for (const int threads : thread_counts) {
     with_threads(threads, [&] {
       std::size_t next = 0;
-      for_each_kept(this->shafts_, this->tree_, [&](const KeptRangesOf<Index>& answers) {
+      for_each_kept(this->shafts_, this->tree_, [&](const KeptRanges& answers) {
         EXPECT_EQ(answers.shaft, next++);
         EXPECT_EQ(vector_of(answers.kept), vector_of(kept[answers.shaft]));
       });
       EXPECT_EQ(next, this->shafts_.size());
       next = 0;
-      for_each_classified(this->shafts_, this->tree_, [&](const ClassifiedRangesOf<Index>& answers) {
+      for_each_classified(this->shafts_, this->tree_, [&](const ClassifiedRanges& answers) {
         EXPECT_EQ(answers.shaft, next++);
         EXPECT_EQ(vector_of(answers.overlap), vector_of(overlap[answers.shaft]));
         EXPECT_EQ(vector_of(answers.inside), vector_of(inside[answers.shaft]));
@@ -143,10 +139,9 @@ TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRangesOfEachShaft) {
 
 #if defined(__cpp_exceptions)
 TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheCall) {
-  using Index = IndexOf<TypeParam>;
   std::size_t calls = 0;
   EXPECT_THROW(for_each_kept(this->shafts_, this->tree_,
-                             [&](const KeptRangesOf<Index>& answers) {
+                             [&](const KeptRanges& answers) {
                                ++calls;
                                if (answers.shaft == 7) throw std::domain_error("enough");
                              }),
@@ -156,13 +151,12 @@ TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheCall) {
 #endif
 
 TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
-  using Index = IndexOf<TypeParam>;
   Random random(62);
   std::vector<std::uint64_t> mask(words_for(this->bounds_.size()));
   for (std::uint64_t& word : mask)
     word = random.one_in(3) ? 0 : std::uint64_t{random.below(0xffffffff)} << random.below(33);
   // What a shaft keeps is what is worth leaving out of it.
-  std::vector<Index> own;
+  std::vector<std::uint32_t> own;
   for (const CompiledShaft& shaft : this->shafts_) {
     const Indices kept = FlatAnswers(shaft, this->bounds_).kept();
     for (int i = 0; i != 3; ++i) {
@@ -171,13 +165,13 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   }
   for (const bool use_mask : {false, true}) {
     for (const bool use_own : {false, true}) {
-      ExcludingOf<Index> excluding;
+      Excluding excluding;
       if (use_mask) excluding.mask = mask;
       if (use_own) excluding.own = own;
-      IndexListsOf<Index> kept;
-      IndexListsOf<Index> overlap;
-      IndexListsOf<Index> inside;
-      LeafRangeListsOf<Index> ranges;
+      IndexLists kept;
+      IndexLists overlap;
+      IndexLists inside;
+      LeafRangeLists ranges;
       std::vector<std::uint64_t> counts(this->shafts_.size());
       list_many(this->shafts_, this->tree_, kept, excluding);
       list_classified_many(this->shafts_, this->tree_, overlap, inside, excluding);
@@ -193,7 +187,7 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
       any_many(this->shafts_, this->tree_, found, excluding);
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         FlatAnswers flat(this->shafts_[s], this->bounds_);
-        const std::span<const Index> own_of_shaft = std::span(own).subspan(3 * s, 3);
+        const std::span<const std::uint32_t> own_of_shaft = std::span(own).subspan(3 * s, 3);
         const auto is_out = [&](std::uint32_t i) {
           return (use_mask && (mask[i / 64] >> i % 64 & 1) != 0) ||
                  (use_own && std::find(own_of_shaft.begin(), own_of_shaft.end(), i) != own_of_shaft.end());
@@ -220,16 +214,15 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
 }
 
 TYPED_TEST(TreeMany, TheOrderDoesNotDependOnTheNumberOfThreads) {
-  using Index = IndexOf<TypeParam>;
   Random random(63);
   // So many that threads halve them together; with sizes apart, and with many ties.
   for (const Shape shape : {Shape::uniform, Shape::wild_sizes, Shape::grid}) {
     const auto bounds = scene<BoundOf<TypeParam>>(random, shape, 140000);
     const auto order_here = [&] {
       const TypeParam tree{std::span<const BoundOf<TypeParam>>(bounds)};
-      return std::vector<Index>(tree.order().begin(), tree.order().end());
+      return std::vector<std::uint32_t>(tree.order().begin(), tree.order().end());
     };
-    const std::vector<Index> order = order_here();
+    const std::vector<std::uint32_t> order = order_here();
     for (const int threads : thread_counts) {
       with_threads(threads, [&] { EXPECT_EQ(order_here() == order, true) << text(shape) << ", " << threads; });
     }
@@ -237,22 +230,21 @@ TYPED_TEST(TreeMany, TheOrderDoesNotDependOnTheNumberOfThreads) {
 }
 
 TYPED_TEST(TreeMany, WhatDoesNotFitIsCountedAndNotWritten) {
-  using Index = IndexOf<TypeParam>;
   for (const CompiledShaft& shaft : this->shafts_) {
-    std::vector<Index> all(this->bounds_.size());
+    std::vector<std::uint32_t> all(this->bounds_.size());
     all.resize(list(shaft, this->tree_, std::span(all)));
-    std::vector<LeafRangeOf<Index>> all_ranges(this->bounds_.size());
+    std::vector<LeafRange> all_ranges(this->bounds_.size());
     all_ranges.resize(list(shaft, this->tree_, std::span(all_ranges)));
     for (const std::size_t room : {std::size_t{0}, all.size() / 2, all.size()}) {
-      std::vector<Index> some(room + 1, 12345);
+      std::vector<std::uint32_t> some(room + 1, 12345);
       EXPECT_EQ(list(shaft, this->tree_, std::span(some).first(room)), all.size());
       EXPECT_EQ(some.back(), 12345U);
       EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all.begin()));
     }
     const std::size_t room = all_ranges.size() / 2;
-    std::vector<LeafRangeOf<Index>> some(room + 1, LeafRangeOf<Index>{1, 0});
+    std::vector<LeafRange> some(room + 1, LeafRange{1, 0});
     EXPECT_EQ(list(shaft, this->tree_, std::span(some).first(room)), all_ranges.size());
-    EXPECT_EQ(some.back(), (LeafRangeOf<Index>{1, 0}));
+    EXPECT_EQ(some.back(), (LeafRange{1, 0}));
     EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all_ranges.begin()));
   }
 }

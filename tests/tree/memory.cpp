@@ -49,10 +49,9 @@ std::vector<Bound> large_scene() {
   return bounds;
 }
 
-template <class Index>
-std::uint64_t checksum(std::span<const Index> order) {
+std::uint64_t checksum(std::span<const std::uint32_t> order) {
   std::uint64_t sum = 1;
-  for (const Index i : order) sum = (sum ^ i) * 0x100000001b3U + (sum >> 29U);
+  for (const std::uint32_t i : order) sum = (sum ^ i) * 0x100000001b3U + (sum >> 29U);
   return sum;
 }
 
@@ -62,7 +61,6 @@ TYPED_TEST_SUITE(LargeTree, TreeKinds);
 
 TYPED_TEST(LargeTree, KeepsItsOrderAndTheBoundOfItsMemory) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   if (has_shadow_memory) GTEST_SKIP() << "too many bounds for a sanitizer";
   const std::vector<Bound> bounds = large_scene<Bound>();
   const std::uint64_t on_record = std::is_same_v<Bound, Box> ? 10653367051374945110U : 9591559907332622002U;
@@ -77,7 +75,7 @@ TYPED_TEST(LargeTree, KeepsItsOrderAndTheBoundOfItsMemory) {
       of_tree = tree.memory_bytes();
       EXPECT_EQ(checksum(tree.order()), on_record);
     });
-    const std::size_t scratch = std::is_same_v<Bound, Box> && sizeof(Index) == sizeof(std::uint32_t) ? 8 : 12;
+    const std::size_t scratch = std::is_same_v<Bound, Box> ? 8 : 12;
     EXPECT_GE(peak, of_tree);  // something is counted
     EXPECT_LE(peak, of_tree + scratch * large + (std::size_t{1} << 20U) * static_cast<std::size_t>(threads));
     if (std::is_same_v<TypeParam, BoxTree>) {
@@ -88,16 +86,13 @@ TYPED_TEST(LargeTree, KeepsItsOrderAndTheBoundOfItsMemory) {
 
 TYPED_TEST(LargeTree, LeavesNothingBehindIfMemoryRunsOut) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(921);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, 9000);
   const kernel::RecordSource<Bound> source(records(std::span<const Bound>(bounds)));
   const auto call = [&] {
-    return kernel::in_float_environment([&] {
-      return kernel::build<Bound, Index>(source, RegionSizes{1, 4096, 4096}).order;
-    });
+    return kernel::in_float_environment([&] { return kernel::build<Bound>(source, RegionSizes{1, 4096, 4096}).order; });
   };
-  const kernel::TreeArray<Index> order = call();
+  const kernel::TreeArray<std::uint32_t> order = call();
   for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
     for (std::size_t n = 1;; ++n) {
       const std::size_t before = live_bytes();

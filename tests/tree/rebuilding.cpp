@@ -25,13 +25,12 @@ constexpr std::size_t counts[] = {1, 100, 4097, 70000};
 
 TYPED_TEST(TreeRebuilding, OfUnchangedBoundsMovesNothing) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(741);
   for (const Shape shape : shapes) {
     for (const std::size_t count : counts) {
       const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
       TypeParam tree{std::span<const Bound>(bounds)};
-      const std::vector<Index> order(tree.order().begin(), tree.order().end());
+      const std::vector<std::uint32_t> order(tree.order().begin(), tree.order().end());
       tree.rebuild();
       EXPECT_EQ(std::equal(order.begin(), order.end(), tree.order().begin()), true) << text(shape) << ", " << count;
     }
@@ -40,7 +39,6 @@ TYPED_TEST(TreeRebuilding, OfUnchangedBoundsMovesNothing) {
 
 TYPED_TEST(TreeRebuilding, GivesAnOrderThatDoesNotDependOnWhatTheTreeWentThrough) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(742);
   for (const Shape shape : shapes) {
     for (const std::size_t count : counts) {
@@ -51,8 +49,8 @@ TYPED_TEST(TreeRebuilding, GivesAnOrderThatDoesNotDependOnWhatTheTreeWentThrough
       moved.rebuild();
       moved.update(std::span<const Bound>(scene<Bound>(random, Shape::clustered, count)));
       moved.rebuild();
-      std::vector<Index> indices(count);
-      for (std::size_t i = 0; i != count; ++i) indices[i] = static_cast<Index>(count - 1 - i);
+      std::vector<std::uint32_t> indices(count);
+      for (std::size_t i = 0; i != count; ++i) indices[i] = static_cast<std::uint32_t>(count - 1 - i);
       moved.update(indices, std::span<const Bound>(std::vector<Bound>(bounds.rbegin(), bounds.rend())));
       if (random.one_in(2)) moved.refit();  // a rebuild does that, too
       moved.rebuild();

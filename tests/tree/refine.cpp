@@ -54,8 +54,6 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
     compile_batch(BoxStream(std::span<const Box>(a)).view(), BoxStream(std::span<const Box>(b)).view(), children);
     IndexLists lists;
     refine_many(children, memory.view(), candidates, lists);
-    IndexListsOf<std::uint64_t> wide_lists;
-    refine_many(children, memory.view(), std::vector<std::uint64_t>(candidates.begin(), candidates.end()), wide_lists);
     for (std::size_t s = 0; s != children.size(); ++s) {
       const Indices right = FlatAnswers(children[s], bounds).kept();
       EXPECT_EQ(Indices(lists[s].begin(), lists[s].end()), right) << "seed " << seed;
@@ -65,11 +63,6 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
       Indices in_place = candidates;
       in_place.resize(refine(children[s], memory.view(), in_place, in_place));
       EXPECT_EQ(in_place, right) << "seed " << seed;
-      std::vector<std::uint64_t> wide(candidates.begin(), candidates.end());
-      wide.resize(refine(children[s], memory.view(), wide, wide));
-      const std::vector<std::uint64_t> wide_right(right.begin(), right.end());
-      EXPECT_EQ(wide, wide_right) << "seed " << seed;
-      EXPECT_EQ(std::vector<std::uint64_t>(wide_lists[s].begin(), wide_lists[s].end()), wide_right) << "seed " << seed;
     }
   }
 }
@@ -90,31 +83,30 @@ TYPED_TEST_SUITE(TreeRefine, TreeKinds);
 
 TYPED_TEST(TreeRefine, CandidatesAreTheUsersIndicesWhateverTheOrderOfTheTree) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(93);
   std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
   TypeParam tree{std::span<const Bound>(bounds)};
   const std::vector<CompiledShaft> shafts = shafts_for(random, 9);
-  std::vector<Index> candidates;
+  std::vector<std::uint32_t> candidates;
   for (int i = 0; i != 3000; ++i) candidates.push_back(random.below(5000));  // in no order, some twice
   const auto expect_flat_answers = [&](const char* when) {
     const auto memory = columns(bounds);
-    IndexListsOf<Index> lists;
+    IndexLists lists;
     refine_many(shafts, tree, candidates, lists);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      std::vector<Index> right(candidates.size());
+      std::vector<std::uint32_t> right(candidates.size());
       right.resize(refine(shafts[s], memory.view(), candidates, right));
-      std::vector<Index> kept(candidates.size());
+      std::vector<std::uint32_t> kept(candidates.size());
       kept.resize(refine(shafts[s], tree, candidates, kept));
       EXPECT_EQ(kept, right) << when;
-      std::vector<Index> in_place = candidates;
+      std::vector<std::uint32_t> in_place = candidates;
       in_place.resize(refine(shafts[s], tree, in_place, in_place));
       EXPECT_EQ(in_place, right) << when;
-      EXPECT_EQ(std::vector<Index>(lists[s].begin(), lists[s].end()), right) << when;
+      EXPECT_EQ(std::vector<std::uint32_t>(lists[s].begin(), lists[s].end()), right) << when;
     }
   };
   expect_flat_answers("as built");
-  const std::vector<Index> moved = {4999, 0, 2500};
+  const std::vector<std::uint32_t> moved = {4999, 0, 2500};
   const std::vector<Bound> values = scene<Bound>(random, Shape::clustered, moved.size());
   tree.update(moved, std::span<const Bound>(values));
   for (std::size_t i = 0; i != moved.size(); ++i) bounds[moved[i]] = values[i];

@@ -42,8 +42,8 @@ bool are_same_bits(const View& a, const View& b) {
   return true;
 }
 
-template <class Bound, class Index>
-void expect_same(const kernel::TreeParts<Bound, Index>& a, const kernel::TreeParts<Bound, Index>& b) {
+template <class Bound>
+void expect_same(const kernel::TreeParts<Bound>& a, const kernel::TreeParts<Bound>& b) {
   EXPECT_EQ(a.order, b.order);
   EXPECT_EQ(a.least_index, b.least_index);
   EXPECT_TRUE(are_same_bits(a.leaves.view(), b.leaves.view()));
@@ -53,17 +53,17 @@ void expect_same(const kernel::TreeParts<Bound, Index>& a, const kernel::TreePar
   EXPECT_EQ(a.layers.leaves, b.layers.leaves);
 }
 
-template <class Bound, class Index, class Source>
-kernel::TreeParts<Bound, Index> built(const Source& source, const RegionSizes& sizes) {
-  return kernel::in_float_environment([&] { return kernel::build<Bound, Index>(source, sizes); });
+template <class Bound, class Source>
+kernel::TreeParts<Bound> built(const Source& source, const RegionSizes& sizes) {
+  return kernel::in_float_environment([&] { return kernel::build<Bound>(source, sizes); });
 }
 
-template <class Bound, class Index, class Source>
+template <class Bound, class Source>
 void expect_same_trees(const Source& source) {
-  const auto tree = built<Bound, Index>(source, at_once);
+  const auto tree = built<Bound>(source, at_once);
   for (const RegionSizes& sizes : by_regions) {
     SCOPED_TRACE(sizes.most_in_region);
-    expect_same(tree, built<Bound, Index>(source, sizes));
+    expect_same(tree, built<Bound>(source, sizes));
   }
 }
 
@@ -73,7 +73,6 @@ TYPED_TEST_SUITE(TreeRegions, TreeKinds);
 
 TYPED_TEST(TreeRegions, TheTreeIsTheSameForAllScenes) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(910);
   for (const Shape shape : shapes) {
     for (const std::size_t count : {std::size_t{1}, std::size_t{64}, std::size_t{700}, std::size_t{4097},
@@ -81,9 +80,9 @@ TYPED_TEST(TreeRegions, TheTreeIsTheSameForAllScenes) {
       SCOPED_TRACE(text(shape));
       SCOPED_TRACE(count);
       const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
-      expect_same_trees<Bound, Index>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))));
+      expect_same_trees<Bound>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))));
       const kernel::StreamOf<ViewOf<Bound>> stream{std::span<const Bound>(bounds)};
-      expect_same_trees<Bound, Index>(kernel::ViewSource<Bound>(stream.view()));
+      expect_same_trees<Bound>(kernel::ViewSource<Bound>(stream.view()));
     }
   }
 }
@@ -93,25 +92,23 @@ TYPED_TEST(TreeRegions, TheTreeIsTheSameForAnyNumberOfThreads) {
   GTEST_SKIP() << "WebAssembly has one thread; and after this test, Node.js 20 crashes when the program has ended";
 #endif
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(911);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::wild_sizes, 200000);
   const kernel::RecordSource<Bound> source(records(std::span<const Bound>(bounds)));
-  const auto tree = built<Bound, Index>(source, at_once);
+  const auto tree = built<Bound>(source, at_once);
   for (const int threads : {1, 2, 3}) {
-    with_threads(threads, [&] { expect_same(tree, built<Bound, Index>(source, by_regions[0])); });
+    with_threads(threads, [&] { expect_same(tree, built<Bound>(source, by_regions[0])); });
   }
 }
 
 TYPED_TEST(TreeRegions, RebuildingGivesTheSameTree) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(912);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, 30000);
-  auto tree = built<Bound, Index>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), at_once);
+  auto tree = built<Bound>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), at_once);
   std::vector<std::uint32_t> layers;
   for (std::size_t i = 0; i != bounds.size(); ++i) layers.push_back(random.below(7));
-  tree.layers = kernel::layers_of<Bound, Index>(tree, tree.order, layers);
+  tree.layers = kernel::layers_of<Bound>(tree, tree.order, layers);
   kernel::in_float_environment([&] {
     for (const RegionSizes& sizes : by_regions) expect_same(tree, kernel::rebuild(tree, sizes));
   });
@@ -123,22 +120,19 @@ TEST(TreeRegionsOfCentres, HalfExtentsGiveTheSameTree) {
     std::vector<Blob> blobs;
     for (std::size_t i = 0; i != 9000; ++i) blobs.push_back(blob(random, shape, i));
     const kernel::CentreExtentSource source({&blobs[0].centre, &blobs[0].half, sizeof(Blob), blobs.size()});
-    expect_same_trees<Box, std::uint32_t>(source);
-    expect_same_trees<Box, std::uint64_t>(source);
+    expect_same_trees<Box>(source);
   }
 }
 
 TYPED_TEST(TreeRegions, TheFirstBadBoundIsNamed) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(914);
   std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 20000);
   for (const std::size_t i : {19000U, 17003U}) {
     std::memset(&bounds[i], 0xff, sizeof(Bound));  // NaN
   }
-  const auto error = caught<BadBound>([&] {
-    built<Bound, Index>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), by_regions[0]);
-  });
+  const auto error = caught<BadBound>(
+      [&] { built<Bound>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), by_regions[0]); });
   ASSERT_TRUE(error);
   EXPECT_EQ(error->index(), 17003U);
 }

@@ -61,13 +61,12 @@ TYPED_TEST_SUITE(TreeSharedMemory, TreeKinds);
 
 TYPED_TEST(TreeSharedMemory, ATreesOwnLeavesAreNoUpdateOfIt) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   TypeParam tree = this->random_tree();
   const std::vector<Bound> before = this->leaves_of(tree);
   const auto refusal = AllOf(HasSubstr("update: "), HasSubstr("the tree's leaves share memory"));
 
   EXPECT_THAT(message_of([&] { tree.update(tree.leaves()); }), refusal);
-  const std::vector<Index> indices = {1, 2, 3};
+  const std::vector<std::uint32_t> indices = {1, 2, 3};
   EXPECT_THAT(message_of([&] { tree.update(indices, tree.leaves().slice(7, 3)); }), refusal);
 
   // One stream of many is enough, and so is one float of it.
@@ -100,11 +99,10 @@ TYPED_TEST(TreeSharedMemory, AnotherTreesLeavesAndTheTreesOwnOrderMayBeRead) {
 }
 
 TYPED_TEST(TreeSharedMemory, OutputsOfAQueryMustNotBeWhatItLeavesOutNorOneAnother) {
-  using Index = IndexOf<TypeParam>;
   const TypeParam tree = this->random_tree();
-  const std::vector<Index> untouched(200, 7);
-  std::vector<Index> memory = untouched;
-  const std::span<Index> all(memory);
+  const std::vector<std::uint32_t> untouched(200, 7);
+  std::vector<std::uint32_t> memory = untouched;
+  const std::span<std::uint32_t> all(memory);
   const auto shares = [](const char* one, const char* other) {
     return AllOf(HasSubstr(one), HasSubstr(other), HasSubstr("share memory"));
   };
@@ -131,15 +129,14 @@ TYPED_TEST(TreeSharedMemory, OutputsOfAQueryMustNotBeWhatItLeavesOutNorOneAnothe
 }
 
 TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {
-  using Index = IndexOf<TypeParam>;
   const TypeParam tree = this->random_tree();
   const std::span<const CompiledShaft> shafts(&this->shaft_, 1);
-  IndexListsOf<Index> lists{{0, 2}, {11, 12}};
-  IndexListsOf<Index> others{{0, 1}, {13}};
+  IndexLists lists{{0, 2}, {11, 12}};
+  IndexLists others{{0, 1}, {13}};
   const auto expect_unchanged = [&] {
     EXPECT_EQ(lists.offsets, (std::vector<std::uint64_t>{0, 2}));
-    EXPECT_EQ(lists.indices, (std::vector<Index>{11, 12}));
-    EXPECT_EQ(others.indices, (std::vector<Index>{13}));
+    EXPECT_EQ(lists.indices, (std::vector<std::uint32_t>{11, 12}));
+    EXPECT_EQ(others.indices, (std::vector<std::uint32_t>{13}));
   };
   EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, lists); }),
               HasSubstr("list_classified_many: overlap and inside share memory"));
@@ -149,26 +146,25 @@ TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {
   EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, others, {.own = others.indices}); }),
               HasSubstr("list_classified_many: inside and excluding.own share memory"));
   expect_unchanged();
-  LeafRangeListsOf<Index> ranges;
+  LeafRangeLists ranges;
   EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, ranges, ranges); }),
               HasSubstr("list_classified_many: overlap and inside share memory"));
 }
 
 TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginningOnly) {
-  using Index = IndexOf<TypeParam>;
   const TypeParam tree = this->random_tree();
-  std::vector<Index> candidates;
-  for (Index i = 0; i != 2000; ++i) candidates.push_back(i * 7 % 5000);
-  std::vector<Index> expected(candidates.size());
+  std::vector<std::uint32_t> candidates;
+  for (std::uint32_t i = 0; i != 2000; ++i) candidates.push_back(i * 7 % 5000);
+  std::vector<std::uint32_t> expected(candidates.size());
   expected.resize(refine(this->shaft_, tree.leaves(), candidates, expected));
   ASSERT_GT(expected.size(), 10U);
 
-  std::vector<Index> memory(10, 0);
+  std::vector<std::uint32_t> memory(10, 0);
   memory.insert(memory.end(), candidates.begin(), candidates.end());
   memory.insert(memory.end(), candidates.size(), 0);
-  const std::vector<Index> before = memory;
+  const std::vector<std::uint32_t> before = memory;
   const auto all = std::span(memory);
-  const std::span<const Index> in = all.subspan(10, candidates.size());
+  const std::span<const std::uint32_t> in = all.subspan(10, candidates.size());
   for (const std::size_t start :
        {std::size_t{0}, std::size_t{9}, std::size_t{11}, std::size_t{9 + candidates.size()}}) {
     EXPECT_THAT(message_of([&] {
@@ -178,7 +174,7 @@ TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginning
         << start;
   }
   EXPECT_EQ(memory, before);
-  const std::span<Index> behind = all.subspan(10 + candidates.size());
+  const std::span<std::uint32_t> behind = all.subspan(10 + candidates.size());
   ASSERT_EQ(refine(this->shaft_, tree.leaves(), in, behind), expected.size());
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), behind.begin()));
   // What `kept` has room for past the number of candidates is never written.
@@ -188,23 +184,22 @@ TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginning
 }
 
 TYPED_TEST(TreeSharedMemory, RefiningManyRefusesCandidatesThatAreItsLists) {
-  using Index = IndexOf<TypeParam>;
   const TypeParam tree = this->random_tree();
-  IndexListsOf<Index> lists{{0, 3}, {11, 12, 13}};
-  EXPECT_THAT(message_of([&] {
-                refine_many({&this->shaft_, 1}, tree.leaves(), std::span<const Index>(lists.indices).last(1), lists);
-              }),
-              HasSubstr("refine_many: lists and candidates share memory"));
-  EXPECT_EQ(lists.indices, (std::vector<Index>{11, 12, 13}));
+  IndexLists lists{{0, 3}, {11, 12, 13}};
+  EXPECT_THAT(
+      message_of([&] {
+        refine_many({&this->shaft_, 1}, tree.leaves(), std::span<const std::uint32_t>(lists.indices).last(1), lists);
+      }),
+      HasSubstr("refine_many: lists and candidates share memory"));
+  EXPECT_EQ(lists.indices, (std::vector<std::uint32_t>{11, 12, 13}));
 }
 
 TYPED_TEST(TreeSharedMemory, IndicesLeftOutMustExist) {
-  using Index = IndexOf<TypeParam>;
   const TypeParam tree = this->random_tree();
-  std::vector<Index> own = {4999, 5000};
+  std::vector<std::uint32_t> own = {4999, 5000};
   const auto refusal = HasSubstr("excluding.own[1] = 5000 is not below the number of bounds, 5000");
   EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(this->shaft_, tree, {.own = own})); }), refusal);
-  IndexListsOf<Index> lists;
+  IndexLists lists;
   const std::vector<CompiledShaft> shafts(2, this->shaft_);
   EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = own}); }), refusal);
   std::vector<std::uint64_t> counts(2);

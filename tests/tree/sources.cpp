@@ -55,17 +55,17 @@ TYPED_TEST(TreeSources, ViewsStreamsAndArraysOfTheSameBoundsMakeTheSameTree) {
 
 TYPED_TEST(TreeSources, CopiesHoldAllThatTheTreeHeld) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(72);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 3000);
-  const std::vector<Index> some = {5, 2999, 17};
+  const std::vector<std::uint32_t> some = {5, 2999, 17};
   TypeParam tree{std::span<const Bound>(bounds)};
   const std::size_t as_built = tree.memory_bytes();
   tree.update(some, std::span<const Bound>(bounds).first(3));
-  EXPECT_GE(tree.memory_bytes(), as_built + tree.size() * sizeof(Index));
+  EXPECT_GE(tree.memory_bytes(), as_built + tree.size() * sizeof(std::uint32_t));
   TypeParam copy = tree;
   EXPECT_TRUE(copy.needs_refit());
-  EXPECT_GE(copy.memory_bytes(), as_built + tree.size() * sizeof(Index)) << "the places of indices are not copied";
+  EXPECT_GE(copy.memory_bytes(), as_built + tree.size() * sizeof(std::uint32_t))
+      << "the places of indices are not copied";
   copy.refit();
   EXPECT_TRUE(tree.needs_refit());
   tree.refit();
@@ -113,7 +113,6 @@ TYPED_TEST(TreeSources, TheBoxOfATreeIsTheOneAroundItsBounds) {
 
 TYPED_TEST(TreeSources, TheBoxFollowsUpdatesAndWaitsForARefit) {
   using Bound = BoundOf<TypeParam>;
-  using Index = IndexOf<TypeParam>;
   Random random(74);
   TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, 5000))};
   const std::vector<Bound> far = {[] {
@@ -123,7 +122,7 @@ TYPED_TEST(TreeSources, TheBoxFollowsUpdatesAndWaitsForARefit) {
       return Sphere{{95, 95, 95}, 5};
     }
   }()};
-  const std::vector<Index> index = {1234};
+  const std::vector<std::uint32_t> index = {1234};
   tree.update(index, std::span<const Bound>(far));
   EXPECT_THROW(static_cast<void>(tree.box()), NeedsRefit);
   tree.refit();
@@ -150,11 +149,10 @@ struct CentredBoxes {
 
 template <class Tree>
 class BoxTreeSources : public TreeSources<Tree> {};
-using BoxTreeKinds = testing::Types<BoxTree, BoundsTree<Box, std::uint64_t>>;
+using BoxTreeKinds = testing::Types<BoxTree, BoundsTree<Box>>;
 TYPED_TEST_SUITE(BoxTreeSources, BoxTreeKinds);
 
 TYPED_TEST(BoxTreeSources, CentresAndHalfExtentsMakeTheTreeOfWhatTheyArePackedInto) {
-  using Index = IndexOf<TypeParam>;
   const CentredBoxes first(40000, 75);
   const CentredBoxes second(40000, 76);
   const BoxStream packed_first(first.records());
@@ -163,7 +161,7 @@ TYPED_TEST(BoxTreeSources, CentresAndHalfExtentsMakeTheTreeOfWhatTheyArePackedIn
   TypeParam expected(packed_first.view());
   this->expect_equal(tree, expected);
 
-  const std::vector<Index> some = {7, 39999, 20000};
+  const std::vector<std::uint32_t> some = {7, 39999, 20000};
   CentredBoxes three = second;
   three.record.resize(3);
   tree.update(some, three.records());

@@ -46,18 +46,12 @@ class Streams {
     for (std::size_t i = 0; i != size_; ++i) {
       for (std::size_t k = 0; k != 3; ++k) stream_[k][margin + i] = entries[i].centre[k];
       stream_[3][margin + i] = std::bit_cast<float>(entries[i].index);
-      stream_[4][margin + i] = high_bits(entries[i].index);
     }
   }
-  [[nodiscard]] std::array<float*, 5> pointers() {
-    std::array<float*, 5> pointers;
-    for (std::size_t s = 0; s != 5; ++s) pointers[s] = stream_[s].data() + margin;
+  [[nodiscard]] kernel::EntryStreams pointers() {
+    kernel::EntryStreams pointers;
+    for (std::size_t s = 0; s != pointers.size(); ++s) pointers[s] = stream_[s].data() + margin;
     return pointers;
-  }
-  /// Whether the fifth stream went where the fourth did.
-  [[nodiscard]] bool is_wide(std::size_t i) const {
-    const auto bits = std::bit_cast<std::uint32_t>(stream_[4][margin + i]);
-    return bits == std::bit_cast<std::uint32_t>(high_bits((*this)[i].index));
   }
   [[nodiscard]] Entry operator[](std::size_t i) const {
     const std::size_t at = margin + i;
@@ -78,25 +72,20 @@ class Streams {
   }
 
  private:
-  static float high_bits(std::uint32_t index) { return std::bit_cast<float>(~index); }
-
-  std::array<std::vector<float>, 5> stream_;
+  std::array<std::vector<float>, kernel::entry_streams> stream_;
   std::size_t size_;
 };
 
-Entries split(const Entries& entries, std::size_t first_half, bool wide) {
+Entries split(const Entries& entries, std::size_t first_half) {
   Streams from(entries);
   Streams to(entries.size());
-  const kernel::Kernels& kernels = kernel::active_kernels();
-  (wide ? kernels.split_wide : kernels.split)
-      .halve(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
+  kernel::active_kernels().split.halve(from.pointers().data(), to.pointers().data(), entries.size(), first_half);
   EXPECT_TRUE(from.margins_are_untouched());
   EXPECT_TRUE(to.margins_are_untouched());
   Entries halves;
   for (std::size_t i = 0; i != entries.size(); ++i) {
     const Streams& half = i < first_half ? from : to;
     halves.push_back(half[i]);
-    EXPECT_TRUE(!wide || half.is_wide(i)) << i;
   }
   return halves;
 }
@@ -104,19 +93,16 @@ Entries split(const Entries& entries, std::size_t first_half, bool wide) {
 /// What comes before a part that all threads halve.
 constexpr std::size_t part_first = 37;
 
-template <class Index>
 Entries split_together(const Entries& entries, std::size_t first_half) {
   Entries all(part_first, Entry{{1, 2, 3}, 4});
   all.insert(all.end(), entries.begin(), entries.end());
   Streams streams(all);
   Streams spare(all.size());
-  kernel::EntryStreams<Index> of_entries;
-  kernel::EntryStreams<Index> of_scratch;
-  std::copy_n(streams.pointers().begin(), of_entries.size(), of_entries.begin());
-  std::copy_n(spare.pointers().begin(), of_scratch.size(), of_scratch.begin());
+  const kernel::EntryStreams of_entries = streams.pointers();
+  const kernel::EntryStreams of_scratch = spare.pointers();
   const std::size_t cut = part_first + first_half;
-  const kernel::Halves<Index> halves = kernel::split_in_parallel<Index>(
-      {part_first, all.size(), &of_entries, &of_scratch}, cut, kernel::active_kernels());
+  const kernel::Halves halves =
+      kernel::split_in_parallel({part_first, all.size(), &of_entries, &of_scratch}, cut, kernel::active_kernels());
   EXPECT_EQ(halves.low.first, part_first);
   EXPECT_EQ(halves.low.last, cut);
   EXPECT_EQ(halves.high.first, cut);
@@ -131,7 +117,6 @@ Entries split_together(const Entries& entries, std::size_t first_half) {
   for (std::size_t i = part_first; i != all.size(); ++i) {
     const Streams& half = (i < cut ? halves.low : halves.high).entries == &of_entries ? streams : spare;
     made.push_back(half[i]);
-    EXPECT_TRUE(sizeof(Index) == 4 || half.is_wide(i)) << i;
   }
   return made;
 }
@@ -166,11 +151,9 @@ void expect_split(const Entries& entries, std::size_t first_half, std::size_t ax
     const auto expect_halves = [&](const char* mode) {
       const std::string which = what + ", " + std::to_string(entries.size()) + " entries, " +
                                 std::to_string(first_half) + " first, " + std::string(name(isa)) + mode;
-      ASSERT_EQ(split(entries, first_half, false) == expected, true) << which;
-      ASSERT_EQ(split(entries, first_half, true) == expected, true) << which << ", five streams";
+      ASSERT_EQ(split(entries, first_half) == expected, true) << which;
       if (entries.size() < kernel::fewest_for_parallel_split) return;
-      ASSERT_EQ(split_together<std::uint32_t>(entries, first_half) == expected, true) << which << ", together";
-      ASSERT_EQ(split_together<std::uint64_t>(entries, first_half) == expected, true) << which << ", together, five";
+      ASSERT_EQ(split_together(entries, first_half) == expected, true) << which << ", together";
     };
     expect_halves("");
 #ifdef SHAFTCULL_HAS_FLOAT_MODES
@@ -292,14 +275,11 @@ TEST(SplitEntries, TheAxisThatIsSpreadOutMostIsHalved) {
 }
 
 TEST(TreeOrder, IndicesComeBackFromEntries) {
-  float parts[2];
-  const kernel::EntryStreams<std::uint32_t> narrow = {nullptr, nullptr, nullptr, parts};
-  const kernel::EntryStreams<std::uint64_t> wide = {nullptr, nullptr, nullptr, parts, parts + 1};
-  for (const std::uint64_t index : {0x0ULL, 0x1ULL, 0x7fa00001ULL, 0xffffffffULL, 0x100000000ULL, 0x1fffffffffULL}) {
-    if (index > SIZE_MAX) break;  // no tree has so many bounds there
-    for (std::size_t s = 3; s != 5; ++s) parts[s - 3] = kernel::index_bits(index, s);
-    EXPECT_EQ(kernel::index_of<std::uint64_t>(wide, 0), index);
-    EXPECT_EQ(kernel::index_of<std::uint32_t>(narrow, 0), static_cast<std::uint32_t>(index));
+  float bits = 0;
+  const kernel::EntryStreams entries = {nullptr, nullptr, nullptr, &bits};
+  for (const std::uint32_t index : {0x0U, 0x1U, 0x7fa00001U, 0xffffffffU}) {  // as floats, a NaN that signals
+    bits = kernel::index_bits(index);
+    EXPECT_EQ(kernel::index_of(entries, 0), index);
   }
 }
 

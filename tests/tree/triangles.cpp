@@ -77,8 +77,7 @@ std::vector<CompiledShaft> shafts_for(Random& random) {
   return shafts;
 }
 
-template <class Index>
-std::vector<Index> sorted(std::vector<Index> indices) {
+std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> indices) {
   std::sort(indices.begin(), indices.end());
   return indices;
 }
@@ -86,7 +85,7 @@ std::vector<Index> sorted(std::vector<Index> indices) {
 TEST(TriangleTree, AnswersWhatAScanAnswers) {
   Random random(840);
   std::size_t kept_in_all = 0;
-  for (const std::size_t count : {0U, 1U, 31U, 32U, 33U, 64U, 65U, 2047U, 2048U, 2049U, 4095U, 9000U, 70001U}) {
+  for (const std::size_t count : {0U, 1U, 31U, 32U, 33U, 64U, 65U, 2047U, 2048U, 2049U, 4095U, 6139U, 9000U, 70001U}) {
     const std::vector<Triangle> triangles = triangles_of(random, count);
     const TriangleColumns memory(triangles);
     const TriangleTree tree{std::span<const Triangle>(triangles)};
@@ -96,6 +95,7 @@ TEST(TriangleTree, AnswersWhatAScanAnswers) {
       for (std::size_t s = 0; s != 6; ++s) shafts[s] = shafts[shafts.size() - 1 - 5 * s];
       shafts.resize(6);
     }
+    shafts.push_back(compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}})));
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       for (const TriangleTest test : tests) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// A walk through a tree of more bounds than 32 bits number, in little memory: pages that nobody has written to are all
-/// the same one.
+/// A walk through the largest tree that there can be, in little memory: pages that nobody has written to are all the
+/// same one.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <vector>
 
@@ -55,7 +56,7 @@ namespace {
 
 using kernel::TreeLevels;
 
-constexpr std::size_t size = (std::size_t{1} << 34U) + 999;
+constexpr std::size_t size = std::numeric_limits<std::uint32_t>::max();
 
 /// A tree whose boxes are all the point at the origin: memory that nobody has written to reads as zeros.
 TreeLevels<Box> origins() {
@@ -86,42 +87,40 @@ void reach_far(TreeLevels<Box>& tree, std::size_t entry, std::size_t k) {
 
 TEST(WideTree, AWalkReachesAllBounds) {
   if (has_shadow_memory) GTEST_SKIP() << "a sanitizer's shadow of all this does not share pages";
-  using Range = LeafRangeOf<std::uint64_t>;
   TreeLevels<Box> tree;
   try {
     tree = origins();
   } catch (const std::bad_alloc&) {
-    GTEST_SKIP() << "no room for half a terabyte of addresses";
+    GTEST_SKIP() << "no room for a hundred gigabytes of addresses";
   }
-  const std::vector<Range> overlap = {
-      {7, 1}, {(std::uint64_t{1} << 32U) - 1, 2}, {(std::uint64_t{1} << 33U) + 331, 1}, {size - 1, 1}};
-  for (const Range& range : overlap) {
+  const std::vector<LeafRange> overlap = {
+      {7, 1}, {(std::uint32_t{1} << 31U) - 1, 2}, {(std::uint32_t{1} << 31U) + 331, 1}, {size - 1, 1}};
+  for (const LeafRange& range : overlap) {
     for (std::size_t leaf = range.first; leaf != range.first + range.size; ++leaf) {
       for (std::size_t s = 0; s != 6; ++s) tree.leaf_rows()[s][leaf] = s == 0 ? 3 : 5;  // half outside
       reach_far(tree, leaf, 1);
     }
   }
-  // A node of level 2 that is inside, beyond 32 bits: its leaves are not looked at.
-  const std::size_t inside_node = (std::size_t{3} << 32U) >> 12U;
+  // A node of level 2 that is inside, beyond 31 bits: its leaves are not looked at.
+  const std::size_t inside_node = (std::size_t{3} << 30U) >> 12U;
   for (std::size_t s = 0; s != 6; ++s) tree.node_rows(2, inside_node)[s][0] = 5;
   reach_far(tree, inside_node, 3);
-  const std::vector<Range> inside = {{std::uint64_t{3} << 32U, 4096}};
+  const std::vector<LeafRange> inside = {{std::uint32_t{3} << 30U, 4096}};
 
   const CompiledShaft shaft = compile(Shaft({{4, 4, 4}, {6, 6, 6}}, {{7, 7, 7}, {8, 9, 10}}));
   for (const Isa isa : available_isas()) {
     select_isa(isa);
-    using Output = kernel::GrowingOutput<Range>;
-    using List = kernel::LeafRangeList<std::uint64_t, Output>;
+    using Output = kernel::GrowingOutput<LeafRange>;
+    using List = kernel::LeafRangeList<Output>;
     Output overlaps;
     Output insides;
-    const kernel::LeafIndices<std::uint64_t> unknown({}, true,
-                                                     kernel::active_kernels());  // ranges are of leaves, not of indices
+    const kernel::LeafIndices unknown({}, true, kernel::active_kernels());  // ranges are of leaves, not of indices
     kernel::ClassLister<List> lister(List(unknown, overlaps), List(unknown, insides));
     kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), kernel::data_of(shaft),
                                                  kernel::Question::kept_and_inside, lister)
         .run();
-    EXPECT_EQ(std::vector<Range>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
-    EXPECT_EQ(std::vector<Range>(insides.data(), insides.data() + insides.count()), inside) << name(isa);
+    EXPECT_EQ(std::vector<LeafRange>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
+    EXPECT_EQ(std::vector<LeafRange>(insides.data(), insides.data() + insides.count()), inside) << name(isa);
   }
 }
 

@@ -492,6 +492,45 @@ TEST(VisibilityBatches, SolidsThatAreAddedBetweenCallsBlockToo) {
   EXPECT_EQ(count_visibility(patches, Blockers(blockers)).blocked, 1U);
 }
 
+TEST(VisibilityBatches, ABlockerThatIsAddedToManyBetweenCallsIsACandidate) {
+  const Box points[] = {{{0.5F, 0.5F, -9}, {0.5F, 0.5F, -9}}, {{0.5F, 0.5F, 9}, {0.5F, 0.5F, 9}}};
+  const PatchSet patches{std::span<const Box>(points)};
+  Blockers blockers;
+  blockers.add_boxes(std::span<const Box>(std::vector<Box>(5000, Box{{20, 0, 0}, {21, 1, 1}})));
+  EXPECT_EQ(count_visibility(patches, blockers).clear, 1U);
+  const Box between{{0, 0, 0}, {1, 1, 1}};
+  blockers.add_boxes(std::span<const Box>(&between, 1));
+  EXPECT_EQ(count_visibility(patches, blockers).clear, 0U);
+}
+
+TEST(VisibilityBatches, CallbacksRunInTheModesOfTheCaller) {
+#ifdef SHAFTCULL_HAS_FLOAT_MODES
+  const SightCase of = large_case(false, 300);
+  for (const Mode& mode : modes) {
+    SCOPED_TRACE(mode.name);
+    const InMode in(mode);
+    VisibilityOptions options = of.options;
+    bool differs = false;
+    const auto look = [&] { differs |= (float_registers() & control_bits) != (mode.bits & control_bits); };
+    options.progress = [&](const VisibilityProgress&) {
+      look();
+      return true;
+    };
+    bool was_delivered = false;
+    of.deliver(
+        [&](const SightBatch&) {
+          look();
+          was_delivered = true;
+        },
+        options);
+    EXPECT_TRUE(was_delivered);
+    EXPECT_FALSE(differs);
+  }
+#else
+  GTEST_SKIP() << "there are no modes";
+#endif
+}
+
 TEST(VisibilityBatches, BlockersAreValuesAndNumberedAsTheyAreAdded) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}};

@@ -155,6 +155,22 @@ TEST(VisibilityErrors, BlockersAreFiniteAndHaveAnInside) {
   EXPECT_EQ(refusing.blockers().size(), 2U);
 }
 
+TEST(VisibilityErrors, NothingOfARefusedAdditionStays) {
+  const Box points[] = {{{0, 0, -9}, {0, 0, -9}}, {{0, 0, 9}, {0, 0, 9}}};
+  const PatchSet patches{std::span<const Box>(points)};
+  const std::vector<Vec3> wall{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  std::vector<Vec3> broken{{7, 7, 7}, {8, 7, 7}, {7, 8, 7}, {7, 8, 8}};
+  broken.insert(broken.end(), wall.begin(), wall.end());
+  broken.back()[0] = nan;
+  const std::vector<std::size_t> two{0, 4, 8};
+  Blockers blockers;
+  EXPECT_THROW(blockers.add_polygons(broken, two), BadBound);
+  EXPECT_THROW(blockers.add_solid_hulls(broken, two), BadBound);
+  EXPECT_EQ(blockers.size(), 0U);
+  EXPECT_EQ(blockers.add_polygons(wall, std::vector<std::size_t>{0, 4}), 0U);
+  EXPECT_EQ(count_visibility(patches, blockers).blocked, 1U);
+}
+
 TEST(VisibilityErrors, HullsHaveFourToThirtyTwoCornersAndPolygonsThree) {
   Refusing refusing;
   for (const std::size_t count : {3U, 33U}) {

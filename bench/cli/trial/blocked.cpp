@@ -27,10 +27,10 @@ void Trial::ask_blocking(const CompiledShaft& shaft, const char* how) {
   const auto question = [&](const char* call) {
     return [=] { return fmt::format("{}, {}, {}", call, how, name(active_isa())); };
   };
-  std::vector<std::uint64_t> listed(count_);
+  std::vector<std::uint32_t> listed(count_);
   listed.resize(list_blocking(shaft, boxes(), listed));
   std::vector<std::uint64_t> blocking(blocking_.size());
-  for (const std::uint64_t i : listed) blocking[i / 64] |= bit_of(i);
+  for (const std::uint32_t i : listed) blocking[i / 64] |= bit_of(i);
   compare(blocking, blocking_, question("list_blocking"));
   std::vector<std::uint64_t> alone(blocking_.size());
   for (std::size_t i = 0; i != count_; ++i) {

@@ -36,7 +36,7 @@ void Trial::sometimes_find_first_contact(Random& random) {
 
 template <class View, class TimeOf>
 void Trial::find_first_contact(const View& bounds, const TimeOf& time_of) {
-  FirstContactOf<std::uint64_t> first;
+  FirstContact first;
   decltype(time_of(bounds[0])) least;
   for (std::size_t i = 0; i != count_; ++i) {
     if ((kept_[i / 64] & bit_of(i)) == 0) continue;
@@ -47,14 +47,14 @@ void Trial::find_first_contact(const View& bounds, const TimeOf& time_of) {
     }
     if (least && *least <= *time) continue;
     least = time;
-    first = {i, oracle::rounded_down(*time)};
+    first = {static_cast<std::uint32_t>(i), oracle::rounded_down(*time)};
   }
   first_ = first;
 }
 
 void Trial::ask_first_contact(const CompiledShaft& shaft, const char* how) {
   if (!first_ || count_ == 0) return;
-  const auto compare_contact = [&](const FirstContactOf<std::uint64_t>& got, const char* of) {
+  const auto compare_contact = [&](const FirstContact& got, const char* of) {
     if (got == *first_) return;
     fail(got ? got.index : first_->index,
          fmt::format("first_contact of a {}, {}, {}: bound {} at {} instead of {} at {}", of, how, name(active_isa()),
@@ -64,7 +64,7 @@ void Trial::ask_first_contact(const CompiledShaft& shaft, const char* how) {
     using Bound = std::conditional_t<std::is_same_v<View, BoxView>, Box, Sphere>;
     compare_contact(first_contact(shaft, bounds, Form::slab), "view, slab");
     compare_contact(first_contact(shaft, bounds, Form::planes), "view, planes");
-    compare_contact(first_contact(shaft, BoundsTree<Bound, std::uint64_t>(bounds)), "tree");
+    compare_contact(first_contact(shaft, BoundsTree<Bound>(bounds)), "tree");
   });
 }
 

@@ -125,10 +125,10 @@ class Trial {
   std::size_t start_[6] = {};  ///< of each stream in memory_
   std::vector<std::uint64_t> kept_;
   std::vector<std::uint64_t> inside_;
-  std::vector<std::uint64_t> blocking_;                 ///< of shafts between two boxes
-  std::optional<FirstContactOf<std::uint64_t>> first_;  ///< right, if it is asked for
-  std::vector<Triangle> triangles_;                     ///< if triangles are asked about: as many as bounds
-  std::vector<std::uint64_t> kept_triangles_[2];        ///< right, by TriangleTest
+  std::vector<std::uint64_t> blocking_;           ///< of shafts between two boxes
+  std::optional<FirstContact> first_;             ///< right, if it is asked for
+  std::vector<Triangle> triangles_;               ///< if triangles are asked about: as many as bounds
+  std::vector<std::uint64_t> kept_triangles_[2];  ///< right, by TriangleTest
   std::vector<std::uint64_t> wrong_;
   TrialCounts counts_;
   std::vector<std::string> failures_;

@@ -21,15 +21,14 @@ namespace shaftcull {
 namespace {
 
 using Words = std::vector<std::uint64_t>;
-using BoxTree64 = BoundsTree<Box, std::uint64_t>;
-using SphereTree64 = BoundsTree<Sphere, std::uint64_t>;
+using Indices = std::vector<std::uint32_t>;
 
 template <class Set>
 concept FlatSet = std::same_as<Set, BoxView> || std::same_as<Set, SphereView>;
 template <class Set>
 concept Triangles = std::same_as<Set, TriangleView> || std::same_as<Set, TriangleTree>;
 template <class Set>
-concept Boxes = std::same_as<Set, BoxView> || std::same_as<Set, BoxTree> || std::same_as<Set, BoxTree64>;
+concept Boxes = std::same_as<Set, BoxView> || std::same_as<Set, BoxTree>;
 
 /// Shafts of all kinds, the same in both languages: first those between boxes, then other moving boxes, then hulls.
 struct Shafts {
@@ -234,62 +233,49 @@ void compare_bits(const Question<Set, Option>& q, std::size_t count) {
   EXPECT_EQ(given, expected);
 }
 
-/// Lists with indices of one width.
-template <class Index, class Set, class Option>
+/// Lists of indices.
+template <class Set, class Option>
 void compare_lists(const Question<Set, Option>& q, std::size_t count) {
-  constexpr bool narrow = sizeof(Index) == 4;
   const shaftcull_shafts* const c = q.shafts.c.get();
   const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(count);
   for (std::size_t s = 0; s != count; ++s) {
     SCOPED_TRACE("shaft " + std::to_string(s));
     for (const std::size_t room : {q.size, std::size_t{3}}) {
-      std::vector<Index> expected(room);
-      std::vector<Index> given(room, 99);
+      Indices expected(room);
+      Indices given(room, 99);
       std::uint64_t number = 99;
-      const std::size_t found = list(shafts[s], q.set, std::span<Index>(expected), q.option);
-      if constexpr (narrow) {
-        ok(shaftcull_list(c, s, q.bounds, q.query, given.data(), room, &number));
-      } else {
-        ok(shaftcull_list64(c, s, q.bounds, q.query, given.data(), room, &number));
-      }
+      const std::size_t found = list(shafts[s], q.set, std::span<std::uint32_t>(expected), q.option);
+      ok(shaftcull_list(c, s, q.bounds, q.query, given.data(), room, &number));
       ASSERT_EQ(number, found);
       expected.resize(std::min(found, room));
       given.resize(std::min(found, room));
       EXPECT_EQ(given, expected);
     }
   }
-  IndexListsOf<Index> expected;
+  IndexLists expected;
   list_many(shafts, q.set, expected, q.option);
-  const ListsHandle lists = made<ListsHandle>(
-      shaftcull_lists_create, std::uint32_t{narrow ? SHAFTCULL_LISTS_OF_INDICES : SHAFTCULL_LISTS_OF_INDICES64});
+  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES});
   ok(shaftcull_list_many(c, 0, count, q.bounds, q.query, lists.get()));
   ASSERT_EQ(shaftcull_lists_count(lists.get()), count);
   const std::uint64_t* const offsets = shaftcull_lists_offsets(lists.get());
   EXPECT_EQ(Words(offsets, offsets + count + 1), expected.offsets);
-  std::vector<Index> given;
-  if constexpr (narrow) {
-    const std::uint32_t* const indices = shaftcull_lists_indices(lists.get());
-    if (indices != nullptr) given.assign(indices, indices + offsets[count]);
-    EXPECT_EQ(shaftcull_lists_indices64(lists.get()), nullptr);
-  } else {
-    const std::uint64_t* const indices = shaftcull_lists_indices64(lists.get());
-    if (indices != nullptr) given.assign(indices, indices + offsets[count]);
-    EXPECT_EQ(shaftcull_lists_indices(lists.get()), nullptr);
-  }
+  Indices given;
+  const std::uint32_t* const indices = shaftcull_lists_indices(lists.get());
+  if (indices != nullptr) given.assign(indices, indices + offsets[count]);
+  EXPECT_EQ(shaftcull_lists_ranges(lists.get()), nullptr);
   EXPECT_EQ(given, expected.indices);
 }
 
 /// What boxes and spheres are asked and triangles are not: inside, at most so many, candidates.
-template <class Index, class Set, class Option>
+template <class Set, class Option>
 void compare_classified(const Question<Set, Option>& q) {
-  constexpr bool narrow = sizeof(Index) == 4;
   const shaftcull_shafts* const c = q.shafts.c.get();
   const std::size_t count = q.shafts.cpp.size();
   const std::span<const CompiledShaft> shafts(q.shafts.cpp);
   const std::size_t words = words_for(q.size);
   constexpr std::size_t most = 4;
-  std::vector<Index> candidates;
-  for (std::size_t i = 0; i < q.size; i += 3) candidates.push_back(static_cast<Index>(i));
+  Indices candidates;
+  for (std::size_t i = 0; i < q.size; i += 3) candidates.push_back(static_cast<std::uint32_t>(i));
   for (std::size_t s = 0; s != count; ++s) {
     SCOPED_TRACE("shaft " + std::to_string(s));
     Words kept(words);
@@ -316,32 +302,24 @@ void compare_classified(const Question<Set, Option>& q) {
     ok(shaftcull_count_classified(c, s, q.bounds, q.query, &counts));
     EXPECT_EQ(as_counts(counts), count_classified(shafts[s], q.set, q.option));
 
-    std::vector<Index> first(most);
-    std::vector<Index> given_first(most);
-    const std::size_t found = list_at_most(shafts[s], q.set, std::span<Index>(first), q.option);
-    std::vector<Index> overlap(q.size);
-    std::vector<Index> within(q.size);
-    std::vector<Index> given_overlap(q.size);
-    std::vector<Index> given_within(q.size);
-    const KeptCounts expected =
-        list_classified(shafts[s], q.set, std::span<Index>(overlap), std::span<Index>(within), q.option);
-    std::vector<Index> refined(candidates.size());
-    std::vector<Index> given_refined(candidates.size());
+    Indices first(most);
+    Indices given_first(most);
+    const std::size_t found = list_at_most(shafts[s], q.set, std::span<std::uint32_t>(first), q.option);
+    Indices overlap(q.size);
+    Indices within(q.size);
+    Indices given_overlap(q.size);
+    Indices given_within(q.size);
+    const KeptCounts expected = list_classified(shafts[s], q.set, std::span<std::uint32_t>(overlap),
+                                                std::span<std::uint32_t>(within), q.option);
+    Indices refined(candidates.size());
+    Indices given_refined(candidates.size());
     const std::size_t left = refine(shafts[s], q.set, candidates, refined);
     std::uint64_t given_left = 99;
-    if constexpr (narrow) {
-      ok(shaftcull_list_at_most(c, s, q.bounds, q.query, given_first.data(), most, &number));
-      ok(shaftcull_list_classified(c, s, q.bounds, q.query, given_overlap.data(), q.size, given_within.data(), q.size,
-                                   &counts));
-      ok(shaftcull_refine(c, s, q.bounds, candidates.data(), candidates.size(), given_refined.data(),
-                          given_refined.size(), &given_left));
-    } else {
-      ok(shaftcull_list_at_most64(c, s, q.bounds, q.query, given_first.data(), most, &number));
-      ok(shaftcull_list_classified64(c, s, q.bounds, q.query, given_overlap.data(), q.size, given_within.data(), q.size,
-                                     &counts));
-      ok(shaftcull_refine64(c, s, q.bounds, candidates.data(), candidates.size(), given_refined.data(),
-                            given_refined.size(), &given_left));
-    }
+    ok(shaftcull_list_at_most(c, s, q.bounds, q.query, given_first.data(), most, &number));
+    ok(shaftcull_list_classified(c, s, q.bounds, q.query, given_overlap.data(), q.size, given_within.data(), q.size,
+                                 &counts));
+    ok(shaftcull_refine(c, s, q.bounds, candidates.data(), candidates.size(), given_refined.data(),
+                        given_refined.size(), &given_left));
     ASSERT_EQ(number, found);
     first.resize(found);
     given_first.resize(found);
@@ -384,39 +362,27 @@ void compare_classified(const Question<Set, Option>& q) {
     EXPECT_EQ(as_counts(given_counts[s]), counts[s]);
   }
 
-  const std::uint32_t kind = narrow ? SHAFTCULL_LISTS_OF_INDICES : SHAFTCULL_LISTS_OF_INDICES64;
+  const std::uint32_t kind = SHAFTCULL_LISTS_OF_INDICES;
   const ListsHandle given_overlap = made<ListsHandle>(shaftcull_lists_create, kind);
   const ListsHandle given_within = made<ListsHandle>(shaftcull_lists_create, kind);
   const ListsHandle given_refined = made<ListsHandle>(shaftcull_lists_create, kind);
-  IndexListsOf<Index> overlap;
-  IndexListsOf<Index> within;
-  IndexListsOf<Index> refined;
+  IndexLists overlap;
+  IndexLists within;
+  IndexLists refined;
   list_classified_many(shafts, q.set, overlap, within, q.option);
   refine_many(shafts, q.set, candidates, refined);
   ok(shaftcull_list_classified_many(c, 0, count, q.bounds, q.query, given_overlap.get(), given_within.get()));
-  std::vector<Index> rows(count * most);
-  std::vector<Index> given_rows(count * most);
-  list_at_most_many(shafts, q.set, most, std::span<Index>(rows), numbers, q.option);
-  const auto indices_of = [](const shaftcull_lists* lists) {
-    if constexpr (narrow) {
-      return shaftcull_lists_indices(lists);
-    } else {
-      return shaftcull_lists_indices64(lists);
-    }
-  };
-  if constexpr (narrow) {
-    ok(shaftcull_refine_many(c, 0, count, q.bounds, candidates.data(), candidates.size(), given_refined.get()));
-    ok(shaftcull_list_at_most_many(c, 0, count, q.bounds, q.query, most, given_rows.data(), given_numbers.data()));
-  } else {
-    ok(shaftcull_refine_many64(c, 0, count, q.bounds, candidates.data(), candidates.size(), given_refined.get()));
-    ok(shaftcull_list_at_most_many64(c, 0, count, q.bounds, q.query, most, given_rows.data(), given_numbers.data()));
-  }
-  const auto same = [&](const ListsHandle& given, const IndexListsOf<Index>& lists) {
+  Indices rows(count * most);
+  Indices given_rows(count * most);
+  list_at_most_many(shafts, q.set, most, std::span<std::uint32_t>(rows), numbers, q.option);
+  ok(shaftcull_refine_many(c, 0, count, q.bounds, candidates.data(), candidates.size(), given_refined.get()));
+  ok(shaftcull_list_at_most_many(c, 0, count, q.bounds, q.query, most, given_rows.data(), given_numbers.data()));
+  const auto same = [&](const ListsHandle& given, const IndexLists& lists) {
     const std::uint64_t* const offsets = shaftcull_lists_offsets(given.get());
     ASSERT_NE(offsets, nullptr);
     EXPECT_EQ(Words(offsets, offsets + count + 1), lists.offsets);
-    const Index* const indices = indices_of(given.get());
-    EXPECT_EQ(std::vector<Index>(indices, indices + (indices == nullptr ? 0 : offsets[count])), lists.indices);
+    const std::uint32_t* const indices = shaftcull_lists_indices(given.get());
+    EXPECT_EQ(Indices(indices, indices + (indices == nullptr ? 0 : offsets[count])), lists.indices);
   };
   same(given_overlap, overlap);
   same(given_within, within);
@@ -428,12 +394,12 @@ void compare_classified(const Question<Set, Option>& q) {
 }
 
 /// First contact and entry times, of the shafts in which something moves.
-template <class Index, class Set, class Option>
+template <class Set, class Option>
 void compare_times(const Question<Set, Option>& q) {
   const shaftcull_shafts* const c = q.shafts.c.get();
   const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(q.shafts.moving);
-  std::vector<Index> indices;
-  for (std::size_t i = 0; i < q.size; i += 2) indices.push_back(static_cast<Index>(i));
+  Indices indices;
+  for (std::size_t i = 0; i < q.size; i += 2) indices.push_back(static_cast<std::uint32_t>(i));
   const auto same = [](const shaftcull_contact_found& given, const auto& expected) {
     EXPECT_EQ(given.found != 0, static_cast<bool>(expected));
     EXPECT_EQ(given.time, expected.time);
@@ -446,14 +412,10 @@ void compare_times(const Question<Set, Option>& q) {
     std::vector<float> expected(indices.size());
     std::vector<float> given(indices.size());
     entry_times(shafts[s], q.set, indices, expected);
-    if constexpr (sizeof(Index) == 4) {
-      ok(shaftcull_entry_times(c, s, q.bounds, indices.data(), given.data(), indices.size()));
-    } else {
-      ok(shaftcull_entry_times64(c, s, q.bounds, indices.data(), given.data(), indices.size()));
-    }
+    ok(shaftcull_entry_times(c, s, q.bounds, indices.data(), given.data(), indices.size()));
     EXPECT_EQ(given, expected);
   }
-  std::vector<FirstContactOf<std::conditional_t<FlatSet<Set>, std::uint64_t, Index>>> expected(shafts.size());
+  std::vector<FirstContact> expected(shafts.size());
   std::vector<shaftcull_contact_found> contacts(shafts.size());
   first_contact_many(shafts, q.set, expected, q.option);
   ok(shaftcull_first_contact_many(c, 0, shafts.size(), q.bounds, q.query, contacts.data()));
@@ -461,9 +423,8 @@ void compare_times(const Question<Set, Option>& q) {
 }
 
 /// What blocks the shafts that are between two boxes.
-template <class Index, class Set, class Option>
+template <class Set, class Option>
 void compare_blocking(const Question<Set, Option>& q) {
-  constexpr bool narrow = sizeof(Index) == 4;
   const shaftcull_shafts* const c = q.shafts.c.get();
   const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(q.shafts.between);
   const auto call = [&](auto&& verb) {
@@ -481,20 +442,16 @@ void compare_blocking(const Question<Set, Option>& q) {
     ok(shaftcull_blocked_by(c, s, q.bounds, q.query, &index));
     const auto by = call([&](const auto&... asked) { return blocked_by(shafts[s], asked...); });
     EXPECT_EQ(index, by ? std::uint64_t{*by} : SHAFTCULL_NONE);
-    std::vector<Index> expected(q.size);
-    std::vector<Index> given(q.size);
+    Indices expected(q.size);
+    Indices given(q.size);
     std::size_t found = 0;
     if constexpr (FlatSet<Set>) {
-      found = list_blocking(shafts[s], q.set, std::span<Index>(expected));
+      found = list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected));
     } else {
-      found = list_blocking(shafts[s], q.set, std::span<Index>(expected), q.option);
+      found = list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected), q.option);
     }
     std::uint64_t number = 99;
-    if constexpr (narrow) {
-      ok(shaftcull_list_blocking(c, s, q.bounds, q.query, given.data(), q.size, &number));
-    } else {
-      ok(shaftcull_list_blocking64(c, s, q.bounds, q.query, given.data(), q.size, &number));
-    }
+    ok(shaftcull_list_blocking(c, s, q.bounds, q.query, given.data(), q.size, &number));
     ASSERT_EQ(number, found);
     expected.resize(found);
     given.resize(found);
@@ -502,7 +459,7 @@ void compare_blocking(const Question<Set, Option>& q) {
   }
   Words expected(words_for(shafts.size()));
   Words given(expected.size(), 99);
-  IndexListsOf<Index> expected_lists;
+  IndexLists expected_lists;
   if constexpr (FlatSet<Set>) {
     blocked_many(shafts, q.set, expected);
     list_blocking_many(shafts, q.set, expected_lists);
@@ -512,8 +469,7 @@ void compare_blocking(const Question<Set, Option>& q) {
   }
   ok(shaftcull_blocked_many(c, 0, shafts.size(), q.bounds, q.query, given.data(), given.size()));
   EXPECT_EQ(given, expected);
-  const ListsHandle lists = made<ListsHandle>(
-      shaftcull_lists_create, std::uint32_t{narrow ? SHAFTCULL_LISTS_OF_INDICES : SHAFTCULL_LISTS_OF_INDICES64});
+  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES});
   ok(shaftcull_list_blocking_many(c, 0, shafts.size(), q.bounds, q.query, lists.get()));
   const std::uint64_t* const offsets = shaftcull_lists_offsets(lists.get());
   EXPECT_EQ(Words(offsets, offsets + shafts.size() + 1), expected_lists.offsets);
@@ -559,12 +515,12 @@ void compare_tiles(const Question<Set, Option>& q) {
 }
 
 /// Ranges of leaves of trees: in the caller's memory, in lists, and for callbacks.
-template <class Index, class Set>
-void compare_ranges(const Question<Set, ExcludingOf<Index>>& q) {
+template <class Set>
+void compare_ranges(const Question<Set, Excluding>& q) {
   const shaftcull_shafts* const c = q.shafts.c.get();
   const std::span<const CompiledShaft> shafts(q.shafts.cpp);
   const std::size_t count = shafts.size();
-  using Ranges = std::vector<LeafRangeOf<Index>>;
+  using Ranges = std::vector<LeafRange>;
   for (std::size_t s = 0; s != count; ++s) {
     SCOPED_TRACE("shaft " + std::to_string(s));
     for (const std::size_t room : {q.size, std::size_t{1}}) {
@@ -595,7 +551,7 @@ void compare_ranges(const Question<Set, ExcludingOf<Index>>& q) {
     EXPECT_EQ(as_pairs(given_inside), as_pairs(inside));
   }
 
-  const auto same = [count](const ListsHandle& given, const LeafRangeListsOf<Index>& lists) {
+  const auto same = [count](const ListsHandle& given, const LeafRangeLists& lists) {
     ASSERT_EQ(shaftcull_lists_count(given.get()), count);
     const std::uint64_t* const offsets = shaftcull_lists_offsets(given.get());
     EXPECT_EQ(Words(offsets, offsets + count + 1), lists.offsets);
@@ -605,8 +561,8 @@ void compare_ranges(const Question<Set, ExcludingOf<Index>>& q) {
   const auto kind = std::uint32_t{SHAFTCULL_LISTS_OF_RANGES};
   const ListsHandle given = made<ListsHandle>(shaftcull_lists_create, kind);
   const ListsHandle given_inside = made<ListsHandle>(shaftcull_lists_create, kind);
-  LeafRangeListsOf<Index> lists;
-  LeafRangeListsOf<Index> inside_lists;
+  LeafRangeLists lists;
+  LeafRangeLists inside_lists;
   list_many(shafts, q.set, lists, q.option);
   ok(shaftcull_list_many(c, 0, count, q.bounds, q.query, given.get()));
   same(given, lists);
@@ -619,13 +575,11 @@ void compare_ranges(const Question<Set, ExcludingOf<Index>>& q) {
   Told told;
   for_each_kept(
       shafts, q.set,
-      [&](const KeptRangesOf<Index>& answers) {
-        expected.ranges.emplace_back(answers.shaft, as_pairs(answers.kept), Pairs());
-      },
+      [&](const KeptRanges& answers) { expected.ranges.emplace_back(answers.shaft, as_pairs(answers.kept), Pairs()); },
       q.option);
   for_each_classified(
       shafts, q.set,
-      [&](const ClassifiedRangesOf<Index>& answers) {
+      [&](const ClassifiedRanges& answers) {
         expected.ranges.emplace_back(answers.shaft, as_pairs(answers.overlap), as_pairs(answers.inside));
       },
       q.option);
@@ -634,43 +588,43 @@ void compare_ranges(const Question<Set, ExcludingOf<Index>>& q) {
   EXPECT_EQ(told, expected);
 }
 
-/// All questions of boxes or spheres in one holder, by each width of index that it takes.
-template <class Index, class Set, class Option>
+/// All questions of boxes or spheres in one holder.
+template <class Set, class Option>
 void compare_bounds(const Question<Set, Option>& q) {
   compare_bits(q, q.shafts.cpp.size());
-  compare_lists<Index>(q, q.shafts.cpp.size());
-  compare_classified<Index>(q);
-  compare_times<Index>(q);
-  if constexpr (Boxes<Set>) compare_blocking<Index>(q);
+  compare_lists(q, q.shafts.cpp.size());
+  compare_classified(q);
+  compare_times(q);
+  if constexpr (Boxes<Set>) compare_blocking(q);
   if constexpr (FlatSet<Set>) {
     compare_tiles(q);
   } else {
-    compare_ranges<Index>(q);
+    compare_ranges(q);
   }
 }
 
-/// A view or stream, in all forms.
+/// A view or stream, in all forms, and without a query.
 template <FlatSet Set>
 void compare_flat(const Shafts& shafts, const shaftcull_bounds* bounds, const Set& set) {
   for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
     shaftcull_query query{};
     query.form = static_cast<std::uint32_t>(form);
-    compare_bounds<std::uint32_t>(Question<Set, Form>{shafts, bounds, set, &query, form, set.count});
+    compare_bounds(Question<Set, Form>{shafts, bounds, set, &query, form, set.count});
   }
   const Form fastest = Form::fastest;
-  compare_bounds<std::uint64_t>(Question<Set, Form>{shafts, bounds, set, nullptr, fastest, set.count});
+  compare_bounds(Question<Set, Form>{shafts, bounds, set, nullptr, fastest, set.count});
 }
 
 /// A tree, without and with what is left out.
-template <class Bound, class Index>
-void compare_tree(Random& random, const Shafts& shafts, shaftcull_bounds* bounds, BoundsTree<Bound, Index>& tree) {
-  const ExcludingOf<Index> nothing;
-  using Q = Question<BoundsTree<Bound, Index>, ExcludingOf<Index>>;
-  compare_bounds<Index>(Q{shafts, bounds, tree, nullptr, nothing, tree.size()});
+template <class Bound>
+void compare_tree(Random& random, const Shafts& shafts, shaftcull_bounds* bounds, BoundsTree<Bound>& tree) {
+  const Excluding nothing;
+  using Q = Question<BoundsTree<Bound>, Excluding>;
+  compare_bounds(Q{shafts, bounds, tree, nullptr, nothing, tree.size()});
 
   // A multiple of all numbers of shafts that are asked.
-  std::vector<Index> own(std::lcm(std::lcm(shafts.cpp.size(), shafts.moving), shafts.between));
-  for (Index& index : own) index = static_cast<Index>(random.below(static_cast<unsigned>(tree.size())));
+  Indices own(std::lcm(std::lcm(shafts.cpp.size(), shafts.moving), shafts.between));
+  for (std::uint32_t& index : own) index = random.below(static_cast<unsigned>(tree.size()));
   Words mask(words_for(tree.size()));
   std::vector<std::uint32_t> layers(tree.size());
   for (std::size_t i = 0; i != tree.size(); ++i) {
@@ -680,29 +634,24 @@ void compare_tree(Random& random, const Shafts& shafts, shaftcull_bounds* bounds
   tree.set_layers(layers);
   ok(shaftcull_tree_set_layers(bounds, layers.data(), layers.size()));
   const std::uint32_t only[] = {0b1011};
-  const ExcludingOf<Index> excluding{.own = std::span<const Index>(own), .mask = mask, .only_layers = only};
+  const Excluding excluding{.own = std::span<const std::uint32_t>(own), .mask = mask, .only_layers = only};
   shaftcull_query query{};
-  if constexpr (sizeof(Index) == 4) {
-    query.own = own.data();
-  } else {
-    query.own64 = own.data();
-  }
+  query.own = own.data();
   query.own_count = own.size();
   query.mask = mask.data();
   query.mask_words = mask.size();
   query.only_layers = only;
   query.only_layers_count = 1;
-  compare_bounds<Index>(Q{shafts, bounds, tree, &query, excluding, tree.size()});
+  compare_bounds(Q{shafts, bounds, tree, &query, excluding, tree.size()});
 }
 
 /// A tree before and after it is updated in all ways.
-template <class Bound, class Index>
+template <class Bound>
 void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound>& values) {
-  constexpr std::uint32_t bits = 8 * sizeof(Index);
   const auto in_c = as_c(values);
   const shaftcull_source source = source_of(in_c);
-  BoundsTree<Bound, Index> tree{std::span<const Bound>(values)};
-  const BoundsHandle bounds = made<BoundsHandle>(shaftcull_tree_create, &source, bits);
+  BoundsTree<Bound> tree{std::span<const Bound>(values)};
+  const BoundsHandle bounds = made<BoundsHandle>(shaftcull_tree_create, &source);
   compare_tree(random, shafts, bounds.get(), tree);
 
   std::vector<Bound> moved(values.rbegin(), values.rend());
@@ -710,19 +659,14 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   const shaftcull_source moved_source = source_of(moved_in_c);
   tree.update(std::span<const Bound>(moved));
   ok(shaftcull_tree_update(bounds.get(), &moved_source));
-  const std::vector<Index> some{3, 1, 7};
+  const Indices some{3, 1, 7};
   const auto three = std::vector(in_c.begin(), in_c.begin() + 3);
   const shaftcull_source three_source = source_of(three);
-  tree.update(std::span<const Index>(some), std::span(values).first(3));
+  tree.update(std::span<const std::uint32_t>(some), std::span(values).first(3));
   const std::uint32_t layers[] = {1, 2, 4};
-  tree.set_layers(std::span<const Index>(some), layers);
-  if constexpr (bits == 32) {
-    ok(shaftcull_tree_update_some(bounds.get(), some.data(), 3, &three_source));
-    ok(shaftcull_tree_set_layers_of(bounds.get(), some.data(), layers, 3));
-  } else {
-    ok(shaftcull_tree_update_some64(bounds.get(), some.data(), 3, &three_source));
-    ok(shaftcull_tree_set_layers_of64(bounds.get(), some.data(), layers, 3));
-  }
+  tree.set_layers(std::span<const std::uint32_t>(some), layers);
+  ok(shaftcull_tree_update_some(bounds.get(), some.data(), 3, &three_source));
+  ok(shaftcull_tree_set_layers_of(bounds.get(), some.data(), layers, 3));
 #if defined(__cpp_exceptions)  // without, errors are no statuses
   std::uint64_t number = 0;
   EXPECT_EQ(shaftcull_count(shafts.c.get(), 0, bounds.get(), nullptr, &number), SHAFTCULL_NEEDS_REFIT);
@@ -769,10 +713,8 @@ TEST_P(CAgreesWithCpp, OnBoxesAndSpheresInViewsStreamsAndTrees) {
   EXPECT_LE(wall, 5U);  // a scene may have one before it
   compare_flat(shafts, box_view.get(), box_stream.view());
   compare_flat(shafts, c_sphere_stream.get(), sphere_stream.view());
-  compare_trees<Box, std::uint32_t>(random, shafts, boxes);
-  compare_trees<Sphere, std::uint32_t>(random, shafts, spheres);
-  compare_trees<Box, std::uint64_t>(random, shafts, boxes);
-  compare_trees<Sphere, std::uint64_t>(random, shafts, spheres);
+  compare_trees(random, shafts, boxes);
+  compare_trees(random, shafts, spheres);
 }
 
 TEST_P(CAgreesWithCpp, OnTriangles) {
@@ -788,7 +730,7 @@ TEST_P(CAgreesWithCpp, OnTriangles) {
   const TriangleStream stream{std::span<const Triangle>(triangles)};
   const TriangleTree tree{std::span<const Triangle>(triangles)};
   const BoundsHandle c_stream = made<BoundsHandle>(shaftcull_stream_create, &source);
-  const BoundsHandle c_tree = made<BoundsHandle>(shaftcull_tree_create, &source, std::uint32_t{32});
+  const BoundsHandle c_tree = made<BoundsHandle>(shaftcull_tree_create, &source);
   for (const TriangleTest test : {TriangleTest::exact, TriangleTest::vertices}) {
     const bool exact = test == TriangleTest::exact;
     shaftcull_query query{};
@@ -797,11 +739,10 @@ TEST_P(CAgreesWithCpp, OnTriangles) {
     const TriangleView view = stream.view();
     const Question<TriangleView, TriangleTest> flat{shafts, c_stream.get(), view, &query, test, view.count};
     compare_bits(flat, count);
-    compare_lists<std::uint32_t>(flat, count);
-    compare_lists<std::uint64_t>(flat, count);
+    compare_lists(flat, count);
     const Question<TriangleTree, TriangleTest> in_tree{shafts, c_tree.get(), tree, &query, test, tree.size()};
     compare_bits(in_tree, count);
-    compare_lists<std::uint32_t>(in_tree, count);
+    compare_lists(in_tree, count);
     for (std::size_t s = 0; s != count; ++s) {
       for (std::size_t i = 0; i < triangles.size(); i += 10) {
         std::uint32_t kept = 99;

@@ -399,7 +399,7 @@ static void views_and_streams(void) {
   shaftcull_source source = shaftcull_source_of(view);
   OK(shaftcull_stream_create(&source, &stream));
   OK(shaftcull_bounds_describe(stream, &info));
-  CHECK(info.holder == SHAFTCULL_STREAM && info.count == 1 && info.memory_bytes == 64 * 24 && info.index_bits == 0);
+  CHECK(info.holder == SHAFTCULL_STREAM && info.count == 1 && info.memory_bytes == 64 * 24);
   REFUSED(shaftcull_view_set(stream, streams, 2), "a stream of boxes");
   shaftcull_bounds_free(stream);
   OK(shaftcull_stream_create_empty(SHAFTCULL_SPHERES, 2, &stream));
@@ -481,101 +481,102 @@ static void views_and_streams(void) {
 
 static void trees(void) {
   shaftcull_source source = shaftcull_boxes(scene, 2);
-  shaftcull_bounds* narrow = NULL;
-  shaftcull_bounds* wide = NULL;
+  shaftcull_bounds* tree = NULL;
+  shaftcull_bounds* spheres = NULL;
   shaftcull_bounds* mesh = NULL;
-  OK(shaftcull_tree_create(&source, 32, &narrow));
-  OK(shaftcull_tree_create(&source, 64, &wide));
+  OK(shaftcull_tree_create(&source, &tree));
+  shaftcull_source of_spheres = shaftcull_spheres(balls, 2);
+  OK(shaftcull_tree_create(&of_spheres, &spheres));
   shaftcull_source of_triangles = shaftcull_triangles(faces, 2);
-  OK(shaftcull_tree_create(&of_triangles, 32, &mesh));
-  REFUSED(shaftcull_tree_create(&of_triangles, 64, &mesh), "index_bits = 64");
-  REFUSED(shaftcull_tree_create(&source, 16, &narrow), "index_bits = 16");
-  REFUSED(shaftcull_tree_create(NULL, 32, &narrow), "source is NULL");
-  REFUSED(shaftcull_tree_create(&source, 32, NULL), "tree is NULL");
+  OK(shaftcull_tree_create(&of_triangles, &mesh));
+  REFUSED(shaftcull_tree_create(NULL, &tree), "source is NULL");
+  REFUSED(shaftcull_tree_create(&source, NULL), "tree is NULL");
   shaftcull_bounds_info info;
-  OK(shaftcull_bounds_describe(wide, &info));
-  CHECK(info.holder == SHAFTCULL_TREE && info.index_bits == 64 && info.count == 2 && info.memory_bytes > 0);
+  OK(shaftcull_bounds_describe(spheres, &info));
+  CHECK(info.kind == SHAFTCULL_SPHERES && info.holder == SHAFTCULL_TREE && info.count == 2 && info.memory_bytes > 0);
   OK(shaftcull_bounds_describe(mesh, &info));
-  CHECK(info.kind == SHAFTCULL_TRIANGLES && info.index_bits == 32 && info.needs_refit == 0);
+  CHECK(info.kind == SHAFTCULL_TRIANGLES && info.holder == SHAFTCULL_TREE && info.needs_refit == 0);
   shaftcull_box box;
   OK(shaftcull_tree_box(mesh, &box));
-  OK(shaftcull_tree_box(narrow, &box));
+  OK(shaftcull_tree_box(tree, &box));
   CHECK(box.lo[0] == 2 && box.hi[0] == 9);
   const uint32_t* order = NULL;
-  const uint64_t* wide_order = NULL;
   OK(shaftcull_tree_order(mesh, &order));
-  OK(shaftcull_tree_order(narrow, &order));
   CHECK(order[0] + order[1] == 1);
-  OK(shaftcull_tree_order64(wide, &wide_order));
-  CHECK(wide_order[0] + wide_order[1] == 1);
-  REFUSED(shaftcull_tree_order(wide, &order), "64-bit indices");
-  REFUSED(shaftcull_tree_order64(narrow, &wide_order), "32-bit indices");
-  REFUSED(shaftcull_tree_order(narrow, NULL), "order is NULL");
-  REFUSED(shaftcull_tree_order64(wide, NULL), "order is NULL");
-  REFUSED(shaftcull_tree_box(narrow, NULL), "box is NULL");
+  OK(shaftcull_tree_order(spheres, &order));
+  CHECK(order[0] + order[1] == 1);
+  OK(shaftcull_tree_order(tree, &order));
+  CHECK(order[0] + order[1] == 1);
+  REFUSED(shaftcull_tree_order(tree, NULL), "order is NULL");
+  REFUSED(shaftcull_tree_box(tree, NULL), "box is NULL");
   REFUSED(shaftcull_tree_box(NULL, &box), "tree is NULL");
+  shaftcull_bounds* stream = NULL;
+  OK(shaftcull_stream_create(&source, &stream));
+  REFUSED(shaftcull_tree_order(stream, &order), "a stream of boxes; this call takes a tree");
+  REFUSED(shaftcull_tree_refit(stream), "a stream of boxes; this call takes a tree of boxes or spheres");
+  shaftcull_bounds_free(stream);
 
-  OK(shaftcull_tree_update(narrow, &source));
+  OK(shaftcull_tree_update(tree, &source));
+  OK(shaftcull_tree_update(spheres, &of_spheres));
   const uint32_t index = 1;
-  const uint64_t wide_index = 1;
   const uint32_t far_index = 2;
   const shaftcull_source one = shaftcull_boxes(scene, 1);
-  OK(shaftcull_tree_update_some(narrow, &index, 1, &one));
-  OK(shaftcull_tree_update_some64(wide, &wide_index, 1, &one));
+  const shaftcull_source one_ball = shaftcull_spheres(balls, 1);
+  OK(shaftcull_tree_update_some(tree, &index, 1, &one));
+  OK(shaftcull_tree_update_some(spheres, &index, 1, &one_ball));
   double growth = 0;
-  FAILS(shaftcull_tree_growth(narrow, &growth), SHAFTCULL_NEEDS_REFIT, "refit");
-  FAILS(shaftcull_tree_box(wide, &box), SHAFTCULL_NEEDS_REFIT, "refit");
-  OK(shaftcull_bounds_describe(wide, &info));
+  FAILS(shaftcull_tree_growth(tree, &growth), SHAFTCULL_NEEDS_REFIT, "refit");
+  FAILS(shaftcull_tree_box(spheres, &box), SHAFTCULL_NEEDS_REFIT, "refit");
+  OK(shaftcull_bounds_describe(spheres, &info));
   CHECK(info.needs_refit == 1);
-  OK(shaftcull_tree_refit(narrow));
-  OK(shaftcull_tree_refit(wide));
-  OK(shaftcull_tree_growth(narrow, &growth));
-  OK(shaftcull_tree_box(narrow, &box));
+  OK(shaftcull_tree_refit(tree));
+  OK(shaftcull_tree_refit(spheres));
+  OK(shaftcull_tree_growth(tree, &growth));
+  OK(shaftcull_tree_box(tree, &box));
   CHECK(growth > 0 && box.hi[0] == 3);
-  OK(shaftcull_tree_rebuild(narrow));
-  OK(shaftcull_tree_renumber(narrow));
-  OK(shaftcull_tree_order(narrow, &order));
+  OK(shaftcull_tree_rebuild(tree));
+  OK(shaftcull_tree_renumber(tree));
+  OK(shaftcull_tree_order(tree, &order));
   CHECK(order[0] == 0 && order[1] == 1);
-  REFUSED(shaftcull_tree_update(narrow, &one), "2");
-  REFUSED(shaftcull_tree_update(narrow, &of_triangles), "kind");
+  REFUSED(shaftcull_tree_update(tree, &one), "2");
+  REFUSED(shaftcull_tree_update(tree, &of_triangles), "kind");
+  REFUSED(shaftcull_tree_update(tree, &of_spheres), "kind");
   REFUSED(shaftcull_tree_update(mesh, &of_triangles), "a tree of triangles");
-  REFUSED(shaftcull_tree_update(narrow, NULL), "source is NULL");
-  const shaftcull_source itself = shaftcull_source_of(narrow);
-  REFUSED(shaftcull_tree_update(narrow, &itself), "own");
-  REFUSED(shaftcull_tree_update_some(narrow, &far_index, 1, &one), "2");
-  REFUSED(shaftcull_tree_update_some(narrow, NULL, 1, &one), "indices is NULL");
-  REFUSED(shaftcull_tree_update_some(wide, &index, 1, &one), "64-bit indices");
-  REFUSED(shaftcull_tree_update_some64(narrow, &wide_index, 1, &one), "32-bit indices");
+  REFUSED(shaftcull_tree_update(tree, NULL), "source is NULL");
+  const shaftcull_source itself = shaftcull_source_of(tree);
+  REFUSED(shaftcull_tree_update(tree, &itself), "own");
+  REFUSED(shaftcull_tree_update_some(tree, &far_index, 1, &one), "2");
+  REFUSED(shaftcull_tree_update_some(tree, NULL, 1, &one), "indices is NULL");
+  REFUSED(shaftcull_tree_update_some(mesh, &index, 1, &of_triangles), "a tree of triangles");
   REFUSED(shaftcull_tree_refit(NULL), "tree is NULL");
   REFUSED(shaftcull_tree_refit(mesh), "a tree of triangles");
   REFUSED(shaftcull_tree_rebuild(mesh), "a tree of triangles");
   REFUSED(shaftcull_tree_renumber(mesh), "a tree of triangles");
   REFUSED(shaftcull_tree_growth(mesh, &growth), "a tree of triangles");
-  REFUSED(shaftcull_tree_growth(narrow, NULL), "growth is NULL");
+  REFUSED(shaftcull_tree_growth(tree, NULL), "growth is NULL");
 
   const uint32_t layers[2] = {1, 2};
   const uint32_t* found = layers;
-  OK(shaftcull_tree_layers(narrow, &found));
+  OK(shaftcull_tree_layers(tree, &found));
   CHECK(found == NULL);
-  REFUSED(shaftcull_tree_set_layers_of(narrow, &index, layers, 1), "layers");
-  OK(shaftcull_tree_set_layers(narrow, layers, 2));
-  OK(shaftcull_tree_set_layers(wide, layers, 2));
-  OK(shaftcull_tree_set_layers_of(narrow, &index, layers, 1));
-  OK(shaftcull_tree_set_layers_of64(wide, &wide_index, layers, 1));
-  OK(shaftcull_tree_layers(narrow, &found));
+  REFUSED(shaftcull_tree_set_layers_of(tree, &index, layers, 1), "layers");
+  OK(shaftcull_tree_set_layers(tree, layers, 2));
+  OK(shaftcull_tree_set_layers(spheres, layers, 2));
+  OK(shaftcull_tree_set_layers_of(tree, &index, layers, 1));
+  OK(shaftcull_tree_set_layers_of(spheres, &index, layers, 1));
+  OK(shaftcull_tree_layers(tree, &found));
   CHECK(found[0] == 1 && found[1] == 1);
-  OK(shaftcull_bounds_describe(narrow, &info));
+  OK(shaftcull_bounds_describe(tree, &info));
   CHECK(info.has_layers == 1);
-  OK(shaftcull_tree_clear_layers(narrow));
-  REFUSED(shaftcull_tree_set_layers(narrow, layers, 1), "2");
+  OK(shaftcull_tree_clear_layers(tree));
+  REFUSED(shaftcull_tree_set_layers(tree, layers, 1), "2");
   REFUSED(shaftcull_tree_set_layers(mesh, layers, 2), "a tree of triangles");
-  REFUSED(shaftcull_tree_set_layers_of(wide, &index, layers, 1), "64-bit indices");
-  REFUSED(shaftcull_tree_set_layers_of64(narrow, &wide_index, layers, 1), "32-bit indices");
+  REFUSED(shaftcull_tree_set_layers_of(mesh, &index, layers, 1), "a tree of triangles");
   REFUSED(shaftcull_tree_clear_layers(mesh), "a tree of triangles");
   REFUSED(shaftcull_tree_layers(mesh, &found), "a tree of triangles");
-  REFUSED(shaftcull_tree_layers(narrow, NULL), "layers is NULL");
-  shaftcull_bounds_free(narrow);
-  shaftcull_bounds_free(wide);
+  REFUSED(shaftcull_tree_layers(tree, NULL), "layers is NULL");
+  shaftcull_bounds_free(tree);
+  shaftcull_bounds_free(spheres);
   shaftcull_bounds_free(mesh);
 }
 
@@ -584,7 +585,6 @@ typedef struct asked {
   shaftcull_shafts* shafts;
   shaftcull_bounds* stream;
   shaftcull_bounds* tree;
-  shaftcull_bounds* wide;
   shaftcull_bounds* triangles;
 } asked;
 
@@ -595,8 +595,7 @@ static asked make_asked(void) {
   const shaftcull_source boxes = shaftcull_boxes(scene, 2);
   const shaftcull_source triangles = shaftcull_triangles(faces, 2);
   OK(shaftcull_stream_create(&boxes, &all.stream));
-  OK(shaftcull_tree_create(&boxes, 32, &all.tree));
-  OK(shaftcull_tree_create(&boxes, 64, &all.wide));
+  OK(shaftcull_tree_create(&boxes, &all.tree));
   OK(shaftcull_stream_create(&triangles, &all.triangles));
   return all;
 }
@@ -605,28 +604,26 @@ static void free_asked(asked* all) {
   shaftcull_shafts_free(all->shafts);
   shaftcull_bounds_free(all->stream);
   shaftcull_bounds_free(all->tree);
-  shaftcull_bounds_free(all->wide);
   shaftcull_bounds_free(all->triangles);
 }
 
 static void one_shaft(void) {
   asked all = make_asked();
   const shaftcull_shafts* const shafts = all.shafts;
-  const shaftcull_bounds* const holders[3] = {all.stream, all.tree, all.wide};
+  const shaftcull_bounds* const holders[2] = {all.stream, all.tree};
   uint64_t kept = 0;
   uint64_t inside = 0;
   uint64_t number = 99;
   uint32_t yes = 99;
-  uint32_t narrow[2] = {99, 99};
-  uint64_t wide[2] = {99, 99};
+  uint32_t indices[2] = {99, 99};
   uint32_t more[2] = {99, 99};
-  uint64_t more_wide[2] = {99, 99};
   shaftcull_leaf_range ranges[2];
   shaftcull_leaf_range more_ranges[2];
   shaftcull_kept_counts counts;
   shaftcull_contact_found contact;
+  const uint32_t candidates[2] = {1, 0};
   float time = 0;
-  for (int h = 0; h != 3; ++h) {
+  for (int h = 0; h != 2; ++h) {
     const shaftcull_bounds* const bounds = holders[h];
     OK(shaftcull_cull(shafts, 0, bounds, NULL, &kept, 1));
     CHECK(kept == 1);
@@ -650,59 +647,42 @@ static void one_shaft(void) {
     CHECK(yes == 0);
     OK(shaftcull_blocked_by(shafts, 0, bounds, NULL, &number));
     CHECK(number == SHAFTCULL_NONE);
-  }
-  const uint32_t candidates[2] = {1, 0};
-  const uint64_t wide_candidates[2] = {1, 0};
-  for (int h = 0; h != 2; ++h) {
-    const shaftcull_bounds* const bounds = holders[h];
-    OK(shaftcull_list(shafts, 0, bounds, NULL, narrow, 2, &number));
-    CHECK(number == 1 && narrow[0] == 0);
+    OK(shaftcull_list(shafts, 0, bounds, NULL, indices, 2, &number));
+    CHECK(number == 1 && indices[0] == 0);
     OK(shaftcull_list(shafts, 2, bounds, NULL, NULL, 0, &number)); /* only counts */
     CHECK(number == 2);
-    OK(shaftcull_list_at_most(shafts, 2, bounds, NULL, narrow, 1, &number));
+    OK(shaftcull_list_at_most(shafts, 2, bounds, NULL, indices, 1, &number));
     CHECK(number == 1);
-    OK(shaftcull_list_classified(shafts, 0, bounds, NULL, narrow, 2, more, 2, &counts));
-    CHECK(counts.overlap == 1 && counts.inside == 0 && narrow[0] == 0);
+    OK(shaftcull_list_classified(shafts, 0, bounds, NULL, indices, 2, more, 2, &counts));
+    CHECK(counts.overlap == 1 && counts.inside == 0 && indices[0] == 0);
     OK(shaftcull_entry_times(shafts, 0, bounds, candidates, &time, 1));
     CHECK(time == INFINITY);
-    OK(shaftcull_refine(shafts, 0, bounds, candidates, 2, narrow, 2, &number));
-    CHECK(number == 1 && narrow[0] == 0);
-    OK(shaftcull_list_blocking(shafts, 0, bounds, NULL, narrow, 2, &number));
-    CHECK(number == 0);
-  }
-  for (int h = 0; h < 3; h += 2) {
-    const shaftcull_bounds* const bounds = holders[h];
-    OK(shaftcull_list64(shafts, 0, bounds, NULL, wide, 2, &number));
-    CHECK(number == 1 && wide[0] == 0);
-    OK(shaftcull_list_at_most64(shafts, 2, bounds, NULL, wide, 1, &number));
-    CHECK(number == 1);
-    OK(shaftcull_list_classified64(shafts, 0, bounds, NULL, wide, 2, more_wide, 2, &counts));
-    CHECK(counts.overlap == 1 && counts.inside == 0 && wide[0] == 0);
-    OK(shaftcull_entry_times64(shafts, 0, bounds, wide_candidates, &time, 1));
-    CHECK(time == INFINITY);
-    OK(shaftcull_refine64(shafts, 0, bounds, wide_candidates, 2, wide, 2, &number));
-    CHECK(number == 1 && wide[0] == 0);
-    OK(shaftcull_list_blocking64(shafts, 0, bounds, NULL, wide, 2, &number));
+    OK(shaftcull_refine(shafts, 0, bounds, candidates, 2, indices, 2, &number));
+    CHECK(number == 1 && indices[0] == 0);
+    OK(shaftcull_list_blocking(shafts, 0, bounds, NULL, indices, 2, &number));
     CHECK(number == 0);
   }
   OK(shaftcull_list_ranges(shafts, 2, all.tree, NULL, ranges, 2, &number));
   CHECK(number == 1 && ranges[0].first == 0 && ranges[0].size == 2);
-  OK(shaftcull_list_classified_ranges(shafts, 2, all.wide, NULL, ranges, 2, more_ranges, 2, &counts));
+  OK(shaftcull_list_classified_ranges(shafts, 2, all.tree, NULL, ranges, 2, more_ranges, 2, &counts));
   CHECK(counts.overlap == 0 && counts.inside == 1 && more_ranges[0].size == 2);
 
   /* Triangles are asked less. */
   OK(shaftcull_cull(shafts, 0, all.triangles, NULL, &kept, 1));
   CHECK(kept == 1);
-  OK(shaftcull_list64(shafts, 0, all.triangles, NULL, wide, 2, &number));
+  OK(shaftcull_list(shafts, 0, all.triangles, NULL, indices, 2, &number));
   CHECK(number == 1);
   REFUSED(shaftcull_classify(shafts, 0, all.triangles, NULL, &kept, &inside, 1), "a stream of triangles");
   REFUSED(shaftcull_contained(shafts, 0, all.triangles, NULL, &inside, 1), "takes boxes and spheres");
   REFUSED(shaftcull_count_at_most(shafts, 0, all.triangles, NULL, 1, &number), "triangles");
   REFUSED(shaftcull_count_classified(shafts, 0, all.triangles, NULL, &counts), "triangles");
-  REFUSED(shaftcull_list_at_most(shafts, 0, all.triangles, NULL, narrow, 2, &number), "triangles");
+  REFUSED(shaftcull_list_at_most(shafts, 0, all.triangles, NULL, indices, 2, &number), "triangles");
   REFUSED(shaftcull_first_contact(shafts, 0, all.triangles, NULL, &contact), "triangles");
   REFUSED(shaftcull_blocked(shafts, 0, all.triangles, NULL, &yes), "triangles");
-  REFUSED(shaftcull_refine(shafts, 0, all.triangles, candidates, 2, narrow, 2, &number), "triangles");
+  REFUSED(shaftcull_list_classified(shafts, 0, all.triangles, NULL, indices, 2, more, 2, &counts), "triangles");
+  REFUSED(shaftcull_entry_times(shafts, 0, all.triangles, candidates, &time, 1), "triangles");
+  REFUSED(shaftcull_list_blocking(shafts, 0, all.triangles, NULL, indices, 2, &number), "this call takes boxes");
+  REFUSED(shaftcull_refine(shafts, 0, all.triangles, candidates, 2, indices, 2, &number), "triangles");
   REFUSED(shaftcull_cull(shafts, 2, all.triangles, NULL, &kept, 1), "hull");
 
   /* One bound. */
@@ -732,7 +712,7 @@ static void one_shaft(void) {
   REFUSED(shaftcull_blocked_by_polygon(shafts, 0, sheet, 2, &yes), "2");
   REFUSED(shaftcull_blocked_by_polygon(shafts, 0, NULL, 4, &yes), "corners is NULL");
 
-  /* Wrong sizes, indices, widths and holders; NULL. */
+  /* Wrong sizes, indices and holders; NULL. */
   REFUSED(shaftcull_cull(shafts, 0, all.stream, NULL, &kept, 2), "kept has 2 words");
   REFUSED(shaftcull_cull(shafts, 0, all.stream, NULL, NULL, 1), "kept is NULL");
   REFUSED(shaftcull_cull(shafts, 3, all.stream, NULL, &kept, 1), "shaft = 3");
@@ -741,16 +721,30 @@ static void one_shaft(void) {
   REFUSED(shaftcull_classify(shafts, 0, all.tree, NULL, &kept, &kept, 1), "share");
   REFUSED(shaftcull_count(shafts, 0, all.tree, NULL, NULL), "kept_count is NULL");
   REFUSED(shaftcull_any(shafts, 0, all.tree, NULL, NULL), "any is NULL");
-  REFUSED(shaftcull_list(shafts, 0, all.wide, NULL, narrow, 2, &number), "64-bit indices");
-  REFUSED(shaftcull_list64(shafts, 0, all.tree, NULL, wide, 2, &number), "32-bit indices");
-  REFUSED(shaftcull_list(shafts, 0, all.tree, NULL, narrow, 2, NULL), "kept_count is NULL");
+  REFUSED(shaftcull_list(shafts, 0, all.tree, NULL, indices, 2, NULL), "kept_count is NULL");
   REFUSED(shaftcull_list_ranges(shafts, 0, all.stream, NULL, ranges, 2, &number), "trees of boxes and spheres");
   REFUSED(shaftcull_list_classified_ranges(shafts, 0, all.stream, NULL, ranges, 2, more_ranges, 2, &counts), "trees");
   REFUSED(shaftcull_first_contact(shafts, 2, all.stream, NULL, &contact), "hull");
   REFUSED(shaftcull_first_contact(shafts, 0, all.stream, NULL, NULL), "contact is NULL");
   REFUSED(shaftcull_entry_times(shafts, 0, all.stream, candidates, NULL, 1), "times is NULL");
-  REFUSED(shaftcull_refine(shafts, 0, all.stream, NULL, 2, narrow, 2, &number), "candidates is NULL");
+  REFUSED(shaftcull_refine(shafts, 0, all.stream, NULL, 2, indices, 2, &number), "candidates is NULL");
   REFUSED(shaftcull_blocked_by(shafts, 1, all.stream, NULL, &number), "between two boxes");
+
+  /* More bounds than indices can number. They are refused before any is read. */
+  const float nothing = 0;
+  const float* const streams[6] = {&nothing, &nothing, &nothing, &nothing, &nothing, &nothing};
+  shaftcull_bounds* large = NULL;
+  shaftcull_lists* lists = NULL;
+  OK(shaftcull_view_create(SHAFTCULL_BOXES, streams, UINT64_C(1) << 32, &large));
+  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
+  REFUSED(shaftcull_list(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
+  REFUSED(shaftcull_list_at_most(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
+  REFUSED(shaftcull_list_classified(shafts, 0, large, NULL, indices, 2, more, 2, &counts), "ask slices of the view");
+  REFUSED(shaftcull_list_blocking(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
+  REFUSED(shaftcull_list_many(shafts, 0, 1, large, NULL, lists), "ask slices of the view");
+  REFUSED(shaftcull_first_contact(shafts, 0, large, NULL, &contact), "ask slices of the view");
+  shaftcull_lists_free(lists);
+  shaftcull_bounds_free(large);
 
   /* Queries. */
   const uint64_t mask = 1;
@@ -783,13 +777,12 @@ static void one_shaft(void) {
   query.own_count = 2;
   OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
   CHECK(number == 0);
-  REFUSED(shaftcull_count(shafts, 2, all.wide, &query, &number), "query.own64");
-  memset(&query, 0, sizeof query);
-  query.own64 = wide_candidates;
+  REFUSED(shaftcull_count(shafts, 2, all.stream, &query, &number), "leaves bounds out");
   query.own_count = 1;
-  OK(shaftcull_count(shafts, 2, all.wide, &query, &number));
+  OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
   CHECK(number == 1);
-  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.own");
+  query.own = NULL;
+  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.own is NULL");
   memset(&query, 0, sizeof query);
   query.only_layers = &only;
   query.only_layers_count = 1;
@@ -821,16 +814,15 @@ static void one_shaft(void) {
 static void many_shafts(void) {
   asked all = make_asked();
   const shaftcull_shafts* const shafts = all.shafts;
-  const shaftcull_bounds* const holders[3] = {all.stream, all.tree, all.wide};
+  const shaftcull_bounds* const holders[2] = {all.stream, all.tree};
   uint64_t kept[3];
   uint64_t inside[3];
   uint64_t numbers[3];
-  uint32_t narrow[3];
-  uint64_t wide[3];
+  uint32_t indices[3];
   uint64_t bits = 99;
   shaftcull_kept_counts counts[3];
   shaftcull_contact_found contacts[2];
-  for (int h = 0; h != 3; ++h) {
+  for (int h = 0; h != 2; ++h) {
     const shaftcull_bounds* const bounds = holders[h];
     OK(shaftcull_cull_many(shafts, 0, 3, bounds, NULL, kept, 3));
     CHECK(kept[0] == 1 && kept[1] == 0 && kept[2] == 3);
@@ -853,64 +845,59 @@ static void many_shafts(void) {
     OK(shaftcull_blocked_many(shafts, 0, 1, bounds, NULL, &bits, 1));
     CHECK(bits == 0);
   }
-  OK(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, 1, narrow, numbers));
-  CHECK(numbers[0] == 1 && narrow[0] == 0 && numbers[1] == 0);
-  OK(shaftcull_list_at_most_many64(shafts, 0, 3, all.wide, NULL, 1, wide, numbers));
-  CHECK(numbers[0] == 1 && wide[0] == 0);
-  REFUSED(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, UINT64_MAX, narrow, numbers), "most");
+  OK(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, 1, indices, numbers));
+  CHECK(numbers[0] == 1 && indices[0] == 0 && numbers[1] == 0);
+  OK(shaftcull_list_at_most_many(shafts, 0, 3, all.stream, NULL, 1, indices, numbers));
+  CHECK(numbers[0] == 1 && indices[0] == 0 && numbers[1] == 0);
+  REFUSED(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, UINT64_MAX, indices, numbers), "most");
 
   shaftcull_lists* lists = NULL;
   shaftcull_lists* others = NULL;
-  shaftcull_lists* wide_lists = NULL;
   shaftcull_lists* ranges = NULL;
   shaftcull_lists* more_ranges = NULL;
   OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
   OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &others));
-  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES64, &wide_lists));
   OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_RANGES, &ranges));
   OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_RANGES, &more_ranges));
   CHECK(shaftcull_lists_count(lists) == 0 && shaftcull_lists_offsets(lists) == NULL);
   CHECK(shaftcull_lists_indices(lists) == NULL && shaftcull_lists_count(NULL) == 0);
   CHECK(shaftcull_lists_offsets(NULL) == NULL && shaftcull_lists_indices(NULL) == NULL);
-  CHECK(shaftcull_lists_indices64(NULL) == NULL && shaftcull_lists_ranges(NULL) == NULL);
+  CHECK(shaftcull_lists_ranges(NULL) == NULL);
   OK(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, lists));
   CHECK(shaftcull_lists_count(lists) == 3);
   const uint64_t* const offsets = shaftcull_lists_offsets(lists);
   CHECK(offsets[0] == 0 && offsets[1] == 1 && offsets[2] == 1 && offsets[3] == 3);
   CHECK(shaftcull_lists_indices(lists)[0] == 0);
-  CHECK(shaftcull_lists_indices64(lists) == NULL && shaftcull_lists_ranges(lists) == NULL);
-  OK(shaftcull_list_many(shafts, 0, 3, all.wide, NULL, wide_lists));
-  CHECK(shaftcull_lists_indices64(wide_lists)[0] == 0 && shaftcull_lists_indices(wide_lists) == NULL);
+  CHECK(shaftcull_lists_ranges(lists) == NULL);
   REFUSED(shaftcull_list_many(shafts, 0, 3, all.triangles, NULL, lists), "hull");
   OK(shaftcull_list_many(shafts, 0, 2, all.triangles, NULL, lists));
   OK(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, ranges));
   CHECK(shaftcull_lists_count(ranges) == 3 && shaftcull_lists_ranges(ranges)[0].size == 1);
+  CHECK(shaftcull_lists_indices(ranges) == NULL);
   OK(shaftcull_list_classified_many(shafts, 0, 3, all.stream, NULL, lists, others));
   CHECK(shaftcull_lists_offsets(lists)[3] == 1 && shaftcull_lists_offsets(others)[3] == 2);
-  OK(shaftcull_list_classified_many(shafts, 0, 3, all.wide, NULL, ranges, more_ranges));
+  OK(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, ranges, more_ranges));
   CHECK(shaftcull_lists_ranges(ranges)[0].size == 1 && shaftcull_lists_ranges(more_ranges)[0].size == 2);
   const uint32_t candidates[2] = {1, 0};
-  const uint64_t wide_candidates[2] = {1, 0};
   OK(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, lists));
   CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
-  OK(shaftcull_refine_many64(shafts, 0, 3, all.wide, wide_candidates, 2, wide_lists));
-  CHECK(shaftcull_lists_indices64(wide_lists)[1] == 1);
+  OK(shaftcull_refine_many(shafts, 0, 3, all.tree, candidates, 2, lists));
+  CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
   OK(shaftcull_list_blocking_many(shafts, 0, 1, all.stream, NULL, lists));
   CHECK(shaftcull_lists_count(lists) == 1 && shaftcull_lists_offsets(lists)[1] == 0);
-  REFUSED(shaftcull_list_many(shafts, 0, 3, all.wide, NULL, lists), "64-bit indices");
   REFUSED(shaftcull_list_many(shafts, 0, 3, all.stream, NULL, ranges), "trees");
   REFUSED(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, NULL), "lists is NULL");
-  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, wide_lists), "different kinds");
+  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, ranges), "different kinds");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, lists), "share memory");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, ranges, ranges), "same");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, NULL), "inside is NULL");
-  REFUSED(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, wide_lists), "SHAFTCULL_LISTS_OF_INDICES");
+  REFUSED(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, ranges), "SHAFTCULL_LISTS_OF_INDICES");
   REFUSED(shaftcull_list_blocking_many(shafts, 0, 1, all.tree, NULL, ranges), "leaf ranges");
-  REFUSED(shaftcull_lists_create(4, &lists), "kind = 4");
+  REFUSED(shaftcull_lists_create(0, &lists), "kind = 0");
+  REFUSED(shaftcull_lists_create(3, &lists), "kind = 3");
   REFUSED(shaftcull_lists_create(1, NULL), "lists is NULL");
   shaftcull_lists_free(lists);
   shaftcull_lists_free(others);
-  shaftcull_lists_free(wide_lists);
   shaftcull_lists_free(ranges);
   shaftcull_lists_free(more_ranges);
   shaftcull_lists_free(NULL);
@@ -959,7 +946,7 @@ static void callbacks(void) {
   made.count = 0;
   OK(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made));
   CHECK(made.count == 3);
-  OK(shaftcull_for_each_classified(all.shafts, 0, 3, all.wide, NULL, on_ranges, &made));
+  OK(shaftcull_for_each_classified(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made));
   CHECK(made.count == 6);
   made.count = 0;
   made.stops = 1;

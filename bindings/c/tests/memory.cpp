@@ -41,7 +41,7 @@ TEST(CMemory, QuestionsOfOneShaftAllocateNothing) {
   const ShaftsHandle array = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{2});
   shaftcull_shafts* const shafts = array.get();
   const BoundsHandle stream = made<BoundsHandle>(shaftcull_stream_create, &source);
-  const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source, std::uint32_t{32});
+  const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source);
   ok(shaftcull_shafts_set_between(shafts, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
   std::vector<std::uint32_t> indices(100);
   std::vector<std::uint32_t> others(100);
@@ -95,7 +95,7 @@ TEST(CMemory, QuestionsOfOneShaftAllocateNothing) {
 TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
   const std::vector<shaftcull_box> boxes = row(300);
   const shaftcull_source source = source_of(boxes);
-  const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source, std::uint32_t{32});
+  const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source);
   const ShaftsHandle shafts = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{300});
   const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_RANGES});
   const HullHandle hull = made<HullHandle>(shaftcull_hull_create, &points[0], std::uint64_t{4},
@@ -124,7 +124,7 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
   const auto nothing = [] {};
   const Call calls[] = {
       creates(shaftcull_bounds_free, shaftcull_stream_create, &source),
-      creates(shaftcull_bounds_free, shaftcull_tree_create, &source, 32U),
+      creates(shaftcull_bounds_free, shaftcull_tree_create, &source),
       creates(shaftcull_bounds_free, shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(tree.get())),
       creates(shaftcull_shafts_free, shaftcull_shafts_create, std::uint64_t{10}),
       creates(shaftcull_lists_free, shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES}),

@@ -33,9 +33,9 @@ static_assert(sizeof(shaftcull_joining_plane) == 16 + 4 + 4);
 static_assert(sizeof(shaftcull_shaft_options) == 8 * 4);
 static_assert(sizeof(shaftcull_shaft_info) == 3 * 24 + 32 + 2 * 8);
 static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 4 * 4);
-static_assert(sizeof(shaftcull_bounds_info) == 2 * 8 + 6 * 4);
+static_assert(sizeof(shaftcull_bounds_info) == 2 * 8 + 4 * 4);
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_source> && sizeof(shaftcull_source) == 64));
-static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 96));
+static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 88));
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_tile> && has_no_padding<shaftcull_ranges> &&
                                      has_no_padding<shaftcull_batch_planes>));
 static_assert(sizeof(void*) != 8 ||

@@ -171,9 +171,8 @@ py::object ask_list_classified(Holder& bounds, const Shafts& shafts, const Optio
 
 template <class Holder>
 py::object ask_first(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option) {
-  using Contact = decltype(first_contact(shafts.front(), bounds.set(), option.of(0, 1)));
   if (shafts.one) {
-    Contact contact;
+    FirstContact contact;
     {
       const py::gil_scoped_release release;
       contact = first_contact(shafts.front(), bounds.set(), option.of(0, 1));
@@ -181,7 +180,7 @@ py::object ask_first(Holder& bounds, const Shafts& shafts, const OptionOf<Holder
     return py::make_tuple(contact ? static_cast<std::int64_t>(contact.index) : std::int64_t{-1},
                           static_cast<double>(contact.time));
   }
-  std::vector<Contact> contacts(shafts.count);
+  std::vector<FirstContact> contacts(shafts.count);
   in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
     first_contact_many(shafts.span().subspan(first, count), bounds.set(), std::span(contacts).subspan(first, count),
                        option.of(first, count));

@@ -53,8 +53,7 @@ template <class Number>
 }
 
 /// offsets and indices, as a tuple
-template <class Index>
-[[nodiscard]] py::tuple lists_of(IndexListsOf<Index>&& lists) {
+[[nodiscard]] inline py::tuple lists_of(IndexLists&& lists) {
   if (lists.offsets.empty()) lists.offsets.push_back(0);
   return py::make_tuple(array_of(std::move(lists.offsets)), array_of(std::move(lists.indices)));
 }

@@ -6,7 +6,6 @@ import {allShafts, Hull, oneShaft} from './shafts.js';
 import {meshSource, sourceOf} from './sources.js';
 
 const queryBytes = 88;  // src/layout.cpp
-const indexBits = 32;
 const listsOfIndices = 1;
 const byVertices = 1;  // how triangles are tested
 
@@ -24,8 +23,7 @@ export class Bounds extends Held {
       const source = indices === undefined ? sourceOf(module, scratch, kind, values, kind) :
                                              meshSource(module, scratch, values, indices);
       length = source.count;
-      return holder === 'tree' ? made(module, 'shaftcull_tree_create', source.pointer, indexBits) :
-                                 made(module, 'shaftcull_stream_create', source.pointer);
+      return made(module, holder === 'tree' ? 'shaftcull_tree_create' : 'shaftcull_stream_create', source.pointer);
     }));
     this.length = length;
     this.#kind = kind;
