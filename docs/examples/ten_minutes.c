@@ -52,7 +52,7 @@ int main(void) {
   /* [[tree]] */
   shaftcull_bounds* tree = NULL;
   must(shaftcull_tree_create(&source, &tree)); /* sorted once; asked the same questions */
-  const uint32_t own[3] = {2, 2, 2};               /* each shaft leaves box 2 out */
+  const uint32_t own[3] = {2, 2, 2};           /* each shaft leaves box 2 out */
   const shaftcull_query without = {.own = own, .own_count = 3};
   must(shaftcull_list_many(shafts, 0, 3, tree, &without, lists));
   uint32_t any = 0;

@@ -283,8 +283,14 @@ static void arrays_of_shafts(void) {
   REFUSED(shaftcull_shafts_copy(NULL, 0, shafts, 0, 1), "shafts is NULL");
   REFUSED(shaftcull_shafts_copy(copies, 0, NULL, 0, 1), "source is NULL");
   shaftcull_shafts_free(shafts);
+  OK(shaftcull_shafts_describe(copies, 3, &info));
+  CHECK(info.is_hull == 1);
   OK(shaftcull_shafts_copy(copies, 0, copies, 1, 3)); /* forwards, overlapping */
   OK(shaftcull_shafts_copy(copies, 1, copies, 0, 3)); /* and backwards */
+  for (uint64_t s = 0; s != 4; ++s) {
+    OK(shaftcull_shafts_describe(copies, s, &info));
+    CHECK(info.is_hull == (s == 3) && info.contact == (s < 3 ? SHAFTCULL_CONTACT_OPEN : SHAFTCULL_CONTACT_CLOSED));
+  }
   shaftcull_answer answer = 99;
   OK(shaftcull_ask_box(copies, 3, &scene[0], 1, &answer));
   CHECK(answer == SHAFTCULL_INSIDE);
@@ -664,6 +670,9 @@ static void one_shaft(void) {
   }
   OK(shaftcull_list_ranges(shafts, 2, all.tree, NULL, ranges, 2, &number));
   CHECK(number == 1 && ranges[0].first == 0 && ranges[0].size == 2);
+  ranges[0].first = 77;
+  OK(shaftcull_list_ranges(shafts, 2, all.tree, NULL, ranges, 0, &number)); /* no room */
+  CHECK(number == 1 && ranges[0].first == 77);
   OK(shaftcull_list_classified_ranges(shafts, 2, all.tree, NULL, ranges, 2, more_ranges, 2, &counts));
   CHECK(counts.overlap == 0 && counts.inside == 1 && more_ranges[0].size == 2);
 
@@ -943,6 +952,13 @@ static void callbacks(void) {
   CHECK(made.count == 3);
   OK(shaftcull_for_each_classified_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made));
   CHECK(made.count == 6);
+  made.count = 1;
+  OK(shaftcull_for_each_tile(all.shafts, 1, 2, all.stream, NULL, on_tile,
+                             &made)); /* positions are those of the array */
+  CHECK(made.count == 3);
+  made.count = 1;
+  OK(shaftcull_for_each_kept(all.shafts, 1, 2, all.tree, NULL, on_ranges, &made));
+  CHECK(made.count == 3);
   made.count = 0;
   OK(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made));
   CHECK(made.count == 3);
