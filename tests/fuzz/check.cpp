@@ -202,7 +202,7 @@ class Comparison {
   /// What blocks in a view is what blocks alone, where the exact predicate is asked.
   void require_exact_blocking(const CompiledShaft& shaft, Isa isa) {
     select_isa(isa);
-    std::vector<std::uint64_t> listed(bounds_.size());
+    std::vector<std::uint32_t> listed(bounds_.size());
     listed.resize(list_blocking(shaft, memory_.view(), listed));
     auto next = listed.begin();
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
