@@ -147,6 +147,7 @@ class BoundsTree {
 extern template class SHAFTCULL_EXPORT BoundsTree<Box>;
 extern template class SHAFTCULL_EXPORT BoundsTree<Sphere>;
 
+/// What trees are used as.
 using BoxTree = BoundsTree<Box>;
 using SphereTree = BoundsTree<Sphere>;
 
