@@ -558,5 +558,16 @@ TEST(Triangles, BadArgumentsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_EQ(kept, Bits(2, 7));
 }
 
+/// Its corner is on an edge of the shaft between two faces that do not move, and it leaves both.
+TEST(TrianglesOfOpenShafts, ThatTouchAnEdgeWithACornerAreOutside) {
+  const CompiledShaft closed = compile({{0, 0, 0}, {1, 1, 1}}, {{0, 0, 9}, {1, 1, 10}});
+  const CompiledShaft open = compile({{0, 0, 0}, {1, 1, 1}}, {{0, 0, 9}, {1, 1, 10}}, Contact::open);
+  const std::vector<Triangle> triangles(70, Triangle{{{{1, 1, 5}, {0.5F, 2, 5}, {2, 0.5F, 5}}}});
+  on_each_instruction_set([&] {
+    EXPECT_EQ(count(closed, TriangleColumns(triangles).view()), 70U);
+    EXPECT_EQ(count(open, TriangleColumns(triangles).view()), 0U);
+  });
+}
+
 }  // namespace
 }  // namespace shaftcull
