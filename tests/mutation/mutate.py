@@ -310,6 +310,13 @@ def entry_of(described: dict[str, Any], folder: Path) -> Entry:
     )
 
 
+def environment_of(preset: str) -> dict[str, str]:
+    """What CTest sets for all entries of a preset: options of sanitizers."""
+    presets = json.loads((SOURCE / "CMakePresets.json").read_text(encoding="utf-8"))["testPresets"]
+    environment = next((each.get("environment", {}) for each in presets if each["name"] == preset), {})
+    return {name: value.replace("${sourceDir}", str(SOURCE)) for name, value in environment.items()}
+
+
 def entries_of(folder: Path, label: Optional[str], only: Optional[str]) -> list[Entry]:
     command = ["ctest", "--test-dir", str(folder), "--show-only=json-v1", *(["-L", label] if label else [])]
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
@@ -664,6 +671,7 @@ def main() -> int:
     runner = Runner()
     rows = known
     if any(fault.label not in known for fault in faults):
+        os.environ.update(environment_of(arguments.preset))
         entries = run_without_fault(runner, entries_of(folder, LAYERS[arguments.layer][1], arguments.only), arguments.jobs)
         rows = try_faults(runner, faults, entries, path, known, arguments.jobs)
     missed = report(faults, rows, time.monotonic() - begin)
