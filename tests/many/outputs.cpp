@@ -13,6 +13,7 @@
 #include "columns.hpp"
 #include "many/workload.hpp"
 #include "misaligned.hpp"
+#include "shaftcull/first_contact.hpp"
 #include "shaftcull/many.hpp"
 
 namespace shaftcull {
@@ -172,6 +173,23 @@ TEST(Outputs, AnyManyFindsWhatOnlyTheLastTaskSees) {
     std::vector<std::uint64_t> bits(2, sentinel);
     with_threads(threads, [&] { any_many(shafts, boxes, bits); });
     EXPECT_EQ(bits, (std::vector<std::uint64_t>{0, 4})) << threads << " threads";
+  }
+}
+
+TEST(Outputs, FirstContactManyFindsTheFirstOfManyTasks) {
+  std::vector<Box>
+      boxes;  // each is reached before the one in front of it: what tasks find is handed over again and again
+  constexpr std::size_t count = 400000;
+  for (std::size_t i = 0; i != count; ++i) {
+    const auto x = static_cast<float>(2 * count - i);
+    boxes.push_back({{x, 0, 0}, {x + 1, 1, 1}});
+  }
+  const BoxStream stream{std::span<const Box>(boxes)};
+  const std::vector<CompiledShaft> shafts(8, compile({{0, 0, 0}, {1, 1, 1}}, {{0x1p20F, 0, 0}, {0x1p20F + 1, 1, 1}}));
+  for (const int threads : thread_counts) {
+    std::vector<FirstContact> contacts(shafts.size());
+    with_threads(threads, [&] { first_contact_many(shafts, stream, contacts); });
+    for (const FirstContact& contact : contacts) EXPECT_EQ(contact.index, count - 1) << threads << " threads";
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "many/workload.hpp"
 #include "shaftcull/query.hpp"
+#include "shaftcull/refine.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
@@ -30,6 +31,22 @@ TEST(TreeDoubleBuffer, TheLastFrameIsAskedWhileTheNextIsUpdated) {
     for (std::size_t s = 0; s != shafts.size(); ++s) EXPECT_EQ(sorted(kept[s]), FlatAnswers(shafts[s], bounds).kept());
     std::swap(asked, updated);
     bounds = next;
+  }
+}
+
+// The first of them looks up the leaf of every index, whichever that is.
+TEST(TreeDoubleBuffer, TheFirstRefinementsMayBeManyAtOnce) {
+  Random random(93);
+  const std::vector<Box> bounds = scene<Box>(random, Shape::uniform, 20000);
+  const CompiledShaft shaft = shafts_for(random, 1).front();
+  const Indices candidates = FlatAnswers(shaft, bounds).kept();
+  for (int round = 0; round != 20; ++round) {
+    const BoxTree tree{std::span<const Box>(bounds)};
+    std::vector<Indices> kept(4, Indices(candidates.size()));
+    std::vector<std::thread> threads;
+    for (Indices& each : kept) threads.emplace_back([&] { each.resize(refine(shaft, tree, candidates, each)); });
+    for (std::thread& thread : threads) thread.join();
+    for (const Indices& each : kept) EXPECT_EQ(each, candidates);
   }
 }
 
