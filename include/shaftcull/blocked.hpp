@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"

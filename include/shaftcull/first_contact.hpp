@@ -31,7 +31,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <type_traits>
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"

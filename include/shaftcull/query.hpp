@@ -28,7 +28,6 @@
 #include <initializer_list>
 #include <iterator>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "shaftcull/compiled.hpp"

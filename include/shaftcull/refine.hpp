@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
