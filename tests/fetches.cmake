@@ -5,7 +5,7 @@
 # OBJDUMP, OBJECTS (the object files).
 cmake_minimum_required(VERSION 3.22)
 
-set(sources_of_walks tree/blocked.cpp tree/one.cpp tree/many.cpp tree/triangles.cpp)
+set(sources_of_walks tree/walk.cpp)
 set(other_sources
   flat/bits.cpp flat/counts.cpp flat/lists.cpp refine/refine.cpp tree/build.cpp tree/first_contact.cpp
   tree/regions.cpp tree/update.cpp)

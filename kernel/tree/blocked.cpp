@@ -24,7 +24,6 @@ class FirstFinder {
  public:
   explicit FirstFinder(const kernel::LeafIndices& indices) noexcept : indices_(indices) {}
 
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     if (kept != 0) found_ = indices_[first + static_cast<std::size_t>(std::countr_zero(kept))];
   }

@@ -2,6 +2,7 @@
 /// first_contact() and first_contact_many() of trees.
 #include "tree/first_contact.hpp"
 
+#include "compiled/answers.hpp"
 #include "parallel/parallel.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/index_range.hpp"

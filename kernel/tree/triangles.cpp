@@ -97,7 +97,6 @@ class TriangleVisitor {
                   const Take& take) noexcept
       : parts_(parts), shaft_(shaft), keep_(keep), take_(take) {}
 
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) {
     while (kept != 0 && !is_done_) {
       const auto from = static_cast<unsigned>(std::countr_zero(kept));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What becomes of the leaves that a walk finds: bits, counts, lists of indices, lists of leaf ranges; and what is left
-/// out.
+/// What becomes of the leaves that a walk finds: bits, counts, lists of indices, lists of leaf ranges.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +10,10 @@
 
 #include "shaftcull/query.hpp"
 #include "support/compiler.hpp"
-#include "tree/exclusion.hpp"
 #include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
 #include "tree/outputs.hpp"
+#include "tree/walk.hpp"
 
 namespace shaftcull::kernel {
 
@@ -22,9 +21,10 @@ namespace shaftcull::kernel {
 template <class Output>
 class IndexList {
  public:
+  static constexpr bool reads_indices = true;
+
   IndexList(const LeafIndices& indices, Output& output) noexcept : indices_(indices), output_(output) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) {
     if (bits == 0) return;
     if (std::uint32_t* const out = output_.next()) {
@@ -55,9 +55,10 @@ class IndexList {
 /// Leaves as they were found, to be written as the user's indices when it is known where to.
 class KeptLeavesList {
  public:
+  static constexpr bool reads_indices = false;
+
   explicit KeptLeavesList(KeptLeavesOutput& output) noexcept : output_(output) {}
 
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) { output_.add_word(first, bits); }
   void range(std::size_t first, std::size_t size) { output_.add_range(first, size); }
 
@@ -69,9 +70,10 @@ class KeptLeavesList {
 template <class Output>
 class LeafRangeList {
  public:
+  static constexpr bool reads_indices = false;
+
   LeafRangeList(const LeafIndices& /*indices*/, Output& output) noexcept : output_(output) {}
 
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void bits(std::size_t first, std::uint64_t bits) {
     while (bits != 0) {
       const int start = std::countr_zero(bits);
@@ -99,9 +101,10 @@ class LeafRangeList {
 /// Leaves as bits by the user's index, which are all zero at first.
 class IndexBits {
  public:
+  static constexpr bool reads_indices = true;
+
   IndexBits(const LeafIndices& indices, std::uint64_t* words) noexcept : indices_(indices), words_(words) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { indices_.prefetch(first); }
   void bits(std::size_t first, std::uint64_t bits) noexcept {
     for (; bits != 0; bits &= bits - 1) set(first + static_cast<std::size_t>(std::countr_zero(bits)));
   }
@@ -122,7 +125,6 @@ class IndexBits {
 /// Visitor that sees whether anything is kept, and then ends the walk.
 class Finder {
  public:
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept { found_ |= kept != 0; }
   void range(std::size_t /*first*/, std::size_t size) noexcept { found_ |= size != 0; }
   [[nodiscard]] bool is_done() const noexcept { return found_; }
@@ -136,7 +138,6 @@ class LimitedCounter {
  public:
   explicit LimitedCounter(std::size_t most) noexcept : most_(most) {}
 
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     count_ += static_cast<std::size_t>(std::popcount(kept));
   }
@@ -154,10 +155,11 @@ class LimitedCounter {
 template <class List>
 class LimitedLister {
  public:
+  static constexpr bool reads_indices = List::reads_indices;
+
   LimitedLister(const List& kept, const SpanOutput<std::uint32_t>& output, std::size_t most) noexcept
       : kept_(kept), output_(output), most_(most) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
   void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
   [[nodiscard]] bool is_done() const noexcept { return output_.count() >= most_; }
@@ -171,7 +173,6 @@ class LimitedLister {
 /// Visitor that counts what overlaps and what is inside.
 class ClassCounter {
  public:
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t inside) noexcept {
     counts_.overlap += static_cast<std::size_t>(std::popcount(kept & ~inside));
     counts_.inside += static_cast<std::size_t>(std::popcount(inside));
@@ -186,7 +187,6 @@ class ClassCounter {
 /// Visitor that counts what is kept.
 class Counter {
  public:
-  void prefetch(std::size_t /*first*/) const noexcept {}
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     count_ += static_cast<std::size_t>(std::popcount(kept));
   }
@@ -201,9 +201,10 @@ class Counter {
 template <class List>
 class KeptLister {
  public:
+  static constexpr bool reads_indices = List::reads_indices;
+
   explicit KeptLister(const List& kept) noexcept : kept_(kept) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
   void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
 
@@ -215,9 +216,10 @@ class KeptLister {
 template <class List>
 class InsideLister {
  public:
+  static constexpr bool reads_indices = List::reads_indices;
+
   explicit InsideLister(const List& inside) noexcept : inside_(inside) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { inside_.prefetch(first); }
   void word(std::size_t first, std::uint64_t /*kept*/, std::uint64_t inside) { inside_.bits(first, inside); }
   void range(std::size_t first, std::size_t size) { inside_.range(first, size); }
 
@@ -229,9 +231,10 @@ class InsideLister {
 template <class List>
 class KeptAndInsideLister {
  public:
+  static constexpr bool reads_indices = List::reads_indices;
+
   KeptAndInsideLister(const List& kept, const List& inside) noexcept : kept_(kept), inside_(inside) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { kept_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     kept_.bits(first, kept);
     inside_.bits(first, inside);
@@ -250,9 +253,10 @@ class KeptAndInsideLister {
 template <class List>
 class ClassLister {
  public:
+  static constexpr bool reads_indices = List::reads_indices;
+
   ClassLister(const List& overlap, const List& inside) noexcept : overlap_(overlap), inside_(inside) {}
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { overlap_.prefetch(first); }
   void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
     overlap_.bits(first, kept & ~inside);
     inside_.bits(first, inside);
@@ -264,40 +268,46 @@ class ClassLister {
   List inside_;
 };
 
-/// Visitor in front of another that leaves bounds out.
+/// Gives a visitor, as those above, what a walk finds. Besides word() and range() it may have
+///
+///     is_done()                        whether it has seen enough: the walk ends there
+///     static reads_indices             whether it reads the user's indices of leaves
+///     static looks_into_leaves         whether leaves are boxes around what it looks for
 template <class Visitor>
-class Filter {
+class WordByWord final : public LeafVisitor {
   static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
+  static constexpr bool reads_them() noexcept {
+    if constexpr (requires { Visitor::reads_indices; }) return Visitor::reads_indices;
+    return false;
+  }
 
  public:
-  Filter(const Exclusion& exclusion, Visitor& visitor) noexcept : exclusion_(exclusion), visitor_(visitor) {}
+  static constexpr VisitorTraits traits{.may_end_early = may_end_early,
+                                        .reads_indices = reads_them(),
+                                        .looks_into_leaves = requires { Visitor::looks_into_leaves; }};
 
-  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept { exclusion_.prefetch(first); }
-  void word(std::size_t first, std::uint64_t kept, std::uint64_t inside) {
-    const std::uint64_t left = exclusion_.leaves(first, kept);
-    if (left != 0) visitor_.word(first, left, inside & left);
-  }
-  void range(std::size_t first, std::size_t size) {
-    for (std::size_t w = first; w != first + size; w += 64) {
-      const std::uint64_t left = exclusion_.leaves(w, ~std::uint64_t{0});
-      if (left == ~std::uint64_t{0}) {
-        visitor_.range(w, 64);
-      } else if (left != 0) {
-        visitor_.word(w, left, left);
-      }
-      if constexpr (may_end_early) {
-        if (is_done()) return;
-      }
+  explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
+
+  bool words(const FoundWords& found) override {
+    for (std::size_t i = 0; i != found.words; ++i) {
+      if (found.kept[i] == 0) continue;
+      visitor_.word(std::size_t{found.word[i]} * fanout, found.kept[i],
+                    found.inside != nullptr ? found.inside[i] : 0);
+      if (is_done()) return false;
     }
+    return true;
   }
-  /// The contract of the walk: nodes that are worth visiting.
-  [[nodiscard]] std::uint64_t nodes(std::size_t k, std::size_t first, std::uint64_t kept) const noexcept {
-    return exclusion_.nodes(k, first, kept);
+  bool range(std::size_t first, std::size_t size) override {
+    visitor_.range(first, size);
+    return !is_done();
   }
-  [[nodiscard]] bool is_done() const noexcept requires may_end_early { return visitor_.is_done(); }
 
  private:
-  Exclusion exclusion_;
+  [[nodiscard]] bool is_done() const noexcept {
+    if constexpr (may_end_early) return visitor_.is_done();
+    return false;
+  }
+
   Visitor& visitor_;
 };
 

@@ -216,11 +216,11 @@ struct ConsecutiveWords {
 
 /// Writes the kept bits of the words from `first` on that `undecided` has a bit for. It makes what it reads of the
 /// shaft anew: what the caller has stays in registers, which it would have to store for each call to refer to.
-template <class L, unsigned uppers, ShaftData::SlabForm form, class Words, class Word>
+template <class L, ShaftData::SlabForm form, class Words, class Word>
 SHAFTCULL_COLD void resolve_slab_words(const ShaftData& shaft, float margin, const float* const* stream,
                                        const Words& position, std::size_t first, std::uint64_t undecided,
                                        const Word& word, std::uint64_t* kept) noexcept {
-  const Slab<L, uppers, form> slab(shaft, margin, true);
+  const Slab<L, any_uppers, form> slab(shaft, margin, true);
   const BoxCorners<L> corners(shaft, stream);
   for (; undecided != 0; undecided &= undecided - 1) {
     const std::size_t w = first + static_cast<unsigned>(trailing_zeros(undecided));
@@ -307,8 +307,6 @@ inline constexpr unsigned uppers_of_few = (form == ShaftData::SlabForm::fused ||
                                               : any_uppers;
 template <unsigned uppers, ShaftData::SlabForm form>
 inline constexpr unsigned uppers_of_few<BoxedSphereCorners, uppers, form> = any_uppers;
-template <unsigned uppers>
-inline constexpr unsigned uppers_of_few<SphereCorners, uppers, ShaftData::SlabForm::difference> = any_uppers;
 
 /// Writes the kept bits of the rest behind whole words, as slab_words(). Apart from those, whose loop would be five
 /// times as long with it.
@@ -321,7 +319,7 @@ SHAFTCULL_NOINLINE void slab_rest(const ShaftData& shaft, float margin, const fl
   const bool is_undecided = slab_word<L>(slab, corners, position(words), rest, kept[words]);
   if constexpr (Corners<L>::exactly) {
     if (is_undecided) [[unlikely]] {
-      resolve_slab_words<L, uppers, form>(shaft, margin, stream, position, words, 1, rest, kept);
+      resolve_slab_words<L, form>(shaft, margin, stream, position, words, 1, rest, kept);
     }
   }
 }
@@ -331,9 +329,10 @@ SHAFTCULL_NOINLINE void slab_rest(const ShaftData& shaft, float margin, const fl
 template <class L, template <class> class Corners, class Words, unsigned uppers, ShaftData::SlabForm form>
 void slab_words(const ShaftData& shaft, float margin, const float* const* stream, const Words& position,
                 std::size_t words, std::uint64_t* kept) noexcept {
-  constexpr unsigned few = uppers_of_few<Corners, uppers, form>;
   if constexpr (requires { position.rest; }) {
-    if (position.rest != 0) slab_rest<L, Corners, few, form>(shaft, margin, stream, position, words, kept);
+    if (position.rest != 0) {
+      slab_rest<L, Corners, uppers_of_few<Corners, uppers, form>, form>(shaft, margin, stream, position, words, kept);
+    }
     if (words == 0) return;
   }
   const Slab<L, uppers, form> slab(shaft, margin, Corners<L>::exactly);
@@ -347,7 +346,7 @@ void slab_words(const ShaftData& shaft, float margin, const float* const* stream
     }
     if constexpr (Corners<L>::exactly) {
       if (undecided != 0) [[unlikely]] {
-        resolve_slab_words<L, few, form>(shaft, margin, stream, position, first, undecided, WholeWord<L>{}, kept);
+        resolve_slab_words<L, form>(shaft, margin, stream, position, first, undecided, WholeWord<L>{}, kept);
       }
     }
   }
@@ -373,17 +372,19 @@ void box_exact_words(const ShaftData& shaft, const float* const* stream, const W
 }
 
 /// Calls Test::run<uppers, form> with what suits a shaft: its form, and how many constraints bound t from above. In the
-/// fused form the reference face's always does.
+/// fused form the reference face's always does. Spheres are tested in the fused and the endless form alone
+/// (outside_needs_planes()).
 template <class Test, class... Arguments>
 void with_slab_of(const ShaftData& shaft, Arguments... arguments) noexcept {
   using enum ShaftData::SlabForm;
   using Run = void(const ShaftData&, Arguments...) noexcept;
   if constexpr (Test::exactly) {
-    static constexpr Run* relative_by_uppers[7] = {Test::template run<0, relative>, Test::template run<1, relative>,
-                                                   Test::template run<2, relative>, Test::template run<3, relative>,
-                                                   Test::template run<4, relative>, Test::template run<5, relative>,
-                                                   Test::template run<6, relative>};
-    if (shaft.slab_form == relative) return relative_by_uppers[shaft.slab_uppers](shaft, arguments...);
+    if (shaft.slab_form == relative) return Test::template run<any_uppers, relative>(shaft, arguments...);
+    static constexpr Run* difference_by_uppers[7] = {
+        Test::template run<0, difference>, Test::template run<1, difference>, Test::template run<2, difference>,
+        Test::template run<3, difference>, Test::template run<4, difference>, Test::template run<5, difference>,
+        Test::template run<6, difference>};
+    if (shaft.slab_form == difference) return difference_by_uppers[shaft.slab_uppers](shaft, arguments...);
   }
   // A box that moves without end has a face that bounds t from above, and one that bounds it from below.
   static constexpr Run* endless_by_uppers[7] = {nullptr,
@@ -394,13 +395,14 @@ void with_slab_of(const ShaftData& shaft, Arguments... arguments) noexcept {
                                                 Test::template run<5, endless>,
                                                 nullptr};
   if (shaft.slab_form == endless) return endless_by_uppers[shaft.slab_uppers](shaft, arguments...);
-  static constexpr Run* by_uppers[2][7] = {
-      {nullptr, Test::template run<1, fused>, Test::template run<2, fused>, Test::template run<3, fused>,
-       Test::template run<4, fused>, Test::template run<5, fused>, Test::template run<6, fused>},
-      {Test::template run<0, difference>, Test::template run<1, difference>, Test::template run<2, difference>,
-       Test::template run<3, difference>, Test::template run<4, difference>, Test::template run<5, difference>,
-       Test::template run<6, difference>}};
-  by_uppers[shaft.slab_form == difference][shaft.slab_uppers](shaft, arguments...);
+  static constexpr Run* fused_by_uppers[7] = {nullptr,
+                                              Test::template run<1, fused>,
+                                              Test::template run<2, fused>,
+                                              Test::template run<3, fused>,
+                                              Test::template run<4, fused>,
+                                              Test::template run<5, fused>,
+                                              Test::template run<6, fused>};
+  fused_by_uppers[shaft.slab_uppers](shaft, arguments...);
 }
 
 /// Words of a stream, most of which hold no bound that is undecided.
@@ -411,19 +413,6 @@ struct TestSlabWords {
   /// Itself, not a function that calls it: that takes a sixth of a call for one word.
   template <unsigned uppers, ShaftData::SlabForm form>
   static constexpr auto* run = slab_words<L, Corners, Words, uppers, form>;
-};
-
-/// One word of boxes, of which some are probably undecided.
-template <class L, class Word>
-struct ResolveSlabWord {
-  static constexpr bool exactly = true;
-
-  template <unsigned uppers, ShaftData::SlabForm form>
-  static void run(const ShaftData& shaft, const float* const* stream, std::size_t at, const Word& word,
-                  std::uint64_t* kept) noexcept {
-    resolve_slab_words<L, uppers_of_few<BoxCorners, uppers, form>, form>(
-        shaft, shaft.slab_margin, stream, ConsecutiveWords<L>{.first = at}, 0, 1, word, kept);
-  }
 };
 
 /// First stage of the slab form: writes the kept bits of `words` whole words, and of the rest behind them if there is
@@ -442,12 +431,21 @@ void box_slab_stage(const ShaftData& shaft, const float* const* stream, std::siz
 template <class L, class Word>
 std::uint64_t undecided_slab_word(const ShaftData& shaft, const float* const* stream, std::size_t at,
                                   const Word& word) noexcept {
-  std::uint64_t kept;
-  if (shaft.slab_form == ShaftData::SlabForm::exact) [[unlikely]] {
+  using enum ShaftData::SlabForm;
+  if (shaft.slab_form == exact) [[unlikely]] {
     const SlabPredicate exact(shaft);
     return exactly_kept<L>(exact, stream, at, word.lanes());
   }
-  with_slab_of<ResolveSlabWord<L, Word>, const float* const*, std::size_t, const Word&>(shaft, stream, at, word, &kept);
+  std::uint64_t kept;
+  const auto resolve = [&]<ShaftData::SlabForm form>() {
+    resolve_slab_words<L, form>(shaft, shaft.slab_margin, stream, ConsecutiveWords<L>{.first = at}, 0, 1, word, &kept);
+  };
+  switch (shaft.slab_form) {
+    case relative: resolve.template operator()<relative>(); break;
+    case difference: resolve.template operator()<difference>(); break;
+    case endless: resolve.template operator()<endless>(); break;
+    default: resolve.template operator()<fused>(); break;
+  }
   return kept;
 }
 
