@@ -32,7 +32,7 @@ if("avx512" IN_LIST isas AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 
 set(shaftcull_test_seconds 900)
-set(shaftcull_long_areas allocation calls many many_tree mutation tree tree_building)
+set(shaftcull_long_areas allocation calls many many_tree tree tree_building)
 set(shaftcull_test_environment "")
 if(shaftcull_emulates_processor)
   set(shaftcull_test_seconds 7200)
@@ -46,7 +46,6 @@ if(WIN32)
     "     ForkedChild, of calls: there is no fork()\n"
     "     wide: pages that nobody wrote to are not all the same one\n"
     "     bench_report, interrupted_program, output and sees_posix, of cli: gnuplot, NumPy, devices and signals of POSIX\n"
-    "     mutation: on Linux it says all\n"
     "     c.clang: C is compiled by the toolchain's own compiler")
 elseif(shaftcull_wasm)
   message(STATUS "Tests that are left out in WebAssembly:\n"
@@ -61,7 +60,6 @@ elseif(shaftcull_wasm)
     "     wide: a program has four gigabytes\n"
     "     errors of the C interface, and what sees what in C: the npm package tests them\n"
     "     consumer: nothing is installed\n"
-    "     mutation: on Linux it says all\n"
     "     Reads behind the end of an array are not noticed, for no memory can be protected")
 elseif(CMAKE_CROSSCOMPILING)
   message(STATUS "Tests that are left out, for programs are built for another processor than this machine's:\n"

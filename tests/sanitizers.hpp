@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace shaftcull {
 
@@ -26,10 +25,8 @@ inline constexpr bool is_emulated = false;
 #endif
 
 /// As many as asked for; under such a sanitizer or an emulator a sixth, since each takes several times as long there.
-/// Emulated mutants (tests/mutation) get all: some of their faults show in few cases.
 inline std::uint64_t random_cases(std::uint64_t cases) {
-  const bool saves_time = has_shadow_memory || (is_emulated && std::getenv("SHAFTCULL_MUTANT") == nullptr);
-  return saves_time ? (cases + 5) / 6 : cases;
+  return has_shadow_memory || is_emulated ? (cases + 5) / 6 : cases;
 }
 
 }  // namespace shaftcull

@@ -30,7 +30,7 @@ EntryTimes::Time EntryTimes::exact(const float* const* stream, std::size_t i) co
 }
 
 int EntryTimes::compare(const Time& one, const Time& other) const noexcept {
-  const double surely = 1 - entry_margin * entry_margin_factor;
+  const double surely = 1 - entry_margin;
   if (one.value < other.value * surely) return -1;
   if (one.value * surely > other.value) return 1;
   if (one.is_zero() || other.is_zero()) return one.face == other.face ? 0 : one.is_zero() ? -1 : 1;
@@ -43,7 +43,7 @@ float EntryTimes::rounded_down(const Time& time) const noexcept {
   if (time.is_zero()) return 0;
   const unsigned f = time.face;
   const auto is_after = [&](float t) {  // t > time: t · q > x − p, if q is positive
-    const double surely = 1 - entry_margin * entry_margin_factor;
+    const double surely = 1 - entry_margin;
     if (t * surely > time.value) return true;
     if (t < time.value * surely) return false;
     const auto moved = Expansion<2>::difference(moving_.minuend[f], moving_.subtrahend[f]) * static_cast<double>(t);

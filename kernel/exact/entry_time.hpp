@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "compiled/moving_faces.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -47,7 +46,7 @@ class EntryTimes {
   /// Whether a rough time is later than an exact one, whatever rounding did. Of the exact one, the value or any that is
   /// not lower.
   [[nodiscard]] static bool is_surely_later(double rough, double than) noexcept {
-    return rough * (1 - entry_margin * entry_margin_factor) > than;
+    return rough * (1 - entry_margin) > than;
   }
   [[nodiscard]] static bool is_surely_later(double rough, const Time& than) noexcept {
     return is_surely_later(rough, than.value);

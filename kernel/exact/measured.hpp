@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "exact/expansion.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -27,7 +26,7 @@ class Measured {
 
   /// Whether the sign of the value is that of the real number.
   [[nodiscard]] bool is_known() const noexcept {
-    return error_ == 0 || std::fabs(value_) > measured_error_factor * (1 + 0x1p-40) * error_;
+    return error_ == 0 || std::fabs(value_) > (1 + 0x1p-40) * error_;
   }
   [[nodiscard]] bool is_negative() const noexcept { return value_ < 0 && is_known(); }
   [[nodiscard]] bool is_positive() const noexcept { return value_ > 0 && is_known(); }

@@ -10,7 +10,6 @@
 
 #include "exact/wide_integer.hpp"
 #include "support/exact_floats.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 namespace {
@@ -173,7 +172,7 @@ SphereEntryTimes::SphereEntryTimes(const ShaftData& shaft) noexcept : boxes_(sha
 
 /// Whether a sphere that meets the shaft is reached after t ≥ 0.
 SphereEntryTimes::Place SphereEntryTimes::place(const Starts& starts, double t) const noexcept {
-  const double unit = 0x1p-53 * measured_error_factor;
+  const double unit = 0x1p-53;
   double square = 0;
   double square_error = 0;
   double half_slope = 0;

@@ -92,7 +92,6 @@ struct BoxStages {
   /// Faces that a box may touch without being undecided, where contact is open: in slab form those that do not move,
   /// as they put no bound on t.
   static unsigned compared_faces(const ShaftData& shaft) noexcept {
-    if (keeps_touching_faces) return 0;
     if constexpr (form == Form::planes) return shaft.contact == Contact::open ? all_faces : 0;
     return shaft.still_faces;
   }

@@ -16,7 +16,6 @@
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
-#include "support/mutant.hpp"
 #include "support/text.hpp"
 
 namespace shaftcull {
@@ -225,7 +224,7 @@ class HullFormation {
     int exponent = 0;
     double margin = 0;
     if (hull_.is_bounded) {
-      margin = kernel::hull_margin_factor;
+      margin = 1;
       std::frexp(unit * (17 * widths + 8 * std::fabs(offset) + 5 * most) * 1.02, &exponent);
     }
     hull_.suits_floats = hull_.suits_floats && std::abs(exponent) < most_exponent && terms < largest_terms;

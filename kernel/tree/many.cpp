@@ -166,7 +166,7 @@ void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& 
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::Counter counter;
+      kernel::Counter counter(query.kernels());
       query.walk(s, counter);
       kept_counts[s] = counter.count();
     }
@@ -221,7 +221,7 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTr
   kernel::parallel_for(chunk_count(shafts.size(), task_shafts), 1, [&](std::size_t t, std::size_t) {
     const IndexRange task = chunk_at(shafts.size(), task_shafts, t);
     for (std::size_t s = task.first; s != task.end(); ++s) {
-      kernel::ClassCounter counter;
+      kernel::ClassCounter counter(query.kernels());
       query.walk(s, counter);
       counts[s] = counter.counts();
     }

@@ -51,7 +51,7 @@ KeptCounts list_classes(const CompiledShaft& shaft, const BoundsTree<Bound>& tre
 template <class Bound>
 std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, const Excluding& excluding) {
   const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept, excluding);
-  kernel::Counter counter;
+  kernel::Counter counter(query.kernels());
   query.walk(0, counter);
   return counter.count();
 }
@@ -69,7 +69,7 @@ std::size_t count_at_most(const CompiledShaft& shaft, const BoundsTree<Bound>& t
 template <class Bound>
 KeptCounts count_classified(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, const Excluding& excluding) {
   const kernel::Query<Bound> query({&shaft, 1}, tree, Question::kept_and_inside, excluding);
-  kernel::ClassCounter counter;
+  kernel::ClassCounter counter(query.kernels());
   query.walk(0, counter);
   return counter.counts();
 }

@@ -28,6 +28,7 @@ class Query {
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
   [[nodiscard]] std::size_t size() const noexcept { return parts_.size; }
   [[nodiscard]] std::size_t row_words() const noexcept { return words_for(parts_.size); }
+  [[nodiscard]] const Kernels& kernels() const noexcept { return kernels_; }
   [[nodiscard]] LeafIndices indices() const noexcept { return {parts_.order, parts_.is_worth_prefetching(), kernels_}; }
 
   /// Throws InvalidArgument if `output`, called `name` in the message, is memory that excludes bounds.

@@ -173,27 +173,32 @@ class LimitedLister {
 /// Visitor that counts what overlaps and what is inside.
 class ClassCounter {
  public:
-  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t inside) noexcept {
-    counts_.overlap += static_cast<std::size_t>(std::popcount(kept & ~inside));
-    counts_.inside += static_cast<std::size_t>(std::popcount(inside));
+  explicit ClassCounter(const Kernels& kernels) noexcept : count_bits_(kernels.set_bits.count) {}
+
+  void words(const FoundWords& found) noexcept {
+    const std::size_t inside = count_bits_(found.inside, found.words);
+    counts_.overlap += count_bits_(found.kept, found.words) - inside;
+    counts_.inside += inside;
   }
   void range(std::size_t /*first*/, std::size_t size) noexcept { counts_.inside += size; }
   [[nodiscard]] const KeptCounts& counts() const noexcept { return counts_; }
 
  private:
+  decltype(SetBits::count) count_bits_;
   KeptCounts counts_{};
 };
 
 /// Visitor that counts what is kept.
 class Counter {
  public:
-  void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
-    count_ += static_cast<std::size_t>(std::popcount(kept));
-  }
+  explicit Counter(const Kernels& kernels) noexcept : count_bits_(kernels.set_bits.count) {}
+
+  void words(const FoundWords& found) noexcept { count_ += count_bits_(found.kept, found.words); }
   void range(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
  private:
+  decltype(SetBits::count) count_bits_;
   std::size_t count_ = 0;
 };
 
@@ -268,7 +273,8 @@ class ClassLister {
   List inside_;
 };
 
-/// Gives a visitor, as those above, what a walk finds. Besides word() and range() it may have
+/// Gives a visitor, as those above, what a walk finds. Besides word(), or words() for many at once, and range() it may
+/// have
 ///
 ///     is_done()                        whether it has seen enough: the walk ends there
 ///     static reads_indices             whether it reads the user's indices of leaves
@@ -289,13 +295,17 @@ class WordByWord final : public LeafVisitor {
   explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
 
   bool words(const FoundWords& found) override {
-    for (std::size_t i = 0; i != found.words; ++i) {
-      if (found.kept[i] == 0) continue;
-      visitor_.word(std::size_t{found.word[i]} * fanout, found.kept[i],
-                    found.inside != nullptr ? found.inside[i] : 0);
-      if (is_done()) return false;
+    if constexpr (requires { visitor_.words(found); }) {
+      visitor_.words(found);
+    } else {
+      const auto [word, kept, inside, words] = found;
+      for (std::size_t i = 0; i != words; ++i) {
+        if (kept[i] == 0) continue;
+        visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
+        if (is_done()) return false;
+      }
     }
-    return true;
+    return !is_done();
   }
   bool range(std::size_t first, std::size_t size) override {
     visitor_.range(first, size);

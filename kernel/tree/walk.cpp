@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "exact/predicates.hpp"
-#include "support/prefetch.hpp"
 
 namespace shaftcull::kernel {
 
@@ -38,19 +37,6 @@ void Walk<Bound>::run() {
   visit(parts_.levels - 1, top, words);
 }
 
-/// Prefetches a word of entries of level `k`.
-template <class Bound>
-SHAFTCULL_ALWAYS_INLINE inline void Walk<Bound>::prefetch(std::size_t k, std::size_t word) const noexcept {
-  if (!prefetches_) return;
-  const std::size_t first = word * fanout;
-  if (k == 0) {
-    for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
-    if (traits_.reads_indices || excludes_) exclusion_.prefetch(first);
-  } else {
-    for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
-  }
-}
-
 template <class Bound>
 void Walk<Bound>::visit(std::size_t k, const std::uint32_t* word, std::size_t words) {
   if (words == 0) return;
@@ -73,19 +59,18 @@ void Walk<Bound>::visit(std::size_t k, const std::uint32_t* word, std::size_t wo
     for (; left != 0; left &= left - 1) {
       const std::uint64_t lowest = left & -left;
       const std::uint32_t entry = first + static_cast<std::uint32_t>(std::countr_zero(left));
-      if ((whole & lowest) == 0) {
+      const bool is_whole = (whole & lowest) != 0;
+      if (!is_whole) {
         prefetch(k - 1, entry);
         below[belows++] = entry;
         if (belows < batch) continue;
-        visit(k - 1, below, belows);
-        belows = 0;
-      } else {
-        visit(k - 1, below, belows);
-        belows = 0;
-        if (is_done_) return;
-        const std::size_t leaves = std::size_t{1} << 6 * k;
-        visit_range(entry * leaves, leaves);
       }
+      visit(k - 1, below, belows);
+      belows = 0;
+      if (is_done_) return;
+      if (!is_whole) continue;
+      const std::size_t leaves = std::size_t{1} << 6 * k;
+      visit_range(entry * leaves, leaves);
       if (is_done_) return;
     }
   }

@@ -14,6 +14,7 @@
 #include "compiled/with_planes.hpp"
 #include "kernels/table.hpp"
 #include "support/compiler.hpp"
+#include "support/prefetch.hpp"
 #include "tree/exclusion.hpp"
 #include "tree/parts.hpp"
 
@@ -77,7 +78,18 @@ class Walk {
   /// For Question::kept a range only saves time, so only nodes with many kept children are tested for inside.
   static constexpr unsigned many_kept = 48;
 
-  void prefetch(std::size_t k, std::size_t word) const noexcept;
+  /// Prefetches a word of entries of level `k`.
+  SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t k, std::size_t word) const noexcept {
+    if (!prefetches_) return;
+    const std::size_t first = word * fanout;
+    if (k == 0) {
+      for (const float* const row : leaf_) prefetch_to_second_level(row + first, fanout);
+      if (traits_.reads_indices || excludes_) exclusion_.prefetch(first);
+    } else {
+      for (const float* const row : parts_.node_words(k, first, 1).stream) prefetch_to_second_level(row, fanout);
+    }
+  }
+
   void visit(std::size_t k, const std::uint32_t* word, std::size_t words);
   void visit_leaves(const std::uint32_t* word, std::size_t words);
   void visit_range(std::size_t first, std::size_t size);

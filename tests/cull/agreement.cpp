@@ -30,9 +30,7 @@ Answer answer(const std::vector<std::uint64_t>& kept, const std::vector<std::uin
 CompiledShaft compiled(const ShaftInput& input) {
   Shaft shaft(input.a, input.b, {.contact = input.contact});
   for (const Plane& plane : input.added) shaft.add_plane(plane);
-  CompiledShaft result = compile(shaft);
-  if (mutate != nullptr) mutate(result);
-  return result;
+  return compile(shaft);
 }
 
 template <class Bound>
@@ -111,8 +109,6 @@ void expect_oracle(const ShaftInput& input, const std::vector<Bound>& bounds) {
 }
 
 }  // namespace
-
-void (*mutate)(CompiledShaft& shaft) = nullptr;
 
 std::vector<Answer> answers(const ShaftInput& input, const std::vector<Box>& bounds, Form form) {
   return all_answers(input, bounds, form);

@@ -11,9 +11,6 @@
 
 namespace shaftcull {
 
-/// Changes every compiled shaft before it is asked; null but in mutation tests (tests/mutation/).
-extern void (*mutate)(CompiledShaft& shaft);
-
 /// The answers of classify() for a form, after checking that cull() keeps the same bounds.
 std::vector<Answer> answers(const ShaftInput& input, const std::vector<Box>& bounds, Form form);
 std::vector<Answer> answers(const ShaftInput& input, const std::vector<Sphere>& bounds, Form form);

@@ -32,13 +32,6 @@
 namespace shaftcull {
 namespace {
 
-/// With the fault that a mutation test puts into it, if any.
-CompiledShaft compiled(const MovingInput& input) {
-  CompiledShaft shaft = shaft_of(input);
-  if (mutate != nullptr) mutate(shaft);
-  return shaft;
-}
-
 Answer answer_at(const std::vector<std::uint64_t>& kept, const std::vector<std::uint64_t>& inside, std::size_t i) {
   const auto bit = [&](const std::vector<std::uint64_t>& words) { return (words[i / 64] >> i % 64 & 1U) != 0; };
   return !bit(kept) ? Answer::outside : bit(inside) ? Answer::inside : Answer::overlap;
@@ -62,7 +55,7 @@ void expect_exact(const MovingInput& input, const Hull& hull, const std::vector<
   };
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    CompiledShaft shaft = compiled(input);
+    CompiledShaft shaft = shaft_of(input);
     for (const bool is_complete : {false, true}) {
       if (is_complete) complete(shaft);
       for (const auto& [form, form_name] : {std::pair(Form::slab, "slab"), std::pair(Form::planes, "planes")}) {
@@ -422,7 +415,7 @@ struct GridCase {
     std::vector<MovingInput> inputs;
     for (std::size_t s = 0; s != 24; ++s) {
       inputs.push_back(random_movement(random, moving_kinds[s % 4]));
-      shafts.push_back(compiled(inputs.back()));
+      shafts.push_back(shaft_of(inputs.back()));
     }
     for (std::size_t i = 0; i != bounds; ++i) {
       const MovingInput& input = inputs[random.below(24)];

@@ -47,9 +47,7 @@ Bits kept_of(const CompiledShaft& shaft, const TriangleView& triangles, Triangle
 CompiledShaft compiled(const ShaftInput& input) {
   Shaft shaft(input.a, input.b, {.contact = input.contact});
   for (const Plane& plane : input.added) shaft.add_plane(plane);
-  CompiledShaft result = compile(shaft);
-  if (mutate != nullptr) mutate(result);
-  return result;
+  return compile(shaft);
 }
 CompiledShaft compiled(const MovingInput& input) {
   using Kind = MovingInput::Kind;
@@ -59,7 +57,6 @@ CompiledShaft compiled(const MovingInput& input) {
                          : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
                                                       : shadow(input.light, input.box, input.added);
   set_contact(result, input.contact);
-  if (mutate != nullptr) mutate(result);
   return result;
 }
 

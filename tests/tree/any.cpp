@@ -12,8 +12,7 @@
 #include "tree/access.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
-#include "tree/visitors.hpp"
-#include "tree/walk.hpp"
+#include "tree/walked.hpp"
 
 namespace shaftcull {
 namespace {
@@ -34,8 +33,7 @@ std::size_t words_tested_by(Visitor& visitor, const BoxTree& tree, const Compile
   real_test = kernels.listed_boxes;
   kernels.listed_boxes = count_words;
   words_tested = 0;
-  kernel::Walk<Box, Visitor>(*TreeAccess::parts(tree), kernels, kernel::data_of(shaft), kernel::Question::kept, visitor)
-      .run();
+  walk(*TreeAccess::parts(tree), kernels, shaft, kernel::Question::kept, visitor);
   return words_tested;
 }
 
@@ -45,7 +43,7 @@ TEST(TreeAny, EndsAtTheFirstBoundThatIsKept) {
   const BoxTree tree{std::span<const Box>(boxes)};
   // Reaches all boxes; thin, so that no node is inside and walks go down to the leaves.
   const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
-  kernel::Counter counter;
+  kernel::Counter counter(kernel::active_kernels());
   const std::size_t all = words_tested_by(counter, tree, shaft);
   kernel::Finder finder;
   const std::size_t few = words_tested_by(finder, tree, shaft);
@@ -84,7 +82,7 @@ TEST(TreeAtMost, EndsSoonAfterItHasFoundEnough) {
   const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 300000);
   const BoxTree tree{std::span<const Box>(boxes)};
   const CompiledShaft shaft = compile(Shaft({{-6, -6, 0}, {6, 6, 0.01F}}, {{-6, -6, 0}, {6, 6, 0.01F}}));
-  kernel::Counter counter;
+  kernel::Counter counter(kernel::active_kernels());
   const std::size_t all = words_tested_by(counter, tree, shaft);
   for (const std::size_t most : {std::size_t{1}, std::size_t{10}, counter.count() / 10}) {
     kernel::LimitedCounter limited(most);

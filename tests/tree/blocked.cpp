@@ -16,8 +16,7 @@
 #include "tree/access.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
-#include "tree/visitors.hpp"
-#include "tree/walk.hpp"
+#include "tree/walked.hpp"
 
 namespace shaftcull {
 namespace {
@@ -46,9 +45,7 @@ std::size_t words_tested_for(const BoxTree& tree, const CompiledShaft& shaft) {
   kernels.blocking.listed_nodes = count_nodes;
   words_tested = 0;
   kernel::Finder finder;
-  kernel::Walk<Box, kernel::Finder>(*TreeAccess::parts(tree), kernels, kernel::data_of(shaft),
-                                    kernel::Question::blocking, finder)
-      .run();
+  walk(*TreeAccess::parts(tree), kernels, shaft, kernel::Question::blocking, finder);
   return words_tested;
 }
 

@@ -18,8 +18,7 @@
 #include "tree/access.hpp"
 #include "tree/first_contact.hpp"
 #include "tree/scenes.hpp"
-#include "tree/visitors.hpp"
-#include "tree/walk.hpp"
+#include "tree/walked.hpp"
 
 namespace shaftcull {
 namespace {
@@ -217,8 +216,8 @@ Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
   (void)kernel::FirstContactWalk<Bound>(parts, kernels, kernel::data_of(shaft), nothing).run();
   const std::size_t first = words_tested;
   words_tested = 0;
-  kernel::Counter counter;
-  kernel::Walk<Bound, kernel::Counter>(parts, kernels, kernel::data_of(shaft), kernel::Question::kept, counter).run();
+  kernel::Counter counter(kernels);
+  walk(parts, kernels, shaft, kernel::Question::kept, counter);
   return {first, words_tested};
 }
 

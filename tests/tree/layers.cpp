@@ -19,8 +19,7 @@
 #include "tree/flat.hpp"
 #include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
-#include "tree/visitors.hpp"
-#include "tree/walk.hpp"
+#include "tree/walked.hpp"
 
 namespace shaftcull {
 namespace {
@@ -377,10 +376,8 @@ TEST(TreeLayerWalk, PassesOverNodesOfOtherLayers) {
   kernels.listed_boxes = count_words;
   const auto words_for_layers = [&](std::uint32_t mask) {
     words_tested = 0;
-    kernel::Counter counter;
-    using Filter = kernel::Filter<kernel::Counter>;
-    Filter filter({{parts.order, false, kernels}, {}, {}, {parts.layers, parts.level.data(), mask, kernels}}, counter);
-    kernel::Walk<Box, Filter>(parts, kernels, kernel::data_of(shaft), kernel::Question::kept, filter).run();
+    kernel::Counter counter(kernels);
+    walk(parts, kernels, shaft, kernel::Question::kept, counter, {parts.layers, parts.level.data(), mask, kernels});
     EXPECT_EQ(counter.count(), flat_answers(shaft, boxes, layers, mask).kept().size());
     return words_tested;
   };

@@ -17,8 +17,7 @@
 #include "shaftcull/query.hpp"
 #include "tree/outputs.hpp"
 #include "tree/parts.hpp"
-#include "tree/visitors.hpp"
-#include "tree/walk.hpp"
+#include "tree/walked.hpp"
 
 namespace {
 
@@ -116,9 +115,7 @@ TEST(WideTree, AWalkReachesAllBounds) {
     Output insides;
     const kernel::LeafIndices unknown({}, true, kernel::active_kernels());  // ranges are of leaves, not of indices
     kernel::ClassLister<List> lister(List(unknown, overlaps), List(unknown, insides));
-    kernel::Walk<Box, kernel::ClassLister<List>>(tree, kernel::active_kernels(), kernel::data_of(shaft),
-                                                 kernel::Question::kept_and_inside, lister)
-        .run();
+    walk(tree, kernel::active_kernels(), shaft, kernel::Question::kept_and_inside, lister);
     EXPECT_EQ(std::vector<LeafRange>(overlaps.data(), overlaps.data() + overlaps.count()), overlap) << name(isa);
     EXPECT_EQ(std::vector<LeafRange>(insides.data(), insides.data() + insides.count()), inside) << name(isa);
   }

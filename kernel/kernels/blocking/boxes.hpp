@@ -79,8 +79,8 @@ class BlockingConstraints {
       smallest_hi_[k] = L::all(shaft.a[k + 3] < shaft.b[k + 3] ? shaft.a[k + 3] : shaft.b[k + 3]);
     }
     // Where floats would overflow, nothing is certain.
-    certain_ = L::all(is_exact ? -1.0F : 1 - blocking_margin * blocking_margin_factor);
-    possible_ = L::all(1 + blocking_margin * blocking_margin_factor);
+    certain_ = L::all(is_exact ? -1.0F : 1 - blocking_margin);
+    possible_ = L::all(1 + blocking_margin);
   }
   BlockingConstraints(const BlockingConstraints&) = delete;
   BlockingConstraints& operator=(const BlockingConstraints&) = delete;

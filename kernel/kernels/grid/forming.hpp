@@ -18,7 +18,6 @@
 #include "compiled/shaft_data.hpp"
 #include "kernels/forming/slab.hpp"
 #include "kernels/table.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -232,11 +231,11 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* co
     // Whatever the scale is rounded to, the constraint is exact at the middle of the face's travel.
     const Vector scale_error =
         L::multiply(L::multiply(L::magnitude(L::subtract(short_scale, exact_scale)), half), size[f]);
-    const Vector slack = L::multiply(L::add(L::all(bound_slack), scale_error), L::all(grid_slack_factor));
+    const Vector slack = L::add(L::all(bound_slack), scale_error);
     const Vector moving_shift = L::add(L::subtract(reference_middle, L::multiply(short_scale, middle[f])),
                                        L::choose(is_upper, slack, L::subtract(zero, slack)));
     const Vector stationary_shift =
-        L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack * grid_slack_factor));
+        L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack));
     const Vector error = L::add(L::add(L::all(bound_slack + bound_error), L::add(scale_error, scale_error)),
                                 L::multiply(L::all(2 * snap_slack), ratio));
     const Vector stationary_limit = L::add(size[f], L::all(bound_slack + bound_error + 2 * snap_slack));
@@ -253,7 +252,7 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* co
     next_upper = L::add(next_upper, L::choose(is_upper, one, zero));
     next_lower = L::add(next_lower, L::choose(is_stationary, zero, of_moving(zero, one)));
   }
-  limit = L::multiply(L::maximum(L::add(upper_error, lower_error), limit), L::all(grid_limit_factor));
+  limit = L::maximum(L::add(upper_error, lower_error), limit);
   largest = L::maximum(L::maximum(L::magnitude(begin), L::magnitude(minus_end)), largest);
   const std::uint64_t exist =
       L::bits(L::both(L::less_equal(L::load(column[2 * faces]), L::all(fused_regular_limit)),

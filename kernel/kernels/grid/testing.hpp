@@ -18,7 +18,7 @@ namespace shaftcull::kernel {
 template <class L>
 void snap_boxes(const GridFrame& frame, const float* const* box, std::size_t count,
                 std::int16_t* const* grid) noexcept {
-  const auto down = L::all(-snap_slack * grid_slack_factor);  // so that rounding to nearest rounds down
+  const auto down = L::all(-snap_slack);  // so that rounding to nearest rounds down
   const auto top = L::all(grid_top);
   const auto bottom = L::Integers16::all(static_cast<std::int16_t>(-grid_top));
   for (unsigned s = 0; s < 6; ++s) {

@@ -37,7 +37,7 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_faces_word(const
       const unsigned lane = first + v * L::width;
       outside |= L::bits(L::less(depths.most[v], zero)) << lane;
       if constexpr (bounded) {
-        undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin * hull_margin_factor))) << lane;
+        undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin))) << lane;
       } else {
         undecided |= (L::bits(L::less(zero, depths.least[v])) ^ lanes_of<L>(0)) << lane;
       }
@@ -89,7 +89,7 @@ SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline std::uint64_t hull_edges_vectors(co
     }
     beyond |= L::bits(is_beyond) << v * L::width;
     if constexpr (bounded) {
-      undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin * hull_margin_factor))) << v * L::width;
+      undecided |= L::bits(L::less_equal(depths.most[v], L::all(2 * hull_margin))) << v * L::width;
     } else {
       undecided |= (L::bits(L::less(zero, depths.least[v])) ^ lanes_of<L>(0)) << v * L::width;
     }
@@ -158,7 +158,7 @@ void hull_inside_stage(const HullData& hull, const float* const* stream, std::si
       };
       if (hull.is_bounded) {
         const auto depths = note(HullDepths<L, 1, true>());
-        certain |= L::bits(L::less(L::all(2 * hull_margin * hull_margin_factor), depths.most[0])) << lane;
+        certain |= L::bits(L::less(L::all(2 * hull_margin), depths.most[0])) << lane;
       } else {
         const auto depths = note(HullDepths<L, 1, false>());
         certain |= L::bits(L::less(zero, depths.least[0])) << lane;

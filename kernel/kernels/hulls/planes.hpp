@@ -8,7 +8,6 @@
 
 #include "compiled/hull_data.hpp"
 #include "support/compiler.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -50,7 +49,7 @@ struct HullDepths {
         if constexpr (bounded) {
           most[v] = L::minimum(depth, most[v]);
         } else {
-          const Vector margin = L::multiply(plane.terms(x, v), L::all(unbounded_hull_margin * open_hull_margin_factor));
+          const Vector margin = L::multiply(plane.terms(x, v), L::all(unbounded_hull_margin));
           most[v] = L::minimum(L::add(depth, margin), most[v]);
           least[v] = L::minimum(or_unknown(L::subtract(depth, margin)), least[v]);
         }
@@ -72,11 +71,11 @@ struct HullDepths {
       for (unsigned v = 0; v < vectors; ++v) {
         const Vector depth = plane.depth(x, v);
         Vector above = depth;
-        Vector below = L::subtract(depth, L::all(2 * hull_margin * hull_margin_factor));
+        Vector below = L::subtract(depth, L::all(2 * hull_margin));
         if constexpr (!bounded) {
           const Vector radius = L::load(stream[3] + at + v * L::width);
           const Vector terms = L::multiply_add(L::magnitude(radius), length, plane.terms(x, v));
-          const Vector margin = L::multiply(terms, L::all(unbounded_hull_margin * open_hull_margin_factor));
+          const Vector margin = L::multiply(terms, L::all(unbounded_hull_margin));
           above = L::add(depth, margin);
           below = L::subtract(depth, margin);
         }

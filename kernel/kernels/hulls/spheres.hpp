@@ -20,8 +20,8 @@ template <class L, bool bounded, bool inside>
                                               std::size_t at) noexcept {
   using Vector = typename L::Vector;
   const Vector radius = L::load(stream[3] + at);
-  const Vector more = L::multiply(radius, L::all(1 + hull_radius_slack * hull_radius_factor));
-  const Vector less = L::multiply(radius, L::all(1 - hull_radius_slack * hull_radius_factor));
+  const Vector more = L::multiply(radius, L::all(1 + hull_radius_slack));
+  const Vector less = L::multiply(radius, L::all(1 - hull_radius_slack));
   const Vector for_most[1] = {inside ? L::subtract(L::all(0.0F), less) : more};
   const Vector for_least[1] = {inside ? L::subtract(L::all(0.0F), more) : less};
   HullDepths<L, 1, bounded> depths;

@@ -11,7 +11,6 @@
 
 #include "shaftcull/compiled.hpp"
 #include "support/compiler.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -125,7 +124,6 @@ void in_whole_words(const float* const* stream, std::size_t count, std::uint64_t
 template <class L, class Decide>
 SHAFTCULL_COLD std::uint64_t decide_lanes(std::uint64_t lanes, Decide decide) noexcept {
   if constexpr (requires { L::note_undecided(lanes); }) L::note_undecided(lanes);
-  if (drops_exact_step) return 0;
   std::uint64_t yes = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<unsigned>(trailing_zeros(lanes));

@@ -67,7 +67,7 @@ class SolidInLanes {
   }
 
  private:
-  static float margin() noexcept { return blocking_margin * sibling_margin_factor; }
+  static float margin() noexcept { return blocking_margin; }
 
   /// Whether it reaches across a shaft on all axes. A flat one may do so by touching, if it is in the plane of both
   /// ends.

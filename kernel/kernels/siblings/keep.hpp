@@ -50,7 +50,7 @@ class BoundInLanes {
   }
 
  private:
-  static float margin() noexcept { return blocking_margin * sibling_margin_factor; }
+  static float margin() noexcept { return blocking_margin; }
 
   /// Whether it reaches into a shaft's box.
   [[nodiscard]] Mask reaches_box(const Siblings& siblings, unsigned lane) const noexcept {
@@ -100,7 +100,7 @@ class BoundInLanes {
 template <class L>
 std::uint64_t keep_bound(const Siblings& siblings, const BoxRow& bound, std::uint64_t asked) noexcept {
   bool is_closed = siblings.contact == Contact::closed;
-  if (siblings.are_groups && !drops_touching_flats) {
+  if (siblings.are_groups) {
     for (unsigned k = 0; k < 3; ++k) is_closed |= bound.face[k] == bound.face[k + 3];
   }
   if (is_closed) return BoundInLanes<L, Contact::closed>(bound).kept(siblings, asked);

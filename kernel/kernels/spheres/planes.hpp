@@ -9,7 +9,6 @@
 #include "kernels/boxes/planes.hpp"
 #include "kernels/boxes/slab.hpp"
 #include "kernels/shared/word.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -47,7 +46,7 @@ void sphere_planes_stage(const ShaftData& shaft, const float* const* stream, std
   const CentreStreams<L> centres(stream);
   const JoiningPlanes<L> planes(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream);
   // The centre of a sphere that meets the shaft box is at most r beyond it, so errors grow by a few units of r.
-  const auto minus_widened = L::all(-(1.0F + 8 * float_unit * radius_margin_factor));
+  const auto minus_widened = L::all(-(1.0F + 8 * float_unit));
   const auto zero = L::all(0.0F);
   const auto largest = L::all(FLT_MAX);  // beyond it a sum has overflowed and proves nothing
   const OuterFaces<L> outer(shaft);
@@ -118,10 +117,10 @@ class SquareDistance {
     // docs/exactness.md, spheres.
     const float largest_coordinate = shaft.largest_coordinate;
     const float error =
-        bound_margin_factor * float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
+        float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
     // Products with slopes may overflow: nothing is certain. Nor is it of a box that moves on from b.
     error_ = L::all(largest_coordinate > fused_regular_limit || shaft.is_endless() ? INFINITY : error);
-    error_per_gap_ = L::all(bound_margin_factor * float_unit * (17 * largest_coordinate + 25 * slopes));
+    error_per_gap_ = L::all(float_unit * (17 * largest_coordinate + 25 * slopes));
   }
 
   /// A first guess at where the minimum is: the middle of those u at which box(u) meets the box around the sphere.
@@ -182,7 +181,7 @@ class SquareDistance {
                                    L::maximum(L::multiply(L::subtract(u, L::all(1.0F)), value.half_slope), zero));
     const Vector error = L::multiply_add(value.gaps, error_per_gap_, error_);
     const Vector tangent = L::subtract(value.square, L::add(fall, fall));
-    return L::subtract(L::multiply_add(value.square, L::all(-10 * float_unit * bound_margin_factor), tangent), error);
+    return L::subtract(L::multiply_add(value.square, L::all(-10 * float_unit), tangent), error);
   }
 
  private:
@@ -214,9 +213,9 @@ void sphere_distance_stage(const ShaftData& shaft, const float* const* stream, s
   using Vector = typename L::Vector;
   const SquareDistance<L> square_distance(shaft);
   // A gap is off by 8 units of the largest coordinate and one of itself; over three axes √3 · 8 < 16.
-  const Vector minus_error = L::all(-17 * float_unit * accept_margin_factor * shaft.largest_coordinate);
-  const Vector shrink = L::all(1 - 16 * float_unit * accept_margin_factor);
-  const Vector grow = L::all(1 + 4 * float_unit * bound_margin_factor);
+  const Vector minus_error = L::all(-17 * float_unit * shaft.largest_coordinate);
+  const Vector shrink = L::all(1 - 16 * float_unit);
+  const Vector grow = L::all(1 + 4 * float_unit);
   const Vector least = L::all(0x1p-60F);  // its square is far above what underflow can take away,
   const Vector most = L::all(0x1p60F);    // and the square of this far below overflow
   const Vector zero = L::all(0.0F);
@@ -303,7 +302,7 @@ void sphere_inside_stage(const ShaftData& shaft, const float* const* stream, std
       };
       const Vector joining =
           largest_joining_value<L>(shaft, shaft.joining_near0, shaft.joining_near1, centres.stream, at);
-      const Vector growth = L::all(8 * float_unit * radius_margin_factor);
+      const Vector growth = L::all(8 * float_unit);
       test(L::add(joining, radius), L::multiply_add(radius, growth, L::all(shaft.joining_margin)));
       for (unsigned i = 0; i < shaft.added_count; ++i) {
         const ShaftData::AddedPlane& plane = shaft.added[i];

@@ -14,7 +14,6 @@
 
 #include "compiled/triangle_shaft.hpp"
 #include "support/compiler.hpp"
-#include "support/mutant.hpp"
 
 namespace shaftcull::kernel {
 
@@ -75,7 +74,7 @@ struct TriangleAxes {
     for (unsigned k = 0; k < 3; ++k) {
       extent = L::add(extent, L::add(L::magnitude(centre[0][k]), L::add(length[0][k], length[1][k])));
     }
-    margin = L::multiply_add(extent, L::all(triangle_margin * triangle_margin_factor), L::all(triangle_denormals));
+    margin = L::multiply_add(extent, L::all(triangle_margin), L::all(triangle_denormals));
     certain = L::bits(L::less(extent, box.most));  // not if any coordinate is not finite
 
     const Vector zero = L::all(0.0F);

@@ -6,7 +6,7 @@ configure(g++ -D "PARENT_OPTIONS=-O0 -march=native"
   -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/more.cmake)
 build()
 if(machine_has_avx512)
-  answers("scalar: as on record\nportable128: as on record\navx512: as on record\n")
+  answers("scalar: as on record\navx512: as on record\n")
 else()
   answers()
 endif()
