@@ -25,9 +25,7 @@ class Measured {
   static Measured difference(double a, double b) noexcept { return Measured(two_sum(a, -b), 0); }
 
   /// Whether the sign of the value is that of the real number.
-  [[nodiscard]] bool is_known() const noexcept {
-    return error_ == 0 || std::fabs(value_) > (1 + 0x1p-40) * error_;
-  }
+  [[nodiscard]] bool is_known() const noexcept { return error_ == 0 || std::fabs(value_) > (1 + 0x1p-40) * error_; }
   [[nodiscard]] bool is_negative() const noexcept { return value_ < 0 && is_known(); }
   [[nodiscard]] bool is_positive() const noexcept { return value_ > 0 && is_known(); }
   [[nodiscard]] bool is_not_positive() const noexcept { return value_ <= 0 && is_known(); }

@@ -290,35 +290,38 @@ class WordByWord final : public LeafVisitor {
  public:
   static constexpr VisitorTraits traits{.may_end_early = may_end_early,
                                         .reads_indices = reads_them(),
-                                        .looks_into_leaves = requires { Visitor::looks_into_leaves; }};
+                                        .looks_into_leaves = requires {Visitor::looks_into_leaves;
+}
+};  // namespace shaftcull::kernel
 
-  explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
+explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
 
-  bool words(const FoundWords& found) override {
-    if constexpr (requires { visitor_.words(found); }) {
-      visitor_.words(found);
-    } else {
-      const auto [word, kept, inside, words] = found;
-      for (std::size_t i = 0; i != words; ++i) {
-        if (kept[i] == 0) continue;
-        visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
-        if (is_done()) return false;
-      }
+bool words(const FoundWords& found) override {
+  if constexpr (requires { visitor_.words(found); }) {
+    visitor_.words(found);
+  } else {
+    const auto [word, kept, inside, words] = found;
+    for (std::size_t i = 0; i != words; ++i) {
+      if (kept[i] == 0) continue;
+      visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
+      if (is_done()) return false;
     }
-    return !is_done();
   }
-  bool range(std::size_t first, std::size_t size) override {
-    visitor_.range(first, size);
-    return !is_done();
-  }
+  return !is_done();
+}
+bool range(std::size_t first, std::size_t size) override {
+  visitor_.range(first, size);
+  return !is_done();
+}
 
- private:
-  [[nodiscard]] bool is_done() const noexcept {
-    if constexpr (may_end_early) return visitor_.is_done();
-    return false;
-  }
+private:
+[[nodiscard]] bool is_done() const noexcept {
+  if constexpr (may_end_early) return visitor_.is_done();
+  return false;
+}
 
-  Visitor& visitor_;
-};
+Visitor& visitor_;
+}
+;
 
 }  // namespace shaftcull::kernel

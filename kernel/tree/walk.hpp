@@ -28,8 +28,8 @@ enum class Question : std::uint8_t { kept, kept_and_inside, inside, blocking };
   return question == Question::kept_and_inside || question == Question::inside;
 }
 
-/// Words of leaves that a walk has found: of the leaves 64 · word[i] … 64 · word[i] + 63, kept[i] are kept and inside[i]
-/// inside, maybe none. `inside` is null for Question::kept and Question::blocking.
+/// Words of leaves that a walk has found: of the leaves 64 · word[i] … 64 · word[i] + 63, kept[i] are kept and
+/// inside[i] inside, maybe none. `inside` is null for Question::kept and Question::blocking.
 struct FoundWords {
   const std::uint32_t* word;
   const std::uint64_t* kept;

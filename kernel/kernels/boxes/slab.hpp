@@ -441,10 +441,18 @@ std::uint64_t undecided_slab_word(const ShaftData& shaft, const float* const* st
     resolve_slab_words<L, form>(shaft, shaft.slab_margin, stream, ConsecutiveWords<L>{.first = at}, 0, 1, word, &kept);
   };
   switch (shaft.slab_form) {
-    case relative: resolve.template operator()<relative>(); break;
-    case difference: resolve.template operator()<difference>(); break;
-    case endless: resolve.template operator()<endless>(); break;
-    default: resolve.template operator()<fused>(); break;
+    case relative:
+      resolve.template operator()<relative>();
+      break;
+    case difference:
+      resolve.template operator()<difference>();
+      break;
+    case endless:
+      resolve.template operator()<endless>();
+      break;
+    default:
+      resolve.template operator()<fused>();
+      break;
   }
   return kept;
 }

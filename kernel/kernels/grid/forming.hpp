@@ -234,8 +234,7 @@ void form_grid_vector(const ShaftData* const (&shaft)[L::width], const float* co
     const Vector slack = L::add(L::all(bound_slack), scale_error);
     const Vector moving_shift = L::add(L::subtract(reference_middle, L::multiply(short_scale, middle[f])),
                                        L::choose(is_upper, slack, L::subtract(zero, slack)));
-    const Vector stationary_shift =
-        L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack));
+    const Vector stationary_shift = L::add(L::add(middle[f], L::multiply(half, size[f])), L::all(bound_slack));
     const Vector error = L::add(L::add(L::all(bound_slack + bound_error), L::add(scale_error, scale_error)),
                                 L::multiply(L::all(2 * snap_slack), ratio));
     const Vector stationary_limit = L::add(size[f], L::all(bound_slack + bound_error + 2 * snap_slack));

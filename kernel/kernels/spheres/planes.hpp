@@ -116,8 +116,7 @@ class SquareDistance {
     }
     // docs/exactness.md, spheres.
     const float largest_coordinate = shaft.largest_coordinate;
-    const float error =
-        float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
+    const float error = float_unit * largest_coordinate * (17 * slopes + 0x1p-13F * largest_coordinate);
     // Products with slopes may overflow: nothing is certain. Nor is it of a box that moves on from b.
     error_ = L::all(largest_coordinate > fused_regular_limit || shaft.is_endless() ? INFINITY : error);
     error_per_gap_ = L::all(float_unit * (17 * largest_coordinate + 25 * slopes));
