@@ -250,6 +250,33 @@ TEST(Triangles, AddedPlanesAreAskedAtVertices) {
       815, 15, 40, 1000, [](Random& random) { return with_wild_planes(random, random_shaft(random)); }, at_plane);
 }
 
+TEST(Triangles, AVertexFarAwayThatAlmostTouchesAnAddedPlaneIsAnsweredExactly) {
+  const auto halved = [](Random& random) {
+    ShaftInput input{{{-3000, -3000, -3000}, {3000, 3000, 3000}}, {{-2999, -2999, -2999}, {2999, 2999, 2999}}};
+    input.added.push_back({random.vec3(-1, 1), random.uniform(-0.01F, 0.01F)});
+    return input;
+  };
+  // The other two vertices are near the origin: of all coordinates, which the margin grows with, those of one count.
+  const auto spike = [](Random& random, const ShaftInput& input) {
+    const Plane& plane = input.added.front();
+    const float side = random.one_in(2) ? 1.0F : -1.0F;
+    Triangle triangle;
+    for (Vec3& vertex : triangle.vertex) {
+      for (std::size_t k = 0; k != 3; ++k) vertex[k] = side * plane.normal[k] + random.uniform(-0.1F, 0.1F);
+    }
+    Vec3& far = triangle.vertex[random.below(3)];
+    far = random.vec3(-1000, 1000);
+    const std::size_t k = random.below(3);
+    double rest = static_cast<double>(plane.offset);
+    for (std::size_t i = 0; i != 3; ++i) {
+      if (i != k) rest -= static_cast<double>(plane.normal[i]) * static_cast<double>(far[i]);
+    }
+    far[k] = static_cast<float>(std::clamp(rest / static_cast<double>(plane.normal[k]), -2900.0, 2900.0));
+    return triangle;
+  };
+  check(820, 60, 0, 0, halved, spike);
+}
+
 /// A moving box's shaft, of boxes on a grid or not.
 MovingInput moving_input(Random& random, MovingInput::Kind kind, bool on_grid) {
   const auto box = [&] { return on_grid ? random.grid_box(0, 4) : random.box(-3, 3, 0.05F, 1.0F); };

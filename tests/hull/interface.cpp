@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -137,6 +138,16 @@ TEST(HullInterface, TellsWhatItWasGiven) {
   EXPECT_EQ(hull.compiled().b(), hull.box());
   EXPECT_TRUE(hull.compiled().formed());
   EXPECT_TRUE(hull.compiled().has_planes());
+}
+
+TEST(HullInterface, ACopyOutlivesWhatItWasCopiedFrom) {
+  auto original = std::make_unique<ConvexHull>(tetrahedron);
+  const ConvexHull copy = *original;
+  original.reset();
+  std::vector<ConvexHull> others;  // in the memory that the original has left
+  for (int i = 0; i != 8; ++i) others.emplace_back(std::vector<Vec3>{{9, 9, 9}});
+  EXPECT_EQ(classify(copy, Box{{1, 1, 1}, {1.25F, 1.25F, 1.25F}}), Answer::inside);
+  EXPECT_EQ(classify(copy, Box{{9, 9, 9}, {9, 9, 9}}), Answer::outside);
 }
 
 TEST(HullInterface, CopiesAndMovesAnswerAlike) {

@@ -193,6 +193,24 @@ TEST(Outputs, FirstContactManyFindsTheFirstOfManyTasks) {
   }
 }
 
+TEST(Outputs, FirstContactManyFindsTheFirstWhereTwoTasksHandOverAtOnce) {
+  // Two tasks, each of which finds one box for each of the shafts: they hand over one shaft after the other, side by side.
+  std::vector<Box> boxes(16384, Box{{0, 9, 0}, {1, 10, 1}});
+  boxes[5] = {{50, 0, 0}, {51, 1, 1}};
+  boxes[10000] = {{40, 0, 0}, {41, 1, 1}};
+  const std::vector<CompiledShaft> shafts(64, compile({{0, 0, 0}, {1, 1, 1}}, {{99, 0, 0}, {100, 1, 1}}));
+  for (const std::uint32_t first : {10000U, 5U}) {
+    boxes[first] = {{30, 0, 0}, {31, 1, 1}};
+    const BoxStream stream{std::span<const Box>(boxes)};
+    for (int call = 0; call != 150; ++call) {
+      std::vector<FirstContact> contacts(shafts.size());
+      with_threads(2, [&] { first_contact_many(shafts, stream, contacts); });
+      for (const FirstContact& contact : contacts) ASSERT_EQ(contact.index, first) << "call " << call;
+    }
+    boxes[first] = {{60, 0, 0}, {61, 1, 1}};
+  }
+}
+
 TEST(Outputs, ListClassifiedManyListsTheSetBitsOfEachRowAscending) {
   IndexLists overlap;
   IndexLists inside;

@@ -493,14 +493,20 @@ TEST(VisibilityBatches, SolidsThatAreAddedBetweenCallsBlockToo) {
 }
 
 TEST(VisibilityBatches, ABlockerThatIsAddedToManyBetweenCallsIsACandidate) {
-  const Box points[] = {{{0.5F, 0.5F, -9}, {0.5F, 0.5F, -9}}, {{0.5F, 0.5F, 9}, {0.5F, 0.5F, 9}}};
+  constexpr std::size_t side = 150;
+  std::vector<Box> points;
+  for (std::size_t i = 0; i != 2 * side; ++i) {
+    const Vec3 point{0.4F + 0.001F * static_cast<float>(i % side), 0.5F, i < side ? -9.0F : 9.0F};
+    points.push_back({point, point});
+  }
   const PatchSet patches{std::span<const Box>(points)};
   Blockers blockers;
   blockers.add_boxes(std::span<const Box>(std::vector<Box>(5000, Box{{20, 0, 0}, {21, 1, 1}})));
-  EXPECT_EQ(count_visibility(patches, blockers).clear, 1U);
+  const std::uint64_t clear = count_visibility(patches, blockers).clear;
+  EXPECT_EQ(clear, side * (2 * side - 1));
   const Box between{{0, 0, 0}, {1, 1, 1}};
   blockers.add_boxes(std::span<const Box>(&between, 1));
-  EXPECT_EQ(count_visibility(patches, blockers).clear, 0U);
+  EXPECT_EQ(count_visibility(patches, blockers).clear, clear - side * side);
 }
 
 TEST(VisibilityBatches, CallbacksRunInTheModesOfTheCaller) {
