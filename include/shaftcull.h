@@ -180,12 +180,11 @@ enum {
   SHAFTCULL_INSIDE = 2   /* All of it is. */
 };
 
-/// Which form of the shaft decides outside, for boxes and spheres in views and streams. Answers are the same.
+/// Which form of a shaft decides outside, of boxes and spheres. Answers are the same; speed is not.
 typedef uint32_t shaftcull_form;
 enum {
-  SHAFTCULL_FORM_FASTEST = 0, /* what measured fastest: slab */
-  SHAFTCULL_FORM_SLAB = 1,    /* the shaft as a moving box */
-  SHAFTCULL_FORM_PLANES = 2   /* the paper's planes with near corners */
+  SHAFTCULL_FORM_SLAB = 0,  /* the shaft as a moving box: always faster */
+  SHAFTCULL_FORM_PLANES = 1 /* the paper's planes with near corners */
 };
 
 /// How triangles are tested (triangles.hpp). Convex hulls take the test by vertices only.
@@ -258,7 +257,8 @@ typedef struct shaftcull_shaft_options {
   uint32_t inside;               /* 1: what is inside may be asked */
   uint32_t spheres;              /* 1: spheres may be asked about */
   shaftcull_contact contact;     /* what becomes of what only touches */
-  uint32_t reserved[2];          /* 0 */
+  shaftcull_form form;           /* what decides outside */
+  uint32_t reserved[1];          /* 0 */
 } shaftcull_shaft_options;
 
 /// A joining plane: it cuts the edge between two neighbouring faces off the shaft's box. Faces 0, 1, 2 are lo x, y, z;
@@ -538,6 +538,7 @@ typedef struct shaftcull_shafts_info {
   uint32_t has_planes;       /* 1 if its joining planes are there */
   shaftcull_contact contact; /* what becomes of what only touches */
   uint32_t is_hull;          /* 1 if it is a convex hull */
+  shaftcull_form form;       /* what decides outside */
 } shaftcull_shafts_info;
 
 /// Planes for the shafts of a batch: those of a shaft's box a, then those of its box b. Each box has as many as all
@@ -650,14 +651,19 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shaft
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                             shaftcull_contact contact);
 
+/// Chooses the form in which `count` shafts from `first` on are asked, and computes planes that are pending if it is
+/// that of planes, which is for comparisons with the paper. Hulls have one form, and stay as they are. Refuses shafts
+/// that were never formed, by their position. No allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_form(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                         shaftcull_form form);
+
 /* ---- How to ask ---- */
 
 /// How bounds are asked. All zero, or NULL in the place of a pointer to one: everything, the usual way. What does not
-/// fit the bounds is refused: a form is for boxes and spheres in views and streams, a triangle test for triangles, and
-/// all else for trees of boxes and spheres. Questions about inside alone and about what blocks do not depend on form.
+/// fit the bounds is refused: a triangle test is for triangles, and all else for trees of boxes and spheres.
 typedef struct shaftcull_query {
-  shaftcull_form form;                   /* of boxes and spheres in views and streams */
   shaftcull_triangle_test triangle_test; /* of triangles */
+  uint32_t reserved_word;                /* 0 */
   /// Bounds to leave out, by the caller's index: a row for each shaft, all equally long, own_count indices in all. A
   /// shaft's own two objects, say.
   const uint32_t* own;

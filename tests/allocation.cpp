@@ -9,6 +9,7 @@
 
 #include "columns.hpp"
 #include "failing_memory.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/random.hpp"
 #include "parallel/thread_sanitizer.hpp"
@@ -78,11 +79,11 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
                 for (const CompiledShaft& shaft : shafts_) {
-                  for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
-                    cull(shaft, boxes.view(), kept, form);
-                    cull(shaft, spheres.view(), kept, form);
-                    classify(shaft, boxes.view(), kept, inside, form);
-                    classify(shaft, spheres.view(), kept, inside, form);
+                  for (const Form form : forms) {
+                    cull(in_form(shaft, form), boxes.view(), kept);
+                    cull(in_form(shaft, form), spheres.view(), kept);
+                    classify(in_form(shaft, form), boxes.view(), kept, inside);
+                    classify(in_form(shaft, form), spheres.view(), kept, inside);
                   }
                   contained(shaft, boxes.view(), inside);
                   contained(shaft, spheres.view(), inside);
@@ -272,18 +273,20 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   std::vector<KeptCounts> classified(shafts_.size());
   std::vector<FirstContact> contacts(shafts_.size());
   std::vector<std::uint32_t> few(9 * shafts_.size());
+  const std::vector<CompiledShaft> by_planes = in_form(shafts_, Form::planes);
+  const std::span<const CompiledShaft> both_forms[] = {shafts_, by_planes};
   const auto calls = [&] {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const std::span<const CompiledShaft> shafts : both_forms) {
       const auto ask = [&](const auto& view) {
-        cull_many(shafts_, view, kept, form);
-        classify_many(shafts_, view, kept, inside, form);
-        count_many(shafts_, view, counts, form);
-        count_classified_many(shafts_, view, classified, form);
-        any_many(shafts_, view, std::span(counts).first(1), form);
-        count_at_most_many(shafts_, view, 9, counts, form);
-        list_at_most_many(shafts_, view, 9, few, counts, form);
+        cull_many(shafts, view, kept);
+        classify_many(shafts, view, kept, inside);
+        count_many(shafts, view, counts);
+        count_classified_many(shafts, view, classified);
+        any_many(shafts, view, std::span(counts).first(1));
+        count_at_most_many(shafts, view, 9, counts);
+        list_at_most_many(shafts, view, 9, few, counts);
         contained_many(shafts_, view, inside);
-        first_contact_many(shafts_, view, contacts, form);
+        first_contact_many(shafts, view, contacts);
       };
       ask(boxes.view());
       ask(spheres.view());

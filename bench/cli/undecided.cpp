@@ -17,9 +17,9 @@ struct WatchedLanes : kernel::scalar::Floats {
 };
 
 template <class View>
-void watch(const CompiledShaft& shaft, const View& bounds, Form form, std::span<std::uint64_t> asked,
+void watch(const CompiledShaft& shaft, const View& bounds, std::span<std::uint64_t> asked,
            std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
-  const auto test = kernel::kernels_for<WatchedLanes>.test(bounds, form);
+  const auto test = kernel::kernels_for<WatchedLanes>.test(bounds);
   for (std::size_t w = 0; w != asked.size(); ++w) {
     const std::size_t first = w * kernel::word_bits;
     const View word = bounds.slice(first, std::min<std::size_t>(kernel::word_bits, bounds.count - first));
@@ -31,14 +31,14 @@ void watch(const CompiledShaft& shaft, const View& bounds, Form form, std::span<
 
 }  // namespace
 
-void undecided(const CompiledShaft& shaft, const BoxView& boxes, Form form, std::span<std::uint64_t> asked,
+void undecided(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> asked,
                std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
-  watch(shaft, boxes, form, asked, kept, inside);
+  watch(shaft, boxes, asked, kept, inside);
 }
 
-void undecided(const CompiledShaft& shaft, const SphereView& spheres, Form form, std::span<std::uint64_t> asked,
+void undecided(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> asked,
                std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
-  watch(shaft, spheres, form, asked, kept, inside);
+  watch(shaft, spheres, asked, kept, inside);
 }
 
 }  // namespace shaftcull::cli

@@ -13,9 +13,9 @@ namespace shaftcull::cli {
 /// Sets bit i of `asked` iff classify() on the scalar path asks an exact predicate about bound i. Other instruction
 /// sets round a little differently and ask about a few others. Answers into `kept` and `inside`, as classify(); all
 /// three have words_for(bounds.count) words. The shaft has its planes.
-void undecided(const CompiledShaft& shaft, const BoxView& boxes, Form form, std::span<std::uint64_t> asked,
+void undecided(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> asked,
                std::span<std::uint64_t> kept, std::span<std::uint64_t> inside);
-void undecided(const CompiledShaft& shaft, const SphereView& spheres, Form form, std::span<std::uint64_t> asked,
+void undecided(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> asked,
                std::span<std::uint64_t> kept, std::span<std::uint64_t> inside);
 
 }  // namespace shaftcull::cli

@@ -31,11 +31,12 @@ struct Bench {
 template <class View>
 void run(benchmark::State& state, Bench& bench, const View& bounds, bool classify, Form form, Isa isa) {
   select_isa(isa);
+  set_form(bench.shafts, form);
   for (auto _ : state) {
     if (classify) {
-      classify_many(bench.shafts, bounds, bench.kept, bench.inside, form);
+      classify_many(bench.shafts, bounds, bench.kept, bench.inside);
     } else {
-      cull_many(bench.shafts, bounds, bench.kept, form);
+      cull_many(bench.shafts, bounds, bench.kept);
     }
     benchmark::ClobberMemory();
   }

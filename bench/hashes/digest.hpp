@@ -49,12 +49,13 @@ void add_answers(const CompiledShaft& shaft, const View& view, Way way, Digest& 
     digest.add_all(among_many.inside);
     return;
   }
-  const Form form = way == Way::slab ? Form::slab : Form::planes;
+  CompiledShaft in_form = shaft;
+  if (way != Way::slab) set_form(in_form, Form::planes);
   std::vector<std::uint64_t> kept(words_for(view.count));
   std::vector<std::uint64_t> inside(kept.size());
-  cull(shaft, view, kept, form);
+  cull(in_form, view, kept);
   digest.add_all(kept);
-  classify(shaft, view, kept, inside, form);
+  classify(in_form, view, kept, inside);
   digest.add_all(kept);
   digest.add_all(inside);
 }

@@ -55,16 +55,17 @@ std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact) {
 template <class View>
 void add_times(const CompiledShaft& shaft, const View& view, Way way, Digest& digest) {
   FirstContact contact;
-  const Form form = way == Way::planes ? Form::planes : Form::slab;
+  CompiledShaft in_form = shaft;
+  if (way == Way::planes) set_form(in_form, Form::planes);
   if (way == Way::many) {
     first_contact_many({&shaft, 1}, view, {&contact, 1});
   } else {
-    contact = first_contact(shaft, view, form);
+    contact = first_contact(in_form, view);
   }
   digest.add(contact ? contact.index : ~std::uint64_t{0});
   digest.add_float(contact.time);
   std::vector<std::uint32_t> kept(view.count);
-  kept.resize(list(shaft, view, std::span(kept), form));
+  kept.resize(list(in_form, view, std::span(kept)));
   std::vector<float> times(kept.size());
   entry_times(shaft, view, kept, times);
   for (const float time : times) digest.add_float(time);

@@ -75,8 +75,7 @@ template <class Enum>
                        "SHAFTCULL_DEPTH_ZERO_TO_ONE and SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE");
 }
 [[nodiscard]] inline Form as_form(shaftcull_form form) {
-  return as_enumerator(form, Form::planes, "form",
-                       "SHAFTCULL_FORM_FASTEST, SHAFTCULL_FORM_SLAB and SHAFTCULL_FORM_PLANES");
+  return as_enumerator(form, Form::planes, "form", "SHAFTCULL_FORM_SLAB and SHAFTCULL_FORM_PLANES");
 }
 [[nodiscard]] inline TriangleTest as_triangle_test(shaftcull_triangle_test test) {
   if (test == SHAFTCULL_TRIANGLES_EXACT) return TriangleTest::exact;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -36,17 +37,17 @@ inline constexpr const char* takes_boxes = "boxes";
 inline constexpr const char* takes_views = "boxes and spheres in views and streams";
 inline constexpr const char* takes_trees = "trees of boxes and spheres";
 
-/// What a query says of bounds of this type: a form, what to leave out, or a test of triangles.
+/// What a query says of bounds of this type: nothing, a test of triangles, or what to leave out.
 template <FlatSet Set>
-[[nodiscard]] Form option_for(const Set& /*set*/, const shaftcull_query& query) {
-  return as_form(query.form);
+[[nodiscard]] std::tuple<> option_for(const Set& /*set*/, const shaftcull_query& /*query*/) {
+  return {};
 }
 template <TriangleSet Set>
-[[nodiscard]] TriangleTest option_for(const Set& /*set*/, const shaftcull_query& query) {
+[[nodiscard]] std::tuple<TriangleTest> option_for(const Set& /*set*/, const shaftcull_query& query) {
   return as_triangle_test(query.triangle_test);
 }
 template <TreeSet Set>
-[[nodiscard]] Excluding option_for(const Set& /*set*/, const shaftcull_query& query) {
+[[nodiscard]] std::tuple<Excluding> option_for(const Set& /*set*/, const shaftcull_query& query) {
   Excluding excluding;
   excluding.own = as_span(query.own, query.own_count, "query.own");
   excluding.mask = as_span(query.mask, query.mask_words, "query.mask");
@@ -60,9 +61,7 @@ void check_query(const shaftcull_query& query) {
   for (const std::uint64_t reserved : query.reserved) {
     if (reserved != 0) refuse("query.reserved is not 0; set all of a query to 0 first");
   }
-  if (!FlatSet<Set> && query.form != SHAFTCULL_FORM_FASTEST) {
-    refuse("query.form = " + std::to_string(query.form) + "; only boxes and spheres in views and streams have a form");
-  }
+  if (query.reserved_word != 0) refuse("query.reserved_word is not 0; set all of a query to 0 first");
   if (!TriangleSet<Set> && query.triangle_test != SHAFTCULL_TRIANGLES_EXACT) {
     refuse("query.triangle_test = " + std::to_string(query.triangle_test) + "; only triangles have one");
   }
@@ -101,19 +100,22 @@ void use_bounds(const shaftcull_bounds* bounds, const char* takes, Use&& use) {
   });
 }
 
-/// Calls use(set, option) likewise, option being what the query says: option_for().
+/// Calls use(set, option…) likewise, with what the query says: option_for().
 template <class Use>
 void ask_bounds(const shaftcull_bounds* bounds, const shaftcull_query* query, const char* takes, Use&& use) {
   static constexpr shaftcull_query everything{};
   const shaftcull_query& asked = query == nullptr ? everything : *query;
   visit_bounds(bounds, [&]<class Set>(const Set& set) {
-    using Option = decltype(option_for(set, asked));
-    if constexpr (std::is_invocable_v<Use&, const Set&, const Option&>) {
-      check_query<Set>(asked);
-      use(set, option_for(set, asked));
-    } else {
-      refuse_bounds(*bounds, takes);
-    }
+    std::apply(
+        [&]<class... Option>(const Option&... option) {
+          if constexpr (std::is_invocable_v<Use&, const Set&, const Option&...>) {
+            check_query<Set>(asked);
+            use(set, option...);
+          } else {
+            refuse_bounds(*bounds, takes);
+          }
+        },
+        option_for(set, asked));
   });
 }
 

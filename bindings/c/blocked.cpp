@@ -18,12 +18,8 @@ shaftcull_status shaftcull_blocked(const shaftcull_shafts* shafts, uint64_t shaf
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint32_t& out = given(blocked, "blocked");
-    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        out = shaftcull::blocked(asked, set) ? 1 : 0;
-      } else {
-        out = shaftcull::blocked(asked, set, option) ? 1 : 0;
-      }
+    ask_bounds(solids, query, takes_boxes, [&](const BoxSet auto& set, const auto&... option) {
+      out = shaftcull::blocked(asked, set, option...) ? 1 : 0;
     });
   });
 }
@@ -33,14 +29,9 @@ shaftcull_status shaftcull_blocked_by(const shaftcull_shafts* shafts, uint64_t s
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint64_t& out = given(index, "index");
-    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        const auto found = shaftcull::blocked_by(asked, set);
-        out = found ? *found : SHAFTCULL_NONE;
-      } else {
-        const auto found = shaftcull::blocked_by(asked, set, option);
-        out = found ? *found : SHAFTCULL_NONE;
-      }
+    ask_bounds(solids, query, takes_boxes, [&](const BoxSet auto& set, const auto&... option) {
+      const auto found = shaftcull::blocked_by(asked, set, option...);
+      out = found ? *found : SHAFTCULL_NONE;
     });
   });
 }
@@ -52,12 +43,8 @@ shaftcull_status shaftcull_list_blocking(const shaftcull_shafts* shafts, uint64_
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<uint32_t> out = as_span(blocking, room, "blocking");
     uint64_t& count = given(blocking_count, "blocking_count");
-    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        count = shaftcull::list_blocking(asked, set, out);
-      } else {
-        count = shaftcull::list_blocking(asked, set, out, option);
-      }
+    ask_bounds(solids, query, takes_boxes, [&](const BoxSet auto& set, const auto&... option) {
+      count = shaftcull::list_blocking(asked, set, out, option...);
     });
   });
 }
@@ -68,12 +55,8 @@ shaftcull_status shaftcull_blocked_many(const shaftcull_shafts* shafts, uint64_t
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> out = as_span(blocked, words, "blocked");
-    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        shaftcull::blocked_many(asked, set, out);
-      } else {
-        shaftcull::blocked_many(asked, set, out, option);
-      }
+    ask_bounds(solids, query, takes_boxes, [&](const BoxSet auto& set, const auto&... option) {
+      shaftcull::blocked_many(asked, set, out, option...);
     });
   });
 }
@@ -84,12 +67,8 @@ shaftcull_status shaftcull_list_blocking_many(const shaftcull_shafts* shafts, ui
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     shaftcull::IndexLists& out = index_lists_of(lists);
-    ask_bounds(solids, query, takes_boxes, [&]<BoxSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        shaftcull::list_blocking_many(asked, set, out);
-      } else {
-        shaftcull::list_blocking_many(asked, set, out, option);
-      }
+    ask_bounds(solids, query, takes_boxes, [&](const BoxSet auto& set, const auto&... option) {
+      shaftcull::list_blocking_many(asked, set, out, option...);
     });
   });
 }

@@ -56,8 +56,8 @@ shaftcull_status shaftcull_for_each_tile(const shaftcull_shafts* shafts, uint64_
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     check_callback(callback);
-    ask_bounds(bounds, query, takes_views, [&](const FlatSet auto& set, const auto& form) {
-      shaftcull::for_each_tile(asked, set, tile_by_tile(callback, user, first), form);
+    ask_bounds(bounds, query, takes_views, [&](const FlatSet auto& set) {
+      shaftcull::for_each_tile(asked, set, tile_by_tile(callback, user, first));
     });
   });
 }
@@ -68,8 +68,8 @@ shaftcull_status shaftcull_for_each_classified_tile(const shaftcull_shafts* shaf
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     check_callback(callback);
-    ask_bounds(bounds, query, takes_views, [&](const FlatSet auto& set, const auto& form) {
-      shaftcull::for_each_classified_tile(asked, set, tile_by_tile(callback, user, first), form);
+    ask_bounds(bounds, query, takes_views, [&](const FlatSet auto& set) {
+      shaftcull::for_each_classified_tile(asked, set, tile_by_tile(callback, user, first));
     });
   });
 }

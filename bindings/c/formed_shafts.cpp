@@ -14,7 +14,7 @@ namespace {
 
 ShaftOptions as_options(const shaftcull_shaft_options* options) {
   if (options == nullptr) return {};
-  if (options->reserved[0] != 0 || options->reserved[1] != 0) {
+  if (options->reserved[0] != 0) {
     refuse("options.reserved is not 0; shaftcull_default_shaft_options() makes options of this version");
   }
   ShaftOptions out;
@@ -27,6 +27,7 @@ ShaftOptions as_options(const shaftcull_shaft_options* options) {
   out.inside = as_bool(options->inside, "options.inside");
   out.spheres = as_bool(options->spheres, "options.spheres");
   out.contact = as_contact(options->contact);
+  out.form = as_form(options->form);
   return out;
 }
 
@@ -38,6 +39,7 @@ shaftcull_shaft_options from_options(const ShaftOptions& options) {
   out.inside = options.inside ? 1 : 0;
   out.spheres = options.spheres ? 1 : 0;
   out.contact = static_cast<uint32_t>(options.contact);
+  out.form = static_cast<uint32_t>(options.form);
   return out;
 }
 

@@ -20,9 +20,9 @@ namespace {
 /// Fills lists of ranges from a tree.
 void list_ranges(std::span<const CompiledShaft> shafts, const shaftcull_bounds* bounds, const shaftcull_query* query,
                  RangeLists& lists) {
-  ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& option) {
+  ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto&... option) {
     LeafRangeLists found;
-    shaftcull::list_many(shafts, set, found, option);
+    shaftcull::list_many(shafts, set, found, option...);
     lists = from_range_lists(std::move(found));
   });
 }
@@ -30,10 +30,10 @@ void list_ranges(std::span<const CompiledShaft> shafts, const shaftcull_bounds* 
 void list_classified_ranges(std::span<const CompiledShaft> shafts, const shaftcull_bounds* bounds,
                             const shaftcull_query* query, RangeLists& overlap, RangeLists& inside) {
   if (&overlap == &inside) refuse("overlap and inside are the same lists; each needs its own");
-  ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& option) {
+  ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto&... option) {
     LeafRangeLists some;
     LeafRangeLists others;
-    shaftcull::list_classified_many(shafts, set, some, others, option);
+    shaftcull::list_classified_many(shafts, set, some, others, option...);
     RangeLists overlapping = from_range_lists(std::move(some));
     inside = from_range_lists(std::move(others));
     overlap = std::move(overlapping);
@@ -50,8 +50,9 @@ shaftcull_status shaftcull_cull_many(const shaftcull_shafts* shafts, uint64_t fi
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> out = as_span(kept_rows, words, "kept_rows");
-    ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { shaftcull::cull_many(asked, set, out, option); });
+    ask_bounds(bounds, query, takes_any, [&](const AnySet auto& set, const auto&... option) {
+      shaftcull::cull_many(asked, set, out, option...);
+    });
   });
 }
 
@@ -62,8 +63,8 @@ shaftcull_status shaftcull_classify_many(const shaftcull_shafts* shafts, uint64_
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> not_outside = as_span(kept_rows, words, "kept_rows");
     const std::span<uint64_t> within = as_span(inside_rows, words, "inside_rows");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      shaftcull::classify_many(asked, set, not_outside, within, option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::classify_many(asked, set, not_outside, within, option...);
     });
   });
 }
@@ -74,12 +75,8 @@ shaftcull_status shaftcull_contained_many(const shaftcull_shafts* shafts, uint64
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> out = as_span(inside_rows, words, "inside_rows");
-    ask_bounds(bounds, query, takes_bounds, [&]<BoundSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        shaftcull::contained_many(asked, set, out);
-      } else {
-        shaftcull::contained_many(asked, set, out, option);
-      }
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::contained_many(asked, set, out, option...);
     });
   });
 }
@@ -90,8 +87,9 @@ shaftcull_status shaftcull_count_many(const shaftcull_shafts* shafts, uint64_t f
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> out = as_span(kept_counts, count, "kept_counts");
-    ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { shaftcull::count_many(asked, set, out, option); });
+    ask_bounds(bounds, query, takes_any, [&](const AnySet auto& set, const auto&... option) {
+      shaftcull::count_many(asked, set, out, option...);
+    });
   });
 }
 
@@ -101,8 +99,8 @@ shaftcull_status shaftcull_count_at_most_many(const shaftcull_shafts* shafts, ui
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> out = as_span(kept_counts, count, "kept_counts");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      shaftcull::count_at_most_many(asked, set, as_size(most, "most"), out, option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::count_at_most_many(asked, set, as_size(most, "most"), out, option...);
     });
   });
 }
@@ -113,9 +111,9 @@ shaftcull_status shaftcull_count_classified_many(const shaftcull_shafts* shafts,
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<shaftcull_kept_counts> out = as_span(counts, count, "counts");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
       const Written<KeptCounts> found(out.size());
-      shaftcull::count_classified_many(asked, set, found.span(), option);
+      shaftcull::count_classified_many(asked, set, found.span(), option...);
       found.copy_to(out, out.size(), from_counts);
     });
   });
@@ -128,7 +126,7 @@ shaftcull_status shaftcull_any_many(const shaftcull_shafts* shafts, uint64_t fir
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<uint64_t> out = as_span(any, words, "any");
     ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { shaftcull::any_many(asked, set, out, option); });
+               [&](const AnySet auto& set, const auto&... option) { shaftcull::any_many(asked, set, out, option...); });
   });
 }
 
@@ -142,8 +140,9 @@ shaftcull_status shaftcull_list_many(const shaftcull_shafts* shafts, uint64_t fi
       return;
     }
     IndexLists& out = index_lists_of(lists);
-    ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { shaftcull::list_many(asked, set, out, option); });
+    ask_bounds(bounds, query, takes_any, [&](const AnySet auto& set, const auto&... option) {
+      shaftcull::list_many(asked, set, out, option...);
+    });
   });
 }
 
@@ -161,8 +160,8 @@ shaftcull_status shaftcull_list_classified_many(const shaftcull_shafts* shafts, 
     }
     IndexLists& overlapping = index_lists_of(overlap);
     IndexLists& within = index_lists_of(inside);
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      shaftcull::list_classified_many(asked, set, overlapping, within, option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::list_classified_many(asked, set, overlapping, within, option...);
     });
   });
 }
@@ -178,8 +177,8 @@ shaftcull_status shaftcull_list_at_most_many(const shaftcull_shafts* shafts, uin
     }
     const std::span<uint32_t> out = as_span(kept, count * most, "kept");
     const std::span<uint64_t> counts = as_span(kept_counts, count, "kept_counts");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      shaftcull::list_at_most_many(asked, set, as_size(most, "most"), out, counts, option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::list_at_most_many(asked, set, as_size(most, "most"), out, counts, option...);
     });
   });
 }

@@ -20,7 +20,7 @@ shaftcull_status shaftcull_cull(const shaftcull_shafts* shafts, uint64_t shaft, 
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<uint64_t> out = as_span(kept, words, "kept");
     ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { shaftcull::cull(asked, set, out, option); });
+               [&](const AnySet auto& set, const auto&... option) { shaftcull::cull(asked, set, out, option...); });
   });
 }
 
@@ -30,8 +30,8 @@ shaftcull_status shaftcull_classify(const shaftcull_shafts* shafts, uint64_t sha
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<uint64_t> not_outside = as_span(kept, words, "kept");
     const std::span<uint64_t> within = as_span(inside, words, "inside");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      shaftcull::classify(asked, set, not_outside, within, option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::classify(asked, set, not_outside, within, option...);
     });
   });
 }
@@ -41,12 +41,8 @@ shaftcull_status shaftcull_contained(const shaftcull_shafts* shafts, uint64_t sh
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<uint64_t> out = as_span(inside, words, "inside");
-    ask_bounds(bounds, query, takes_bounds, [&]<BoundSet Set>(const Set& set, const auto& option) {
-      if constexpr (FlatSet<Set>) {
-        shaftcull::contained(asked, set, out);
-      } else {
-        shaftcull::contained(asked, set, out, option);
-      }
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      shaftcull::contained(asked, set, out, option...);
     });
   });
 }
@@ -57,7 +53,7 @@ shaftcull_status shaftcull_count(const shaftcull_shafts* shafts, uint64_t shaft,
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint64_t& out = given(kept_count, "kept_count");
     ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { out = shaftcull::count(asked, set, option); });
+               [&](const AnySet auto& set, const auto&... option) { out = shaftcull::count(asked, set, option...); });
   });
 }
 
@@ -66,8 +62,8 @@ shaftcull_status shaftcull_count_at_most(const shaftcull_shafts* shafts, uint64_
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint64_t& out = given(kept_count, "kept_count");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      out = shaftcull::count_at_most(asked, set, as_size(most, "most"), option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      out = shaftcull::count_at_most(asked, set, as_size(most, "most"), option...);
     });
   });
 }
@@ -78,8 +74,8 @@ shaftcull_status shaftcull_count_classified(const shaftcull_shafts* shafts, uint
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     shaftcull_kept_counts& out = given(counts, "counts");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      out = from_counts(shaftcull::count_classified(asked, set, option));
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      out = from_counts(shaftcull::count_classified(asked, set, option...));
     });
   });
 }
@@ -89,8 +85,9 @@ shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uint64_t shaft, c
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint32_t& out = given(any, "any");
-    ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { out = shaftcull::any(asked, set, option) ? 1 : 0; });
+    ask_bounds(bounds, query, takes_any, [&](const AnySet auto& set, const auto&... option) {
+      out = shaftcull::any(asked, set, option...) ? 1 : 0;
+    });
   });
 }
 
@@ -100,8 +97,9 @@ shaftcull_status shaftcull_list(const shaftcull_shafts* shafts, uint64_t shaft, 
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<uint32_t> out = as_span(kept, room, "kept");
     uint64_t& count = given(kept_count, "kept_count");
-    ask_bounds(bounds, query, takes_any,
-               [&](const AnySet auto& set, const auto& option) { count = shaftcull::list(asked, set, out, option); });
+    ask_bounds(bounds, query, takes_any, [&](const AnySet auto& set, const auto&... option) {
+      count = shaftcull::list(asked, set, out, option...);
+    });
   });
 }
 
@@ -112,9 +110,9 @@ shaftcull_status shaftcull_list_ranges(const shaftcull_shafts* shafts, uint64_t 
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<shaftcull_leaf_range> out = as_span(kept, room, "kept");
     uint64_t& count = given(range_count, "range_count");
-    ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& option) {
+    ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto&... option) {
       const Written<LeafRange> ranges(out.size());
-      count = shaftcull::list(asked, set, ranges.span(), option);
+      count = shaftcull::list(asked, set, ranges.span(), option...);
       ranges.copy_to(out, static_cast<std::size_t>(count), from_range);
     });
   });
@@ -127,8 +125,8 @@ shaftcull_status shaftcull_list_at_most(const shaftcull_shafts* shafts, uint64_t
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     const std::span<uint32_t> out = as_span(kept, room, "kept");
     uint64_t& count = given(kept_count, "kept_count");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      count = shaftcull::list_at_most(asked, set, out, option);
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      count = shaftcull::list_at_most(asked, set, out, option...);
     });
   });
 }
@@ -142,8 +140,8 @@ shaftcull_status shaftcull_list_classified(const shaftcull_shafts* shafts, uint6
     const std::span<uint32_t> overlapping = as_span(overlap, overlap_room, "overlap");
     const std::span<uint32_t> within = as_span(inside, inside_room, "inside");
     shaftcull_kept_counts& out = given(counts, "counts");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      out = from_counts(shaftcull::list_classified(asked, set, overlapping, within, option));
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      out = from_counts(shaftcull::list_classified(asked, set, overlapping, within, option...));
     });
   });
 }
@@ -158,10 +156,10 @@ shaftcull_status shaftcull_list_classified_ranges(const shaftcull_shafts* shafts
     const std::span<shaftcull_leaf_range> overlapping = as_span(overlap, overlap_room, "overlap");
     const std::span<shaftcull_leaf_range> within = as_span(inside, inside_room, "inside");
     shaftcull_kept_counts& out = given(counts, "counts");
-    ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto& option) {
+    ask_bounds(bounds, query, takes_trees, [&](const TreeSet auto& set, const auto&... option) {
       const Written<LeafRange> some(overlapping.size());
       const Written<LeafRange> others(within.size());
-      const KeptCounts found = shaftcull::list_classified(asked, set, some.span(), others.span(), option);
+      const KeptCounts found = shaftcull::list_classified(asked, set, some.span(), others.span(), option...);
       some.copy_to(overlapping, found.overlap, from_range);
       others.copy_to(within, found.inside, from_range);
       out = from_counts(found);

@@ -120,6 +120,7 @@ shaftcull_status shaftcull_shafts_describe(const shaftcull_shafts* shafts, uint6
     out.formed = compiled.formed() ? 1 : 0;
     out.has_planes = compiled.has_planes() ? 1 : 0;
     out.contact = static_cast<uint32_t>(compiled.contact());
+    out.form = static_cast<uint32_t>(compiled.form());
     out.is_hull = !shafts->hulls.empty() && shafts->hulls[static_cast<std::size_t>(shaft)] != nullptr ? 1 : 0;
   });
 }
@@ -245,6 +246,11 @@ shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shafts, uint64_t fi
 shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                               shaftcull_contact contact) {
   return guarded([&] { shaftcull::set_contact(shafts_from(shafts, first, count), as_contact(contact)); });
+}
+
+shaftcull_status shaftcull_shafts_set_form(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                           shaftcull_form form) {
+  return guarded([&] { shaftcull::set_form(shafts_from(shafts, first, count), as_form(form)); });
 }
 
 }  // extern "C"

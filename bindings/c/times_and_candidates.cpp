@@ -20,8 +20,8 @@ shaftcull_status shaftcull_first_contact(const shaftcull_shafts* shafts, uint64_
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     shaftcull_contact_found& out = given(contact, "contact");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
-      out = from_contact(shaftcull::first_contact(asked, set, option));
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
+      out = from_contact(shaftcull::first_contact(asked, set, option...));
     });
   });
 }
@@ -32,9 +32,9 @@ shaftcull_status shaftcull_first_contact_many(const shaftcull_shafts* shafts, ui
   return guarded([&] {
     const std::span<const CompiledShaft> asked = shafts_of(shafts, first, count);
     const std::span<shaftcull_contact_found> out = as_span(contacts, count, "contacts");
-    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto& option) {
+    ask_bounds(bounds, query, takes_bounds, [&](const BoundSet auto& set, const auto&... option) {
       const Written<FirstContact> found(out.size());
-      shaftcull::first_contact_many(asked, set, found.span(), option);
+      shaftcull::first_contact_many(asked, set, found.span(), option...);
       found.copy_to(out, out.size(), from_contact);
     });
   });

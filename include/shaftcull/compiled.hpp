@@ -47,6 +47,9 @@ class SHAFTCULL_EXPORT CompiledShaft {
   /// Whether bounds that only touch the shaft are kept. Contact::closed if it was never formed.
   [[nodiscard]] Contact contact() const noexcept;
 
+  /// What decides *outside*. Form::slab if it is a convex hull or was never formed.
+  [[nodiscard]] Form form() const noexcept;
+
  private:
   friend struct CompiledShaftLayout;  // checks the numbers below against what the library keeps there
 
@@ -137,5 +140,16 @@ SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 SHAFTCULL_EXPORT void set_contact(CompiledShaft& shaft, Contact contact);
 /// Likewise for all of `shafts`.
 SHAFTCULL_EXPORT void set_contact(std::span<CompiledShaft> shafts, Contact contact);
+
+/// Chooses the form in which a shaft is asked about boxes and spheres, of views and of trees: answers stay the same.
+/// Planes are for comparisons with the paper, and slower. They are computed at once if they are pending. What blocks,
+/// what is inside and triangles do not depend on the form, and convex hulls have one form: they stay as they are.
+///
+/// May be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that was never formed,
+/// by its position; and if `form` is neither of Form. No allocation. It writes to the shaft, so no other thread may use
+/// that shaft meanwhile.
+SHAFTCULL_EXPORT void set_form(CompiledShaft& shaft, Form form);
+/// Likewise for all of `shafts`.
+SHAFTCULL_EXPORT void set_form(std::span<CompiledShaft> shafts, Form form);
 
 }  // namespace shaftcull

@@ -19,7 +19,7 @@
 ///
 /// Every call of this header is O(count) and single-threaded, allocates nothing, and is safe to make from many threads.
 /// Each throws InvalidArgument if the shaft was never formed or formed without the answer asked for, if a stream or
-/// span is null that is not empty, if `form` is none of Form, or for what it says itself. Nothing is written then.
+/// span is null that is not empty, or for what it says itself. Nothing is written then.
 #pragma once
 
 #include <cstddef>
@@ -33,27 +33,18 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Which form of the shaft decides *outside*. Answers are the same; speed is not.
-enum class Form : std::uint8_t {
-  fastest,  ///< what measured fastest: slab
-  slab,     ///< the shaft as a moving box
-  planes,   ///< the paper's planes with near corners
-};
-
 /// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft. Bits past
 /// the last bound in the last word are zero. `kept` must have exactly words_for(count of the view) words.
-SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
-                           Form form = Form::fastest);
-SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
-                           Form form = Form::fastest);
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept);
+SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept);
 
 /// Classifies: `kept` as in cull(), and bit i of `inside` set iff bound i is fully inside the shaft (and of
 /// every added plane). The three answers are outside = not kept, inside, and overlap = kept and not inside.
 /// Inside is always decided by planes. Both spans have words_for(count of the view) words and share no memory.
 SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
-                               std::span<std::uint64_t> inside, Form form = Form::fastest);
+                               std::span<std::uint64_t> inside);
 SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
-                               std::span<std::uint64_t> inside, Form form = Form::fastest);
+                               std::span<std::uint64_t> inside);
 
 /// Sets bit i of `inside` as classify() does, without deciding which of the others are outside: the only question that
 /// a shaft formed for inside alone answers. `inside` has words_for(count of the view) words.
@@ -61,51 +52,46 @@ SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const BoxView& boxes
 SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> inside);
 
 /// How many bounds the shaft keeps.
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const BoxView& boxes,
-                                                 Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const SphereView& spheres,
-                                                 Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const BoxView& boxes);
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const SphereView& spheres);
 
 /// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many, as any(). To learn
 /// whether there are more than n, ask for n + 1.
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes,
-                                                         std::size_t most, Form form = Form::fastest);
+                                                         std::size_t most);
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres,
-                                                         std::size_t most, Form form = Form::fastest);
+                                                         std::size_t most);
 
 /// How many bounds overlap the shaft, and how many are inside.
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes,
-                                                           Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres,
-                                                           Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes);
+[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres);
 
 /// Writes the indices of the bounds that the shaft keeps, ascending, and returns how many there are; results.hpp says
 /// what happens if they do not fit. Throws InvalidArgument if there are more bounds than 32-bit indices can tell apart.
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoxView& boxes,
-                                                std::span<std::uint32_t> kept, Form form = Form::fastest);
+                                                std::span<std::uint32_t> kept);
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const SphereView& spheres,
-                                                std::span<std::uint32_t> kept, Form form = Form::fastest);
+                                                std::span<std::uint32_t> kept);
 
 /// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
 /// there, as any(), and does not say whether there are more. Throws InvalidArgument as list().
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes,
-                                                        std::span<std::uint32_t> kept, Form form = Form::fastest);
+                                                        std::span<std::uint32_t> kept);
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres,
-                                                        std::span<std::uint32_t> kept, Form form = Form::fastest);
+                                                        std::span<std::uint32_t> kept);
 
 /// As list(), but bounds that overlap and bounds inside apart. The two spans share no memory.
 [[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes,
                                                           std::span<std::uint32_t> overlap,
-                                                          std::span<std::uint32_t> inside, Form form = Form::fastest);
+                                                          std::span<std::uint32_t> inside);
 [[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres,
                                                           std::span<std::uint32_t> overlap,
-                                                          std::span<std::uint32_t> inside, Form form = Form::fastest);
+                                                          std::span<std::uint32_t> inside);
 
 /// Whether the shaft keeps any bound. Looks at bounds from the first on, in chunks of 512 at first and of 16,384 at
 /// most, and stops after the first chunk of which one is kept.
-[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const SphereView& spheres,
-                                        Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const BoxView& boxes);
+[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const SphereView& spheres);
 
 /// Clears the bits of bounds that are in none of some layers, as trees leave them out (Excluding::only_layers): bit i
 /// stays set iff layers[i] & only_layers is not 0. `bits` are any that a call for one shaft wrote, or a row of those

@@ -54,10 +54,8 @@ struct FirstContact {
 };
 
 /// First contact among the bounds of a view. O(count). Throws InvalidArgument if there are more than 2³² − 1 bounds.
-[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes,
-                                                          Form form = Form::fastest);
-[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres,
-                                                          Form form = Form::fastest);
+[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes);
+[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres);
 
 /// First contact among the bounds of a tree. Visits near nodes first and no node that is reached later than the first
 /// bound found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
@@ -68,9 +66,9 @@ template <class Bound>
 /// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
 /// fewer.
 SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                         std::span<FirstContact> contacts, Form form = Form::fastest);
+                                         std::span<FirstContact> contacts);
 SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                         std::span<FirstContact> contacts, Form form = Form::fastest);
+                                         std::span<FirstContact> contacts);
 template <class Bound>
 SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
                                          std::span<FirstContact> contacts, const Excluding& excluding = {});

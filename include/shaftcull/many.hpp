@@ -43,18 +43,16 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// `kept_rows` has exactly as many words as all rows.
 /// Like all calls of this header that write bits or numbers, it allocates nothing but task memory of oneTBB.
 SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                std::span<std::uint64_t> kept_rows, Form form = Form::fastest);
+                                std::span<std::uint64_t> kept_rows);
 SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                std::span<std::uint64_t> kept_rows, Form form = Form::fastest);
+                                std::span<std::uint64_t> kept_rows);
 
 /// Bits of both kinds, as classify(), in rows as those of cull_many(). Throws InvalidArgument if the two spans share
 /// memory.
 SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                    Form form = Form::fastest);
+                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows);
 SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                    Form form = Form::fastest);
+                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows);
 
 /// Bits of those inside alone, as contained(), in rows as those of cull_many().
 SHAFTCULL_EXPORT void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
@@ -64,31 +62,30 @@ SHAFTCULL_EXPORT void contained_many(std::span<const CompiledShaft> shafts, cons
 
 /// Counts: kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
 SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                 std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+                                 std::span<std::uint64_t> kept_counts);
 SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                 std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+                                 std::span<std::uint64_t> kept_counts);
 
 /// kept_counts[s] becomes count_at_most(shafts[s], …, most). One count for each shaft. A shaft that has found so many
 /// is not tested with later tiles of bounds, as with any_many().
 SHAFTCULL_EXPORT void count_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                                         std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+                                         std::span<std::uint64_t> kept_counts);
 SHAFTCULL_EXPORT void count_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                         std::size_t most, std::span<std::uint64_t> kept_counts,
-                                         Form form = Form::fastest);
+                                         std::size_t most, std::span<std::uint64_t> kept_counts);
 
 /// Counts of both kinds: counts[s] becomes what count_classified(shafts[s], …) returns. One for each shaft.
 SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                            std::span<KeptCounts> counts, Form form = Form::fastest);
+                                            std::span<KeptCounts> counts);
 SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                            std::span<KeptCounts> counts, Form form = Form::fastest);
+                                            std::span<KeptCounts> counts);
 
 /// One bit a shaft: bit s of `any` (word s / 64, bit s % 64) is set iff shafts[s] keeps any bound; bits past the last
 /// shaft are zero. `any` has words_for(shafts.size()) words. A shaft that has kept one is not tested with later tiles
 /// of bounds, so that time depends on where bounds are and, a little, on threads; bits do not.
 SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                               std::span<std::uint64_t> any, Form form = Form::fastest);
+                               std::span<std::uint64_t> any);
 SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                               std::span<std::uint64_t> any, Form form = Form::fastest);
+                               std::span<std::uint64_t> any);
 
 /// Index lists in compressed sparse rows: what shaft s keeps is indices[offsets[s] … offsets[s + 1]), ascending.
 struct IndexLists {
@@ -105,10 +102,8 @@ struct IndexLists {
 
 /// Lists what each shaft keeps. Reuses the memory of `lists`; if this throws, they are as they were or empty. Throws
 /// InvalidArgument if there are more than 2³² − 1 bounds, std::bad_alloc if memory runs out.
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists,
-                                Form form = Form::fastest);
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists,
-                                Form form = Form::fastest);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, IndexLists& lists);
+SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, IndexLists& lists);
 
 /// Writes for each shaft what list_at_most() writes, the first indices of what it keeps, `most` of them or fewer: those
 /// of shaft s from kept[s * most] on, and how many they are to kept_counts[s]. What is behind them is not written.
@@ -116,17 +111,16 @@ SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const Sph
 /// not tested with later tiles of bounds. Work is divided by shafts alone. Throws InvalidArgument if there are more
 /// bounds than an index can tell apart, and if the two spans share memory.
 SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                                        std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts,
-                                        Form form = Form::fastest);
+                                        std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts);
 SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
                                         std::size_t most, std::span<std::uint32_t> kept,
-                                        std::span<std::uint64_t> kept_counts, Form form = Form::fastest);
+                                        std::span<std::uint64_t> kept_counts);
 
 /// Lists bounds that overlap and bounds inside apart. As list_many(), and InvalidArgument if both are the same lists.
 SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                           IndexLists& overlap, IndexLists& inside, Form form = Form::fastest);
+                                           IndexLists& overlap, IndexLists& inside);
 SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                           IndexLists& overlap, IndexLists& inside, Form form = Form::fastest);
+                                           IndexLists& overlap, IndexLists& inside);
 
 /// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64.
 /// Memory is the library's and is valid during the callback only.
@@ -144,14 +138,13 @@ using TileCallback = FunctionRef<void(const TileAnswers&)>;
 /// Calls back once for every tile and shaft, one call at a time, ordered by tile and then by shaft; with bits of both
 /// kinds for for_each_classified_tile(). An exception ends the call and reaches the caller; tiles after it are not
 /// delivered. Throws InvalidArgument if the callback is empty. Allocates some tiles' bits for each thread.
-SHAFTCULL_EXPORT void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
-                                    Form form = Form::fastest);
+SHAFTCULL_EXPORT void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback);
 SHAFTCULL_EXPORT void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                    TileCallback callback, Form form = Form::fastest);
+                                    TileCallback callback);
 SHAFTCULL_EXPORT void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                               TileCallback callback, Form form = Form::fastest);
+                                               TileCallback callback);
 SHAFTCULL_EXPORT void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                               TileCallback callback, Form form = Form::fastest);
+                                               TileCallback callback);
 
 /// How many threads a call from here would use (1 in a build without oneTBB).
 [[nodiscard]] SHAFTCULL_EXPORT int concurrency() noexcept;

@@ -42,6 +42,13 @@ enum class Contact : std::uint8_t {
   open,
 };
 
+/// Which form of a shaft decides *outside*, of boxes and spheres (set_form() in compiled.hpp). Answers are the same;
+/// speed is not.
+enum class Form : std::uint8_t {
+  slab,    ///< the shaft as a moving box: always faster
+  planes,  ///< the paper's planes with near corners
+};
+
 /// What a shaft will be asked. Leaving something out makes formation cheaper; asking for it then
 /// throws InvalidArgument.
 struct ShaftOptions {
@@ -52,6 +59,7 @@ struct ShaftOptions {
   bool spheres = true;                        ///< spheres may be tested; joining planes then get unit normals
   /// What becomes of bounds that only touch the shaft.
   Contact contact = Contact::closed;
+  Form form = Form::slab;  ///< what decides *outside*
 };
 
 /// A face of a box: 0, 1, 2 are lo x, lo y, lo z; 3, 4, 5 are hi x, hi y, hi z.

@@ -30,13 +30,18 @@ inline void require_answers(const ShaftData& shaft, bool outside, bool inside, b
   }
 }
 
+/// Throws InvalidArgument for a shaft that was never formed. `position` as above.
+inline void require_formed(const ShaftData& shaft, std::size_t position) {
+  if (!shaft.is_formed()) [[unlikely]]
+    refuse_shaft(shaft, false, false, position);
+}
+
 [[noreturn]] void refuse_contact_of_hull(std::size_t position);
 
 /// Throws InvalidArgument for a shaft that was never formed, and for a convex hull, which has closed contact only.
 /// `position` as above.
 inline void require_contact_of_choice(const ShaftData& shaft, std::size_t position) {
-  if (!shaft.is_formed()) [[unlikely]]
-    refuse_shaft(shaft, false, false, position);
+  require_formed(shaft, position);
   if (shaft.is_hull()) [[unlikely]]
     refuse_contact_of_hull(position);
 }

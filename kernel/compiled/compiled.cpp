@@ -30,6 +30,11 @@ Contact CompiledShaft::contact() const noexcept {
   return data.is_formed() ? data.contact : Contact::closed;
 }
 
+Form CompiledShaft::form() const noexcept {
+  const kernel::ShaftData& data = kernel::data_of(*this);
+  return data.is_formed() ? data.form : Form::slab;
+}
+
 Box CompiledShaft::a() const noexcept {
   const kernel::ShaftData& data = kernel::data_of(*this);
   return box_of(data, data.a);

@@ -72,7 +72,8 @@ struct alignas(64) ShaftData {
   bool answers_inside;
   bool answers_spheres;
   Kind kind;
-  Contact contact;
+  Contact contact : 4;
+  Form form : 4;             ///< which decides *outside*
   std::uint8_t still_faces;  ///< with open contact, the faces that do not move, bit f for face f; else 0
 
   /// A plane that was added. Two of them fill a cache line.

@@ -11,11 +11,10 @@ namespace shaftcull::kernel {
 
 // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
 
-/// Whether a test for outside reads the joining planes of a shaft. Spheres have a slab form for shafts in the fused and
-/// the endless form alone.
-SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline bool outside_needs_planes(const ShaftData& shaft, bool spheres,
-                                                                       Form form) noexcept {
-  return form == Form::planes ||
+/// Whether a test for outside reads the joining planes of a shaft: in plane form, and for spheres unless the slab form
+/// is the fused or the endless one.
+SHAFTCULL_ALWAYS_INLINE [[nodiscard]] inline bool outside_needs_planes(const ShaftData& shaft, bool spheres) noexcept {
+  return shaft.form == Form::planes ||
          (spheres && shaft.slab_form != ShaftData::SlabForm::fused && shaft.slab_form != ShaftData::SlabForm::endless);
 }
 

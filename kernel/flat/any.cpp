@@ -9,10 +9,10 @@ namespace shaftcull {
 namespace {
 
 template <class View>
-void find_any(std::span<const kernel::ShaftData> shafts, const View& bounds, std::span<std::uint64_t> any, Form form) {
-  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept, form);
+void find_any(std::span<const kernel::ShaftData> shafts, const View& bounds, std::span<std::uint64_t> any) {
+  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept);
   kernel::require_shaft_bits("any", any, shafts.size());
-  kernel::Test* const test = kernel::active_kernels().test(bounds, form);
+  kernel::Test* const test = kernel::active_kernels().test(bounds);
   kernel::find_by_shaft(shafts.size(), bounds, any, [&](std::size_t s, const View& tile, std::uint64_t* kept) {
     test(shafts[s], tile.stream.data(), tile.count, kept, nullptr);
   });
@@ -20,13 +20,12 @@ void find_any(std::span<const kernel::ShaftData> shafts, const View& bounds, std
 
 }  // namespace
 
-void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> any, Form form) {
-  find_any(kernel::data_of(shafts), boxes, any, form);
+void any_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> any) {
+  find_any(kernel::data_of(shafts), boxes, any);
 }
 
-void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> any,
-              Form form) {
-  find_any(kernel::data_of(shafts), spheres, any, form);
+void any_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> any) {
+  find_any(kernel::data_of(shafts), spheres, any);
 }
 
 }  // namespace shaftcull

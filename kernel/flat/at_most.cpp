@@ -15,12 +15,12 @@ namespace {
 
 template <class View>
 void count_some(std::span<const kernel::ShaftData> shafts, const View& bounds, std::size_t most,
-                std::span<std::uint64_t> counts, Form form) {
-  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept, form);
+                std::span<std::uint64_t> counts) {
+  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept);
   kernel::require_counts("kept_counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Kernels& kernels = kernel::active_kernels();
-  kernel::Test* const test = kernels.test(bounds, form);
+  kernel::Test* const test = kernels.test(bounds);
   const kernel::Tiling tiling = kernel::Tiling::unordered(bounds.count, shafts.size());
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const kernel::IndexRange block = tiling.block(b);
@@ -49,15 +49,15 @@ constexpr std::size_t listing_shafts = 8;
 
 template <class View>
 void list_some(std::span<const kernel::ShaftData> shafts, const View& bounds, std::size_t most,
-               std::span<std::uint32_t> kept, std::span<std::uint64_t> counts, Form form) {
-  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept, form);
+               std::span<std::uint32_t> kept, std::span<std::uint64_t> counts) {
+  kernel::require_valid_query(shafts, bounds, kernel::Bits::kept);
   kernel::require_index_width("list_at_most_many()", bounds.count);
   kernel::require_room("kept", kept, shafts.size(), most);
   kernel::require_counts("kept_counts", counts, shafts.size());
   kernel::require_apart("list_at_most_many", "kept", kernel::bytes_of(kept), "kept_counts", kernel::bytes_of(counts));
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Kernels& kernels = kernel::active_kernels();
-  kernel::Test* const test = kernels.test(bounds, form);
+  kernel::Test* const test = kernels.test(bounds);
   kernel::parallel_for(kernel::chunk_count(shafts.size(), listing_shafts), 1, [&](std::size_t t, std::size_t) {
     const kernel::IndexRange group = kernel::chunk_at(shafts.size(), listing_shafts, t);
     bool are_all_done = most == 0;
@@ -82,22 +82,22 @@ void list_some(std::span<const kernel::ShaftData> shafts, const View& bounds, st
 }  // namespace
 
 void count_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                        std::span<std::uint64_t> kept_counts, Form form) {
-  count_some(kernel::data_of(shafts), boxes, most, kept_counts, form);
+                        std::span<std::uint64_t> kept_counts) {
+  count_some(kernel::data_of(shafts), boxes, most, kept_counts);
 }
 
 void count_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
-                        std::span<std::uint64_t> kept_counts, Form form) {
-  count_some(kernel::data_of(shafts), spheres, most, kept_counts, form);
+                        std::span<std::uint64_t> kept_counts) {
+  count_some(kernel::data_of(shafts), spheres, most, kept_counts);
 }
 
 void list_at_most_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::size_t most,
-                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts, Form form) {
-  list_some(kernel::data_of(shafts), boxes, most, kept, kept_counts, form);
+                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts) {
+  list_some(kernel::data_of(shafts), boxes, most, kept, kept_counts);
 }
 void list_at_most_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::size_t most,
-                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts, Form form) {
-  list_some(kernel::data_of(shafts), spheres, most, kept, kept_counts, form);
+                       std::span<std::uint32_t> kept, std::span<std::uint64_t> kept_counts) {
+  list_some(kernel::data_of(shafts), spheres, most, kept, kept_counts);
 }
 
 }  // namespace shaftcull

@@ -43,11 +43,10 @@ struct Rows {
 /// The bits that a call wants. For `blocking`, of boxes only, *kept* are those that block the shaft.
 enum class Bits : std::uint8_t { kept, kept_and_inside, inside, blocking };
 
-/// Throws InvalidArgument for shafts, bounds or a form that cannot be used, naming the first such.
+/// Throws InvalidArgument for shafts or bounds that cannot be used, naming the first such.
 template <class View>
-void require_valid_query(std::span<const ShaftData> shafts, const View& bounds, Bits bits, Form form) {
+void require_valid_query(std::span<const ShaftData> shafts, const View& bounds, Bits bits) {
   require_memory("shafts", shafts, "shafts");
-  require_form(form);
   require_view(bounds);
   for (std::size_t s = 0; s != shafts.size(); ++s) {
     if (bits == Bits::blocking) {
@@ -61,10 +60,10 @@ void require_valid_query(std::span<const ShaftData> shafts, const View& bounds, 
 template <class View>
 class BatchJob {
  public:
-  /// Throws InvalidArgument as require_valid_query(). Inside bits alone are for Form::planes, which has no grid.
-  BatchJob(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits, Form form)
-      : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), bits_(bits), form_(form) {
-    require_valid_query(shafts_, bounds, bits, form);
+  /// Throws InvalidArgument as require_valid_query().
+  BatchJob(std::span<const CompiledShaft> shafts, const View& bounds, Bits bits)
+      : shafts_(data_of(shafts)), bounds_(bounds), kernels_(active_kernels()), bits_(bits) {
+    require_valid_query(shafts_, bounds, bits);
     if (shafts_.size() <= group_shafts) form_on_grid(only_group_, shafts_, bounds, bounds.count);
   }
 
@@ -81,8 +80,9 @@ class BatchJob {
     } else if (forms_and_tests_on_grid(block, group, kept, inside)) {
       return;
     }
-    // Planes take so long a bound that it does not matter which cache the bounds come from.
-    const bool is_long = group.size == 1 || form_ == Form::planes;
+    // Planes, which decide what is inside, take so long a bound that it does not matter which cache the bounds come
+    // from.
+    const bool is_long = group.size == 1 || bits_ == Bits::inside;
     const std::size_t size = even_tile(block.size, is_long ? tile_bounds : float_tile_bounds);
     for (std::size_t first = block.first; first < block.end(); first += size) {
       const std::size_t word = (first - block.first) / 64;
@@ -101,7 +101,7 @@ class BatchJob {
 
   void form_on_grid(GroupOnGrid& group, std::span<const ShaftData> shafts, const View& bounds,
                     std::size_t tested) const noexcept {
-    if (form_ == Form::planes || bits_ == Bits::blocking) return;
+    if (bits_ == Bits::inside || bits_ == Bits::blocking) return;
     const FloatEnvironment environment;
     group.form(kernels_.grid, shafts, bounds, tested, is_sphere);
   }
@@ -132,10 +132,10 @@ class BatchJob {
   void test_tile_in_floats(const View& tile, std::size_t first, IndexRange group, Rows kept,
                            Rows inside) const noexcept {
     if constexpr (is_sphere) {
-      if (form_ != Form::planes && group.size >= fewest_for_boxes())
+      if (bits_ != Bits::inside && group.size >= fewest_for_boxes())
         return test_boxed_tile(tile, first, group, kept, inside);
     }
-    Test* const kernel = bits_ == Bits::blocking ? kernels_.blocking.boxes : kernels_.test(tile, form_);
+    Test* const kernel = bits_ == Bits::blocking ? kernels_.blocking.boxes : kernels_.test(tile);
     test_tile(kernel, tile.stream.data(), first, tile.count, group, kept, inside);
   }
 
@@ -154,7 +154,7 @@ class BatchJob {
     kernels_.boxes_around_spheres(tile.stream.data(), tile.count, rows_in(box).data());
     const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
                                      box[1],         box[2],         box[3],         box[4],         box[5]};
-    test_tile(kernels_.boxed_spheres_slab, stream, first, tile.count, group, kept, inside);
+    test_tile(kernels_.boxed_spheres, stream, first, tile.count, group, kept, inside);
   }
 
   SHAFTCULL_NOINLINE void test_tile_on_grid(const GroupOnGrid& on_grid, const View& tile, std::size_t first,
@@ -203,7 +203,7 @@ class BatchJob {
       if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
       const ShaftData& its_shaft = shafts_[group.first + s];
       if (!on_grid.shaft[s].exists || (on_grid.has_cuts && may_pass_cut(on_grid.shaft[s], extent))) {
-        kernels_.test(tile, form_)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
+        kernels_.test(tile)(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
         continue;
       }
       shaft[tested] = &its_shaft;
@@ -273,7 +273,6 @@ class BatchJob {
   View bounds_;
   const Kernels& kernels_;
   Bits bits_;
-  Form form_;
   GroupOnGrid only_group_;  // if there is only one, it is formed once for all tasks
 };
 

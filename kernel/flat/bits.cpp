@@ -21,16 +21,16 @@ void write_bits(const kernel::BatchJob<View>& job, std::uint64_t* kept, std::uin
 }
 
 template <class View>
-void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept, Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
+void cull_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept) {
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   write_bits(job, kept.data(), nullptr);
 }
 
 template <class View>
 void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> kept,
-                   std::span<std::uint64_t> inside, Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
+                   std::span<std::uint64_t> inside) {
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept_and_inside);
   kernel::require_rows("kept_rows", kept, shafts.size(), job.row_words());
   kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
   kernel::require_apart("classify_many", "kept_rows", kernel::bytes_of(kept), "inside_rows", kernel::bytes_of(inside));
@@ -39,31 +39,29 @@ void classify_rows(std::span<const CompiledShaft> shafts, const View& bounds, st
 
 template <class View>
 void contained_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> inside) {
-  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::inside, Form::planes);
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::inside);
   kernel::require_rows("inside_rows", inside, shafts.size(), job.row_words());
   write_bits(job, nullptr, inside.data());
 }
 
 }  // namespace
 
-void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
-               Form form) {
-  cull_rows(shafts, boxes, kept_rows, form);
+void cull_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows) {
+  cull_rows(shafts, boxes, kept_rows);
 }
 
-void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
-               Form form) {
-  cull_rows(shafts, spheres, kept_rows, form);
+void cull_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows) {
+  cull_rows(shafts, spheres, kept_rows);
 }
 
 void classify_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_rows,
-                   std::span<std::uint64_t> inside_rows, Form form) {
-  classify_rows(shafts, boxes, kept_rows, inside_rows, form);
+                   std::span<std::uint64_t> inside_rows) {
+  classify_rows(shafts, boxes, kept_rows, inside_rows);
 }
 
 void classify_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_rows,
-                   std::span<std::uint64_t> inside_rows, Form form) {
-  classify_rows(shafts, spheres, kept_rows, inside_rows, form);
+                   std::span<std::uint64_t> inside_rows) {
+  classify_rows(shafts, spheres, kept_rows, inside_rows);
 }
 
 void contained_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> inside_rows) {

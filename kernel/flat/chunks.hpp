@@ -26,8 +26,8 @@ inline constexpr std::size_t first_chunk_bounds = 512;
 template <class View>
 class Chunks {
  public:
-  Chunks(const CompiledShaft& shaft, const View& bounds, bool inside, Form form)
-      : Chunks(checked(data_of(shaft), bounds, inside, form), bounds, inside, form) {}
+  Chunks(const CompiledShaft& shaft, const View& bounds, bool inside)
+      : Chunks(checked(data_of(shaft), bounds, inside), bounds, inside) {}
 
   [[nodiscard]] const SetBits& set_bits() const noexcept { return kernels_.set_bits; }
 
@@ -36,7 +36,7 @@ class Chunks {
   template <class Visit>
   void for_each(std::size_t chunk, const Visit& visit) const {
     const FloatEnvironment environment;
-    Test* const test = kernels_.test(bounds_, form_);
+    Test* const test = kernels_.test(bounds_);
     std::uint64_t kept[words_for(chunk_bounds)];
     std::uint64_t inside[words_for(chunk_bounds)];
     for (std::size_t first = 0; first != bounds_.count;) {
@@ -52,24 +52,21 @@ class Chunks {
   static constexpr bool is_sphere = std::is_same_v<View, SphereView>;
 
   /// The shaft, if the question can be answered; otherwise throws InvalidArgument.
-  static const ShaftData& checked(const ShaftData& shaft, const View& bounds, bool inside, Form form) {
+  static const ShaftData& checked(const ShaftData& shaft, const View& bounds, bool inside) {
     require_answers(shaft, true, inside, is_sphere, 0);
-    require_form(form);
     require_view(bounds);
     return shaft;
   }
 
-  Chunks(const ShaftData& shaft, const View& bounds, bool inside, Form form) noexcept
-      : shaft_(shaft, inside || outside_needs_planes(shaft, is_sphere, form)),
+  Chunks(const ShaftData& shaft, const View& bounds, bool inside) noexcept
+      : shaft_(shaft, inside || outside_needs_planes(shaft, is_sphere)),
         bounds_(bounds),
         kernels_(active_kernels()),
-        form_(form),
         inside_(inside) {}
 
   WithPlanes shaft_;  // completed once, not chunk by chunk
   View bounds_;
   const Kernels& kernels_;
-  Form form_;
   bool inside_;
 };
 

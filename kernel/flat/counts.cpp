@@ -12,8 +12,8 @@ namespace shaftcull {
 namespace {
 
 template <class View>
-void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> counts, Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
+void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::span<std::uint64_t> counts) {
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept);
   kernel::require_counts("kept_counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), 0);
   const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
@@ -34,8 +34,8 @@ void count_rows(std::span<const CompiledShaft> shafts, const View& bounds, std::
 }
 
 template <class View>
-void count_classes(std::span<const CompiledShaft> shafts, const View& bounds, std::span<KeptCounts> counts, Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept_and_inside, form);
+void count_classes(std::span<const CompiledShaft> shafts, const View& bounds, std::span<KeptCounts> counts) {
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept_and_inside);
   kernel::require_counts("counts", counts, shafts.size());
   std::fill(counts.begin(), counts.end(), KeptCounts{});
   const kernel::Tiling tiling = kernel::Tiling::unordered(job.bounds(), job.shafts());
@@ -60,24 +60,22 @@ void count_classes(std::span<const CompiledShaft> shafts, const View& bounds, st
 
 }  // namespace
 
-void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_counts,
-                Form form) {
-  count_rows(shafts, boxes, kept_counts, form);
+void count_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<std::uint64_t> kept_counts) {
+  count_rows(shafts, boxes, kept_counts);
 }
 
-void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres, std::span<std::uint64_t> kept_counts,
-                Form form) {
-  count_rows(shafts, spheres, kept_counts, form);
+void count_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
+                std::span<std::uint64_t> kept_counts) {
+  count_rows(shafts, spheres, kept_counts);
 }
 
-void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<KeptCounts> counts,
-                           Form form) {
-  count_classes(shafts, boxes, counts, form);
+void count_classified_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<KeptCounts> counts) {
+  count_classes(shafts, boxes, counts);
 }
 
 void count_classified_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                           std::span<KeptCounts> counts, Form form) {
-  count_classes(shafts, spheres, counts, form);
+                           std::span<KeptCounts> counts) {
+  count_classes(shafts, spheres, counts);
 }
 
 }  // namespace shaftcull

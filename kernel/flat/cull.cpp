@@ -16,28 +16,26 @@ constexpr bool is_sphere(const BoxView& /*view*/) { return false; }
 constexpr bool is_sphere(const SphereView& /*view*/) { return true; }
 
 template <class View>
-void cull_view(const kernel::ShaftData& shaft, const View& view, std::span<std::uint64_t> kept, Form form) {
+void cull_view(const kernel::ShaftData& shaft, const View& view, std::span<std::uint64_t> kept) {
   kernel::require_answers(shaft, true, false, is_sphere(view), 0);
-  kernel::require_form(form);
   kernel::require_view(view);
   kernel::require_words("kept", kept, view.count);
   if (view.count == 0) return;
   const kernel::FloatEnvironment environment;
-  kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), nullptr);
+  kernel::active_kernels().test(view)(shaft, view.stream.data(), view.count, kept.data(), nullptr);
 }
 
 template <class View>
 void classify_view(const kernel::ShaftData& shaft, const View& view, std::span<std::uint64_t> kept,
-                   std::span<std::uint64_t> inside, Form form) {
+                   std::span<std::uint64_t> inside) {
   kernel::require_answers(shaft, true, true, is_sphere(view), 0);
-  kernel::require_form(form);
   kernel::require_view(view);
   kernel::require_words("kept", kept, view.count);
   kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
   kernel::require_apart("classify", "kept", kernel::bytes_of(kept), "inside", kernel::bytes_of(inside));
   const kernel::FloatEnvironment environment;
-  kernel::active_kernels().test(view, form)(shaft, view.stream.data(), view.count, kept.data(), inside.data());
+  kernel::active_kernels().test(view)(shaft, view.stream.data(), view.count, kept.data(), inside.data());
 }
 
 template <class View>
@@ -47,7 +45,7 @@ void contained_view(const kernel::ShaftData& shaft, const View& view, std::span<
   kernel::require_words("inside", inside, view.count);
   if (view.count == 0) return;
   const kernel::FloatEnvironment environment;
-  kernel::active_kernels().test(view, Form::planes)(shaft, view.stream.data(), view.count, nullptr, inside.data());
+  kernel::active_kernels().test(view)(shaft, view.stream.data(), view.count, nullptr, inside.data());
 }
 
 /// Streams of one.
@@ -76,22 +74,22 @@ Answer classify_one(const kernel::ShaftData& shaft, const Bound& bound) {
 
 }  // namespace
 
-void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept, Form form) {
-  cull_view(kernel::data_of(shaft), boxes, kept, form);
+void cull(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept) {
+  cull_view(kernel::data_of(shaft), boxes, kept);
 }
 
-void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept, Form form) {
-  cull_view(kernel::data_of(shaft), spheres, kept, form);
+void cull(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept) {
+  cull_view(kernel::data_of(shaft), spheres, kept);
 }
 
 void classify(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> kept,
-              std::span<std::uint64_t> inside, Form form) {
-  classify_view(kernel::data_of(shaft), boxes, kept, inside, form);
+              std::span<std::uint64_t> inside) {
+  classify_view(kernel::data_of(shaft), boxes, kept, inside);
 }
 
 void classify(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> kept,
-              std::span<std::uint64_t> inside, Form form) {
-  classify_view(kernel::data_of(shaft), spheres, kept, inside, form);
+              std::span<std::uint64_t> inside) {
+  classify_view(kernel::data_of(shaft), spheres, kept, inside);
 }
 
 void contained(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> inside) {

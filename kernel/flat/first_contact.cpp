@@ -45,8 +45,8 @@ void hand_over(const kernel::ShaftData& shaft, const View& bounds, std::uint32_t
 }
 
 template <class View>
-FirstContact contact_in_view(const CompiledShaft& shaft, const View& bounds, Form form) {
-  const kernel::Chunks<View> chunks(shaft, bounds, false, form);
+FirstContact contact_in_view(const CompiledShaft& shaft, const View& bounds) {
+  const kernel::Chunks<View> chunks(shaft, bounds, false);
   kernel::require_motion(kernel::data_of(shaft), 0);
   kernel::require_index_width("first_contact()", bounds.count);
   return kernel::in_float_environment([&] {
@@ -61,9 +61,8 @@ FirstContact contact_in_view(const CompiledShaft& shaft, const View& bounds, For
 }
 
 template <class View>
-void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds, std::span<FirstContact> contacts,
-                      Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept, form);
+void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds, std::span<FirstContact> contacts) {
+  const kernel::BatchJob<View> job(shafts, bounds, kernel::Bits::kept);
   kernel::require_counts("contacts", contacts, shafts.size());
   kernel::require_index_width("first_contact_many()", bounds.count);
   const std::span<const kernel::ShaftData> data = kernel::data_of(shafts);
@@ -97,20 +96,17 @@ void contacts_in_view(std::span<const CompiledShaft> shafts, const View& bounds,
 
 }  // namespace
 
-FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
-  return contact_in_view(shaft, boxes, form);
-}
-FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
-  return contact_in_view(shaft, spheres, form);
+FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes) { return contact_in_view(shaft, boxes); }
+FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres) {
+  return contact_in_view(shaft, spheres);
 }
 
-void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<FirstContact> contacts,
-                        Form form) {
-  contacts_in_view(shafts, boxes, contacts, form);
+void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes, std::span<FirstContact> contacts) {
+  contacts_in_view(shafts, boxes, contacts);
 }
 void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                        std::span<FirstContact> contacts, Form form) {
-  contacts_in_view(shafts, spheres, contacts, form);
+                        std::span<FirstContact> contacts) {
+  contacts_in_view(shafts, spheres, contacts);
 }
 
 }  // namespace shaftcull

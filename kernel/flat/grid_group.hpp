@@ -95,6 +95,7 @@ struct GroupOnGrid {
     if (!around.exists() || (spheres && !around.suits_spheres)) return;
     frame = around;
     kernels.form_shafts(shafts.data(), shafts.size(), clipped, frame, shaft);
+    for (std::size_t s = 0; s != shafts.size(); ++s) shaft[s].exists = shaft[s].exists && shafts[s].form == Form::slab;
   }
 
   /// Cuts shafts without end off where the first of the faces that follow their box leaves all bounds behind. The frame

@@ -14,8 +14,8 @@ using kernel::first_chunk_bounds;
 using kernel::IndexWriter;
 
 template <class View>
-std::size_t count_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
-  const Chunks<View> chunks(shaft, bounds, false, form);
+std::size_t count_kept(const CompiledShaft& shaft, const View& bounds) {
+  const Chunks<View> chunks(shaft, bounds, false);
   std::size_t count = 0;
   chunks.for_each(chunk_bounds, [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
     count += chunks.set_bits().count(kept, words);
@@ -25,8 +25,8 @@ std::size_t count_kept(const CompiledShaft& shaft, const View& bounds, Form form
 }
 
 template <class View>
-KeptCounts count_classes(const CompiledShaft& shaft, const View& bounds, Form form) {
-  const Chunks<View> chunks(shaft, bounds, true, form);
+KeptCounts count_classes(const CompiledShaft& shaft, const View& bounds) {
+  const Chunks<View> chunks(shaft, bounds, true);
   KeptCounts counts{};
   chunks.for_each(chunk_bounds,
                   [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t* inside) {
@@ -39,8 +39,8 @@ KeptCounts count_classes(const CompiledShaft& shaft, const View& bounds, Form fo
 }
 
 template <class View>
-bool any_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
-  const Chunks<View> chunks(shaft, bounds, false, form);
+bool any_kept(const CompiledShaft& shaft, const View& bounds) {
+  const Chunks<View> chunks(shaft, bounds, false);
   bool any = false;
   chunks.for_each(first_chunk_bounds,
                   [&](std::size_t, std::size_t words, const std::uint64_t* kept, const std::uint64_t*) {
@@ -51,8 +51,8 @@ bool any_kept(const CompiledShaft& shaft, const View& bounds, Form form) {
 }
 
 template <class View>
-std::size_t count_some(const CompiledShaft& shaft, const View& bounds, std::size_t most, Form form) {
-  const Chunks<View> chunks(shaft, bounds, false, form);
+std::size_t count_some(const CompiledShaft& shaft, const View& bounds, std::size_t most) {
+  const Chunks<View> chunks(shaft, bounds, false);
   std::size_t count = 0;
   if (most == 0) return 0;
   chunks.for_each(first_chunk_bounds,
@@ -64,8 +64,8 @@ std::size_t count_some(const CompiledShaft& shaft, const View& bounds, std::size
 }
 
 template <class View>
-std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> kept, Form form) {
-  const Chunks<View> chunks(shaft, bounds, false, form);
+std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> kept) {
+  const Chunks<View> chunks(shaft, bounds, false);
   kernel::require_index_width("list_at_most()", bounds.count);
   kernel::require_memory("kept", kept, "indices");
   if (kept.empty()) return 0;
@@ -79,8 +79,8 @@ std::size_t list_some(const CompiledShaft& shaft, const View& bounds, std::span<
 }
 
 template <class View>
-std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> kept, Form form) {
-  const Chunks<View> chunks(shaft, bounds, false, form);
+std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> kept) {
+  const Chunks<View> chunks(shaft, bounds, false);
   kernel::require_index_width("list()", bounds.count);
   kernel::require_memory("kept", kept, "indices");
   IndexWriter listed(chunks.set_bits(), kept);
@@ -94,8 +94,8 @@ std::size_t list_kept(const CompiledShaft& shaft, const View& bounds, std::span<
 
 template <class View>
 KeptCounts list_classes(const CompiledShaft& shaft, const View& bounds, std::span<std::uint32_t> overlap,
-                        std::span<std::uint32_t> inside, Form form) {
-  const Chunks<View> chunks(shaft, bounds, true, form);
+                        std::span<std::uint32_t> inside) {
+  const Chunks<View> chunks(shaft, bounds, true);
   kernel::require_index_width("list_classified()", bounds.count);
   kernel::require_memory("overlap", overlap, "indices");
   kernel::require_memory("inside", inside, "indices");
@@ -114,52 +114,45 @@ KeptCounts list_classes(const CompiledShaft& shaft, const View& bounds, std::spa
 
 }  // namespace
 
-std::size_t count(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
-  return count_kept(shaft, boxes, form);
+std::size_t count(const CompiledShaft& shaft, const BoxView& boxes) { return count_kept(shaft, boxes); }
+std::size_t count(const CompiledShaft& shaft, const SphereView& spheres) { return count_kept(shaft, spheres); }
+
+std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::size_t most) {
+  return count_some(shaft, boxes, most);
 }
-std::size_t count(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
-  return count_kept(shaft, spheres, form);
+std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::size_t most) {
+  return count_some(shaft, spheres, most);
 }
 
-std::size_t count_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::size_t most, Form form) {
-  return count_some(shaft, boxes, most, form);
-}
-std::size_t count_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::size_t most, Form form) {
-  return count_some(shaft, spheres, most, form);
+KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes) { return count_classes(shaft, boxes); }
+KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres) {
+  return count_classes(shaft, spheres);
 }
 
-KeptCounts count_classified(const CompiledShaft& shaft, const BoxView& boxes, Form form) {
-  return count_classes(shaft, boxes, form);
+bool any(const CompiledShaft& shaft, const BoxView& boxes) { return any_kept(shaft, boxes); }
+bool any(const CompiledShaft& shaft, const SphereView& spheres) { return any_kept(shaft, spheres); }
+
+std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept) {
+  return list_kept(shaft, boxes, kept);
 }
-KeptCounts count_classified(const CompiledShaft& shaft, const SphereView& spheres, Form form) {
-  return count_classes(shaft, spheres, form);
+std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept) {
+  return list_kept(shaft, spheres, kept);
 }
 
-bool any(const CompiledShaft& shaft, const BoxView& boxes, Form form) { return any_kept(shaft, boxes, form); }
-bool any(const CompiledShaft& shaft, const SphereView& spheres, Form form) { return any_kept(shaft, spheres, form); }
-
-std::size_t list(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept, Form form) {
-  return list_kept(shaft, boxes, kept, form);
+std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept) {
+  return list_some(shaft, boxes, kept);
 }
-std::size_t list(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept, Form form) {
-  return list_kept(shaft, spheres, kept, form);
-}
-
-std::size_t list_at_most(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> kept, Form form) {
-  return list_some(shaft, boxes, kept, form);
-}
-std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept,
-                         Form form) {
-  return list_some(shaft, spheres, kept, form);
+std::size_t list_at_most(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> kept) {
+  return list_some(shaft, spheres, kept);
 }
 
 KeptCounts list_classified(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint32_t> overlap,
-                           std::span<std::uint32_t> inside, Form form) {
-  return list_classes(shaft, boxes, overlap, inside, form);
+                           std::span<std::uint32_t> inside) {
+  return list_classes(shaft, boxes, overlap, inside);
 }
 KeptCounts list_classified(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint32_t> overlap,
-                           std::span<std::uint32_t> inside, Form form) {
-  return list_classes(shaft, spheres, overlap, inside, form);
+                           std::span<std::uint32_t> inside) {
+  return list_classes(shaft, spheres, overlap, inside);
 }
 
 }  // namespace shaftcull

@@ -15,9 +15,8 @@ namespace {
 constexpr std::size_t tasks_per_thread = 4;
 
 template <class View>
-void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, TileCallback callback, bool inside,
-                   Form form) {
-  const kernel::BatchJob<View> job(shafts, bounds, inside ? kernel::Bits::kept_and_inside : kernel::Bits::kept, form);
+void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, TileCallback callback, bool inside) {
+  const kernel::BatchJob<View> job(shafts, bounds, inside ? kernel::Bits::kept_and_inside : kernel::Bits::kept);
   if (!callback) kernel::fail(InvalidArgument("the tile callback is empty; pass something that can be called"));
   const kernel::Tiling tiling = kernel::Tiling::ordered(job.bounds(), job.shafts());
   const std::size_t tasks = tiling.blocks() * tiling.groups();
@@ -55,22 +54,20 @@ void deliver_tiles(std::span<const CompiledShaft> shafts, const View& bounds, Ti
 
 }  // namespace
 
-void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback, Form form) {
-  deliver_tiles(shafts, boxes, callback, false, form);
+void for_each_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback) {
+  deliver_tiles(shafts, boxes, callback, false);
 }
 
-void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback, Form form) {
-  deliver_tiles(shafts, spheres, callback, false, form);
+void for_each_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback) {
+  deliver_tiles(shafts, spheres, callback, false);
 }
 
-void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback,
-                              Form form) {
-  deliver_tiles(shafts, boxes, callback, true, form);
+void for_each_classified_tile(std::span<const CompiledShaft> shafts, const BoxView& boxes, TileCallback callback) {
+  deliver_tiles(shafts, boxes, callback, true);
 }
 
-void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback,
-                              Form form) {
-  deliver_tiles(shafts, spheres, callback, true, form);
+void for_each_classified_tile(std::span<const CompiledShaft> shafts, const SphereView& spheres, TileCallback callback) {
+  deliver_tiles(shafts, spheres, callback, true);
 }
 
 int concurrency() noexcept { return kernel::threads_here(); }

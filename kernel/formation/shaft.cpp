@@ -48,6 +48,7 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
     }
     if (options.contact > Contact::open)
       kernel::fail(InvalidArgument("ShaftOptions::contact is neither closed nor open"));
+    if (options.form > Form::planes) kernel::fail(InvalidArgument("ShaftOptions::form is neither slab nor planes"));
     for (std::size_t k = 0; k < 3; ++k) {
       box_.lo[k] = std::min(a.lo[k], b.lo[k]);
       box_.hi[k] = std::max(a.hi[k], b.hi[k]);

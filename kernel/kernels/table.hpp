@@ -215,11 +215,9 @@ struct GridKernels {
 
 struct Kernels {
   unsigned width;  ///< floats in a vector: 1, 4, 8 or 16
-  Test* boxes_slab;
-  Test* boxes_planes;
-  Test* spheres_slab;
-  Test* spheres_planes;
-  Test* boxed_spheres_slab;  ///< as spheres_slab, with the streams of boxes_around_spheres() after their own
+  Test* boxes;
+  Test* spheres;
+  Test* boxed_spheres;  ///< as spheres, with the streams of boxes_around_spheres() after their own
   KeepsOne* keeps_box;
   KeepsOne* keeps_sphere;
   ClassifyOne* classify_box;
@@ -246,12 +244,8 @@ struct Kernels {
   SplitKernels split;
   SetBits set_bits;
 
-  [[nodiscard]] Test* test(const BoxView& /*boxes*/, Form form) const noexcept {
-    return form == Form::planes ? boxes_planes : boxes_slab;
-  }
-  [[nodiscard]] Test* test(const SphereView& /*spheres*/, Form form) const noexcept {
-    return form == Form::planes ? spheres_planes : spheres_slab;
-  }
+  [[nodiscard]] Test* test(const BoxView& /*boxes*/) const noexcept { return boxes; }
+  [[nodiscard]] Test* test(const SphereView& /*spheres*/) const noexcept { return spheres; }
   [[nodiscard]] KeepsOne* keeps_one(const BoxView& /*box*/) const noexcept { return keeps_box; }
   [[nodiscard]] KeepsOne* keeps_one(const SphereView& /*sphere*/) const noexcept { return keeps_sphere; }
   [[nodiscard]] ClassifyOne* classify_one(const BoxView& /*box*/) const noexcept { return classify_box; }

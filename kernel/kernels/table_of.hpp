@@ -58,41 +58,46 @@ ConsecutiveWords<L> consecutive_words(std::size_t count) noexcept {
 }
 
 /// The stages of box tests.
-template <class L, Form form>
+template <class L>
 struct BoxStages {
   static constexpr unsigned streams = 6;
 
   /// So few boxes are tested one at a time: that is quicker than to broadcast the shaft to whole vectors.
   static constexpr std::size_t few_boxes = 2;
 
-  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, false, form); }
+  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, false); }
 
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if (shaft.is_hull()) [[unlikely]]
       return HullStages<L>::cull_boxes(*shaft.hull, stream, count, kept);
-    if constexpr (form == Form::planes) {
-      begin_in_whole_words<L>(stream, count, kept, padding_box,
-                              [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
-                                box_planes_stage<L>(shaft, all, words, bits);
-                              });
-    } else {
-      if constexpr (L::EightFloats::in_one_register) {
-        if (count <= few_boxes && SlabInLanes<L>::suits(shaft)) {
-          const std::uint64_t all = first_bits(static_cast<unsigned>(count));
-          *kept = all & ~outside_one_by_one<L>(shaft, stream, 0, all);
-          return finish(shaft, stream, count, kept);
-        }
+    if (shaft.form == Form::planes) [[unlikely]]
+      return cull_by_planes(shaft, stream, count, kept);
+    if constexpr (L::EightFloats::in_one_register) {
+      if (count <= few_boxes && SlabInLanes<L>::suits(shaft)) {
+        const std::uint64_t all = first_bits(static_cast<unsigned>(count));
+        *kept = all & ~outside_one_by_one<L>(shaft, stream, 0, all);
+        return finish(shaft, stream, count, kept);
       }
-      box_slab_stage<L>(shaft, stream, count / word_bits, kept, consecutive_words<L>(count));
     }
+    box_slab_stage<L>(shaft, stream, count / word_bits, kept, consecutive_words<L>(count));
+    finish(shaft, stream, count, kept);
+  }
+
+  SHAFTCULL_NOINLINE static void cull_by_planes(const ShaftData& shaft, const float* const* stream, std::size_t count,
+                                                std::uint64_t* kept) noexcept {
+    begin_in_whole_words<L>(stream, count, kept, padding_box,
+                            [&](const float* const* all, std::size_t words, std::uint64_t* bits) {
+                              box_planes_stage<L>(shaft, all, words, bits);
+                            });
     finish(shaft, stream, count, kept);
   }
 
   /// Faces that a box may touch without being undecided, where contact is open: in slab form those that do not move,
   /// as they put no bound on t.
   static unsigned compared_faces(const ShaftData& shaft) noexcept {
-    if constexpr (form == Form::planes) return shaft.contact == Contact::open ? all_faces : 0;
+    if (shaft.form == Form::planes) [[unlikely]]
+      return shaft.contact == Contact::open ? all_faces : 0;
     return shaft.still_faces;
   }
 
@@ -139,8 +144,6 @@ template <class L>
 struct SphereStages {
   static constexpr unsigned streams = 4;
 
-  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, true, Form::planes); }
-
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
     if (shaft.is_hull()) [[unlikely]] {
@@ -180,7 +183,7 @@ template <class L>
 struct BoxedSphereStages {
   static constexpr unsigned streams = 10;
 
-  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, true, Form::slab); }
+  static bool needs_planes(const ShaftData& shaft) noexcept { return outside_needs_planes(shaft, true); }
 
   static void cull(const ShaftData& shaft, const float* const* stream, std::size_t count,
                    std::uint64_t* kept) noexcept {
@@ -316,7 +319,7 @@ constexpr GridKernels grid_kernels() noexcept {
             .extent = tile_extent<L>,
             .test = test_on_grid<L>,
             .resolve = resolve_in_floats<L>,
-            .finish_boxes = finish_after_grid<L, BoxStages<L, Form::slab>>,
+            .finish_boxes = finish_after_grid<L, BoxStages<L>>,
             .finish_spheres = finish_after_grid<L, SphereStages<L>>};
   } else {
     return {};
@@ -339,14 +342,12 @@ struct SiblingPacking<L> {
 template <class L, class FormationLanes = L>
 inline constexpr Kernels kernels_for = {
     .width = L::width,
-    .boxes_slab = test_bounds<L, BoxStages<L, Form::slab>>,
-    .boxes_planes = test_bounds<L, BoxStages<L, Form::planes>>,
-    .spheres_slab = test_bounds<L, UnboxedSphereStages<L>>,
-    .spheres_planes = test_bounds<L, SphereStages<L>>,
-    .boxed_spheres_slab = test_bounds<L, BoxedSphereStages<L>>,
-    .keeps_box = keeps_single<L, BoxStages<L, Form::slab>>,
+    .boxes = test_bounds<L, BoxStages<L>>,
+    .spheres = test_bounds<L, UnboxedSphereStages<L>>,
+    .boxed_spheres = test_bounds<L, BoxedSphereStages<L>>,
+    .keeps_box = keeps_single<L, BoxStages<L>>,
     .keeps_sphere = keeps_single<L, UnboxedSphereStages<L>>,
-    .classify_box = classify_single<L, BoxStages<L, Form::slab>>,
+    .classify_box = classify_single<L, BoxStages<L>>,
     .classify_sphere = classify_single<L, UnboxedSphereStages<L>>,
     .boxes_around_spheres = boxes_around_spheres<L>,
     .grid = grid_kernels<L>(),
@@ -356,7 +357,7 @@ inline constexpr Kernels kernels_for = {
     .all_finite = all_boxes_finite<FormationLanes>,
     .all_planes_usable = all_planes_usable<FormationLanes>,
     .add_planes = add_planes<FormationLanes>,
-    .listed_boxes = test_listed_words<L, BoxStages<L, Form::slab>>,
+    .listed_boxes = test_listed_words<L, BoxStages<L>>,
     .listed_spheres = test_listed_words<L, UnboxedSphereStages<L>>,
     .blocking = {test_blocking<L>, test_blocking_listed<L>, test_blocking_nodes<L>},
     .siblings = {.pack = SiblingPacking<L>::pack,

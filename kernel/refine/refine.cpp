@@ -55,9 +55,9 @@ void require_refinable(const kernel::ShaftData& shaft, bool spheres, std::size_t
 template <class View, class Position>
 std::size_t refine_list(const kernel::ShaftData& shaft, const View& view, std::span<const std::uint32_t> candidates,
                         const Position& position, std::span<std::uint32_t> kept) {
-  kernel::Test* const test = kernel::active_kernels().test(view, Form::fastest);
+  kernel::Test* const test = kernel::active_kernels().test(view);
   const kernel::WithPlanes with_planes(  // once, not block by block
-      shaft, kernel::outside_needs_planes(shaft, std::is_same_v<View, SphereView>, Form::fastest));
+      shaft, kernel::outside_needs_planes(shaft, std::is_same_v<View, SphereView>));
   const kernel::FloatEnvironment environment;
   constexpr std::size_t block = 1024;
   float memory[kernel::row_count<View>][block];

@@ -56,6 +56,7 @@ CompiledShaft compile_formed(const Shaft& shaft) noexcept {
   compiled.answers_inside = shaft.options().inside;
   compiled.answers_spheres = shaft.options().spheres;
   kernel::apply_contact(compiled, shaft.options().contact);
+  compiled.form = shaft.options().form;
   return formed;
 }
 
@@ -91,6 +92,20 @@ void set_contact(std::span<CompiledShaft> shafts, Contact contact) {
   for (std::size_t s = 0; s != data.size(); ++s) kernel::require_contact_of_choice(data[s], s);
   const kernel::FloatEnvironment environment;
   for (kernel::ShaftData& shaft : data) kernel::apply_contact(shaft, contact);
+}
+
+void set_form(CompiledShaft& shaft, Form form) { set_form(std::span(&shaft, 1), form); }
+
+void set_form(std::span<CompiledShaft> shafts, Form form) {
+  kernel::require_form(form);
+  kernel::require_memory("shafts", shafts, "shafts");
+  const std::span<kernel::ShaftData> data = kernel::data_of(shafts);
+  for (std::size_t s = 0; s != data.size(); ++s) kernel::require_formed(data[s], s);
+  for (std::size_t s = 0; s != data.size(); ++s) {
+    if (data[s].is_hull()) continue;
+    if (form == Form::planes) complete(shafts[s]);
+    data[s].form = form;
+  }
 }
 
 }  // namespace shaftcull

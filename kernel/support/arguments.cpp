@@ -36,7 +36,7 @@ void refuse_order(const char* noun, std::size_t i, std::size_t axis, float lo, f
 
 void refuse_form(Form form) {
   kernel::fail(InvalidArgument("form = " + std::to_string(static_cast<unsigned>(form)) +
-                               " is none of Form::fastest, Form::slab and Form::planes"));
+                               " is neither Form::slab nor Form::planes"));
 }
 
 void refuse_contact(Contact contact) {

@@ -28,7 +28,7 @@ class FirstContactWalk {
       : parts_(parts),
         test_leaves_(kernels.listed(ViewOf<Bound>{})),
         test_nodes_(kernels.listed_boxes),
-        with_planes_(shaft, outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest)),
+        with_planes_(shaft, outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>)),
         of_nodes_(with_planes_.shaft()),
         exclusion_(exclusion),
         prefetches_(parts.is_worth_prefetching()),

@@ -21,9 +21,8 @@ Walk<Bound>::Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const 
       exclusion_(exclusion),
       excludes_(exclusion.is_on()),
       leaf_(parts.leaves.view().stream),
-      with_planes_(shaft, asks_for_inside(question) ||
-                              (question == Question::kept &&
-                               outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>, Form::fastest))),
+      with_planes_(shaft, asks_for_inside(question) || (question == Question::kept &&
+                                                        outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>))),
       shaft_(with_planes_.shaft()),
       of_nodes_(shaft_),
       tests_inside_(question != Question::blocking && shaft_.answers_inside && shaft_.has_planes()) {}

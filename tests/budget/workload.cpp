@@ -67,17 +67,17 @@ void run() {
   };
   constexpr std::size_t tests = shafts * bounds;
   count("boxes_cull_slab", tests,
-        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::slab); }); });
+        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept); }); });
+  set_form(compiled, Form::planes);
   count("boxes_cull_planes", tests,
-        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept, Form::planes); }); });
-  count("boxes_classify_slab", tests, [&] {
-    each_shaft([&](const CompiledShaft& shaft) { classify(shaft, boxes.view(), kept, inside, Form::slab); });
-  });
+        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, boxes.view(), kept); }); });
+  set_form(compiled, Form::slab);
+  count("boxes_classify_slab", tests,
+        [&] { each_shaft([&](const CompiledShaft& shaft) { classify(shaft, boxes.view(), kept, inside); }); });
   count("spheres_cull_slab", tests,
-        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, spheres.view(), kept, Form::slab); }); });
-  count("spheres_classify_slab", tests, [&] {
-    each_shaft([&](const CompiledShaft& shaft) { classify(shaft, spheres.view(), kept, inside, Form::slab); });
-  });
+        [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, spheres.view(), kept); }); });
+  count("spheres_classify_slab", tests,
+        [&] { each_shaft([&](const CompiledShaft& shaft) { classify(shaft, spheres.view(), kept, inside); }); });
   count("boxes_cull_64", shafts * small_bounds, [&] {
     each_shaft([&](const CompiledShaft& shaft) {
       cull(shaft, boxes.view().slice(0, small_bounds), std::span(kept).first(words_for(small_bounds)));

@@ -12,6 +12,7 @@
 
 #include "calls/every_call.hpp"
 #include "caught.hpp"
+#include "forms.hpp"
 #include "message_of.hpp"
 
 namespace shaftcull {
@@ -308,44 +309,34 @@ TEST_F(Arguments, AContactThatIsNoneIsRefused) {
 }
 
 TEST_F(Arguments, AFormThatIsNoEnumeratorIsRefused) {
-  const auto form = static_cast<Form>(3);
-  const auto names_it = AllOf(HasSubstr("form = 3"), HasSubstr("Form::planes"));
-  const std::span<std::uint64_t> row(kept_.data(), 2);
-  std::vector<std::uint64_t> counts(4);
-  IndexLists lists;
-  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_.view(), row, form); }), names_it);
-  EXPECT_THAT(message_of([&] { classify(shafts_[0], spheres_.view(), row, row, form); }), names_it);
-  EXPECT_THAT(message_of([&] { cull_many(shafts_, boxes_.view(), kept_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, inside_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { count_many(shafts_, boxes_.view(), counts, form); }), names_it);
-  EXPECT_THAT(message_of([&] { list_many(shafts_, boxes_.view(), lists, form); }), names_it);
-  std::vector<std::uint32_t> indices(2);
-  std::vector<KeptCounts> classified(4);
-  IndexLists insides;
-  EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], boxes_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { (void)count_classified(shafts_[0], spheres_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { (void)any(shafts_[0], boxes_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { (void)count_at_most(shafts_[0], boxes_, 0, form); }), names_it);
-  EXPECT_THAT(message_of([&] { (void)list_at_most(shafts_[0], boxes_, indices, form); }), names_it);
-  EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, boxes_, 3, counts, form); }), names_it);
-  std::vector<FirstContact> contacts(4);
-  EXPECT_THAT(message_of([&] { (void)first_contact(shafts_[0], boxes_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { first_contact_many(shafts_, boxes_, contacts, form); }), names_it);
-  EXPECT_THAT(message_of([&] { (void)first_contact(shafts_[0], spheres_, form); }), names_it);
-  EXPECT_THAT(message_of([&] { first_contact_many(shafts_, spheres_, contacts, form); }), names_it);
-  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, indices, form); }), names_it);
+  const auto form = static_cast<Form>(2);
+  const auto names_it = AllOf(HasSubstr("form = 2"), HasSubstr("Form::planes"));
+  std::vector<CompiledShaft> shafts = shafts_;
+  EXPECT_THAT(message_of([&] { set_form(shafts, form); }), names_it);
+  EXPECT_THAT(message_of([&] { set_form(shafts[0], form); }), names_it);
+  EXPECT_EQ(shafts[0].form(), Form::slab);
+  const Box box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_THAT(message_of([&] { (void)Shaft(box, box, {.form = form}); }), HasSubstr("ShaftOptions::form"));
   EXPECT_THAT(
-      message_of([&] { (void)list_classified(shafts_[0], boxes_, indices, std::span(indices).first(0), form); }),
-      names_it);
-  EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, classified, form); }), names_it);
-  EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, std::span(kept_).first(1), form); }), names_it);
-  EXPECT_THAT(message_of([&] { list_classified_many(shafts_, boxes_, lists, insides, form); }), names_it);
-  EXPECT_THAT(message_of([&] {
-                for_each_tile(
-                    shafts_, boxes_.view(), [](const TileAnswers&) {}, form);
-              }),
-              names_it);
-  EXPECT_EQ(kept_, untouched_);
+      message_of([&] { set_form(std::span<CompiledShaft>(static_cast<CompiledShaft*>(nullptr), 2), Form::slab); }),
+      HasSubstr("shafts is null"));
+}
+
+TEST_F(Arguments, FormsAreSetOfAllShaftsThatHaveOne) {
+  const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  std::vector<CompiledShaft> shafts = shafts_;
+  shafts.push_back(hull);
+  shafts.emplace_back();
+  EXPECT_THAT(message_of([&] { set_form(shafts, Form::planes); }),
+              AllOf(HasSubstr("shaft " + std::to_string(shafts_.size() + 1)), HasSubstr("never formed")));
+  EXPECT_EQ(shafts[0].form(), Form::slab) << "written before the error was found";
+  shafts.pop_back();
+  set_form(shafts, Form::planes);
+  EXPECT_EQ(shafts[0].form(), Form::planes);
+  EXPECT_TRUE(shafts[0].has_planes());
+  EXPECT_EQ(shafts.back().form(), Form::slab) << "a hull has one form";
+  EXPECT_EQ(compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{2, 2, 2}, {3, 3, 3}}, {.form = Form::planes})).form(),
+            Form::planes);
 }
 
 TEST_F(Arguments, NumbersForEachShaftNeedASpanOfTheirOwnSize) {
@@ -438,12 +429,12 @@ TEST_F(Arguments, NewStreamsHoldBoundsThatNoShaftKeeps) {
   shafts.push_back(compile(Shaft({{-huge, -huge, -huge}, {huge, huge, huge}}, {{-1, -1, -1}, {1, 1, 1}})));
   const std::vector<std::uint64_t> nothing(2);
   for (const CompiledShaft& shaft : shafts) {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<std::uint64_t> kept(2, 7);
       std::vector<std::uint64_t> inside(2, 7);
-      cull(shaft, boxes.view(), kept, form);
+      cull(in_form(shaft, form), boxes.view(), kept);
       EXPECT_EQ(kept, nothing);
-      classify(shaft, spheres.view(), kept, inside, form);
+      classify(in_form(shaft, form), spheres.view(), kept, inside);
       EXPECT_EQ(kept, nothing);
       EXPECT_EQ(inside, nothing);
     }

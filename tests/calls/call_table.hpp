@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "forms.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull {
@@ -52,9 +53,9 @@ void note(AnswerWords& words, const T& value) {
 inline void note_shaft(AnswerWords& words, const CompiledShaft& shaft, const BoxView& boxes) {
   std::vector<std::uint64_t> kept(words_for(boxes.count));
   std::vector<std::uint64_t> inside(kept.size());
-  classify(shaft, boxes, kept, inside, Form::slab);
+  classify(in_form(shaft, Form::slab), boxes, kept, inside);
   note(words, kept);
-  classify(shaft, boxes, kept, inside, Form::planes);
+  classify(in_form(shaft, Form::planes), boxes, kept, inside);
   note(words, kept);
   note(words, inside);
 }

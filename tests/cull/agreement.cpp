@@ -9,6 +9,7 @@
 
 #include "columns.hpp"
 #include "flat/tiling.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/hull.hpp"
@@ -41,8 +42,8 @@ std::vector<Answer> all_answers(const ShaftInput& input, const std::vector<Bound
   std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
   std::vector<std::uint64_t> inside = culled;
-  cull(shaft, memory.view(), culled, form);
-  classify(shaft, memory.view(), kept, inside, form);
+  cull(in_form(shaft, form), memory.view(), culled);
+  classify(in_form(shaft, form), memory.view(), kept, inside);
   EXPECT_EQ(culled, kept) << "cull() and classify() keep different bounds of " << source_text(input);
   std::vector<Answer> answers;
   for (std::size_t i = 0; i != bounds.size(); ++i) {

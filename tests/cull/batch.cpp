@@ -17,6 +17,7 @@
 #include "compiled/shaft_data.hpp"
 #include "cull/agreement.hpp"
 #include "cull/equal_shafts.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/cases/shafts.hpp"
@@ -295,13 +296,13 @@ TEST(CompileBatch, PendingPlanesAreFoundByTheTestsThatNeedThem) {
     std::vector<CompiledShaft> pending(1);
     compile_batch(a.view(), b.view(), pending);
     const CompiledShaft single = compile(Shaft(a.view()[0], b.view()[0]));
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<std::uint64_t> kept[2];
       std::vector<std::uint64_t> inside[2];
       for (std::size_t i = 0; i != 2; ++i) {
         kept[i].resize(words_for(boxes.size()));
         inside[i].resize(words_for(boxes.size()));
-        classify(i == 0 ? pending[0] : single, memory.view(), kept[i], inside[i], form);
+        classify(in_form(i == 0 ? pending[0] : single, form), memory.view(), kept[i], inside[i]);
       }
       EXPECT_EQ(kept[0], kept[1]);
       EXPECT_EQ(inside[0], inside[1]);

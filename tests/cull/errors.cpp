@@ -10,6 +10,7 @@
 
 #include "caught.hpp"
 #include "columns.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -51,7 +52,7 @@ TEST_F(CullErrors, AnOutsideOnlyShaftDoesNotClassify) {
 TEST_F(CullErrors, AnInsideOnlyShaftDoesNotCull) {
   const CompiledShaft shaft = shaft_for(false, true, true);
   EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), kept_); }), HasSubstr("outside"));
-  EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), kept_, Form::planes); }), HasSubstr("outside"));
+  EXPECT_THAT(message_of([&] { cull(in_form(shaft, Form::planes), spheres_.view(), kept_); }), HasSubstr("outside"));
   EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
 }
 

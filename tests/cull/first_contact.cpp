@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// First contact: which bound is reached first, and when, are those of exact arithmetic, in views and in trees.
 #include "shaftcull/first_contact.hpp"
+#include "forms.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +68,7 @@ void expect_contact(const CompiledShaft& shaft, const std::vector<Bound>& bounds
   };
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) expect(first_contact(shaft, memory.view(), form), "view", isa);
+    for (const Form form : forms) expect(first_contact(in_form(shaft, form), memory.view()), "view", isa);
     std::vector<FirstContact> many(3);
     first_contact_many(std::vector<CompiledShaft>(3, shaft), memory.view(), many);
     for (const auto& one : many) expect(one, "view of many shafts", isa);

@@ -8,6 +8,7 @@
 
 #include "columns.hpp"
 #include "float_modes.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/cases/families.hpp"
 #include "oracle/grid_answers.hpp"
@@ -39,11 +40,11 @@ std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds
   std::vector<std::uint64_t> inside(kept);
   const auto note = [&](const std::vector<std::uint64_t>& row) { words.insert(words.end(), row.begin(), row.end()); };
   for (const CompiledShaft& each : {shaft, compile(input.a, input.b), batch[0], batch[8]}) {
-    for (const Form form : {Form::slab, Form::planes}) {
-      classify(each, bounds, kept, inside, form);
+    for (const Form form : forms) {
+      classify(in_form(each, form), bounds, kept, inside);
       note(kept);
       note(inside);
-      cull(each, bounds, kept, form);
+      cull(in_form(each, form), bounds, kept);
       note(kept);
     }
     contained(each, bounds, inside);

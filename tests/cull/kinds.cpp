@@ -2,6 +2,7 @@
 /// Shafts of moving boxes: swept bodies and shadows, with and without an end. Every answer equals the one of exact
 /// arithmetic, in every form, and on every instruction set.
 #include "shaftcull/kinds.hpp"
+#include "forms.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,8 +63,8 @@ void expect_exact(const MovingInput& input, const Hull& hull, const std::vector<
         std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
         std::vector<std::uint64_t> kept = culled;
         std::vector<std::uint64_t> inside = culled;
-        cull(shaft, memory.view(), culled, form);
-        classify(shaft, memory.view(), kept, inside, form);
+        cull(in_form(shaft, form), memory.view(), culled);
+        classify(in_form(shaft, form), memory.view(), kept, inside);
         EXPECT_EQ(culled, kept) << "cull() and classify() keep different bounds of " << source_text(input);
         check(form_name, [&](std::size_t i) { return answer_at(kept, inside, i); });
       }
@@ -599,10 +600,10 @@ TEST(Kinds, BoundsThatAreNotFiniteAreAnsweredAlikeInEveryForm) {
     for (const CompiledShaft& shaft :
          {swept(body, {2, 1, 0.5F}), swept_without_end(body, {2, 1, 0.5F}), swept_without_end(body, {1, 0, 0}),
           swept_without_end(body, {-1, 0, 0}), shadow(light, body, 2), shadow(light, body)}) {
-      for (const Form form : {Form::slab, Form::planes}) {
+      for (const Form form : forms) {
         std::vector<std::uint64_t> kept(1);
         std::vector<std::uint64_t> inside(1);
-        classify(shaft, memory.view(), kept, inside, form);
+        classify(in_form(shaft, form), memory.view(), kept, inside);
         for (std::size_t i = 0; i != boxes.size(); ++i) {
           EXPECT_EQ(text(answer_at(kept, inside, i)), text(right[i])) << name(isa) << ", box " << i;
         }
@@ -622,9 +623,9 @@ TEST(Kinds, BoundsThatAreMetAfterEveryFloatAreMet) {
   const auto memory = columns(boxes);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<std::uint64_t> kept(words_for(boxes.size()));
-      cull(shaft, memory.view(), kept, form);
+      cull(in_form(shaft, form), memory.view(), kept);
       for (std::size_t i = 0; i != boxes.size(); ++i) {
         EXPECT_EQ((kept[i / 64] >> i % 64 & 1U) != 0, i % 2 == 0) << name(isa) << ", box " << i;
       }

@@ -14,6 +14,7 @@
 #include "columns.hpp"
 #include "cull/agreement.hpp"
 #include "cull/equal_shafts.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "oracle/cases/shafts.hpp"
@@ -110,14 +111,14 @@ TEST(CompilePair, AnswersWhatShaftAnswers) {
   const auto answers = [&](const CompiledShaft& shaft, Form form) {
     std::vector<std::uint64_t> kept(words_for(boxes.size()));
     std::vector<std::uint64_t> inside(words_for(boxes.size()));
-    classify(shaft, memory.view(), kept, inside, form);
+    classify(in_form(shaft, form), memory.view(), kept, inside);
     return std::pair(kept, inside);
   };
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     for (int i = 0; i != 50; ++i) {
       const ShaftInput input = random_shaft(random);
-      for (const Form form : {Form::slab, Form::planes}) {
+      for (const Form form : forms) {
         EXPECT_EQ(answers(compile(input.a, input.b), form), answers(compile(Shaft(input.a, input.b)), form));
       }
     }

@@ -9,6 +9,7 @@
 
 #include "columns.hpp"
 #include "cull/agreement.hpp"
+#include "forms.hpp"
 #include "instruction_sets.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
@@ -130,7 +131,7 @@ std::vector<Sphere> spheres_with_nan(Random& random) {
 template <class Bound>
 void expect_never_inside_and_same_everywhere(const std::vector<Bound>& bounds) {
   for (const ShaftInput& input : inputs()) {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<Answer> scalar;
       {
         const UseIsa use(Isa::scalar);
@@ -185,7 +186,7 @@ TEST(SpecialValues, InvertedBoxesAnswerTheSameOnEveryInstructionSet) {
     boxes.push_back(box);
   }
   for (const ShaftInput& input : inputs()) {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<Answer> scalar;
       {
         const UseIsa use(Isa::scalar);

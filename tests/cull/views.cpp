@@ -10,6 +10,7 @@
 #include "caught.hpp"
 #include "columns.hpp"
 #include "cull/agreement.hpp"
+#include "forms.hpp"
 #include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
 #include "misaligned.hpp"
@@ -51,8 +52,8 @@ void expect_view(const CompiledShaft& shaft, const View& view, const std::vector
   std::vector<std::uint64_t> culled(words + 1, sentinel);
   std::vector<std::uint64_t> kept(words + 1, sentinel);
   std::vector<std::uint64_t> inside(words + 1, sentinel);
-  cull(shaft, view, std::span(culled).first(words), form);
-  classify(shaft, view, std::span(kept).first(words), std::span(inside).first(words), form);
+  cull(in_form(shaft, form), view, std::span(culled).first(words));
+  classify(in_form(shaft, form), view, std::span(kept).first(words), std::span(inside).first(words));
   ASSERT_EQ(culled, kept);
   ASSERT_EQ(kept[words], sentinel) << "written past the end";
   ASSERT_EQ(inside[words], sentinel) << "written past the end";
@@ -69,7 +70,7 @@ void expect_every_count(const std::vector<Bound>& bounds) {
   const auto all = memory.view();
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       const std::vector<Answer> right = answers(input, bounds, form);
       for (std::size_t count = 0; count <= most_bounds; ++count) {
         SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(count) + " bounds");
@@ -87,7 +88,7 @@ void expect_every_misalignment(const std::vector<Bound>& bounds) {
   const Columns memory(bounds);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       const std::vector<Answer> right = answers(input, bounds, form);
       for (std::size_t offset = 0; offset != 16; ++offset) {
         for (const std::size_t apart :
@@ -122,7 +123,7 @@ TEST(Views, NothingBehindAViewIsReadForAnyKindOfShaft) {
   const BoxColumns box_memory(boxes);
   const SphereColumns sphere_memory(spheres);
   const auto expect_right = [](const CompiledShaft& shaft, const auto& view) {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<Answer> right;
       for (std::size_t i = 0; i != view.count; ++i) right.push_back(classify(shaft, view[i]));
       for (std::size_t count = 0; count <= view.count; ++count) {
@@ -165,11 +166,11 @@ TEST(Views, AnEmptyViewMayHaveNullStreams) {
   const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form form : {Form::slab, Form::planes}) {
-      EXPECT_NO_THROW(cull(shaft, BoxView{}, {}, form));
-      EXPECT_NO_THROW(cull(shaft, SphereView{}, {}, form));
-      EXPECT_NO_THROW(classify(shaft, BoxView{}, {}, {}, form));
-      EXPECT_NO_THROW(classify(shaft, SphereView{}, {}, {}, form));
+    for (const Form form : forms) {
+      EXPECT_NO_THROW(cull(in_form(shaft, form), BoxView{}, {}));
+      EXPECT_NO_THROW(cull(in_form(shaft, form), SphereView{}, {}));
+      EXPECT_NO_THROW(classify(in_form(shaft, form), BoxView{}, {}, {}));
+      EXPECT_NO_THROW(classify(in_form(shaft, form), SphereView{}, {}, {}));
     }
   }
 }
@@ -177,17 +178,17 @@ TEST(Views, AnEmptyViewMayHaveNullStreams) {
 TEST(Views, ASliceAnswersLikeItsPartOfTheWhole) {
   const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   const BoxColumns memory(some_boxes());
-  const std::vector<Answer> right = answers(input, some_boxes(), Form::fastest);
+  const std::vector<Answer> right = answers(input, some_boxes(), Form::slab);
   for (const std::size_t first : {1U, 64U, 77U, 200U}) {
     const std::vector<Answer> part(right.begin() + static_cast<std::ptrdiff_t>(first), right.end());
-    expect_view(shaft, memory.view().slice(first, part.size()), part, Form::fastest);
+    expect_view(shaft, memory.view().slice(first, part.size()), part, Form::slab);
   }
 }
 
 /// A single bound gets the answer of a view, from a shaft that has its planes and from one whose planes are pending.
 template <class Bound>
 void expect_single(const ShaftInput& asked, const std::vector<Bound>& bounds) {
-  const std::vector<Answer> right = answers(asked, bounds, Form::fastest);
+  const std::vector<Answer> right = answers(asked, bounds, Form::slab);
   Shaft formed(asked.a, asked.b);
   for (const Plane& plane : asked.added) formed.add_plane(plane);
   std::vector<CompiledShaft> shafts = {compile(formed)};

@@ -82,11 +82,12 @@ std::uint64_t answers(float (*number)(std::uint32_t)) {
   std::vector<std::uint64_t> kept(shaftcull::words_for(bounds));
   std::vector<std::uint64_t> inside(kept.size());
   for (const shaftcull::Form form : {shaftcull::Form::slab, shaftcull::Form::planes}) {
-    for (const shaftcull::CompiledShaft& shaft : shafts) {
-      classify(shaft, box_stream.view(), kept, inside, form);
+    for (shaftcull::CompiledShaft shaft : shafts) {
+      set_form(shaft, form);
+      classify(shaft, box_stream.view(), kept, inside);
       digest.add(kept);
       digest.add(inside);
-      classify(shaft, sphere_stream.view(), kept, inside, form);
+      classify(shaft, sphere_stream.view(), kept, inside);
       digest.add(kept);
       digest.add(inside);
     }

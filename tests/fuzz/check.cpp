@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/check.hpp"
+#include "forms.hpp"
 
 #include <algorithm>
 #include <array>
@@ -148,7 +149,7 @@ class Comparison {
       : it_(it), draw_(draw), bounds_(bounds), memory_(bounds), kept_(bounds.size()), inside_(bounds.size()) {}
 
   void run(const CompiledShaft& shaft, const CompiledShaft* pending) {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       select_isa(Isa::scalar);
       Answers& scalar = form == Form::slab ? slab_ : planes_;
       scalar = ask_all(shaft, form);
@@ -257,11 +258,11 @@ class Comparison {
   }
 
   Words culled(const CompiledShaft& shaft, Form form) {
-    cull(shaft, memory_.view(), kept_.unwritten(), form);
+    cull(in_form(shaft, form), memory_.view(), kept_.unwritten());
     return kept_.read();
   }
   std::pair<Words, Words> classified(const CompiledShaft& shaft, Form form) {
-    classify(shaft, memory_.view(), kept_.unwritten(), inside_.unwritten(), form);
+    classify(in_form(shaft, form), memory_.view(), kept_.unwritten(), inside_.unwritten());
     return {kept_.read(), inside_.read()};
   }
   Words contained_by(const CompiledShaft& shaft) {

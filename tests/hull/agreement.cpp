@@ -34,14 +34,14 @@ Answer answer_at(const std::vector<std::uint64_t>& kept, const std::vector<std::
 
 /// Answers of classify() for a view, after checking that cull(), contained() and one bound at a time agree.
 template <class Bound>
-std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bounds, Form form) {
+std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bounds) {
   const auto memory = columns(bounds);
   std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
   std::vector<std::uint64_t> inside = culled;
   std::vector<std::uint64_t> contained_alone = culled;
-  cull(hull, memory.view(), culled, form);
-  classify(hull, memory.view(), kept, inside, form);
+  cull(hull, memory.view(), culled);
+  classify(hull, memory.view(), kept, inside);
   contained(hull, memory.view(), contained_alone);
   EXPECT_EQ(culled, kept);
   EXPECT_EQ(contained_alone, inside);
@@ -63,14 +63,12 @@ void expect_right(const HullInput& input, const std::vector<Bound>& bounds, cons
   const ConvexHull hull(input.points, input.directions);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    for (const Form way : {Form::slab, Form::planes}) {
-      const std::vector<Answer> found = answers(hull, bounds, way);
-      for (std::size_t i = 0; i != bounds.size(); ++i) {
-        const Answer right = correct(i, found[i]);
-        ASSERT_EQ(found[i], right) << "on " << name(isa) << ", form " << form << "; bound " << i << ":\n  "
-                                   << source_text(input) << "\n  " << source_text(bounds[i]) << "\n  is " << text(right)
-                                   << ", answered " << text(found[i]);
-      }
+    const std::vector<Answer> found = answers(hull, bounds);
+    for (std::size_t i = 0; i != bounds.size(); ++i) {
+      const Answer right = correct(i, found[i]);
+      ASSERT_EQ(found[i], right) << "on " << name(isa) << ", form " << form << "; bound " << i << ":\n  "
+                                 << source_text(input) << "\n  " << source_text(bounds[i]) << "\n  is " << text(right)
+                                 << ", answered " << text(found[i]);
     }
   }
 }

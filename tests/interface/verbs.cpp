@@ -138,31 +138,9 @@ concept CallsBackForShafts = requires(const Bounds& bounds, Given given) {
   { for_each_classified(given.shafts, bounds, SeeShaft()) } -> std::same_as<void>;
 };
 
-/// Forms are a matter of views.
-template <class Bounds>
-concept TakesForms = requires(const Bounds& bounds, Given given) {
-  cull(given.shaft, bounds, given.words, Form::planes);
-  classify(given.shaft, bounds, given.words, given.words, Form::planes);
-  (void)count(given.shaft, bounds, Form::planes);
-  (void)count_classified(given.shaft, bounds, Form::planes);
-  (void)list(given.shaft, bounds, given.indices, Form::planes);
-  (void)list_classified(given.shaft, bounds, given.indices, given.indices, Form::planes);
-  (void)any(given.shaft, bounds, Form::planes);
-  (void)count_at_most(given.shaft, bounds, std::size_t{3}, Form::planes);
-  (void)list_at_most(given.shaft, bounds, given.indices, Form::planes);
-  cull_many(given.shafts, bounds, given.words, Form::planes);
-  classify_many(given.shafts, bounds, given.words, given.words, Form::planes);
-  count_many(given.shafts, bounds, given.words, Form::planes);
-  count_classified_many(given.shafts, bounds, given.counts, Form::planes);
-  list_many(given.shafts, bounds, given.lists, Form::planes);
-  list_classified_many(given.shafts, bounds, given.lists, given.lists, Form::planes);
-  any_many(given.shafts, bounds, given.words, Form::planes);
-  for_each_tile(given.shafts, bounds, SeeTile(), Form::planes);
-};
-
 template <class Bounds>
 concept AnswersAsAView = GivesBits<Bounds> && GivesNumbers<Bounds> && GivesLists<Bounds> && TellsWhetherAny<Bounds> &&
-    CallsBackForTiles<Bounds> && TakesForms<Bounds> && !CallsBackForShafts<Bounds>;
+    CallsBackForTiles<Bounds> && !CallsBackForShafts<Bounds>;
 
 static_assert(AnswersAsAView<BoxView>);
 static_assert(AnswersAsAView<SphereView>);

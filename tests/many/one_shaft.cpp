@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "forms.hpp"
 #include "guarded_floats.hpp"
 #include "many/workload.hpp"
 #include "shaftcull/cull.hpp"
@@ -43,22 +44,23 @@ void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form
   const KeptCounts counts{right.overlap.size(), right.inside.size()};
   ASSERT_GT(counts.overlap, 10U);
   ASSERT_GT(counts.inside, 10U);
-  EXPECT_EQ(count(shaft, view, form), right.kept.size());
-  EXPECT_EQ(count_classified(shaft, view, form), counts);
-  EXPECT_TRUE(any(shaft, view, form));
+  EXPECT_EQ(count(in_form(shaft, form), view), right.kept.size());
+  EXPECT_EQ(count_classified(in_form(shaft, form), view), counts);
+  EXPECT_TRUE(any(in_form(shaft, form), view));
   const std::size_t most = right.kept.size();
   for (const std::size_t room : {std::size_t{0}, std::size_t{1}, most / 2, most - 1, most, most + 1, most + 40}) {
-    expect_listed(right.kept, room,
-                  [&](std::span<std::uint32_t> kept) { EXPECT_EQ(list(shaft, view, kept, form), right.kept.size()); });
     expect_listed(right.kept, room, [&](std::span<std::uint32_t> kept) {
-      EXPECT_EQ(list_at_most(shaft, view, kept, form), std::min(room, right.kept.size()));
+      EXPECT_EQ(list(in_form(shaft, form), view, kept), right.kept.size());
     });
-    EXPECT_EQ(count_at_most(shaft, view, room, form), std::min(room, right.kept.size()));
+    expect_listed(right.kept, room, [&](std::span<std::uint32_t> kept) {
+      EXPECT_EQ(list_at_most(in_form(shaft, form), view, kept), std::min(room, right.kept.size()));
+    });
+    EXPECT_EQ(count_at_most(in_form(shaft, form), view, room), std::min(room, right.kept.size()));
   }
   for (const std::size_t room : {std::size_t{0}, counts.inside / 2, counts.inside, most + 1}) {
     expect_listed(right.inside, room, [&](std::span<std::uint32_t> inside) {
       expect_listed(right.overlap, counts.overlap - room % 7, [&](std::span<std::uint32_t> overlap) {
-        EXPECT_EQ(list_classified(shaft, view, overlap, inside, form), counts);
+        EXPECT_EQ(list_classified(in_form(shaft, form), view, overlap, inside), counts);
       });
     });
   }
@@ -73,7 +75,7 @@ void expect_all(const std::vector<Bound>& bounds) {
   Shaft cut(a, b);
   cut.add_plane({{0, 1, 1}, 1});
   for (const CompiledShaft& shaft : {compile(a, b), compile(Shaft(a, b)), compile(cut)}) {
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       expect_numbers_and_lists(shaft, guarded.view(), form);
     }
   }

@@ -8,13 +8,17 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "columns.hpp"
+#include "forms.hpp"
 #include "many/workload.hpp"
 #include "misaligned.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
 
 namespace shaftcull {
 namespace {
@@ -67,7 +71,7 @@ TEST(Outputs, CullManyWritesTheRowsThatCullGives) {
     std::vector<std::uint64_t> rows(expected.kept.size(), sentinel);
     cull_many(shafts, view, rows);
     EXPECT_EQ(rows, expected.kept);
-    cull_many(shafts, view, rows, Form::planes);
+    cull_many(in_form(shafts, Form::planes), view, rows);
     EXPECT_EQ(rows, expected.kept);
   });
 }
@@ -113,9 +117,9 @@ TEST(Outputs, CountClassifiedManyCountsTheBitsOfEachRow) {
 TEST(Outputs, AnyManySetsABitForEachShaftThatKeepsAny) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     const auto right = lists_of(expected, shafts.size());
-    for (const Form form : {Form::slab, Form::planes}) {
+    for (const Form form : forms) {
       std::vector<std::uint64_t> bits(words_for(shafts.size()), sentinel);
-      any_many(shafts, view, bits, form);
+      any_many(in_form(shafts, form), view, bits);
       for (std::size_t s = 0; s != 64 * bits.size(); ++s) {
         const bool keeps = s < shafts.size() && !right[s].kept.empty();
         EXPECT_EQ(bits[s / 64] >> s % 64 & 1U, keeps ? 1U : 0U) << "shaft " << s;
@@ -130,10 +134,10 @@ TEST(Outputs, CountAtMostManyCountsTheBitsOfEachRowUpToTheMost) {
     for (const std::size_t most : {0U, 1U, 7U, 100U, 100000U}) {
       std::vector<std::uint64_t> right_counts;
       for (const auto& lists : right) right_counts.push_back(std::min(most, lists.kept.size()));
-      for (const Form form : {Form::slab, Form::planes}) {
+      for (const Form form : forms) {
         SCOPED_TRACE(std::to_string(most) + " at most, form " + std::to_string(static_cast<int>(form)));
         std::vector<std::uint64_t> counts(shafts.size(), sentinel);
-        count_at_most_many(shafts, view, most, counts, form);
+        count_at_most_many(in_form(shafts, form), view, most, counts);
         EXPECT_EQ(counts, right_counts);
       }
     }
@@ -151,11 +155,11 @@ TEST(Outputs, ListAtMostManyListsTheFirstSetBitsOfEachRow) {
         right_counts.push_back(listed.size());
         std::copy(listed.begin(), listed.end(), right_lists.begin() + static_cast<std::ptrdiff_t>(s * most));
       }
-      for (const Form form : {Form::slab, Form::planes}) {
+      for (const Form form : forms) {
         SCOPED_TRACE(std::to_string(most) + " at most, form " + std::to_string(static_cast<int>(form)));
         std::vector<std::uint32_t> kept(right_lists.size(), 12345);
         std::vector<std::uint64_t> counts(shafts.size(), sentinel);
-        list_at_most_many(shafts, view, most, kept, counts, form);
+        list_at_most_many(in_form(shafts, form), view, most, kept, counts);
         EXPECT_EQ(counts, right_counts);
         EXPECT_EQ(kept, right_lists);
       }
@@ -173,6 +177,31 @@ TEST(Outputs, AnyManyFindsWhatOnlyTheLastTaskSees) {
     std::vector<std::uint64_t> bits(2, sentinel);
     with_threads(threads, [&] { any_many(shafts, boxes, bits); });
     EXPECT_EQ(bits, (std::vector<std::uint64_t>{0, 4})) << threads << " threads";
+  }
+}
+
+TEST(Outputs, ShaftsOfOneCallMayHaveDifferentForms) {
+  for (const Contact contact : {Contact::closed, Contact::open}) {
+    for_boxes_and_spheres([&](const auto& shafts, const auto& view, const ExpectedRows& /*expected*/) {
+      std::vector<CompiledShaft> slab(shafts.begin(), shafts.end());
+      set_contact(slab, contact);
+      std::vector<CompiledShaft> mixed = slab;
+      for (std::size_t s = 0; s < mixed.size(); s += 2) set_form(mixed[s], Form::planes);
+      std::vector<std::uint64_t> right(slab.size() * words_for(view.count));
+      std::vector<std::uint64_t> right_inside(right.size());
+      classify_many(slab, view, right, right_inside);
+      std::vector<std::uint64_t> rows(right.size());
+      std::vector<std::uint64_t> inside(right.size());
+      classify_many(mixed, view, rows, inside);
+      EXPECT_EQ(rows, right);
+      EXPECT_EQ(inside, right_inside);
+      using Bound = std::remove_cvref_t<decltype(view[0])>;
+      const BoundsTree<Bound> tree(view);
+      std::fill(rows.begin(), rows.end(), 1);
+      classify_many(mixed, tree, rows, inside);
+      EXPECT_EQ(rows, right) << "of a tree";
+      EXPECT_EQ(inside, right_inside) << "of a tree";
+    });
   }
 }
 
@@ -194,7 +223,8 @@ TEST(Outputs, FirstContactManyFindsTheFirstOfManyTasks) {
 }
 
 TEST(Outputs, FirstContactManyFindsTheFirstWhereTwoTasksHandOverAtOnce) {
-  // Two tasks, each of which finds one box for each of the shafts: they hand over one shaft after the other, side by side.
+  // Two tasks, each of which finds one box for each of the shafts: they hand over one shaft after the other, side by
+  // side.
   std::vector<Box> boxes(16384, Box{{0, 9, 0}, {1, 10, 1}});
   boxes[5] = {{50, 0, 0}, {51, 1, 1}};
   boxes[10000] = {{40, 0, 0}, {41, 1, 1}};

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "columns.hpp"
+#include "forms.hpp"
 #include "guarded_floats.hpp"
 #include "instruction_sets.hpp"
 #include "many/workload.hpp"
@@ -145,29 +146,29 @@ template <class View>
 void expect_one(const CompiledShaft& shaft, const View& view, const Part& right) {
   std::vector<std::uint64_t> kept(words_for(view.count));
   std::vector<std::uint64_t> inside(kept.size());
-  for (const Form form : {Form::slab, Form::planes}) {
+  for (const Form form : forms) {
     std::fill(kept.begin(), kept.end(), sentinel);
-    cull(shaft, view, kept, form);
+    cull(in_form(shaft, form), view, kept);
     ASSERT_EQ(kept, right.kept) << "cull";
     std::fill(inside.begin(), inside.end(), sentinel);
-    classify(shaft, view, kept, inside, form);
+    classify(in_form(shaft, form), view, kept, inside);
     ASSERT_EQ(kept, right.kept) << "classify";
     ASSERT_EQ(inside, right.inside) << "classify";
-    ASSERT_EQ(count(shaft, view, form), right.counts[0]) << "count";
-    ASSERT_EQ(count_classified(shaft, view, form), right.classified[0]) << "count_classified";
-    ASSERT_EQ(any(shaft, view, form), right.counts[0] != 0) << "any";
+    ASSERT_EQ(count(in_form(shaft, form), view), right.counts[0]) << "count";
+    ASSERT_EQ(count_classified(in_form(shaft, form), view), right.classified[0]) << "count_classified";
+    ASSERT_EQ(any(in_form(shaft, form), view), right.counts[0] != 0) << "any";
     std::vector<std::uint32_t> indices(right.counts[0]);
-    ASSERT_EQ(list(shaft, view, indices, form), right.counts[0]) << "list";
+    ASSERT_EQ(list(in_form(shaft, form), view, indices), right.counts[0]) << "list";
     ASSERT_EQ(indices, right.indices) << "list";
     const std::size_t most = right.counts[0] / 2 + 1;
     indices.assign(most, 12345);
     const auto listed = static_cast<std::ptrdiff_t>(std::min<std::size_t>(most, right.counts[0]));
-    ASSERT_EQ(count_at_most(shaft, view, most, form), listed) << "count_at_most";
-    ASSERT_EQ(list_at_most(shaft, view, indices, form), listed) << "list_at_most";
+    ASSERT_EQ(count_at_most(in_form(shaft, form), view, most), listed) << "count_at_most";
+    ASSERT_EQ(list_at_most(in_form(shaft, form), view, indices), listed) << "list_at_most";
     ASSERT_TRUE(std::equal(right.indices.begin(), right.indices.begin() + listed, indices.begin())) << "list_at_most";
     std::vector<std::uint32_t> overlap(right.classified[0].overlap);
     indices.resize(right.classified[0].inside);
-    ASSERT_EQ(list_classified(shaft, view, overlap, indices, form), right.classified[0]) << "list_classified";
+    ASSERT_EQ(list_classified(in_form(shaft, form), view, overlap, indices), right.classified[0]) << "list_classified";
     ASSERT_EQ(overlap, right.overlaps) << "list_classified";
     ASSERT_EQ(indices, right.insides) << "list_classified";
   }

@@ -31,14 +31,16 @@ void Trial::ask_view(const CompiledShaft& shaft, const View& view, const char* h
   std::vector<std::uint64_t> kept(kept_.size());
   std::vector<std::uint64_t> inside(kept_.size());
   for (const Form form : {Form::slab, Form::planes}) {
+    CompiledShaft in_form = shaft;
+    set_form(in_form, form);
     const auto question = [&](const char* call) {
       return [=] {
         return fmt::format("{}, {}, {}, {}", call, how, name(active_isa()), form == Form::slab ? "slab" : "planes");
       };
     };
-    cull(shaft, view, kept, form);
+    cull(in_form, view, kept);
     compare(kept, kept_, question("cull"));
-    classify(shaft, view, kept, inside, form);
+    classify(in_form, view, kept, inside);
     compare(kept, kept_, question("classify, kept"));
     compare(inside, inside_, question("classify, inside"));
   }
@@ -78,10 +80,11 @@ void Trial::count_undecided() {
   std::vector<std::uint64_t> asked(kept_.size());
   std::vector<std::uint64_t> kept(kept_.size());
   std::vector<std::uint64_t> inside(kept_.size());
-  CompiledShaft with_planes = shaft_;
-  complete(with_planes);
+  CompiledShaft in_form = shaft_;
+  complete(in_form);
   for (const Form form : {Form::slab, Form::planes}) {
-    with_view([&](const auto& view) { undecided(with_planes, view, form, asked, kept, inside); });
+    set_form(in_form, form);
+    with_view([&](const auto& view) { undecided(in_form, view, asked, kept, inside); });
     (form == Form::slab ? counts_.undecided_slab : counts_.undecided_planes) = bits_in(asked);
   }
 }

@@ -92,7 +92,7 @@ void make_shafts(Random& random, Shafts& shafts) {
   add_batch();
   Shaft formed(a[2], b[3], {.order = PlaneOrder::by_volume});
   formed.add_plane(planes[4]);
-  const shaftcull_shaft_options options{SHAFTCULL_FORMATION_TABLE729, SHAFTCULL_ORDER_BY_VOLUME, 1, 1, 1, 0, {0, 0}};
+  const shaftcull_shaft_options options{SHAFTCULL_FORMATION_TABLE729, SHAFTCULL_ORDER_BY_VOLUME, 1, 1, 1, 0, 0, {0}};
   const ShaftHandle shaft = made<ShaftHandle>(shaftcull_shaft_create, &ca[2], &cb[3], &options);
   ok(shaftcull_shaft_add_plane(shaft.get(), &cplanes[4]));
   ok(shaftcull_shafts_set_formed(c, next, shaft.get()));
@@ -169,6 +169,9 @@ void make_shafts(Random& random, Shafts& shafts) {
   for (std::size_t s = 0; s != 3; ++s) complete(shafts.cpp[s]);
 }
 
+/// Views are asked without an option.
+struct NoOption {};
+
 /// A shaft and bounds as both languages know them, and how they are asked.
 template <class Set, class Option>
 struct Question {
@@ -178,6 +181,16 @@ struct Question {
   const shaftcull_query* query;
   const Option& option;
   std::size_t size;  ///< of the bounds
+
+  /// Returns ask(option), or ask() if there is none.
+  template <class Ask>
+  decltype(auto) with(const Ask& ask) const {
+    if constexpr (std::same_as<Option, NoOption>) {
+      return ask();
+    } else {
+      return ask(option);
+    }
+  }
 };
 
 KeptCounts as_counts(const shaftcull_kept_counts& counts) {
@@ -206,29 +219,29 @@ void compare_bits(const Question<Set, Option>& q, std::size_t count) {
     SCOPED_TRACE("shaft " + std::to_string(s));
     Words expected(words);
     Words given(words, 99);
-    cull(shafts[s], q.set, expected, q.option);
+    q.with([&](const auto&... option) { return cull(shafts[s], q.set, expected, option...); });
     ok(shaftcull_cull(c, s, q.bounds, q.query, given.data(), words));
     EXPECT_EQ(given, expected);
     std::uint64_t number = 99;
     ok(shaftcull_count(c, s, q.bounds, q.query, &number));
-    EXPECT_EQ(number, shaftcull::count(shafts[s], q.set, q.option));
+    EXPECT_EQ(number, q.with([&](const auto&... option) { return shaftcull::count(shafts[s], q.set, option...); }));
     std::uint32_t any_kept = 99;
     ok(shaftcull_any(c, s, q.bounds, q.query, &any_kept));
-    EXPECT_EQ(any_kept != 0, any(shafts[s], q.set, q.option));
+    EXPECT_EQ(any_kept != 0, q.with([&](const auto&... option) { return any(shafts[s], q.set, option...); }));
   }
   Words expected(words * count);
   Words given(words * count, 99);
-  cull_many(shafts, q.set, expected, q.option);
+  q.with([&](const auto&... option) { return cull_many(shafts, q.set, expected, option...); });
   ok(shaftcull_cull_many(c, 0, count, q.bounds, q.query, given.data(), given.size()));
   EXPECT_EQ(given, expected);
   expected.assign(count, 0);
   given.assign(count, 99);
-  count_many(shafts, q.set, expected, q.option);
+  q.with([&](const auto&... option) { return count_many(shafts, q.set, expected, option...); });
   ok(shaftcull_count_many(c, 0, count, q.bounds, q.query, given.data()));
   EXPECT_EQ(given, expected);
   expected.assign(words_for(count), 0);
   given.assign(words_for(count), 99);
-  any_many(shafts, q.set, expected, q.option);
+  q.with([&](const auto&... option) { return any_many(shafts, q.set, expected, option...); });
   ok(shaftcull_any_many(c, 0, count, q.bounds, q.query, given.data(), given.size()));
   EXPECT_EQ(given, expected);
 }
@@ -244,7 +257,8 @@ void compare_lists(const Question<Set, Option>& q, std::size_t count) {
       Indices expected(room);
       Indices given(room, 99);
       std::uint64_t number = 99;
-      const std::size_t found = list(shafts[s], q.set, std::span<std::uint32_t>(expected), q.option);
+      const std::size_t found = q.with(
+          [&](const auto&... option) { return list(shafts[s], q.set, std::span<std::uint32_t>(expected), option...); });
       ok(shaftcull_list(c, s, q.bounds, q.query, given.data(), room, &number));
       ASSERT_EQ(number, found);
       expected.resize(std::min(found, room));
@@ -253,7 +267,7 @@ void compare_lists(const Question<Set, Option>& q, std::size_t count) {
     }
   }
   IndexLists expected;
-  list_many(shafts, q.set, expected, q.option);
+  q.with([&](const auto&... option) { return list_many(shafts, q.set, expected, option...); });
   const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES});
   ok(shaftcull_list_many(c, 0, count, q.bounds, q.query, lists.get()));
   ASSERT_EQ(shaftcull_lists_count(lists.get()), count);
@@ -282,7 +296,7 @@ void compare_classified(const Question<Set, Option>& q) {
     Words inside(words);
     Words given_kept(words, 99);
     Words given_inside(words, 99);
-    classify(shafts[s], q.set, kept, inside, q.option);
+    q.with([&](const auto&... option) { return classify(shafts[s], q.set, kept, inside, option...); });
     ok(shaftcull_classify(c, s, q.bounds, q.query, given_kept.data(), given_inside.data(), words));
     EXPECT_EQ(given_kept, kept);
     EXPECT_EQ(given_inside, inside);
@@ -290,27 +304,32 @@ void compare_classified(const Question<Set, Option>& q) {
     if constexpr (FlatSet<Set>) {
       contained(shafts[s], q.set, inside);
     } else {
-      contained(shafts[s], q.set, inside, q.option);
+      q.with([&](const auto&... option) { return contained(shafts[s], q.set, inside, option...); });
     }
     ok(shaftcull_contained(c, s, q.bounds, q.query, given_inside.data(), words));
     EXPECT_EQ(given_inside, inside);
 
     std::uint64_t number = 99;
     ok(shaftcull_count_at_most(c, s, q.bounds, q.query, most, &number));
-    EXPECT_EQ(number, count_at_most(shafts[s], q.set, most, q.option));
+    EXPECT_EQ(number, q.with([&](const auto&... option) { return count_at_most(shafts[s], q.set, most, option...); }));
     shaftcull_kept_counts counts{99, 99};
     ok(shaftcull_count_classified(c, s, q.bounds, q.query, &counts));
-    EXPECT_EQ(as_counts(counts), count_classified(shafts[s], q.set, q.option));
+    EXPECT_EQ(as_counts(counts),
+              q.with([&](const auto&... option) { return count_classified(shafts[s], q.set, option...); }));
 
     Indices first(most);
     Indices given_first(most);
-    const std::size_t found = list_at_most(shafts[s], q.set, std::span<std::uint32_t>(first), q.option);
+    const std::size_t found = q.with([&](const auto&... option) {
+      return list_at_most(shafts[s], q.set, std::span<std::uint32_t>(first), option...);
+    });
     Indices overlap(q.size);
     Indices within(q.size);
     Indices given_overlap(q.size);
     Indices given_within(q.size);
-    const KeptCounts expected = list_classified(shafts[s], q.set, std::span<std::uint32_t>(overlap),
-                                                std::span<std::uint32_t>(within), q.option);
+    const KeptCounts expected = q.with([&](const auto&... option) {
+      return list_classified(shafts[s], q.set, std::span<std::uint32_t>(overlap), std::span<std::uint32_t>(within),
+                             option...);
+    });
     Indices refined(candidates.size());
     Indices given_refined(candidates.size());
     const std::size_t left = refine(shafts[s], q.set, candidates, refined);
@@ -341,7 +360,7 @@ void compare_classified(const Question<Set, Option>& q) {
   Words inside(words * count);
   Words given_kept(words * count, 99);
   Words given_inside(words * count, 99);
-  classify_many(shafts, q.set, kept, inside, q.option);
+  q.with([&](const auto&... option) { return classify_many(shafts, q.set, kept, inside, option...); });
   ok(shaftcull_classify_many(c, 0, count, q.bounds, q.query, given_kept.data(), given_inside.data(), kept.size()));
   EXPECT_EQ(given_kept, kept);
   EXPECT_EQ(given_inside, inside);
@@ -351,12 +370,12 @@ void compare_classified(const Question<Set, Option>& q) {
 
   Words numbers(count);
   Words given_numbers(count, 99);
-  count_at_most_many(shafts, q.set, most, numbers, q.option);
+  q.with([&](const auto&... option) { return count_at_most_many(shafts, q.set, most, numbers, option...); });
   ok(shaftcull_count_at_most_many(c, 0, count, q.bounds, q.query, most, given_numbers.data()));
   EXPECT_EQ(given_numbers, numbers);
   std::vector<KeptCounts> counts(count);
   std::vector<shaftcull_kept_counts> given_counts(count);
-  count_classified_many(shafts, q.set, counts, q.option);
+  q.with([&](const auto&... option) { return count_classified_many(shafts, q.set, counts, option...); });
   ok(shaftcull_count_classified_many(c, 0, count, q.bounds, q.query, given_counts.data()));
   for (std::size_t s = 0; s != count; ++s) {
     EXPECT_EQ(as_counts(given_counts[s]), counts[s]);
@@ -369,12 +388,14 @@ void compare_classified(const Question<Set, Option>& q) {
   IndexLists overlap;
   IndexLists within;
   IndexLists refined;
-  list_classified_many(shafts, q.set, overlap, within, q.option);
+  q.with([&](const auto&... option) { return list_classified_many(shafts, q.set, overlap, within, option...); });
   refine_many(shafts, q.set, candidates, refined);
   ok(shaftcull_list_classified_many(c, 0, count, q.bounds, q.query, given_overlap.get(), given_within.get()));
   Indices rows(count * most);
   Indices given_rows(count * most);
-  list_at_most_many(shafts, q.set, most, std::span<std::uint32_t>(rows), numbers, q.option);
+  q.with([&](const auto&... option) {
+    return list_at_most_many(shafts, q.set, most, std::span<std::uint32_t>(rows), numbers, option...);
+  });
   ok(shaftcull_refine_many(c, 0, count, q.bounds, candidates.data(), candidates.size(), given_refined.get()));
   ok(shaftcull_list_at_most_many(c, 0, count, q.bounds, q.query, most, given_rows.data(), given_numbers.data()));
   const auto same = [&](const ListsHandle& given, const IndexLists& lists) {
@@ -408,7 +429,7 @@ void compare_times(const Question<Set, Option>& q) {
   for (std::size_t s = 0; s != shafts.size(); ++s) {
     shaftcull_contact_found contact{};
     ok(shaftcull_first_contact(c, s, q.bounds, q.query, &contact));
-    same(contact, first_contact(shafts[s], q.set, q.option));
+    same(contact, q.with([&](const auto&... option) { return first_contact(shafts[s], q.set, option...); }));
     std::vector<float> expected(indices.size());
     std::vector<float> given(indices.size());
     entry_times(shafts[s], q.set, indices, expected);
@@ -417,7 +438,7 @@ void compare_times(const Question<Set, Option>& q) {
   }
   std::vector<FirstContact> expected(shafts.size());
   std::vector<shaftcull_contact_found> contacts(shafts.size());
-  first_contact_many(shafts, q.set, expected, q.option);
+  q.with([&](const auto&... option) { return first_contact_many(shafts, q.set, expected, option...); });
   ok(shaftcull_first_contact_many(c, 0, shafts.size(), q.bounds, q.query, contacts.data()));
   for (std::size_t s = 0; s != shafts.size(); ++s) same(contacts[s], expected[s]);
 }
@@ -431,7 +452,7 @@ void compare_blocking(const Question<Set, Option>& q) {
     if constexpr (FlatSet<Set>) {
       return verb(q.set);
     } else {
-      return verb(q.set, q.option);
+      return q.with([&](const auto&... option) { return verb(q.set, option...); });
     }
   };
   for (std::size_t s = 0; s != shafts.size(); ++s) {
@@ -448,7 +469,9 @@ void compare_blocking(const Question<Set, Option>& q) {
     if constexpr (FlatSet<Set>) {
       found = list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected));
     } else {
-      found = list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected), q.option);
+      found = q.with([&](const auto&... option) {
+        return list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected), option...);
+      });
     }
     std::uint64_t number = 99;
     ok(shaftcull_list_blocking(c, s, q.bounds, q.query, given.data(), q.size, &number));
@@ -464,8 +487,8 @@ void compare_blocking(const Question<Set, Option>& q) {
     blocked_many(shafts, q.set, expected);
     list_blocking_many(shafts, q.set, expected_lists);
   } else {
-    blocked_many(shafts, q.set, expected, q.option);
-    list_blocking_many(shafts, q.set, expected_lists, q.option);
+    q.with([&](const auto&... option) { return blocked_many(shafts, q.set, expected, option...); });
+    q.with([&](const auto&... option) { return list_blocking_many(shafts, q.set, expected_lists, option...); });
   }
   ok(shaftcull_blocked_many(c, 0, shafts.size(), q.bounds, q.query, given.data(), given.size()));
   EXPECT_EQ(given, expected);
@@ -506,8 +529,8 @@ void compare_tiles(const Question<Set, Option>& q) {
     expected.tiles.emplace_back(answers.shaft + 1, answers.first, Words(answers.kept.begin(), answers.kept.end()),
                                 Words(answers.inside.begin(), answers.inside.end()));
   };
-  for_each_tile(shafts, q.set, record, q.option);
-  for_each_classified_tile(shafts, q.set, record, q.option);
+  q.with([&](const auto&... option) { return for_each_tile(shafts, q.set, record, option...); });
+  q.with([&](const auto&... option) { return for_each_classified_tile(shafts, q.set, record, option...); });
   ok(shaftcull_for_each_tile(q.shafts.c.get(), 1, count, q.bounds, q.query, record_tile, &given));
   ok(shaftcull_for_each_classified_tile(q.shafts.c.get(), 1, count, q.bounds, q.query, record_tile, &given));
   EXPECT_FALSE(expected.tiles.empty());
@@ -527,7 +550,8 @@ void compare_ranges(const Question<Set, Excluding>& q) {
       Ranges ranges(room);
       std::vector<shaftcull_leaf_range> given(room);
       std::uint64_t number = 99;
-      const std::size_t found = list(shafts[s], q.set, std::span(ranges), q.option);
+      const std::size_t found =
+          q.with([&](const auto&... option) { return list(shafts[s], q.set, std::span(ranges), option...); });
       ok(shaftcull_list_ranges(c, s, q.bounds, q.query, given.data(), room, &number));
       ASSERT_EQ(number, found);
       ranges.resize(std::min(room, found));
@@ -539,7 +563,9 @@ void compare_ranges(const Question<Set, Excluding>& q) {
     std::vector<shaftcull_leaf_range> given_overlap(q.size);
     std::vector<shaftcull_leaf_range> given_inside(q.size);
     shaftcull_kept_counts counts{};
-    const KeptCounts found = list_classified(shafts[s], q.set, std::span(overlap), std::span(inside), q.option);
+    const KeptCounts found = q.with([&](const auto&... option) {
+      return list_classified(shafts[s], q.set, std::span(overlap), std::span(inside), option...);
+    });
     ok(shaftcull_list_classified_ranges(c, s, q.bounds, q.query, given_overlap.data(), q.size, given_inside.data(),
                                         q.size, &counts));
     ASSERT_EQ(as_counts(counts), found);
@@ -563,10 +589,10 @@ void compare_ranges(const Question<Set, Excluding>& q) {
   const ListsHandle given_inside = made<ListsHandle>(shaftcull_lists_create, kind);
   LeafRangeLists lists;
   LeafRangeLists inside_lists;
-  list_many(shafts, q.set, lists, q.option);
+  q.with([&](const auto&... option) { return list_many(shafts, q.set, lists, option...); });
   ok(shaftcull_list_many(c, 0, count, q.bounds, q.query, given.get()));
   same(given, lists);
-  list_classified_many(shafts, q.set, lists, inside_lists, q.option);
+  q.with([&](const auto&... option) { return list_classified_many(shafts, q.set, lists, inside_lists, option...); });
   ok(shaftcull_list_classified_many(c, 0, count, q.bounds, q.query, given.get(), given_inside.get()));
   same(given, lists);
   same(given_inside, inside_lists);
@@ -603,16 +629,13 @@ void compare_bounds(const Question<Set, Option>& q) {
   }
 }
 
-/// A view or stream, in all forms, and without a query.
+/// A view or stream, with a query that says nothing, and without.
 template <FlatSet Set>
 void compare_flat(const Shafts& shafts, const shaftcull_bounds* bounds, const Set& set) {
-  for (const Form form : {Form::fastest, Form::slab, Form::planes}) {
-    shaftcull_query query{};
-    query.form = static_cast<std::uint32_t>(form);
-    compare_bounds(Question<Set, Form>{shafts, bounds, set, &query, form, set.count});
-  }
-  const Form fastest = Form::fastest;
-  compare_bounds(Question<Set, Form>{shafts, bounds, set, nullptr, fastest, set.count});
+  const NoOption none;
+  const shaftcull_query query{};
+  compare_bounds(Question<Set, NoOption>{shafts, bounds, set, &query, none, set.count});
+  compare_bounds(Question<Set, NoOption>{shafts, bounds, set, nullptr, none, set.count});
 }
 
 /// A tree, without and with what is left out.

@@ -182,7 +182,10 @@ static void formed_shafts(void) {
   options.inside = 2;
   REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "options.inside = 2");
   options = shaftcull_default_shaft_options();
-  options.reserved[1] = 1;
+  options.form = 2;
+  REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "form = 2");
+  options = shaftcull_default_shaft_options();
+  options.reserved[0] = 1;
   REFUSED(shaftcull_shaft_create(&lamp, &table, &options, &shaft), "options.reserved");
   CHECK(shaft == NULL);
 }
@@ -271,6 +274,17 @@ static void arrays_of_shafts(void) {
   REFUSED(shaftcull_shafts_set_contact(shafts, 0, 3, SHAFTCULL_CONTACT_CLOSED), "hull");
   REFUSED(shaftcull_shafts_set_contact(shafts, 0, 1, 2), "contact = 2");
   REFUSED(shaftcull_shafts_set_contact(NULL, 0, 1, 0), "shafts is NULL");
+  OK(shaftcull_shafts_set_form(shafts, 0, 2, SHAFTCULL_FORM_PLANES));
+  OK(shaftcull_shafts_describe(shafts, 1, &info));
+  CHECK(info.form == SHAFTCULL_FORM_PLANES && info.has_planes == 1);
+  OK(shaftcull_shafts_set_form(shafts, 0, 2, SHAFTCULL_FORM_SLAB));
+  OK(shaftcull_shafts_describe(shafts, 1, &info));
+  CHECK(info.form == SHAFTCULL_FORM_SLAB);
+  OK(shaftcull_shafts_set_form(shafts, 2, 1, SHAFTCULL_FORM_PLANES));
+  OK(shaftcull_shafts_describe(shafts, 2, &info));
+  CHECK(info.is_hull == 1 && info.form == SHAFTCULL_FORM_SLAB);
+  REFUSED(shaftcull_shafts_set_form(shafts, 0, 1, 2), "form = 2");
+  REFUSED(shaftcull_shafts_set_form(NULL, 0, 1, 0), "shafts is NULL");
 
   /* Copies, of a hull too, which stays when both the hull and the first array are gone. */
   shaftcull_shafts* copies = NULL;
@@ -761,13 +775,6 @@ static void one_shaft(void) {
   const uint32_t only = 2;
   shaftcull_query query;
   memset(&query, 0, sizeof query);
-  query.form = SHAFTCULL_FORM_PLANES;
-  OK(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1));
-  CHECK(kept == 1);
-  REFUSED(shaftcull_cull(shafts, 0, all.tree, &query, &kept, 1), "query.form = 2");
-  query.form = 3;
-  REFUSED(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1), "form = 3");
-  memset(&query, 0, sizeof query);
   query.triangle_test = SHAFTCULL_TRIANGLES_BY_VERTICES;
   OK(shaftcull_cull(shafts, 2, all.triangles, &query, &kept, 1));
   REFUSED(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1), "query.triangle_test = 1");
@@ -801,6 +808,9 @@ static void one_shaft(void) {
   CHECK(number == 1);
   query.reserved[3] = 1;
   REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.reserved");
+  query.reserved[3] = 0;
+  query.reserved_word = 1;
+  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.reserved_word");
 
   /* A tree between update and refit, and a shaft that was never formed, or not for what it is asked. */
   const shaftcull_source one = shaftcull_boxes(scene, 1);

@@ -32,7 +32,7 @@ static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4);  // floats have no 
 static_assert(sizeof(shaftcull_joining_plane) == 16 + 4 + 4);
 static_assert(sizeof(shaftcull_shaft_options) == 8 * 4);
 static_assert(sizeof(shaftcull_shaft_info) == 3 * 24 + 32 + 2 * 8);
-static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 4 * 4);
+static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 5 * 4);
 static_assert(sizeof(shaftcull_bounds_info) == 2 * 8 + 4 * 4);
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_source> && sizeof(shaftcull_source) == 64));
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 88));
@@ -50,8 +50,7 @@ constexpr bool same(std::uint32_t c, Enum cpp) {
 static_assert(same(SHAFTCULL_CONTACT_CLOSED, Contact::closed) && same(SHAFTCULL_CONTACT_OPEN, Contact::open));
 static_assert(same(SHAFTCULL_OUTSIDE, Answer::outside) && same(SHAFTCULL_OVERLAP, Answer::overlap) &&
               same(SHAFTCULL_INSIDE, Answer::inside));
-static_assert(same(SHAFTCULL_FORM_FASTEST, Form::fastest) && same(SHAFTCULL_FORM_SLAB, Form::slab) &&
-              same(SHAFTCULL_FORM_PLANES, Form::planes));
+static_assert(same(SHAFTCULL_FORM_SLAB, Form::slab) && same(SHAFTCULL_FORM_PLANES, Form::planes));
 static_assert(same(SHAFTCULL_DEPTH_ZERO_TO_ONE, ClipDepth::zero_to_one) &&
               same(SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE, ClipDepth::minus_one_to_one));
 static_assert(same(SHAFTCULL_FORMATION_SEARCH, Formation::search) &&

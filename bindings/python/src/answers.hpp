@@ -66,18 +66,22 @@ class BitRows {
   std::array<void*, Kinds> memory_{};
 };
 
-/// Asks one(spans) of one shaft, or many(range of shafts, spans, option) of chunks of them.
+/// Asks one(spans, option…) of one shaft, or many(range of shafts, spans, option…) of chunks of them.
 template <std::size_t Kinds, class Option, class One, class Many>
 [[nodiscard]] std::array<py::object, Kinds> bits_of(const Shafts& shafts, std::size_t bounds, const Option& option,
                                                     bool packed, One&& one, Many&& many) {
   BitRows<Kinds> rows(shafts, bounds, packed);
   if (shafts.one) {
     const py::gil_scoped_release release;
-    rows.fill(0, 1, [&](const auto& spans) { one(spans, option.of(0, 1)); });
+    rows.fill(0, 1, [&](const auto& spans) {
+      std::apply([&](const auto&... with) { one(spans, with...); }, option.of(0, 1));
+    });
   } else {
     in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-      rows.fill(first, count,
-                [&](const auto& spans) { many(shafts.span().subspan(first, count), spans, option.of(first, count)); });
+      rows.fill(first, count, [&](const auto& spans) {
+        std::apply([&](const auto&... with) { many(shafts.span().subspan(first, count), spans, with...); },
+                   option.of(first, count));
+      });
     });
   }
   return rows.arrays();
@@ -87,50 +91,39 @@ template <class Holder>
 py::object ask_cull(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option, bool packed) {
   return bits_of<1>(
       shafts, bounds.size(), option, packed,
-      [&](const auto& bits, const auto& with) { cull(shafts.front(), bounds.set(), bits[0], with); },
-      [&](auto range, const auto& bits, const auto& with) { cull_many(range, bounds.set(), bits[0], with); })[0];
+      [&](const auto& bits, const auto&... with) { cull(shafts.front(), bounds.set(), bits[0], with...); },
+      [&](auto range, const auto& bits, const auto&... with) { cull_many(range, bounds.set(), bits[0], with...); })[0];
 }
 
 template <class Holder>
 py::object ask_classify(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option, bool packed) {
   const auto arrays = bits_of<2>(
       shafts, bounds.size(), option, packed,
-      [&](const auto& bits, const auto& with) { classify(shafts.front(), bounds.set(), bits[0], bits[1], with); },
-      [&](auto range, const auto& bits, const auto& with) {
-        classify_many(range, bounds.set(), bits[0], bits[1], with);
+      [&](const auto& bits, const auto&... with) { classify(shafts.front(), bounds.set(), bits[0], bits[1], with...); },
+      [&](auto range, const auto& bits, const auto&... with) {
+        classify_many(range, bounds.set(), bits[0], bits[1], with...);
       });
   return py::make_tuple(arrays[0], arrays[1]);
 }
 
-/// Views are asked contained() without an option.
 template <class Holder>
 py::object ask_contained(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option, bool packed) {
   return bits_of<1>(
       shafts, bounds.size(), option, packed,
-      [&]<class With>(const auto& bits, const With& with) {
-        if constexpr (std::is_same_v<With, Form>) {
-          contained(shafts.front(), bounds.set(), bits[0]);
-        } else {
-          contained(shafts.front(), bounds.set(), bits[0], with);
-        }
-      },
-      [&]<class With>(auto range, const auto& bits, const With& with) {
-        if constexpr (std::is_same_v<With, Form>) {
-          contained_many(range, bounds.set(), bits[0]);
-        } else {
-          contained_many(range, bounds.set(), bits[0], with);
-        }
+      [&](const auto& bits, const auto&... with) { contained(shafts.front(), bounds.set(), bits[0], with...); },
+      [&](auto range, const auto& bits, const auto&... with) {
+        contained_many(range, bounds.set(), bits[0], with...);
       })[0];
 }
 
-/// A bool for each shaft: one(option) of one, or many(range, words, option) of chunks.
+/// A bool for each shaft: one(option…) of one, or many(range, words, option…) of chunks.
 template <class Option, class One, class Many>
 py::object bools_of(const Shafts& shafts, const Option& option, One&& one, Many&& many) {
   if (shafts.one) {
     bool answer = false;
     {
       const py::gil_scoped_release release;
-      answer = one(option.of(0, 1));
+      answer = std::apply(one, option.of(0, 1));
     }
     return py::bool_(answer);
   }
@@ -138,7 +131,11 @@ py::object bools_of(const Shafts& shafts, const Option& option, One&& one, Many&
   bool* const answers = array.mutable_data();
   in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
     std::vector<std::uint64_t> words(words_for(count));
-    many(shafts.span().subspan(first, count), std::span<std::uint64_t>(words), option.of(first, count));
+    std::apply(
+        [&](const auto&... with) {
+          many(shafts.span().subspan(first, count), std::span<std::uint64_t>(words), with...);
+        },
+        option.of(first, count));
     unpack(words.data(), count, answers + first);
   });
   return array;
@@ -147,24 +144,28 @@ py::object bools_of(const Shafts& shafts, const Option& option, One&& one, Many&
 template <class Holder>
 py::object ask_any(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option) {
   return bools_of(
-      shafts, option, [&](const auto& with) { return any(shafts.front(), bounds.set(), with); },
-      [&](auto range, auto words, const auto& with) { any_many(range, bounds.set(), words, with); });
+      shafts, option, [&](const auto&... with) { return any(shafts.front(), bounds.set(), with...); },
+      [&](auto range, auto words, const auto&... with) { any_many(range, bounds.set(), words, with...); });
 }
 
-/// A number for each shaft, likewise: one(option) is a std::size_t, many() writes to a span of numbers.
+/// A number for each shaft, likewise: one(option…) is a std::size_t, many() writes to a span of numbers.
 template <class Option, class One, class Many>
 py::object numbers_of(const Shafts& shafts, const Option& option, One&& one, Many&& many) {
   if (shafts.one) {
     std::size_t answer = 0;
     {
       const py::gil_scoped_release release;
-      answer = one(option.of(0, 1));
+      answer = std::apply(one, option.of(0, 1));
     }
     return py::int_(answer);
   }
   std::vector<std::uint64_t> numbers(shafts.count);
   in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-    many(shafts.span().subspan(first, count), std::span(numbers).subspan(first, count), option.of(first, count));
+    std::apply(
+        [&](const auto&... with) {
+          many(shafts.span().subspan(first, count), std::span(numbers).subspan(first, count), with...);
+        },
+        option.of(first, count));
   });
   return array_of(std::move(numbers));
 }
@@ -172,8 +173,8 @@ py::object numbers_of(const Shafts& shafts, const Option& option, One&& one, Man
 template <class Holder>
 py::object ask_count_all(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option) {
   return numbers_of(
-      shafts, option, [&](const auto& with) { return count(shafts.front(), bounds.set(), with); },
-      [&](auto range, auto numbers, const auto& with) { count_many(range, bounds.set(), numbers, with); });
+      shafts, option, [&](const auto&... with) { return count(shafts.front(), bounds.set(), with...); },
+      [&](auto range, auto numbers, const auto&... with) { count_many(range, bounds.set(), numbers, with...); });
 }
 
 template <class Holder>
@@ -181,9 +182,9 @@ py::object ask_count(Holder& bounds, const Shafts& shafts, const OptionOf<Holder
   const auto most = number_in(at_most, "at_most");
   if (!most) return ask_count_all(bounds, shafts, option);
   return numbers_of(
-      shafts, option, [&](const auto& with) { return count_at_most(shafts.front(), bounds.set(), *most, with); },
-      [&](auto range, auto numbers, const auto& with) {
-        count_at_most_many(range, bounds.set(), *most, numbers, with);
+      shafts, option, [&](const auto&... with) { return count_at_most(shafts.front(), bounds.set(), *most, with...); },
+      [&](auto range, auto numbers, const auto&... with) {
+        count_at_most_many(range, bounds.set(), *most, numbers, with...);
       });
 }
 
@@ -193,14 +194,19 @@ py::object ask_count_classified(Holder& bounds, const Shafts& shafts, const Opti
     KeptCounts counts{};
     {
       const py::gil_scoped_release release;
-      counts = count_classified(shafts.front(), bounds.set(), option.of(0, 1));
+      counts = std::apply([&](const auto&... with) { return count_classified(shafts.front(), bounds.set(), with...); },
+                          option.of(0, 1));
     }
     return py::make_tuple(counts.overlap, counts.inside);
   }
   std::vector<KeptCounts> counts(shafts.count);
   in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-    count_classified_many(shafts.span().subspan(first, count), bounds.set(), std::span(counts).subspan(first, count),
-                          option.of(first, count));
+    std::apply(
+        [&](const auto&... with) {
+          count_classified_many(shafts.span().subspan(first, count), bounds.set(),
+                                std::span(counts).subspan(first, count), with...);
+        },
+        option.of(first, count));
   });
   std::vector<std::uint64_t> overlap(shafts.count);
   std::vector<std::uint64_t> inside(shafts.count);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "arrays.hpp"
@@ -86,7 +87,7 @@ class LeftOut {
   }
 
   /// Those for a range of the shafts.
-  [[nodiscard]] Excluding of(std::size_t first, std::size_t count) const {
+  [[nodiscard]] std::tuple<Excluding> of(std::size_t first, std::size_t count) const {
     Excluding excluding;
     if (!own_.empty()) {
       const std::size_t row = own_.size() / shafts_;
@@ -108,13 +109,13 @@ class LeftOut {
 
 /// What a view is asked with: nothing that Python chooses.
 struct FlatOption {
-  [[nodiscard]] Form of(std::size_t /*first*/, std::size_t /*count*/) const { return Form::fastest; }
+  [[nodiscard]] std::tuple<> of(std::size_t /*first*/, std::size_t /*count*/) const { return {}; }
 };
 
 /// How triangles are tested.
 struct TestOption {
   TriangleTest test = TriangleTest::exact;
-  [[nodiscard]] TriangleTest of(std::size_t /*first*/, std::size_t /*count*/) const { return test; }
+  [[nodiscard]] std::tuple<TriangleTest> of(std::size_t /*first*/, std::size_t /*count*/) const { return test; }
 };
 [[nodiscard]] inline TestOption test_in(const std::string& test) {
   if (test == "exact") return {TriangleTest::exact};

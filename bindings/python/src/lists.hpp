@@ -63,15 +63,21 @@ template <class Holder, class Option>
   if (shafts.one) {
     const py::gil_scoped_release release;
     IndexLists lists;
-    lists.indices = one_list(
-        [&](std::span<std::uint32_t> room) { return list(shafts.front(), bounds.set(), room, option.of(0, 1)); });
+    std::apply(
+        [&](const auto&... with) {
+          lists.indices = one_list(
+              [&](std::span<std::uint32_t> room) { return list(shafts.front(), bounds.set(), room, with...); });
+        },
+        option.of(0, 1));
     lists.offsets = {0, lists.indices.size()};
     return lists;
   }
   JoinedLists joined;
   in_chunks(shafts.count, Chunks::joined, [&](std::size_t first, std::size_t count) {
     IndexLists lists;
-    list_many(shafts.span().subspan(first, count), bounds.set(), lists, option.of(first, count));
+    std::apply(
+        [&](const auto&... with) { list_many(shafts.span().subspan(first, count), bounds.set(), lists, with...); },
+        option.of(first, count));
     joined.add(first, std::move(lists));
   });
   return std::move(joined).joined();
@@ -84,7 +90,9 @@ template <class Holder, class Option>
     const py::gil_scoped_release release;
     IndexLists lists;
     lists.indices.resize(most);
-    lists.indices.resize(list_at_most(shafts.front(), bounds.set(), lists.indices, option.of(0, 1)));
+    lists.indices.resize(std::apply(
+        [&](const auto&... with) { return list_at_most(shafts.front(), bounds.set(), lists.indices, with...); },
+        option.of(0, 1)));
     lists.offsets = {0, lists.indices.size()};
     return lists;
   }
@@ -92,7 +100,11 @@ template <class Holder, class Option>
   in_chunks(shafts.count, Chunks::joined, [&](std::size_t first, std::size_t count) {
     std::vector<std::uint32_t> rows(count * most);
     std::vector<std::uint64_t> counts(count);
-    list_at_most_many(shafts.span().subspan(first, count), bounds.set(), most, rows, counts, option.of(first, count));
+    std::apply(
+        [&](const auto&... with) {
+          list_at_most_many(shafts.span().subspan(first, count), bounds.set(), most, rows, counts, with...);
+        },
+        option.of(first, count));
     IndexLists lists;
     lists.offsets.push_back(0);
     for (std::size_t shaft = 0; shaft != count; ++shaft) {
@@ -150,11 +162,14 @@ py::object ask_list_classified(Holder& bounds, const Shafts& shafts, const Optio
     std::vector<std::uint32_t> inside;
     {
       const py::gil_scoped_release release;
-      const auto with = option.of(0, 1);
-      const KeptCounts counts = count_classified(shafts.front(), bounds.set(), with);
-      overlap.resize(counts.overlap);
-      inside.resize(counts.inside);
-      static_cast<void>(list_classified(shafts.front(), bounds.set(), overlap, inside, with));
+      std::apply(
+          [&](const auto&... with) {
+            const KeptCounts counts = count_classified(shafts.front(), bounds.set(), with...);
+            overlap.resize(counts.overlap);
+            inside.resize(counts.inside);
+            static_cast<void>(list_classified(shafts.front(), bounds.set(), overlap, inside, with...));
+          },
+          option.of(0, 1));
     }
     return py::make_tuple(array_of(std::move(overlap)), array_of(std::move(inside)));
   }
@@ -162,7 +177,11 @@ py::object ask_list_classified(Holder& bounds, const Shafts& shafts, const Optio
   JoinedLists inside;
   in_chunks(shafts.count, Chunks::joined, [&](std::size_t first, std::size_t count) {
     IndexLists both[2];
-    list_classified_many(shafts.span().subspan(first, count), bounds.set(), both[0], both[1], option.of(first, count));
+    std::apply(
+        [&](const auto&... with) {
+          list_classified_many(shafts.span().subspan(first, count), bounds.set(), both[0], both[1], with...);
+        },
+        option.of(first, count));
     overlap.add(first, std::move(both[0]));
     inside.add(first, std::move(both[1]));
   });
@@ -175,15 +194,20 @@ py::object ask_first(Holder& bounds, const Shafts& shafts, const OptionOf<Holder
     FirstContact contact;
     {
       const py::gil_scoped_release release;
-      contact = first_contact(shafts.front(), bounds.set(), option.of(0, 1));
+      contact = std::apply([&](const auto&... with) { return first_contact(shafts.front(), bounds.set(), with...); },
+                           option.of(0, 1));
     }
     return py::make_tuple(contact ? static_cast<std::int64_t>(contact.index) : std::int64_t{-1},
                           static_cast<double>(contact.time));
   }
   std::vector<FirstContact> contacts(shafts.count);
   in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-    first_contact_many(shafts.span().subspan(first, count), bounds.set(), std::span(contacts).subspan(first, count),
-                       option.of(first, count));
+    std::apply(
+        [&](const auto&... with) {
+          first_contact_many(shafts.span().subspan(first, count), bounds.set(),
+                             std::span(contacts).subspan(first, count), with...);
+        },
+        option.of(first, count));
   });
   std::vector<std::int64_t> indices(shafts.count);
   std::vector<float> times(shafts.count);
@@ -232,39 +256,22 @@ py::object ask_entry_times(Holder& bounds, const py::object& given, const py::ob
   return array_of(std::move(times));
 }
 
-// What blocks: boxes only. Views are asked without an option.
+// What blocks: boxes only.
 
 template <class Holder>
 py::object ask_blocked(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option) {
   return bools_of(
-      shafts, option,
-      [&]<class With>(const With& with) {
-        if constexpr (std::is_same_v<With, Form>) {
-          return blocked(shafts.front(), bounds.set());
-        } else {
-          return blocked(shafts.front(), bounds.set(), with);
-        }
-      },
-      [&]<class With>(auto range, auto words, const With& with) {
-        if constexpr (std::is_same_v<With, Form>) {
-          blocked_many(range, bounds.set(), words);
-        } else {
-          blocked_many(range, bounds.set(), words, with);
-        }
-      });
+      shafts, option, [&](const auto&... with) { return blocked(shafts.front(), bounds.set(), with...); },
+      [&](auto range, auto words, const auto&... with) { blocked_many(range, bounds.set(), words, with...); });
 }
 
 template <class Holder>
 py::object ask_blocked_by(Holder& bounds, const Shafts& shafts, const OptionOf<Holder>& option) {
   const auto ask = [&](std::size_t shaft) -> std::int64_t {
-    const auto with = option.of(shaft, 1);
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(with)>, Form>) {
-      const auto found = blocked_by(shafts.span()[shaft], bounds.set());
-      return found ? static_cast<std::int64_t>(*found) : -1;
-    } else {
-      const auto found = blocked_by(shafts.span()[shaft], bounds.set(), with);
-      return found ? static_cast<std::int64_t>(*found) : -1;
-    }
+    const auto found =
+        std::apply([&](const auto&... with) { return blocked_by(shafts.span()[shaft], bounds.set(), with...); },
+                   option.of(shaft, 1));
+    return found ? static_cast<std::int64_t>(*found) : -1;
   };
   if (shafts.one) {
     std::int64_t found = -1;
@@ -287,26 +294,24 @@ py::object ask_list_blocking(Holder& bounds, const Shafts& shafts, const OptionO
     std::vector<std::uint32_t> indices;
     {
       const py::gil_scoped_release release;
-      const auto with = option.of(0, 1);
-      indices = one_list([&](std::span<std::uint32_t> room) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(with)>, Form>) {
-          return list_blocking(shafts.front(), bounds.set(), room);
-        } else {
-          return list_blocking(shafts.front(), bounds.set(), room, with);
-        }
-      });
+      std::apply(
+          [&](const auto&... with) {
+            indices = one_list([&](std::span<std::uint32_t> room) {
+              return list_blocking(shafts.front(), bounds.set(), room, with...);
+            });
+          },
+          option.of(0, 1));
     }
     return array_of(std::move(indices));
   }
   JoinedLists joined;
   in_chunks(shafts.count, Chunks::joined, [&](std::size_t first, std::size_t count) {
     IndexLists lists;
-    const auto with = option.of(first, count);
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(with)>, Form>) {
-      list_blocking_many(shafts.span().subspan(first, count), bounds.set(), lists);
-    } else {
-      list_blocking_many(shafts.span().subspan(first, count), bounds.set(), lists, with);
-    }
+    std::apply(
+        [&](const auto&... with) {
+          list_blocking_many(shafts.span().subspan(first, count), bounds.set(), lists, with...);
+        },
+        option.of(first, count));
     joined.add(first, std::move(lists));
   });
   return lists_of(std::move(joined).joined());

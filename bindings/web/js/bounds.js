@@ -117,7 +117,7 @@ export class Bounds extends Held {
     const indices = asIndices(own ?? [], 'own');
     return this.module.scratch((scratch) => {
       const query = scratch.zeros(queryBytes);
-      this.module.view.setUint32(query + 4, test, true);
+      this.module.view.setUint32(query, test, true);
       this.module.view.setUint32(query + 8, indices.length === 0 ? 0 : scratch.copy(indices), true);
       this.module.view.setBigUint64(query + 16, BigInt(indices.length), true);
       return use(query);

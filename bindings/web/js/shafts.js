@@ -6,7 +6,7 @@ import {sourceOf} from './sources.js';
 
 export const contacts = ['closed', 'open'];
 const depths = ['zero_to_one', 'minus_one_to_one'];
-const infoBytes = 64;  // src/layout.cpp
+const infoBytes = 68;  // src/layout.cpp
 const planeBytes = 24;
 const maxPlanes = 8;
 

@@ -10,13 +10,13 @@ static_assert(sizeof(void*) == 4);
 
 static_assert(sizeof(shaftcull_source) <= 64);
 
-static_assert(sizeof(shaftcull_shafts_info) == 64);
+static_assert(sizeof(shaftcull_shafts_info) == 68);
 static_assert(offsetof(shaftcull_shafts_info, b) == 24);
 
 static_assert(sizeof(shaftcull_joining_plane) == 24);
 
 static_assert(sizeof(shaftcull_query) == 88);
-static_assert(offsetof(shaftcull_query, triangle_test) == 4 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
+static_assert(offsetof(shaftcull_query, triangle_test) == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
 static_assert(offsetof(shaftcull_query, own) == 8);
 static_assert(offsetof(shaftcull_query, own_count) == 16);
 

@@ -59,19 +59,21 @@ void cull_listed_words(const ShaftData& shaft, const float* const* stream, const
   if constexpr (Stages::streams == 6) {
     if (shaft.is_hull()) [[unlikely]]
       return cull_listed_by_hull<L>(*shaft.hull, stream, word, words, kept);
-    box_slab_stage<L>(shaft, stream, words, kept, position);
-    if (Stages::is_finished(shaft)) return;
-    run_on_listed_survivors<L, 6>(stream, word, words, kept,
-                                  [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
-                                    Stages::finish_words(shaft, some, n, bits);
-                                  });
-  } else if (Stages::needs_planes(shaft)) {
+  }
+  if (Stages::needs_planes(shaft)) {
     for (std::size_t i = 0; i < words; ++i) {
       const float* at[Stages::streams];
       const std::size_t first = position(i);
       for (unsigned s = 0; s < Stages::streams; ++s) at[s] = stream[s] + first;
       Stages::cull(shaft, at, word_bits, kept + i);
     }
+  } else if constexpr (Stages::streams == 6) {
+    box_slab_stage<L>(shaft, stream, words, kept, position);
+    if (Stages::is_finished(shaft)) return;
+    run_on_listed_survivors<L, 6>(stream, word, words, kept,
+                                  [&](const float* const* some, std::size_t n, std::uint64_t* bits) {
+                                    Stages::finish_words(shaft, some, n, bits);
+                                  });
   } else {
     sphere_slab_stage<L, SphereCorners>(shaft, stream, words, kept, position);
     run_on_listed_survivors<L, 4>(stream, word, words, kept,
