@@ -85,8 +85,9 @@ std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> indices) {
 TEST(TriangleTree, AnswersWhatAScanAnswers) {
   Random random(840);
   std::size_t kept_in_all = 0;
-  for (const std::size_t count : {0U, 1U, 31U, 32U, 33U, 64U, 65U, 2047U, 2048U, 2049U, 4095U, 6139U, 9000U,
-                                  71675U}) {  // whole words of chunks, one of which is short
+  for (const std::size_t count :
+       {0U, 1U, 31U, 32U, 33U, 64U, 65U, 2047U, 2048U, 2049U, 4095U, 6139U, 9000U,
+        98299U}) {  // 48 words of chunks, one of which is short: a node of nodes that is inside
     const std::vector<Triangle> triangles = triangles_of(random, count);
     const TriangleColumns memory(triangles);
     const TriangleTree tree{std::span<const Triangle>(triangles)};
