@@ -282,46 +282,42 @@ class ClassLister {
 template <class Visitor>
 class WordByWord final : public LeafVisitor {
   static constexpr bool may_end_early = requires(const Visitor& visitor) { visitor.is_done(); };
-  static constexpr bool reads_them() noexcept {
+  static constexpr bool looks_into_leaves = requires { Visitor::looks_into_leaves; };
+  static constexpr bool reads_indices() noexcept {
     if constexpr (requires { Visitor::reads_indices; }) return Visitor::reads_indices;
     return false;
   }
 
  public:
-  static constexpr VisitorTraits traits{.may_end_early = may_end_early,
-                                        .reads_indices = reads_them(),
-                                        .looks_into_leaves = requires {Visitor::looks_into_leaves;
-}
-};  // namespace shaftcull::kernel
+  static constexpr VisitorTraits traits{may_end_early, reads_indices(), looks_into_leaves};
 
-explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
+  explicit WordByWord(Visitor& visitor) noexcept : visitor_(visitor) {}
 
-bool words(const FoundWords& found) override {
-  if constexpr (requires { visitor_.words(found); }) {
-    visitor_.words(found);
-  } else {
-    const auto [word, kept, inside, words] = found;
-    for (std::size_t i = 0; i != words; ++i) {
-      if (kept[i] == 0) continue;
-      visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
-      if (is_done()) return false;
+  bool words(const FoundWords& found) override {
+    if constexpr (requires { visitor_.words(found); }) {
+      visitor_.words(found);
+    } else {
+      const auto [word, kept, inside, words] = found;
+      for (std::size_t i = 0; i != words; ++i) {
+        if (kept[i] == 0) continue;
+        visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
+        if (is_done()) return false;
+      }
     }
+    return !is_done();
   }
-  return !is_done();
-}
-bool range(std::size_t first, std::size_t size) override {
-  visitor_.range(first, size);
-  return !is_done();
-}
+  bool range(std::size_t first, std::size_t size) override {
+    visitor_.range(first, size);
+    return !is_done();
+  }
 
-private:
-[[nodiscard]] bool is_done() const noexcept {
-  if constexpr (may_end_early) return visitor_.is_done();
-  return false;
-}
+ private:
+  [[nodiscard]] bool is_done() const noexcept {
+    if constexpr (may_end_early) return visitor_.is_done();
+    return false;
+  }
 
-Visitor& visitor_;
-}
-;
+  Visitor& visitor_;
+};
 
 }  // namespace shaftcull::kernel
