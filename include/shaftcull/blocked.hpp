@@ -16,10 +16,9 @@
 /// blocks those that they leave. Only the two boxes are read, so a shaft may have been formed for whatever answers, and
 /// whatever its contact.
 ///
-/// Calls are safe to make from many threads. Floating-point modes and flags, stack, threads and memory that runs out
-/// are as in cull.hpp, many.hpp and query.hpp. Before anything is written, they throw InvalidArgument for a shaft that
-/// was never formed or is not between two boxes (kinds.hpp), by its position, for a null view or span, and for sizes
-/// that do not fit.
+/// Solids are boxes; spheres and triangles are refused. Options, errors, threads, stack and memory that runs out:
+/// query.hpp and many.hpp. Query::only is refused. A shaft that is not between two boxes (kinds.hpp) is refused with
+/// InvalidArgument, by its position.
 #pragma once
 
 #include <cstddef>
@@ -30,10 +29,8 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
-#include "shaftcull/streams.hpp"
-#include "shaftcull/tree.hpp"
+#include "shaftcull/results.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
@@ -50,47 +47,30 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// finite.
 [[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, std::span<const Vec3> polygon);
 
-/// Whether any of the boxes blocks the shaft. Looks at boxes from the first on, in chunks of 512 at first and of 16,384
-/// at most, and stops after the first chunk that holds one that does. O(count); no allocation.
-[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const BoxView& solids);
+/// Whether any of the boxes blocks the shaft. A view is looked through from the first box on, and a tree in nodes that
+/// may hold a box that blocks; both stop soon after they find one. No allocation.
+[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const Bounds& solids, const Query& query = {});
 
-/// Likewise for a tree. It looks only into nodes that may hold a box that blocks, and stops at the first box that
-/// blocks the shaft. `excluding` leaves boxes out. Throws NeedsRefit if the tree needs one. No allocation.
-[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const BoundsTree<Box>& solids,
-                                            const Excluding& excluding = {});
-
-/// The box that blocks the shaft: of several in a view the one with the lowest index, in a tree the index of the first
-/// in tree order (BoundsTree::order()). Nothing if none does. Costs and errors are those of blocked().
-[[nodiscard]] SHAFTCULL_EXPORT std::optional<std::size_t> blocked_by(const CompiledShaft& shaft, const BoxView& solids);
-[[nodiscard]] SHAFTCULL_EXPORT std::optional<std::uint32_t> blocked_by(const CompiledShaft& shaft,
-                                                                       const BoundsTree<Box>& solids,
-                                                                       const Excluding& excluding = {});
+/// The index of the box that blocks the shaft: of several in a view the lowest, in a tree the first in tree order
+/// (BoundsTree::order()). Nothing if none does. Throws InvalidArgument for a view of more than 2³² − 1 boxes. Otherwise
+/// as blocked().
+[[nodiscard]] SHAFTCULL_EXPORT std::optional<std::uint32_t> blocked_by(const CompiledShaft& shaft, const Bounds& solids,
+                                                                       const Query& query = {});
 
 /// Writes the indices of all boxes that block the shaft, ascending or in tree order, and returns how many there are;
-/// results.hpp says what happens if they do not fit. No allocation. Throws InvalidArgument if there are more boxes than
-/// 32-bit indices can tell apart, or if `blocking` shares memory with `excluding`.
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const BoxView& solids,
-                                                         std::span<std::uint32_t> blocking);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const BoundsTree<Box>& solids,
-                                                         std::span<std::uint32_t> blocking,
-                                                         const Excluding& excluding = {});
+/// results.hpp says what happens if they do not fit. With Query::limit it lists the first that many. No allocation.
+/// Throws InvalidArgument as blocked_by().
+[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const Bounds& solids,
+                                                         std::span<std::uint32_t> blocking, const Query& query = {});
 
-/// One bit a shaft, in parallel: bit s % 64 of word s / 64 of `blocked` is set iff a box blocks shafts[s]; bits past
-/// the last shaft are zero. `blocked` has exactly words_for(shafts.size()) words. Bits do not depend on the number of
-/// threads. O(shafts · boxes), though it ends for each shaft as blocked() does. Allocates nothing but task memory of
-/// oneTBB.
-SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const BoxView& solids,
-                                   std::span<std::uint64_t> blocked);
+/// Bit s % 64 of word s / 64 of `blocked` is set iff a box blocks shafts[s]; bits past the last shaft are zero. In
+/// parallel. `blocked` has exactly words_for(shafts.size()) words. Bits do not depend on the number of threads.
+/// O(shafts · boxes) for a view, though it ends for each shaft as blocked() does.
+SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const Bounds& solids,
+                                   std::span<std::uint64_t> blocked, const Query& query = {});
 
-/// Likewise for a tree. Throws InvalidArgument if `blocked` shares memory with `excluding`, too.
-SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box>& solids,
-                                   std::span<std::uint64_t> blocked, const Excluding& excluding = {});
-
-/// Lists what list_blocking() lists for each shaft, in parallel. Reuses the memory of `lists`; if this throws, they are
-/// as they were or empty. Allocates what it lists.
-SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const BoxView& solids,
-                                         IndexLists& lists);
-SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const BoundsTree<Box>& solids,
-                                         IndexLists& lists, const Excluding& excluding = {});
+/// Lists for each shaft the boxes that list_blocking() lists, in parallel.
+SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const Bounds& solids, IndexLists& lists,
+                                         const Query& query = {});
 
 }  // namespace shaftcull

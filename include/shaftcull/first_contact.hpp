@@ -8,8 +8,7 @@
 /// time at which the moving box touches it: 0 if it touches where that starts. First contact is the bound with the
 /// least entry time of those that the shaft keeps, and of several with the same time the one with the lowest index.
 ///
-/// A body that is among the bounds is reached at time 0, before all else: leave it out, `{.own = {me}}` of a tree.
-/// Calls of a view cannot leave bounds out. The floor that a body stands on is reached at 0, too; with open contact
+/// A body that is among the bounds is reached at time 0, before all else: leave it out, `{.exclude = {me}}`. The floor that a body stands on is reached at 0, too; with open contact
 /// what the body only slides along is left out.
 ///
 /// Planes that were added to the shaft leave
@@ -22,9 +21,9 @@
 /// touches nothing before it. Times of spheres are irrational in general: roots of quadratic polynomials, which are
 /// compared as such.
 ///
-/// Errors, threads and stack are those of count() in cull.hpp, many.hpp and query.hpp. A convex hull (hull.hpp), in
-/// which nothing moves, is refused with InvalidArgument, too. Nothing is allocated but task memory of oneTBB by calls
-/// for many shafts.
+/// Bounds are boxes or spheres; triangles are refused. Options, errors, threads and stack: query.hpp and many.hpp. A
+/// convex hull (hull.hpp), in which nothing moves, is refused with InvalidArgument, too. Nothing is allocated but task
+/// memory of oneTBB by calls for many shafts.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +32,8 @@
 #include <span>
 
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/cull.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/query.hpp"
-#include "shaftcull/streams.hpp"
-#include "shaftcull/tree.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
@@ -53,37 +49,23 @@ struct FirstContact {
   friend bool operator==(const FirstContact&, const FirstContact&) = default;
 };
 
-/// First contact among the bounds of a view. O(count). Throws InvalidArgument if there are more than 2³² − 1 bounds.
-[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const BoxView& boxes);
-[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const SphereView& spheres);
-
-/// First contact among the bounds of a tree. Visits near nodes first and no node that is reached later than the first
-/// bound found so far, so it mostly looks at what touches the start, or at little more than what is reached first.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                          const Excluding& excluding = {});
+/// First contact among the bounds. A tree visits near nodes first and no node that is reached later than the first bound
+/// found so far, so it mostly looks at bounds that touch the start, or at few more than the first. Throws
+/// InvalidArgument for a view of more than 2³² − 1 bounds.
+[[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const Bounds& bounds,
+                                                          const Query& query = {});
 
 /// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
 /// fewer.
-SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoxView& boxes,
-                                         std::span<FirstContact> contacts);
-SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const SphereView& spheres,
-                                         std::span<FirstContact> contacts);
-template <class Bound>
-SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                         std::span<FirstContact> contacts, const Excluding& excluding = {});
+SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
+                                         std::span<FirstContact> contacts, const Query& query = {});
 
 /// Entry times of bounds that a list names: times[i] becomes that of bound indices[i], rounded down, or +∞ if the shaft
-/// does not keep it. Indices are positions in the view, or the user's indices in a tree. O(indices.size()), some 50 ns
-/// for a box and 400 ns for a sphere. Throws InvalidArgument for an index not below the number of bounds, unless there
-/// are as many times as indices, if the two share memory, or as count(), and NeedsRefit for a tree that needs a refit.
-/// Allocates nothing, but for a tree what refine() allocates.
-SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoxView& boxes,
-                                  std::span<const std::uint32_t> indices, std::span<float> times);
-SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const SphereView& spheres,
-                                  std::span<const std::uint32_t> indices, std::span<float> times);
-template <class Bound>
-SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
+/// does not keep it. O(indices.size()), about 50 ns for a box and 400 ns for a sphere. Throws InvalidArgument for an
+/// index not below the number of bounds, unless there are as many times as indices, if the two share memory, or as
+/// first_contact(), and NeedsRefit for a tree that needs a refit. Allocates nothing, except for a tree the leaf of every
+/// index at the first call, as Query::only says.
+SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const Bounds& bounds,
                                   std::span<const std::uint32_t> indices, std::span<float> times);
 
 }  // namespace shaftcull

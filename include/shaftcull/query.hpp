@@ -1,252 +1,150 @@
 // SPDX-License-Identifier: MIT
-/// Shafts against bounds trees: what a flat scan would answer, without looking at every bound.
+/// Which bounds a query is about, and its options. Every verb (cull.hpp, many.hpp, first_contact.hpp, blocked.hpp)
+/// takes both:
 ///
-/// *Verbs* are those of views (cull.hpp, many.hpp). Bounds and indices are of the tree's kind, and a vector or an array
-/// passes for a span of them. Bits are by the user's index: bit i % 64 of word i / 64 is the bound with index i, and
-/// all words are written. Lists are in tree order (BoundsTree::order()). That depends only on the bounds, by index,
-/// that the tree was last built or rebuilt from.
+///     list(shaft, tree, kept, {.exclude = {me, target}, .limit = 10});
+///     cull(shaft, boxes, bits, {.layer_mask = {walls | props}});
 ///
-/// *Excluding.* Every query can leave bounds out, as if the tree did not hold them: `{.own = indices}`,
-/// `{.own = {3, 7}}`, `{.mask = words}`, `{.only_layers = {0b101}}`, or several of these (Excluding). Whole nodes of
-/// bounds that are in none of the layers asked for are passed over without being tested.
+/// *Answers do not depend on the container.* A view, a stream and a tree of the same bounds get the same bits and the
+/// same counts. Lists of a view or a stream ascend; lists of a tree are in tree order (BoundsTree::order()), which
+/// depends only on the bounds that the tree was last built or rebuilt from.
 ///
-/// *Results that do not fit* are counted and not written: see results.hpp.
+/// *Cost.* A view or a stream is scanned: O(count). A tree costs about 20 ns for each node or group of 64 bounds that
+/// the shaft reaches, and what is written. Calls for one shaft run on the calling thread and allocate nothing. Calls
+/// for many shafts run in parallel (many.hpp).
 ///
-/// *Errors.* Before anything is written, a query throws NeedsRefit if the tree needs a refit, and InvalidArgument if a
-/// shaft was never formed or formed without the answer asked for, if `excluding` or the size of an output does not fit,
-/// if a span is null that is not empty, or if an output shares memory with another output or with `excluding`. Trees
-/// stay as they are, whatever a query throws.
+/// *Errors.* Before anything is written, a query throws NeedsRefit if a tree needs a refit, and InvalidArgument
 ///
-/// *Cost.* About 20 ns for each node or group of 64 bounds that the shaft reaches, and what is written. Queries are
-/// safe to call from many threads, and take at most 64 KiB of the stack. Those of one shaft allocate nothing; those of
-/// many that write bits or numbers nothing but task memory of oneTBB; those that list allocate what they list, in tasks
-/// and in the lists.
+/// * for a shaft that was never formed, or formed without the answer asked for, by its position among many;
+/// * for a null pointer or span that is not empty, and for bounds of a kind that the verb does not take;
+/// * for an option of the wrong size, an index that is not below the number of bounds, and an option that means nothing
+///   to this verb or these bounds;
+/// * for an output of the wrong size, or one that shares memory with another output or with an option.
+///
+/// Trees stay as they are, whatever a query throws. Queries are safe to make from many threads, and take at most 64 KiB
+/// of the stack in an optimised build, so that small threads and fibers may make them.
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
-#include <iterator>
+#include <limits>
+#include <optional>
 #include <span>
-#include <vector>
+#include <variant>
 
-#include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/function_ref.hpp"
-#include "shaftcull/many.hpp"
-#include "shaftcull/results.hpp"
+#include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/triangles.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Leaves [first, first + size) of a tree: bounds order()[first] and so on.
-struct LeafRange {
-  std::uint32_t first;  ///< the first leaf
-  std::uint32_t size;   ///< how many leaves
-  friend bool operator==(const LeafRange&, const LeafRange&) = default;
-};
+/// The bounds that a query is about: a view, a stream or a tree, of boxes, spheres or triangles. It is made of each of
+/// these where a call takes one. It refers to the memory of a view or stream and to the tree itself, which must live as
+/// long as it is used. Some nanoseconds; no allocation.
+class Bounds {
+ public:
+  // NOLINTBEGIN(google-explicit-constructor): containers go where bounds go
 
-/// Numbers that a call reads: a span, which may be made of braces as those of C++26. What braces hold is gone at the
-/// end of the statement, so write them in the call itself: `Excluding excluding{.own = {3, 7}};` refers to nothing
-/// afterwards.
-template <class Number>
-struct SpanOrBraces : std::span<const Number> {
-  constexpr SpanOrBraces() noexcept = default;
-  using std::span<const Number>::span;  // NOLINT(modernize-use-equals-default): clang-tidy 14 takes it for a
-                                        // constructor
-  /// A span as it is.
-  constexpr SpanOrBraces(std::span<const Number> numbers) noexcept  // NOLINT(google-explicit-constructor)
-      : std::span<const Number>(numbers) {}
-  /// What stands in braces, until the end of the statement.
-  constexpr SpanOrBraces(std::initializer_list<Number> numbers) noexcept
-      : std::span<const Number>(std::data(numbers), numbers.size()) {}
-};
+  /// Boxes, spheres or triangles of a view. `layers` are theirs, one set of bits for each, for Query::layer_mask: as
+  /// many as bounds, or none.
+  Bounds(const BoxView& boxes, std::span<const std::uint32_t> layers = {}) noexcept : from_(boxes), layers_(layers) {}
+  Bounds(const SphereView& spheres, std::span<const std::uint32_t> layers = {}) noexcept
+      : from_(spheres), layers_(layers) {}
+  Bounds(const TriangleView& triangles, std::span<const std::uint32_t> layers = {}) noexcept
+      : from_(triangles), layers_(layers) {}
+  /// The same of a stream.
+  Bounds(const BoxStream& boxes, std::span<const std::uint32_t> layers = {}) noexcept : Bounds(boxes.view(), layers) {}
+  Bounds(const SphereStream& spheres, std::span<const std::uint32_t> layers = {}) noexcept
+      : Bounds(spheres.view(), layers) {}
+  Bounds(const TriangleStream& triangles, std::span<const std::uint32_t> layers = {}) noexcept
+      : Bounds(triangles.view(), layers) {}
+  /// A tree, whose layers are set by BoundsTree::set_layers(). A tree of triangles has none.
+  Bounds(const BoxTree& tree) noexcept : from_(&tree) {}
+  Bounds(const SphereTree& tree) noexcept : from_(&tree) {}
+  Bounds(const TriangleTree& tree) noexcept : from_(&tree) {}
+  // NOLINTEND(google-explicit-constructor)
 
-/// Bounds that a query leaves out.
-struct Excluding {
-  /// The user's indices: a row for each shaft, all equally long, so that own.size() is a multiple of the number of
-  /// shafts. A shaft's own two objects, say. All are below the tree's size().
-  SpanOrBraces<std::uint32_t> own{};
-  /// Bit i % 64 of word i / 64 leaves bound i out for all shafts. Empty, or words_for(size()) words.
-  std::span<const std::uint64_t> mask{};
-  /// Layers, one set of them for each shaft, or one for all shafts: a shaft's query leaves out every bound that is in
-  /// none of them, layers & only_layers == 0. Layers are bits, and the tree must have them (BoundsTree::set_layers()).
-  /// Throws InvalidArgument for a tree of some bounds without layers, and unless there is one set, or one for each
-  /// shaft. Empty: bounds of all layers, and of none, are asked about.
-  SpanOrBraces<std::uint32_t> only_layers{};
-};
-
-// One shaft.
-
-/// Culls: sets the bit of every bound that the shaft keeps (which is not outside). `kept` has exactly
-/// words_for(tree.size()) words. O(size() / 64) for the words, and then as every query: a scan writes the bits of a
-/// shaft that keeps much of what there is faster than a tree.
-template <class Bound>
-SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<std::uint64_t> kept,
-                           const Excluding& excluding = {});
-
-/// Classifies: `kept` as in cull(), and in `inside` the bits of bounds that are fully inside the shaft. Both have
-/// exactly words_for(tree.size()) words.
-template <class Bound>
-SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const BoundsTree<Bound>& tree, std::span<std::uint64_t> kept,
-                               std::span<std::uint64_t> inside, const Excluding& excluding = {});
-
-/// Sets the bits of bounds that are fully inside: the only question that a shaft formed for inside alone answers.
-/// `inside` has exactly words_for(tree.size()) words.
-template <class Bound>
-SHAFTCULL_EXPORT void contained(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                std::span<std::uint64_t> inside, const Excluding& excluding = {});
-
-/// Whether the shaft keeps any bound. Stops at the first one that it finds.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                        const Excluding& excluding = {});
-
-/// How many bounds the shaft keeps.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                 const Excluding& excluding = {});
-
-/// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many. To learn whether there
-/// are more than n, ask for n + 1.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t count_at_most(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                         std::size_t most, const Excluding& excluding = {});
-
-/// How many bounds overlap the shaft, and how many are inside it. Nothing below a node that is inside is tested.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts count_classified(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                           const Excluding& excluding = {});
-
-/// Writes the indices of the bounds that the shaft keeps, and returns how many there are.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                std::span<std::uint32_t> kept, const Excluding& excluding = {});
-
-/// Writes the first indices that list() would write, until `kept` is full, and returns how many it wrote: it stops
-/// there, and does not say whether there are more.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list_at_most(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                        std::span<std::uint32_t> kept, const Excluding& excluding = {});
-
-/// Writes the ranges of leaves that the shaft keeps, each as long as can be, and returns how many there are.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                std::span<LeafRange> kept, const Excluding& excluding = {});
-
-/// As list(), but bounds that overlap and bounds inside apart. Nothing below a node that is inside is tested.
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                          std::span<std::uint32_t> overlap,
-                                                          std::span<std::uint32_t> inside,
-                                                          const Excluding& excluding = {});
-template <class Bound>
-[[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const BoundsTree<Bound>& tree,
-                                                          std::span<LeafRange> overlap, std::span<LeafRange> inside,
-                                                          const Excluding& excluding = {});
-
-// Many shafts, in parallel, as many.hpp says. Results do not depend on the number of threads. If memory runs out
-// (std::bad_alloc), bits and counts are unspecified, and lists are as they were or empty.
-
-/// Row s of the bits (words_for(tree.size()) words, rows one behind the other) gets what cull(shafts[s], …) gives, or
-/// classify() or contained(). There are exactly as many rows as shafts.
-template <class Bound>
-SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                std::span<std::uint64_t> kept_rows, const Excluding& excluding = {});
-template <class Bound>
-SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                    std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                    const Excluding& excluding = {});
-template <class Bound>
-SHAFTCULL_EXPORT void contained_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                     std::span<std::uint64_t> inside_rows, const Excluding& excluding = {});
-
-/// One bit a shaft: bit s % 64 of word s / 64 of `any` is set iff shafts[s] keeps any bound; bits past the last shaft
-/// are zero. `any` has exactly words_for(shafts.size()) words.
-template <class Bound>
-SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                               std::span<std::uint64_t> any, const Excluding& excluding = {});
-
-/// kept_counts[s] becomes the number of bounds that shafts[s] keeps. One count for each shaft.
-template <class Bound>
-SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                 std::span<std::uint64_t> kept_counts, const Excluding& excluding = {});
-
-/// kept_counts[s] becomes count_at_most(shafts[s], tree, most, …). One count for each shaft.
-template <class Bound>
-SHAFTCULL_EXPORT void count_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                         std::size_t most, std::span<std::uint64_t> kept_counts,
-                                         const Excluding& excluding = {});
-
-/// counts[s] becomes count_classified(shafts[s], …). One for each shaft.
-template <class Bound>
-SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                            std::span<KeptCounts> counts, const Excluding& excluding = {});
-
-/// Leaf ranges in compressed sparse rows: those of shaft s are ranges[offsets[s] … offsets[s + 1]), ascending.
-struct LeafRangeLists {
-  std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<LeafRange> ranges;       ///< of all lists, one behind the other
-
-  /// How many lists there are: one for each shaft.
-  [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
-  /// `shaft` is below size(); not checked.
-  [[nodiscard]] std::span<const LeafRange> operator[](std::size_t shaft) const noexcept {
-    return {ranges.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
+  /// How many bounds there are.
+  [[nodiscard]] std::size_t size() const noexcept {
+    return std::visit(
+        [](const auto& from) {
+          if constexpr (requires { from->size(); }) {
+            return from->size();
+          } else {
+            return from.count;
+          }
+        },
+        from_);
   }
+
+ private:
+  friend struct BoundsAccess;  // the library reads what they refer to
+
+  std::variant<BoxView, SphereView, TriangleView, const BoxTree*, const SphereTree*, const TriangleTree*> from_;
+  std::span<const std::uint32_t> layers_{};
 };
 
-/// Lists what each shaft keeps, as indices or as leaf ranges. Reuses the memory of `lists`; if this throws, they are as
-/// they were or empty.
-template <class Bound>
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, IndexLists& lists,
-                                const Excluding& excluding = {});
-template <class Bound>
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                LeafRangeLists& lists, const Excluding& excluding = {});
+/// Numbers that a query reads: a span of the caller's, which must live as long as the query, or up to eight in braces,
+/// which are copied.
+class Numbers {
+ public:
+  static constexpr std::size_t most_in_braces = 8;  ///< more are named as a span, a vector or an array
 
-/// Writes for each shaft what list_at_most() writes, `most` indices or fewer: those of shaft s from kept[s * most] on,
-/// and how many they are to kept_counts[s]. The rest of each row may be overwritten with anything. `kept` has room for
-/// exactly `most` indices a shaft, and kept_counts for one count; the two share no memory.
-template <class Bound>
-SHAFTCULL_EXPORT void list_at_most_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                        std::size_t most, std::span<std::uint32_t> kept,
-                                        std::span<std::uint64_t> kept_counts, const Excluding& excluding = {});
+  constexpr Numbers() noexcept = default;
+  /// A vector, an array or a span.
+  template <class Range>
+    requires std::convertible_to<const Range&, std::span<const std::uint32_t>>
+  constexpr Numbers(const Range& numbers) noexcept  // NOLINT(google-explicit-constructor)
+      : given_(numbers) {}
+  /// Numbers in braces.
+  template <std::convertible_to<std::uint32_t>... Number>
+    requires(sizeof...(Number) != 0 && sizeof...(Number) <= most_in_braces)
+  constexpr Numbers(Number... number) noexcept  // NOLINT(google-explicit-constructor)
+      : in_braces_{static_cast<std::uint32_t>(number)...}, count_(sizeof...(Number)) {}
 
-/// Likewise, but bounds that overlap and bounds inside apart.
-template <class Bound>
-SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                           IndexLists& overlap, IndexLists& inside, const Excluding& excluding = {});
-template <class Bound>
-SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                           LeafRangeLists& overlap, LeafRangeLists& inside,
-                                           const Excluding& excluding = {});
+  /// All of them. Valid as long as this object, and what it refers to.
+  [[nodiscard]] constexpr std::span<const std::uint32_t> span() const noexcept {
+    return count_ == 0 ? given_ : std::span<const std::uint32_t>(in_braces_, count_);
+  }
 
-/// What one shaft keeps, as leaf ranges, for a callback. The ranges are the library's and valid during the callback
-/// only.
-struct KeptRanges {
-  std::size_t shaft;                ///< its position among those asked
-  std::span<const LeafRange> kept;  ///< what it keeps
+ private:
+  std::span<const std::uint32_t> given_{};
+  std::uint32_t in_braces_[most_in_braces];
+  std::size_t count_ = 0;
 };
 
-/// Likewise, but bounds that overlap and bounds inside apart.
-struct ClassifiedRanges {
-  std::size_t shaft;                   ///< its position among those asked
-  std::span<const LeafRange> overlap;  ///< what it keeps that is not inside
-  std::span<const LeafRange> inside;   ///< what is inside
-};
+/// The options of a query. Each works with every container, view or tree, of boxes, spheres or triangles, except where
+/// it says otherwise. A verb to which one means nothing refuses it by name.
+struct Query {
+  static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();  ///< all results
 
-/// Calls callback(KeptRanges) or callback(ClassifiedRanges) once for every shaft, one call at a time, in their
-/// order, while other threads go on with the next shafts. An exception of the callback ends the call and reaches the
-/// caller; shafts after it are not handed out. Ranges are ascending and each as long as can be. The callback runs on
-/// any thread of the arena (many.hpp). Throws InvalidArgument if it is empty. Allocates the ranges of eight shafts for
-/// each thread.
-template <class Bound>
-SHAFTCULL_EXPORT void for_each_kept(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                    FunctionRef<void(const KeptRanges&)> callback, const Excluding& excluding = {});
-template <class Bound>
-SHAFTCULL_EXPORT void for_each_classified(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree,
-                                          FunctionRef<void(const ClassifiedRanges&)> callback,
-                                          const Excluding& excluding = {});
+  /// Leaves these bounds out for all shafts, by index: a moving body itself, say. O(their number) for each group of
+  /// bounds that is found; exclude_mask is the option for very many.
+  Numbers exclude{};
+  /// Leaves out bounds of its own for each shaft: a row of indices a shaft, rows of equal length, one behind the other.
+  /// A shaft's own two objects, say.
+  std::span<const std::uint32_t> exclude_each{};
+  /// Leaves bound i out for all shafts if bit i % 64 of word i / 64 is set. Empty, or words_for(number of bounds)
+  /// words.
+  std::span<const std::uint64_t> exclude_mask{};
+  /// Leaves out every bound that is in none of these layers: layers & layer_mask == 0. One mask for all shafts or one
+  /// for each; empty: bounds are asked about whatever their layers. The bounds must have layers
+  /// (BoundsTree::set_layers(), or the second argument of Bounds). A tree passes over whole nodes.
+  Numbers layer_mask{};
+  /// Stops at so many results for each shaft, those that come first. Calls that count or list kept bounds, and
+  /// list_blocking(), take it.
+  std::size_t limit = no_limit;
+  /// Asks only about these bounds, by index: the candidates that a larger shaft kept, say. Lists keep their order. Not
+  /// given: all bounds are asked about. All verbs take it, except those of blocked.hpp. O(candidates) for each shaft. A
+  /// tree that was never updated by index looks up the leaf of every index at the first such query, O(size()), and
+  /// keeps that: 4 bytes a bound, so that call may throw std::bad_alloc. Calls for many shafts allocate a copy of the
+  /// candidates' bounds.
+  std::optional<std::span<const std::uint32_t>> only{};
+  /// How triangles are tested. Other bounds take the default alone.
+  TriangleTest triangle_test = TriangleTest::exact;
+};
 
 }  // namespace shaftcull

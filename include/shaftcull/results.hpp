@@ -1,26 +1,151 @@
 // SPDX-License-Identifier: MIT
-/// What calls answer, and the rule for results that do not fit.
+/// Results of queries: counts, bits, lists; and the rule for results that do not fit.
 ///
-/// A call that lists into a span of the caller's returns how many results there are, whether they fit or not. The first
-/// of them are written, as many as the span has room for; the others are counted only. So call again with as much room
-/// as the number returned, if that was more than there was. An empty span is legal: then the call counts. Room past the
-/// last result may be overwritten with anything.
+/// A call that lists into a span of the caller's returns the number of results, whether they fit or not. It writes the
+/// first of them, as many as fit, and only counts the others. If the number is larger than the span, call again with
+/// that much room. An empty span is legal: the call then counts. Room behind the last result may be overwritten.
 ///
-/// A call that lists into IndexLists or LeafRangeLists makes the room itself. A call that writes bits or a
-/// number for each shaft wants a span of exactly the right size, and throws InvalidArgument for any other.
+/// A call that lists into a vector or into IndexLists makes the room itself. A call that writes bits, or a number for
+/// each shaft, takes a span of exactly the right size, and throws InvalidArgument for any other.
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <vector>
 
 #include "shaftcull/export.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// How many of each answer there are. Kept are overlap + inside.
+/// The answer of a shaft for one bound.
+enum class Answer : std::uint8_t {
+  outside,  ///< no point of the bound is in the shaft
+  overlap,  ///< some points are, or the bound touches the shaft
+  inside,   ///< all points are
+};
+
+/// How many bounds there are of each answer. A shaft keeps overlap + inside.
 struct KeptCounts {
-  std::size_t overlap;  ///< not outside, and not inside either
-  std::size_t inside;   ///< inside the shaft entirely
+  std::size_t overlap;  ///< neither outside nor inside
+  std::size_t inside;   ///< entirely inside the shaft
   friend bool operator==(const KeptCounts&, const KeptCounts&) = default;
+};
+
+/// Bits of bounds, as cull() and its like write them: bit i % 64 of word i / 64 is bound i. Refers to words of the
+/// caller's. Iterating gives the indices of the bits that are set, ascending:
+///
+///     for (const std::size_t i : BitView(kept)) …
+class BitView {
+ public:
+  /// Walks over the set bits.
+  class Iterator {
+   public:
+    using value_type = std::size_t;             ///< an index
+    using difference_type = std::ptrdiff_t;     ///< unused
+    using iterator_category = std::input_iterator_tag;  ///< each value is made when it is read
+
+    constexpr Iterator() noexcept = default;
+    /// The index of the bit.
+    constexpr std::size_t operator*() const noexcept {
+      return word_ * 64 + static_cast<std::size_t>(std::countr_zero(left_));
+    }
+    constexpr Iterator& operator++() noexcept {
+      left_ &= left_ - 1;
+      skip_zeros();
+      return *this;
+    }
+    constexpr Iterator operator++(int) noexcept {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    friend constexpr bool operator==(const Iterator& a, const Iterator& b) noexcept {
+      return a.word_ == b.word_ && a.left_ == b.left_;
+    }
+
+   private:
+    friend class BitView;
+    constexpr Iterator(std::span<const std::uint64_t> words, std::size_t word) noexcept : words_(words), word_(word) {
+      if (word_ != words_.size()) left_ = words_[word_];
+      skip_zeros();
+    }
+    constexpr void skip_zeros() noexcept {
+      while (left_ == 0 && word_ != words_.size()) {
+        if (++word_ != words_.size()) left_ = words_[word_];
+      }
+    }
+
+    std::span<const std::uint64_t> words_{};
+    std::size_t word_ = 0;
+    std::uint64_t left_ = 0;
+  };
+
+  constexpr BitView() noexcept = default;
+  /// The bits of these words. Bits behind the last bound must be zero, as all calls leave them.
+  constexpr explicit BitView(std::span<const std::uint64_t> words) noexcept : words_(words) {}
+
+  /// Bit i, which is below 64 times the number of words; not checked.
+  [[nodiscard]] constexpr bool operator[](std::size_t i) const noexcept { return (words_[i / 64] >> i % 64 & 1) != 0; }
+  /// How many bits are set. O(words).
+  [[nodiscard]] constexpr std::size_t count() const noexcept {
+    std::size_t set = 0;
+    for (const std::uint64_t word : words_) set += static_cast<std::size_t>(std::popcount(word));
+    return set;
+  }
+  /// The first set bit, and the end of them.
+  [[nodiscard]] constexpr Iterator begin() const noexcept { return {words_, 0}; }
+  [[nodiscard]] constexpr Iterator end() const noexcept { return {words_, words_.size()}; }
+
+ private:
+  std::span<const std::uint64_t> words_{};
+};
+
+/// Index lists in compressed sparse rows: the list of shaft s is indices[offsets[s] … offsets[s + 1]).
+struct IndexLists {
+  std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
+  std::vector<std::uint32_t> indices;  ///< of all lists, one behind the other
+
+  /// Walks over the lists.
+  class Iterator {
+   public:
+    using value_type = std::span<const std::uint32_t>;  ///< a list
+    using difference_type = std::ptrdiff_t;             ///< unused
+    using iterator_category = std::input_iterator_tag;  ///< each value is made when it is read
+
+    Iterator() noexcept = default;
+    /// The list of a shaft.
+    std::span<const std::uint32_t> operator*() const noexcept { return (*lists_)[shaft_]; }
+    Iterator& operator++() noexcept {
+      ++shaft_;
+      return *this;
+    }
+    Iterator operator++(int) noexcept {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) noexcept { return a.shaft_ == b.shaft_; }
+
+   private:
+    friend struct IndexLists;
+    Iterator(const IndexLists& lists, std::size_t shaft) noexcept : lists_(&lists), shaft_(shaft) {}
+
+    const IndexLists* lists_ = nullptr;
+    std::size_t shaft_ = 0;
+  };
+
+  /// How many lists there are: one for each shaft.
+  [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
+  /// `shaft` is below size(); not checked.
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t shaft) const noexcept {
+    return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
+  }
+  /// The list of the first shaft, and the end of them.
+  [[nodiscard]] Iterator begin() const noexcept { return {*this, 0}; }
+  [[nodiscard]] Iterator end() const noexcept { return {*this, size()}; }
 };
 
 }  // namespace shaftcull

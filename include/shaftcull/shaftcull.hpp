@@ -18,7 +18,6 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/records.hpp"
-#include "shaftcull/refine.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/solids.hpp"

@@ -26,11 +26,9 @@
 /// that reads a coordinate of it that is not finite. A triangle with a coordinate that is not finite is answered by
 /// vertices even if the exact test is asked for.
 ///
-/// Verbs are those of cull.hpp, many.hpp and query.hpp; so are floating-point modes and flags, stack, threads, tasks
-/// and memory that runs out. Calls of one shaft allocate nothing, and those of many that write bits or numbers nothing
-/// but task memory of oneTBB. Before anything is written, they throw InvalidArgument for a shaft that was never formed
-/// or was formed without the answer outside, for a hull that is asked for the exact test, by its position; for a null
-/// view or span, a size that does not fit, and a `test` that is none of TriangleTest.
+/// Inside is a triangle whose three vertices are inside, as points: a shaft is convex. With open contact it must be kept,
+/// too. Verbs, options and errors are those of all bounds (cull.hpp, many.hpp, query.hpp); first contact and blocking are
+/// not asked of triangles.
 #pragma once
 
 #include <array>
@@ -40,9 +38,7 @@
 #include <span>
 
 #include "shaftcull/bounds.hpp"
-#include "shaftcull/compiled.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/many.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -158,8 +154,7 @@ class SHAFTCULL_EXPORT TriangleStream {
 /// Triangles in memory of its own, sorted so that neighbours in space are neighbours in memory, under a BoxTree of the
 /// boxes around each 32 of them, a *chunk*: dense meshes are passed over chunk by chunk. Answers equal those of a view.
 ///
-/// A tree is not updated: build it anew if triangles move, or update() a stream. It has no layers and leaves nothing
-/// out.
+/// A tree is not updated: build it again if triangles move, or update() a stream. It has no layers.
 ///
 /// Building sorts, O(n log n), in parallel, with some 80 bytes a triangle of memory on the way. The tree then holds 36
 /// bytes a triangle, 4 for its index, and less than one for boxes. It throws what TriangleStream throws, and
@@ -196,67 +191,5 @@ class SHAFTCULL_EXPORT TriangleTree {
   struct Parts;
   std::unique_ptr<Parts> parts_;  // null for a tree without triangles
 };
-
-// One shaft and a view. O(count).
-
-/// Sets bit i of `kept` iff triangle i is not outside; bits past the last one are zero. `kept` has exactly
-/// words_for(count of the view) words.
-SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const TriangleView& triangles, std::span<std::uint64_t> kept,
-                           TriangleTest test = TriangleTest::exact);
-/// How many triangles the shaft keeps.
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const TriangleView& triangles,
-                                                 TriangleTest test = TriangleTest::exact);
-/// Whether the shaft keeps any. Looks at triangles from the first on, in chunks of 512 at first and of 16,384 at most,
-/// and stops after the first chunk of which one is kept.
-[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const TriangleView& triangles,
-                                        TriangleTest test = TriangleTest::exact);
-/// Writes the indices of the triangles that the shaft keeps, ascending, and returns how many there are; results.hpp
-/// says what happens if they do not fit. Throws InvalidArgument if there are more triangles than 32-bit indices can
-/// tell apart.
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleView& triangles,
-                                                std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
-/// Whether the shaft keeps this one triangle. Some 100 ns.
-[[nodiscard]] SHAFTCULL_EXPORT bool cull(const CompiledShaft& shaft, const Triangle& triangle,
-                                         TriangleTest test = TriangleTest::exact);
-
-// Many shafts and a view, in parallel, as in many.hpp.
-
-/// Row s of `kept_rows`, words_for(count of the view) words, gets what cull(shafts[s], …) gives.
-SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                                std::span<std::uint64_t> kept_rows, TriangleTest test = TriangleTest::exact);
-/// kept_counts[s] becomes count(shafts[s], …). One count for each shaft.
-SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                                 std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
-/// Bit s of `any` is set iff shafts[s] keeps any triangle. `any` has words_for(shafts.size()) words.
-SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles,
-                               std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
-/// Lists what each shaft keeps, ascending. Reuses the memory of `lists`; if this throws, they are as they were or
-/// empty.
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const TriangleView& triangles, IndexLists& lists,
-                                TriangleTest test = TriangleTest::exact);
-
-// The same of a tree. Bits are by the user's index, in words_for(tree.size()) words a row. Lists hold the user's
-// indices, in tree order (order()). Errors and allocation as above; time grows with what is found.
-
-/// What the call of the same name says of a view, of a tree: bits by the user's index, lists of the user's indices in
-/// tree order.
-SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const TriangleTree& tree, std::span<std::uint64_t> kept,
-                           TriangleTest test = TriangleTest::exact);
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t count(const CompiledShaft& shaft, const TriangleTree& tree,
-                                                 TriangleTest test = TriangleTest::exact);
-/// Stops at the first chunk that holds a triangle which the shaft keeps.
-[[nodiscard]] SHAFTCULL_EXPORT bool any(const CompiledShaft& shaft, const TriangleTree& tree,
-                                        TriangleTest test = TriangleTest::exact);
-/// What the calls of the same names say of a view, of a tree.
-[[nodiscard]] SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const TriangleTree& tree,
-                                                std::span<std::uint32_t> kept, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
-                                std::span<std::uint64_t> kept_rows, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
-                                 std::span<std::uint64_t> kept_counts, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree,
-                               std::span<std::uint64_t> any, TriangleTest test = TriangleTest::exact);
-SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const TriangleTree& tree, IndexLists& lists,
-                                TriangleTest test = TriangleTest::exact);
 
 }  // namespace shaftcull
