@@ -8,13 +8,13 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <tuple>
 
 #include "compiled/moving_faces.hpp"
 #include "compiled/shaft_data.hpp"
 #include "flat/tiling.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/table.hpp"
+#include "query/bounds.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
@@ -24,13 +24,12 @@ namespace shaftcull::kernel {
   return tile.least[shaft.cut.stream] < shaft.cut.least || (shaft.cut.leaves_frame && tile.any_above);
 }
 
-/// The box around some bounds of a view, a bit larger: more or less where all are.
+/// The box around some bounds, a bit larger: more or less where all are.
 struct SampledBox {
   float face[6];
   bool exists;  ///< if not, there are hardly any bounds that are finite
 
-  template <class View>
-  explicit SampledBox(const View& bounds) noexcept {
+  explicit SampledBox(const BoundStreams& bounds) noexcept {
     constexpr std::size_t most = 64;
     constexpr std::size_t fewest = 8;
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -42,7 +41,7 @@ struct SampledBox {
       float corner[6];
       bool is_usable = true;
       for (unsigned k = 0; k < 3; ++k) {
-        if constexpr (std::tuple_size_v<decltype(View::stream)> == 6) {
+        if (bounds.kind == BoundKind::boxes) {
           corner[k] = bounds.stream[k][i];
           corner[k + 3] = bounds.stream[k + 3][i];
         } else {
@@ -74,9 +73,9 @@ struct GroupOnGrid {
   GridShaft shaft[group_shafts];  // not written if there is no frame
 
   /// For tests of `tested` of the bounds.
-  template <class View>
-  void form(const GridKernels& kernels, std::span<const ShaftData> shafts, const View& bounds, std::size_t tested,
-            bool spheres) noexcept {
+  void form(const GridKernels& kernels, std::span<const ShaftData> shafts, const BoundStreams& bounds,
+            std::size_t tested) noexcept {
+    const bool spheres = bounds.are_spheres();
     if (kernels.frame == nullptr || !kernels.pays(shafts.size(), tested)) return;
     bool any_endless = false;
     for (const ShaftData& data : shafts) any_endless = any_endless || data.is_endless();

@@ -14,7 +14,7 @@
 #include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/task_memory.hpp"
-#include "shaftcull/many.hpp"
+#include "shaftcull/results.hpp"
 #include "support/list_memory.hpp"
 
 namespace shaftcull::kernel {
@@ -38,9 +38,9 @@ inline void turn_into_positions(std::vector<std::uint64_t>& counts, std::size_t 
 
 /// Lists the bounds of a job of one kind, those kept, or of two: those that overlap and those inside. Indices of
 /// 32 bits tell them apart.
-template <std::size_t kinds, class Job>
-void list_rows(const Job& job, const std::array<IndexLists*, kinds>& lists) {
-  const Tiling tiling = Tiling::unordered(job.bounds(), job.shafts());
+template <std::size_t kinds>
+void list_rows(const BatchJob& job, const std::array<IndexLists*, kinds>& lists) {
+  const Tiling tiling = Tiling::unordered(job.bounds().count, job.shafts());
   std::array<std::vector<TaskList>, kinds> task_lists;
   std::array<std::vector<std::uint64_t>, kinds> positions;  // counts at first
   for (std::size_t kind = 0; kind != kinds; ++kind) {

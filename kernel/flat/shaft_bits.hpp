@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// One bit a shaft: a task tests its bounds tile by tile, each with those shafts only whose bit is not set yet.
+/// One bit for each shaft: a task tests its bounds tile by tile, each with those shafts only whose bit is not set yet.
 #pragma once
 
 #include <algorithm>
@@ -9,19 +9,17 @@
 #include <limits>
 #include <span>
 
+#include "flat/shaft_tests.hpp"
 #include "flat/tiling.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/shared_number.hpp"
-#include "shaftcull/streams.hpp"
 
 namespace shaftcull::kernel {
 
-/// Sets bit s, one of words_for(shafts) words, iff test(s, tile, bits) gives a bound a bit in some tile of the view. It
-/// writes words_for(tile.count) words.
-template <class View, class Test>
-void find_by_shaft(std::size_t shafts, const View& bounds, std::span<std::uint64_t> found_bits, const Test& test) {
+/// Sets bit s, one of words_for(shafts) words, iff shaft s keeps a bound.
+inline void find_by_shaft(const ShaftTests& tests, std::span<std::uint64_t> found_bits) {
   std::fill(found_bits.begin(), found_bits.end(), 0);
-  const Tiling tiling = Tiling::unordered(bounds.count, shafts);
+  const Tiling tiling = Tiling::unordered(tests.bounds().count, tests.shafts().size());
   static_assert(group_shafts == std::numeric_limits<std::uint64_t>::digits, "a group's bits are one word");
   parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
@@ -29,20 +27,19 @@ void find_by_shaft(std::size_t shafts, const View& bounds, std::span<std::uint64
     const std::uint64_t all = ~std::uint64_t{0} >> (group_shafts - group.size);
     const SharedNumber<std::uint64_t> found(found_bits[g]);
     for (std::size_t first = block.first; first != block.end();) {
-      const View tile = bounds.slice(first, std::min(float_tile_bounds, block.end() - first));
+      const std::size_t size = std::min(float_tile_bounds, block.end() - first);
       std::uint64_t found_here = 0;
       std::uint64_t left = all & ~found.load();
       if (left == 0) return;
       for (; left != 0; left &= left - 1) {
         const auto s = static_cast<std::size_t>(std::countr_zero(left));
         std::uint64_t bits[words_for(float_tile_bounds)];
-        test(group.first + s, tile, bits);
-        const bool is_any =
-            std::any_of(bits, bits + words_for(tile.count), [](std::uint64_t word) { return word != 0; });
+        tests.test_tile(group.first + s, first, size, bits);
+        const bool is_any = std::any_of(bits, bits + words_for(size), [](std::uint64_t word) { return word != 0; });
         found_here |= std::uint64_t{is_any} << s;
       }
       found.set_bits(found_here);
-      first += tile.count;
+      first += size;
     }
   });
 }

@@ -5,9 +5,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "kernels/table.hpp"
+#include "query/options.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/leaf_indices.hpp"
@@ -63,12 +63,10 @@ class LayerFilter {
 
 class Exclusion {
  public:
-  /// `own` and `mask` as in Excluding, for one shaft.
-  Exclusion(const LeafIndices& indices, std::span<const std::uint32_t> own, std::span<const std::uint64_t> mask,
-            const LayerFilter& layers) noexcept
-      : indices_(indices), own_(own), mask_(mask), layers_(layers) {}
+  Exclusion(const LeafIndices& indices, const ExcludedIndices& excluded, const LayerFilter& layers) noexcept
+      : indices_(indices), excluded_(excluded), layers_(layers) {}
 
-  [[nodiscard]] bool is_on() const noexcept { return layers_.is_on() || goes_by_index(); }
+  [[nodiscard]] bool is_on() const noexcept { return layers_.is_on() || excluded_.is_on(); }
 
   /// Leaves first … first + 63 will be asked about.
   SHAFTCULL_ALWAYS_INLINE void prefetch(std::size_t first) const noexcept {
@@ -78,7 +76,7 @@ class Exclusion {
   /// Of the word of leaves from `first` on, those of `asked` that are not left out.
   [[nodiscard]] std::uint64_t leaves(std::size_t first, std::uint64_t asked) const noexcept {
     if (layers_.is_on()) asked = layers_.leaves(first, asked);
-    return goes_by_index() ? asked & ~left_out_by_index(first, asked) : asked;
+    return excluded_.is_on() ? asked & ~left_out_by_index(first, asked) : asked;
   }
   /// Of a word of entries of level k, from `first` on, those of `asked` below which something is not left out. It may
   /// keep others.
@@ -87,22 +85,16 @@ class Exclusion {
   }
 
  private:
-  [[nodiscard]] bool goes_by_index() const noexcept { return !own_.empty() || !mask_.empty(); }
-
   [[nodiscard]] std::uint64_t left_out_by_index(std::size_t first, std::uint64_t asked) const noexcept {
     std::uint64_t out = 0;
     for (std::uint64_t left = asked; left != 0; left &= left - 1) {
-      const std::uint32_t index = indices_[first + static_cast<std::size_t>(std::countr_zero(left))];
-      bool is_out = !mask_.empty() && (mask_[index / 64] >> index % 64 & 1) != 0;
-      for (const std::uint32_t own : own_) is_out |= own == index;
-      if (is_out) out |= left & -left;
+      if (excluded_.has(indices_[first + static_cast<std::size_t>(std::countr_zero(left))])) out |= left & -left;
     }
     return out;
   }
 
   LeafIndices indices_;
-  std::span<const std::uint32_t> own_;
-  std::span<const std::uint64_t> mask_;
+  ExcludedIndices excluded_;
   LayerFilter layers_;
 };
 

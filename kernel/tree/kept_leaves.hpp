@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "query/outputs.hpp"
 #include "tree/leaf_indices.hpp"
-#include "tree/outputs.hpp"
 
 namespace shaftcull::kernel {
 

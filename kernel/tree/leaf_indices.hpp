@@ -21,8 +21,8 @@ class LeafIndices {
   /// `prefetches` as TreeLevels::is_worth_prefetching().
   LeafIndices(std::span<const std::uint32_t> order, bool prefetches, const Kernels& kernels) noexcept
       : order_(order.data()),
-        in_whole_words_(order.size() / fanout * fanout),
-        prefetched_(prefetches ? in_whole_words_ : 0),
+        size_(order.size()),
+        prefetched_(prefetches ? order.size() / fanout * fanout : 0),
         compress_(kernels.compress_indices) {}
 
   [[nodiscard]] std::uint32_t operator[](std::size_t leaf) const noexcept { return order_[leaf]; }
@@ -42,7 +42,7 @@ class LeafIndices {
   /// Writes those of the leaves `first` + i, for every set bit i, ascending. `out` must have space for 64, all of which
   /// may be overwritten. Returns how many.
   std::size_t compress(std::size_t first, std::uint64_t bits, std::uint32_t* out) const noexcept {
-    if (first < in_whole_words_) return compress_(order_ + first, bits, out);
+    if (first + fanout <= size_) return compress_(order_ + first, bits, out);
     return compress_exactly(first, bits, out);
   }
   /// The same, but nothing past them is overwritten.
@@ -54,8 +54,8 @@ class LeafIndices {
 
  private:
   const std::uint32_t* order_;
-  std::size_t in_whole_words_;  // leaves before this one are in whole words, which vectors may read to their end
-  std::size_t prefetched_;      // leaves before this one are worth prefetching
+  std::size_t size_;        // vectors do not read past it
+  std::size_t prefetched_;  // leaves before this one are worth prefetching
   CompressIndices* compress_;
 };
 

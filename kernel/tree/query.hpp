@@ -2,83 +2,115 @@
 /// A checked question to a tree.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "kernels/table.hpp"
-#include "shaftcull/query.hpp"
-#include "support/arguments.hpp"
+#include "query/options.hpp"
+#include "query/question.hpp"
+#include "shaftcull/first_contact.hpp"
 #include "support/float_environment.hpp"
 #include "tree/access.hpp"
 #include "tree/exclusion.hpp"
+#include "tree/triangle_parts.hpp"
 #include "tree/visitors.hpp"
 #include "tree/walk.hpp"
 
 namespace shaftcull::kernel {
 
-/// Shafts in a task: some ten to hundreds of microseconds.
-inline constexpr std::size_t task_shafts = 16;
-
-template <class Bound>
-class Query {
+/// Of any tree. Everything is checked by who makes it.
+class TreeQuery {
  public:
-  /// Throws NeedsRefit and InvalidArgument as shaftcull/query.hpp says.
-  Query(std::span<const CompiledShaft> shafts, const BoundsTree<Bound>& tree, Question question,
-        const Excluding& excluding);
+  TreeQuery(const TreeQuery&) = delete;
+  TreeQuery& operator=(const TreeQuery&) = delete;
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] std::size_t size() const noexcept { return parts_.size; }
-  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(parts_.size); }
+  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(order_.size()); }
   [[nodiscard]] const Kernels& kernels() const noexcept { return kernels_; }
-  [[nodiscard]] LeafIndices indices() const noexcept { return {parts_.order, parts_.is_worth_prefetching(), kernels_}; }
+  [[nodiscard]] Question question() const noexcept { return question_; }
+  [[nodiscard]] LeafIndices indices() const noexcept { return {order_, prefetches_, kernels_}; }
 
-  /// Throws InvalidArgument if `output`, called `name` in the message, is memory that excludes bounds.
-  void require_apart(const char* call, const char* name, std::span<const std::byte> output) const;
-
-  /// What is left out for shaft s.
-  [[nodiscard]] Exclusion exclusion(std::size_t s) const noexcept {
-    return {indices(), own_.subspan(s * own_per_shaft_, own_per_shaft_), mask_, layer_filter(s)};
-  }
-
-  /// Returns use(walk) of a walk of another kind that looks for what shaft s keeps: of its class, made of the tree, the
-  /// kernels, the shaft and what is left out.
-  template <class OtherWalk, class Use>
-  auto walk_with(std::size_t s, const Use& use) const {
-    return in_float_environment([&] {
-      OtherWalk walk(parts_, kernels_, shafts_[s], exclusion(s));
-      return use(walk);
-    });
-  }
-
-  /// Gives the visitor (tree/visitors.hpp) what shaft s keeps.
+  /// Gives the visitor (tree/visitors.hpp) the bounds that shaft s keeps and that are not left out.
   template <class Visitor>
   void walk(std::size_t s, Visitor& visitor) const {
     WordByWord<Visitor> words(visitor);
     walk_leaves(s, words, WordByWord<Visitor>::traits);
   }
 
- private:
-  void walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const;
+ protected:
+  TreeQuery(std::span<const ShaftData> shafts, std::span<const std::uint32_t> order, bool prefetches, Question question,
+            const Options& options, const Kernels& kernels) noexcept
+      : shafts_(shafts),
+        order_(order),
+        kernels_(kernels),
+        options_(options),
+        question_(question),
+        prefetches_(prefetches) {}
+  ~TreeQuery() = default;
 
+  [[nodiscard]] const ShaftData& shaft(std::size_t s) const noexcept { return shafts_[s]; }
+  [[nodiscard]] const Options& options() const noexcept { return options_; }
+
+ private:
+  virtual void walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const = 0;
+
+  std::span<const ShaftData> shafts_;
+  std::span<const std::uint32_t> order_;
+  const Kernels& kernels_;
+  const Options& options_;
+  Question question_;
+  bool prefetches_;
+};
+
+/// Of a tree of boxes or spheres.
+template <class Bound>
+class BoundsQuery final : public TreeQuery {
+ public:
+  BoundsQuery(std::span<const ShaftData> shafts, const BoundsTree<Bound>& tree, Question question,
+              const Options& options, const Kernels& kernels) noexcept
+      : BoundsQuery(shafts, TreeAccess::parts(tree) == nullptr ? empty_ : *TreeAccess::parts(tree), question, options,
+                    kernels) {}
+
+  [[nodiscard]] FirstContact first_contact(std::size_t s) const noexcept;
+
+ private:
+  BoundsQuery(std::span<const ShaftData> shafts, const TreeParts<Bound>& parts, Question question,
+              const Options& options, const Kernels& kernels) noexcept
+      : TreeQuery(shafts, parts.order, parts.is_worth_prefetching(), question, options, kernels), parts_(parts) {}
+
+  void walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const override;
+
+  /// The bounds that shaft s does not ask about.
+  [[nodiscard]] Exclusion exclusion(std::size_t s) const noexcept {
+    return {indices(), options().excluded(s), layer_filter(s)};
+  }
   /// One that is off if shaft s asks for layers that all bounds are in.
   [[nodiscard]] LayerFilter layer_filter(std::size_t s) const noexcept {
-    if (only_layers_.empty()) return {};
-    const std::uint32_t mask = only_layers_[only_layers_.size() == 1 ? 0 : s];
-    if (parts_.layers.are_all_in(mask)) return {};
-    return {parts_.layers, parts_.level.data(), mask, kernels_};
+    const std::optional<std::uint32_t> mask = options().layers(s);
+    if (!mask || parts_.layers.are_all_in(*mask)) return {};
+    return {parts_.layers, parts_.level.data(), *mask, kernels()};
   }
 
   inline static const TreeParts<Bound> empty_{};
-  std::span<const ShaftData> shafts_;
   const TreeParts<Bound>& parts_;
-  const Kernels& kernels_;
-  Question question_;
-  std::span<const std::uint32_t> own_;
-  std::size_t own_per_shaft_;
-  std::span<const std::uint64_t> mask_;
-  std::span<const std::uint32_t> only_layers_;
 };
 
-extern template class Query<Box>;
-extern template class Query<Sphere>;
+extern template class BoundsQuery<Box>;
+extern template class BoundsQuery<Sphere>;
+
+/// Of a tree of triangles: of the tree of boxes around chunks of them, and then of the triangles of a chunk.
+class TriangleQuery final : public TreeQuery {
+ public:
+  TriangleQuery(std::span<const ShaftData> shafts, const TriangleTree& tree, Question question, const Options& options,
+                const Kernels& kernels) noexcept
+      : TreeQuery(shafts, TriangleTreeAccess::parts(tree).order, false, question, options, kernels),
+        parts_(TriangleTreeAccess::parts(tree)) {}
+
+ private:
+  void walk_leaves(std::size_t s, LeafVisitor& visitor, const VisitorTraits& traits) const override;
+
+  const TriangleParts& parts_;
+};
 
 }  // namespace shaftcull::kernel

@@ -11,6 +11,7 @@
 #include "shaftcull/tree.hpp"
 #include "shaftcull/triangles.hpp"
 #include "support/index_range.hpp"
+#include "tree/leaf_places.hpp"
 #include "tree/tree_array.hpp"
 
 namespace shaftcull::kernel {
@@ -19,6 +20,7 @@ namespace shaftcull::kernel {
 struct TriangleParts {
   TriangleStream triangles;        ///< chunk after chunk, in the tree order of their boxes
   TreeArray<std::uint32_t> order;  ///< triangle → the user's index
+  LeafPlaces places;               ///< the user's index → triangle
   BoxTree chunks;
   std::size_t short_chunk = 0;  ///< the leaf of the chunk that may have fewer triangles than others
   std::size_t missing = 0;      ///< so many fewer

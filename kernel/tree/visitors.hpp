@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-/// What becomes of the leaves that a walk finds: bits, counts, lists of indices, lists of leaf ranges.
+/// Results of the leaves that a walk finds: bits, counts, lists of indices.
 #pragma once
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <optional>
 
-#include "shaftcull/query.hpp"
+#include "query/outputs.hpp"
+#include "shaftcull/results.hpp"
 #include "support/compiler.hpp"
 #include "tree/kept_leaves.hpp"
 #include "tree/leaf_indices.hpp"
-#include "tree/outputs.hpp"
 #include "tree/walk.hpp"
 
 namespace shaftcull::kernel {
@@ -66,38 +66,6 @@ class KeptLeavesList {
   KeptLeavesOutput& output_;
 };
 
-/// Leaves as ranges, each as long as can be.
-template <class Output>
-class LeafRangeList {
- public:
-  static constexpr bool reads_indices = false;
-
-  LeafRangeList(const LeafIndices& /*indices*/, Output& output) noexcept : output_(output) {}
-
-  void bits(std::size_t first, std::uint64_t bits) {
-    while (bits != 0) {
-      const int start = std::countr_zero(bits);
-      const int size = std::countr_one(bits >> start);
-      range(first + static_cast<std::size_t>(start), static_cast<std::size_t>(size));
-      if (start + size == 64) return;
-      bits &= ~std::uint64_t{0} << (start + size);
-    }
-  }
-  void range(std::size_t first, std::size_t size) {
-    // The end is remembered here: a span may have had no room for the range.
-    if (first == end_ && end_ != 0) {
-      if (LeafRange* const last = output_.last()) last->size += static_cast<std::uint32_t>(size);
-    } else {
-      output_.push({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(size)});
-    }
-    end_ = first + size;
-  }
-
- private:
-  Output& output_;
-  std::size_t end_ = 0;
-};
-
 /// Leaves as bits by the user's index, which are all zero at first.
 class IndexBits {
  public:
@@ -133,41 +101,77 @@ class Finder {
   bool found_ = false;
 };
 
-/// Visitor that counts what is kept, and ends the walk at `most` or somewhat later.
+/// Visitor that counts kept leaves, and ends the walk at `limit` or somewhat later.
 class LimitedCounter {
  public:
-  explicit LimitedCounter(std::size_t most) noexcept : most_(most) {}
+  explicit LimitedCounter(std::size_t limit) noexcept : limit_(limit) {}
 
   void word(std::size_t /*first*/, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
     count_ += static_cast<std::size_t>(std::popcount(kept));
   }
   void range(std::size_t /*first*/, std::size_t size) noexcept { count_ += size; }
-  [[nodiscard]] bool is_done() const noexcept { return count_ >= most_; }
-  /// At most `most`.
-  [[nodiscard]] std::size_t count() const noexcept { return std::min(count_, most_); }
+  [[nodiscard]] bool is_done() const noexcept { return count_ >= limit_; }
+  /// At most `limit`.
+  [[nodiscard]] std::size_t count() const noexcept { return std::min(count_, limit_); }
 
  private:
-  std::size_t most_;
+  std::size_t limit_;
   std::size_t count_ = 0;
 };
 
-/// Visitor that lists what is kept, and ends the walk when the caller's memory is full.
+/// Visitor that lists kept leaves, the first `limit` of them, and then ends the walk.
 template <class List>
 class LimitedLister {
  public:
   static constexpr bool reads_indices = List::reads_indices;
 
-  LimitedLister(const List& kept, const SpanOutput<std::uint32_t>& output, std::size_t most) noexcept
-      : kept_(kept), output_(output), most_(most) {}
+  LimitedLister(const List& kept, std::size_t limit) noexcept : kept_(kept), left_(limit) {}
 
-  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) { kept_.bits(first, kept); }
-  void range(std::size_t first, std::size_t size) { kept_.range(first, size); }
-  [[nodiscard]] bool is_done() const noexcept { return output_.count() >= most_; }
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) {
+    auto set = static_cast<std::size_t>(std::popcount(kept));
+    if (set > left_) {
+      std::uint64_t rest = kept;
+      for (std::size_t i = 0; i != left_; ++i) rest &= rest - 1;
+      kept &= ~rest;
+      set = left_;
+    }
+    kept_.bits(first, kept);
+    left_ -= set;
+  }
+  void range(std::size_t first, std::size_t size) {
+    if (size <= left_) {
+      kept_.range(first, size);
+      left_ -= size;
+    } else {
+      for (; left_ != 0; first += fanout) word(first, ~std::uint64_t{0}, 0);
+    }
+  }
+  [[nodiscard]] bool is_done() const noexcept { return left_ == 0; }
 
  private:
   List kept_;
-  const SpanOutput<std::uint32_t>& output_;  // of `kept`
-  std::size_t most_;
+  std::size_t left_;
+};
+
+/// Visitor that takes the first kept leaf in tree order, and then ends the walk.
+class FirstFinder {
+ public:
+  static constexpr bool reads_indices = true;
+
+  explicit FirstFinder(const LeafIndices& indices) noexcept : indices_(indices) {}
+
+  void word(std::size_t first, std::uint64_t kept, std::uint64_t /*inside*/) noexcept {
+    if (kept != 0 && !found_) found_ = indices_[first + static_cast<std::size_t>(std::countr_zero(kept))];
+  }
+  void range(std::size_t first, std::size_t /*size*/) noexcept {
+    if (!found_) found_ = indices_[first];
+  }
+  [[nodiscard]] bool is_done() const noexcept { return found_.has_value(); }
+  [[nodiscard]] const std::optional<std::uint32_t>& found() const noexcept { return found_; }
+
+ private:
+  LeafIndices indices_;
+  std::optional<std::uint32_t> found_;
 };
 
 /// Visitor that counts what overlaps and what is inside.
@@ -303,6 +307,15 @@ class WordByWord final : public LeafVisitor {
         visitor_.word(std::size_t{word[i]} * fanout, kept[i], inside != nullptr ? inside[i] : 0);
         if (is_done()) return false;
       }
+    }
+    return !is_done();
+  }
+  bool word(std::size_t first, std::uint64_t kept, std::uint64_t inside) override {
+    if constexpr (requires { visitor_.word(first, kept, inside); }) {
+      visitor_.word(first, kept, inside);
+    } else {
+      static constexpr std::uint32_t somewhere = 0;  // visitors of many words at once do not ask where they are
+      visitor_.words({&somewhere, &kept, &inside, 1});
     }
     return !is_done();
   }

@@ -13,20 +13,13 @@
 #include "compiled/contact.hpp"
 #include "compiled/with_planes.hpp"
 #include "kernels/table.hpp"
+#include "query/question.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/exclusion.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
-
-/// What a walk is asked. For Question::inside alone a visitor is told, all the same, what is kept. For
-/// Question::blocking, of boxes only, *kept* are those that block the shaft.
-enum class Question : std::uint8_t { kept, kept_and_inside, inside, blocking };
-
-[[nodiscard]] constexpr bool asks_for_inside(Question question) noexcept {
-  return question == Question::kept_and_inside || question == Question::inside;
-}
 
 /// Words of leaves that a walk has found: of the leaves 64 · word[i] … 64 · word[i] + 63, kept[i] are kept and
 /// inside[i] inside, maybe none. `inside` is null for Question::kept and Question::blocking.
@@ -40,8 +33,10 @@ struct FoundWords {
 /// What becomes of the leaves that a walk finds. Is given all that the shaft keeps, in tree order.
 class LeafVisitor {
  public:
-  /// Both return whether the walk goes on.
+  /// All return whether the walk goes on.
   virtual bool words(const FoundWords& found) = 0;
+  /// Up to 64 things from position `first` on, any position. For walks whose leaves are boxes around them.
+  virtual bool word(std::size_t first, std::uint64_t kept, std::uint64_t inside) = 0;
   /// Leaves that are all inside, whole words.
   virtual bool range(std::size_t first, std::size_t size) = 0;
 

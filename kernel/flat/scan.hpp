@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// One shaft against bounds in streams, chunk by chunk, whose bits stay on the stack.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "compiled/with_planes.hpp"
+#include "flat/candidates.hpp"
+#include "flat/left_out.hpp"
+#include "kernels/table.hpp"
+#include "query/bound_test.hpp"
+#include "query/options.hpp"
+#include "query/outputs.hpp"
+#include "shaftcull/first_contact.hpp"
+#include "shaftcull/results.hpp"
+
+namespace shaftcull::kernel {
+
+/// What a scan reads. Checked by who makes it.
+struct ScannedBounds {
+  BoundStreams streams;
+  const std::uint32_t* layers;                               ///< by position; null if there are none
+  std::optional<std::span<const std::uint32_t>> candidates;  ///< the bounds asked about, by index; all if not given
+  Positions position;                                        ///< of candidates in the streams
+};
+
+/// A checked question of one shaft. Its answers are those of shaftcull/cull.hpp.
+class Scan {
+ public:
+  /// `s` is the position of the shaft among those that `options` are of.
+  Scan(const ShaftData& shaft, const ScannedBounds& bounds, Question question, const Options& options, std::size_t s,
+       const Kernels& kernels) noexcept;
+  Scan(const Scan&) = delete;
+  Scan& operator=(const Scan&) = delete;
+
+  /// Writes bits of all bounds, by index. For Question::inside `kept` is null, for Question::kept `inside`.
+  void write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept;
+  [[nodiscard]] std::size_t count(std::size_t limit) const noexcept;
+  [[nodiscard]] KeptCounts count_classified() const noexcept;
+  /// Writes indices of kept bounds, `limit` at most, and returns how many there are.
+  std::size_t list(std::span<std::uint32_t> kept, std::size_t limit) const noexcept;
+  void list(GrowingOutput<std::uint32_t>& kept, std::size_t limit) const;
+  KeptCounts list_classified(std::span<std::uint32_t> overlap, std::span<std::uint32_t> inside) const noexcept;
+  [[nodiscard]] bool any() const noexcept;
+  /// The first index that list() writes.
+  [[nodiscard]] std::optional<std::uint32_t> first_kept() const noexcept;
+  /// Of boxes or spheres.
+  [[nodiscard]] FirstContact first_contact() const noexcept;
+
+ private:
+  template <class Visit>
+  void for_each_chunk(std::size_t chunk, const Visit& visit) const;
+  template <class Visit>
+  void for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const;
+  template <class Visit>
+  void for_each_chunk_of_candidates(const Visit& visit) const;
+  template <class View>
+  [[nodiscard]] FirstContact first_contact_of() const noexcept;
+
+  [[nodiscard]] std::uint32_t index_of(std::size_t i) const noexcept {
+    return bounds_.candidates ? (*bounds_.candidates)[i] : static_cast<std::uint32_t>(i);
+  }
+
+  BoundTest test_;
+  WithPlanes shaft_;  // completed once, not chunk by chunk
+  ScannedBounds bounds_;
+  LeftOut left_out_;
+  const Kernels& kernels_;
+  Question question_;
+};
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+/// The verbs for one shaft (shaftcull/cull.hpp).
+#include "shaftcull/cull.hpp"
+#include "support/arguments.hpp"
+#include "tree/answers.hpp"
+#include "verbs/asked.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+using kernel::Asked;
+using kernel::bytes_of;
+using kernel::Question;
+using kernel::TreeQuery;
+
+constexpr kernel::Takes candidates{};
+constexpr kernel::Takes limit_and_candidates{.limit = true};
+
+/// Bits of bounds, called `name` in messages, have exactly the right size, and memory of their own.
+void require_bits(const Asked& asked, const char* name, std::span<const std::uint64_t> words) {
+  kernel::require_words(name, words, asked.size());
+  asked.options().require_apart(name, bytes_of(words));
+}
+
+/// Indices, called `name` in messages, may be written there.
+void require_indices(const Asked& asked, const char* name, std::span<const std::uint32_t> indices,
+                     bool may_begin_at_only) {
+  asked.require_index_width();
+  kernel::require_memory(name, indices, "indices");
+  asked.options().require_apart(name, bytes_of(indices), may_begin_at_only);
+}
+
+void write_bits(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) {
+  if (const TreeQuery* const walks = asked.walks()) return kernel::write_bits(*walks, 0, kept, inside);
+  asked.scan(0).write_bits(kept, inside);
+}
+
+}  // namespace
+
+void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept, const Query& query) {
+  const Asked asked("cull", {&shaft, 1}, bounds, Question::kept, query, candidates);
+  require_bits(asked, "kept", kept);
+  write_bits(asked, kept.data(), nullptr);
+}
+
+void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
+              std::span<std::uint64_t> inside, const Query& query) {
+  const bool wants_kept = !kept.empty();
+  const Asked asked("classify", {&shaft, 1}, bounds, wants_kept ? Question::kept_and_inside : Question::inside, query,
+                    candidates);
+  if (wants_kept) require_bits(asked, "kept", kept);
+  require_bits(asked, "inside", inside);
+  kernel::require_apart("classify", "kept", bytes_of(kept), "inside", bytes_of(inside));
+  write_bits(asked, wants_kept ? kept.data() : nullptr, inside.data());
+}
+
+std::size_t count(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
+  const Asked asked("count", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
+  const std::size_t limit = asked.options().limit();
+  if (const TreeQuery* const walks = asked.walks()) return kernel::count(*walks, 0, limit);
+  return asked.scan(0).count(limit);
+}
+
+KeptCounts count_classified(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
+  const Asked asked("count_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, candidates);
+  if (const TreeQuery* const walks = asked.walks()) return kernel::count_classified(*walks, 0);
+  return asked.scan(0).count_classified();
+}
+
+std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
+  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
+  require_indices(asked, "kept", kept, true);
+  const std::size_t limit = asked.options().limit();
+  if (const TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, kept, limit);
+  return asked.scan(0).list(kept, limit);
+}
+
+KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> overlap,
+                           std::span<std::uint32_t> inside, const Query& query) {
+  const Asked asked("list_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, candidates);
+  require_indices(asked, "overlap", overlap, false);
+  require_indices(asked, "inside", inside, false);
+  kernel::require_apart("list_classified", "overlap", bytes_of(overlap), "inside", bytes_of(inside));
+  if (const TreeQuery* const walks = asked.walks()) return kernel::list_classified(*walks, 0, overlap, inside);
+  return asked.scan(0).list_classified(overlap, inside);
+}
+
+bool any(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
+  const Asked asked("any", {&shaft, 1}, bounds, Question::kept, query, candidates);
+  if (const TreeQuery* const walks = asked.walks()) return kernel::any(*walks, 0);
+  return asked.scan(0).any();
+}
+
+}  // namespace shaftcull
