@@ -6,8 +6,9 @@
 ///
 /// Objects. A *shaft* is an entry of an array, shaftcull_shafts, which aligns its memory itself. *Bounds*,
 /// shaftcull_bounds, are boxes, spheres or triangles, in one of three holders: a view of the caller's own memory, a
-/// stream that owns a checked and aligned copy, or a tree. Every question takes bounds of any holder and gives the same
-/// answer. Each object is made by a function that says so, and freed by the one that has its type's name and `_free`.
+/// stream that owns a checked and aligned copy, or a tree. Every question takes bounds of any holder, with the same
+/// options, and gives the same answer. Each object is made by a function that says so, and freed by the one that has
+/// its type's name and `_free`.
 ///
 /// Positions in messages of calls for some shafts of an array count from the first of these.
 ///
@@ -20,13 +21,13 @@
 /// Every such function can return SHAFTCULL_OUT_OF_MEMORY if it allocates, its message included.
 ///
 /// Threads. Whatever takes an object as `const` may be called from many threads at once. Whatever takes it without may
-/// not, while another thread uses that object. Different objects are independent. The functions named `…_many` and
-/// `…_for_each…`, and those that build and update trees, run in parallel on oneTBB if the library was built with it.
-/// They may be called from tasks of the caller's own. No call takes more than 64 KiB of the stack.
+/// not, while another thread uses that object. Different objects are independent. The functions named `…_many`, and
+/// those that build and update trees, run in parallel on oneTBB if the library was built with it. They may be called
+/// from tasks of the caller's own. No call takes more than 64 KiB of the stack.
 ///
 /// Allocation. Questions of one shaft allocate nothing, unless they say so. Those of many shafts that write bits or
 /// numbers allocate what oneTBB needs for tasks; if there is no memory for that, what they were to write holds
-/// anything.
+/// anything. shaftcull_query says what candidates take.
 ///
 /// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_words_for(count) words hold them; the call wants
 /// exactly so many. Bits past the last bound are zero. Rows of many shafts are one behind the other. Lists: a call
@@ -152,12 +153,6 @@ typedef struct shaftcull_kept_counts {
   uint64_t inside;  /* inside entirely */
 } shaftcull_kept_counts;
 
-/// Leaves [first, first + size) of a tree: the bounds whose indices stand there in its order (shaftcull_tree_order()).
-typedef struct shaftcull_leaf_range {
-  uint64_t first; /* the first leaf */
-  uint64_t size;  /* how many leaves */
-} shaftcull_leaf_range;
-
 /// What a moving box reaches first, and when; the time is rounded down. Nothing: SHAFTCULL_NONE, +∞ and 0.
 typedef struct shaftcull_contact_found {
   uint64_t index; /* of the bound */
@@ -240,12 +235,6 @@ SHAFTCULL_API shaftcull_status shaftcull_inflated(const shaftcull_box* box, floa
 /// have to be transposed. Refuses a matrix that is not finite or leaves nothing in view. O(1).
 SHAFTCULL_API shaftcull_status shaftcull_view_planes(const float matrix[16], shaftcull_clip_depth depth,
                                                      shaftcull_plane planes[6], uint64_t* count);
-
-/// Clears the bits of bounds that are in none of some layers: bit i stays set only if layers[i] & only_layers is not 0.
-/// `bits` has `words` words, which must be shaftcull_words_for(count); `layers` has `count` entries and shares no
-/// memory with them. For answers of a view or stream; a tree is asked by shaftcull_query.only_layers. O(count).
-SHAFTCULL_API shaftcull_status shaftcull_keep_layers(uint64_t* bits, uint64_t words, const uint32_t* layers,
-                                                     uint64_t count, uint32_t only_layers);
 
 /* ---- One formed shaft, with its planes ---- */
 
@@ -387,9 +376,9 @@ enum {
   SHAFTCULL_SOURCE_BOUNDS = 6     /* `bounds`: all of a view or stream, or the leaves of a tree, in its order */
 };
 
-/// Bounds in the caller's memory, for a call to read. Record i is at byte `first + i * stride`, and likewise for
-/// `second`: any stride, any alignment. So members of the caller's own structs can be named. Nothing is kept: memory
-/// need not outlive the call. Fields that the kind does not name must be 0.
+/// Bounds in the caller's memory, for a call to read. Record i is at byte `first + i * stride`, and at
+/// `second + i * stride`: any stride, any alignment. So members of the caller's own structs can be named. Nothing is
+/// kept: memory need not outlive the call. Fields that the kind does not name must be 0.
 typedef struct shaftcull_source {
   shaftcull_source_kind kind;     /* which of the following fields are read */
   uint32_t reserved;              /* 0 */
@@ -421,12 +410,13 @@ SHAFTCULL_API shaftcull_source shaftcull_source_of(const shaftcull_bounds* bound
 
 /// A view of `count` bounds in the caller's memory, as separate streams of `count` floats each. Boxes have 6: lo x, y,
 /// z, hi x, y, z. Spheres have 4: centre x, y, z, radius. Triangles have 9: x, y, z of vertex 0, then 1, then 2. The
-/// memory must outlive the view's use; values are read anew by each question and never checked. With a count of 0
-/// streams may be NULL. Freed by shaftcull_bounds_free(). O(1).
+/// memory must outlive the view's use; each question reads the values as they are then, and never checks them. With a
+/// count of 0 streams may be NULL. Freed by shaftcull_bounds_free(). O(1).
 SHAFTCULL_API shaftcull_status shaftcull_view_create(shaftcull_bound_kind kind, const float* const* streams,
                                                      uint64_t count, shaftcull_bounds** bounds);
 
-/// Points a view at other memory, of the same kind of bounds. O(1); no allocation.
+/// Points a view at other memory, of the same kind of bounds. Layers stay those that they are: set them again, or clear
+/// them, if the count is another one. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_view_set(shaftcull_bounds* view, const float* const* streams, uint64_t count);
 
 /// A stream of the bounds of a source. SHAFTCULL_BAD_BOUND for the first that has a NaN, lo > hi, a negative radius or
@@ -441,11 +431,11 @@ SHAFTCULL_API shaftcull_status shaftcull_stream_create_empty(shaftcull_bound_kin
 
 /// Replaces the bounds of a stream from `first` on by those of a source, which must be of its kind and not lie in its
 /// own memory. The range must lie within the stream. Errors as shaftcull_stream_create(). O(count of the source); no
-/// allocation but for SHAFTCULL_SOURCE_TRIANGLES. Disjoint ranges may be updated by several threads at once.
+/// allocation, except for SHAFTCULL_SOURCE_TRIANGLES. Disjoint ranges may be updated by several threads at once.
 SHAFTCULL_API shaftcull_status shaftcull_stream_update(shaftcull_bounds* stream, uint64_t first,
                                                        const shaftcull_source* source);
 
-/// A copy: of a view another view of the same memory, of all else a deep one, O(count). Freed by
+/// A copy, layers included: of a view another view of the same memory, of all else a deep one. O(count). Freed by
 /// shaftcull_bounds_free().
 SHAFTCULL_API shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull_bounds** copy);
 
@@ -455,11 +445,11 @@ SHAFTCULL_API void shaftcull_bounds_free(shaftcull_bounds* bounds);
 /// What bounds are and how much memory they hold.
 typedef struct shaftcull_bounds_info {
   uint64_t count;            /* of bounds */
-  uint64_t memory_bytes;     /* that the library holds, padding included: 0 of a view */
+  uint64_t memory_bytes;     /* that the library holds, padding included: of a view those of layers alone */
   shaftcull_bound_kind kind; /* what they are */
   shaftcull_holder holder;   /* what holds them */
   uint32_t needs_refit;      /* 1 if a tree was updated by index since the last refit */
-  uint32_t has_layers;       /* 1 if a tree has layers */
+  uint32_t has_layers;       /* 1 if bounds were put into layers */
 } shaftcull_bounds_info;
 
 /// Kind, holder, count and state of bounds. O(1); no allocation.
@@ -469,6 +459,26 @@ SHAFTCULL_API shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds*
 /// of `streams`; those of a tree in its order. Valid until the bounds are freed, or a tree is rebuilt; updates show.
 /// O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_bounds_streams(const shaftcull_bounds* bounds, const float* streams[9]);
+
+/// Puts bounds into layers, by which queries can pick (shaftcull_query): bit l of layers[i] says that bound i is in
+/// layer l. There must be one set for each bound. Replaces the layers that there were. Layers belong to indices, stay
+/// when bounds are updated, and are no part of a source. Refuses a tree of triangles. O(n); allocates 4 bytes a bound.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_set_layers(shaftcull_bounds* bounds, const uint32_t* layers,
+                                                           uint64_t count);
+
+/// Puts bound indices[i] into layers[i], for `count` of them; the bounds must have layers. If an index comes twice, the
+/// last counts. Refuses a tree of triangles. O(count), except for the first such call of a tree, which is O(n) and may
+/// allocate an index a bound.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_set_layers_of(shaftcull_bounds* bounds, const uint32_t* indices,
+                                                              const uint32_t* layers, uint64_t count);
+
+/// Forgets all layers, and frees their memory. Refuses a tree of triangles. O(1).
+SHAFTCULL_API shaftcull_status shaftcull_bounds_clear_layers(shaftcull_bounds* bounds);
+
+/// The layers of bounds: (*layers)[i] are those of bound i, or of a tree those of leaf i. NULL if there are none. Valid
+/// until layers are set or cleared, a tree is rebuilt, or the bounds are freed. Refuses a tree of triangles. O(1); no
+/// allocation.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_layers(const shaftcull_bounds* bounds, const uint32_t** layers);
 
 /* ---- Trees ---- */
 
@@ -491,39 +501,22 @@ SHAFTCULL_API shaftcull_status shaftcull_tree_update(shaftcull_bounds* tree, con
 
 /// Gives bound indices[i] the value of the source at i, for `count` indices. If an index comes twice, the last counts.
 /// Questions then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). The first call allocates an index a bound.
-/// O(count) but for the first, which is O(n). Refuses triangles, and an index not below the number of bounds.
+/// O(count), except for the first, which is O(n). Refuses triangles, and an index not below the number of bounds.
 SHAFTCULL_API shaftcull_status shaftcull_tree_update_some(shaftcull_bounds* tree, const uint32_t* indices,
                                                           uint64_t count, const shaftcull_source* source);
 
 /// Fits the nodes of a tree of boxes or spheres to bounds that were updated by index. O(updated), at most O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree);
 
-/// Sorts the bounds of a tree of boxes or spheres anew as they are now. Indices stay, the order changes. As building.
+/// Sorts the bounds of a tree of boxes or spheres as they are now. Indices stay, the order changes. As building.
 SHAFTCULL_API shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree);
 
-/// Numbers the bounds of a tree of boxes or spheres anew, in its order: the index of leaf p becomes p. O(n).
+/// Gives the bounds of a tree of boxes or spheres new indices, in its order: the index of leaf p becomes p. O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_renumber(shaftcull_bounds* tree);
 
 /// How much larger the nodes of a tree of boxes or spheres have become since it was built, 1 at first; at 2 or 3 a
 /// rebuild pays. SHAFTCULL_NEEDS_REFIT if it does. O(n / 64); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_tree_growth(const shaftcull_bounds* tree, double* growth);
-
-/// Puts the bounds of a tree of boxes or spheres into layers: bit l of layers[i] says that bound i is in layer l. There
-/// must be one set for each bound. Replaces the layers that there were. O(n); allocates 4 bytes a bound.
-SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers(shaftcull_bounds* tree, const uint32_t* layers,
-                                                         uint64_t count);
-
-/// Puts bound indices[i] into layers[i], for `count` of them; the tree must have layers. The last one counts of an
-/// index that comes twice. O(count), but for the first such call, which is O(n) and may allocate an index a bound.
-SHAFTCULL_API shaftcull_status shaftcull_tree_set_layers_of(shaftcull_bounds* tree, const uint32_t* indices,
-                                                            const uint32_t* layers, uint64_t count);
-
-/// Forgets the layers of a tree of boxes or spheres, and frees their memory. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_tree_clear_layers(shaftcull_bounds* tree);
-
-/// The layers of a tree of boxes or spheres: (*layers)[p] are those of leaf p. NULL if it has none. Valid as the order,
-/// until layers are set or cleared. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_tree_layers(const shaftcull_bounds* tree, const uint32_t** layers);
 
 /* ---- Arrays of shafts ---- */
 
@@ -659,29 +652,43 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_form(shaftcull_shafts* shaft
 
 /* ---- How to ask ---- */
 
-/// How bounds are asked. All zero, or NULL in the place of a pointer to one: everything, the usual way. What does not
-/// fit the bounds is refused: a triangle test is for triangles, and all else for trees of boxes and spheres.
+/// The options of a question. All zero, or NULL in the place of a pointer to one: all bounds are asked about, in the
+/// usual way. Each option works with bounds of every kind in every holder, except where it says otherwise. A question
+/// to which one means nothing refuses it by name. What a call writes shares no memory with arrays of its query.
 typedef struct shaftcull_query {
-  shaftcull_triangle_test triangle_test; /* of triangles */
+  /// Bounds to leave out for all shafts, by index: a moving body itself, say. `exclude_mask` is better for very many.
+  const uint32_t* exclude;
+  uint64_t exclude_count;
+  /// Bounds to leave out for each shaft: a row of indices for each, one behind the other, all equally long. A shaft's
+  /// own two objects, say. The count is that of all rows together.
+  const uint32_t* exclude_each;
+  uint64_t exclude_each_count;
+  /// Bounds to leave out for all shafts: those whose bits are set. There are 0 words, or shaftcull_words_for(count of
+  /// bounds).
+  const uint64_t* exclude_mask;
+  uint64_t exclude_mask_words;
+  /// Layers, one set of them for each shaft or one for all: bounds that are in none of them are left out. With a count
+  /// of 0 bounds are asked about whatever their layers. The bounds must have layers (shaftcull_bounds_set_layers()).
+  const uint32_t* layer_masks;
+  uint64_t layer_mask_count;
+  /// Candidates, by index: only these bounds are asked about, and lists keep their order. NULL and a count of 0: all
+  /// bounds. Not NULL and a count of 0: none. Not for questions about blocking. O(candidates) a shaft. The first such
+  /// question of a tree may be O(n) and allocate an index a bound. Those of many shafts allocate a copy of the
+  /// candidates' bounds.
+  const uint32_t* only;
+  uint64_t only_count;
+  /// So many results for each shaft at most, those that come first: the question then stops. 0: no limit. For questions
+  /// that count or list what is kept, and for shaftcull_list_blocking() and its twin for many shafts.
+  uint64_t limit;
+  shaftcull_triangle_test triangle_test; /* of triangles; 0 for other bounds */
   uint32_t reserved_word;                /* 0 */
-  /// Bounds to leave out, by the caller's index: a row for each shaft, all equally long, own_count indices in all. A
-  /// shaft's own two objects, say.
-  const uint32_t* own;
-  uint64_t own_count;
-  /// Bounds to leave out for all shafts: bit i of `mask_words` words, 0 or shaftcull_words_for(count of the tree).
-  const uint64_t* mask;
-  uint64_t mask_words;
-  /// Layers, one set of them for each shaft or one for all: bounds that are in none of them are left out. None: bounds
-  /// of all layers, and of none, are asked about.
-  const uint32_t* only_layers;
-  uint64_t only_layers_count;
-  uint64_t reserved[4]; /* 0 */
+  uint64_t reserved[4];                  /* 0 */
 } shaftcull_query;
 
 /* Of all questions: `shafts` and `shaft` name one shaft, or `shafts`, `first` and `count` name some. `bounds` are of
-   any kind and holder that the function does not exclude. `query` may be NULL. A shaft that was never formed, or was
-   formed without the answer asked for, is refused, and a tree that needs a refit with SHAFTCULL_NEEDS_REFIT. A view or
-   stream takes O(n) a shaft, a tree what it finds. */
+   any kind that the function does not exclude, in any holder. `query` may be NULL. A shaft that was never formed, or
+   was formed without the answer asked for, is refused, and a tree that needs a refit with SHAFTCULL_NEEDS_REFIT. A view
+   or stream takes O(n) a shaft, a tree what it finds. */
 
 /* ---- One shaft, many bounds ---- */
 
@@ -690,27 +697,18 @@ SHAFTCULL_API shaftcull_status shaftcull_cull(const shaftcull_shafts* shafts, ui
                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
                                               uint64_t* kept, uint64_t words);
 
-/// Bits of what the shaft keeps, and of what is inside: `words` words each, in separate memory. Not for triangles.
+/// Bits of what the shaft keeps, and of what is inside: `words` words each, in separate memory. `kept` may be NULL:
+/// then only `inside` is written.
 SHAFTCULL_API shaftcull_status shaftcull_classify(const shaftcull_shafts* shafts, uint64_t shaft,
                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                   uint64_t* kept, uint64_t* inside, uint64_t words);
-
-/// Bits of what is inside alone. Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_contained(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                   uint64_t* inside, uint64_t words);
 
 /// How many bounds the shaft keeps.
 SHAFTCULL_API shaftcull_status shaftcull_count(const shaftcull_shafts* shafts, uint64_t shaft,
                                                const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                uint64_t* kept_count);
 
-/// How many bounds the shaft keeps, or `most` if that is fewer: stops when it has found so many. Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_count_at_most(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                       uint64_t most, uint64_t* kept_count);
-
-/// How many bounds overlap the shaft, and how many are inside. Not for triangles.
+/// How many bounds overlap the shaft, and how many are inside.
 SHAFTCULL_API shaftcull_status shaftcull_count_classified(const shaftcull_shafts* shafts, uint64_t shaft,
                                                           const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                           shaftcull_kept_counts* counts);
@@ -721,36 +719,17 @@ SHAFTCULL_API shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uin
                                              uint32_t* any);
 
 /// Indices of what the shaft keeps into `kept`, which has room for `room`, and how many there are into `kept_count`:
-/// ascending, or in the order of a tree.
+/// ascending, or in the order of a tree, or in that of candidates. `kept` may begin where the candidates of the query
+/// begin, which are then overwritten.
 SHAFTCULL_API shaftcull_status shaftcull_list(const shaftcull_shafts* shafts, uint64_t shaft,
                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
                                               uint32_t* kept, uint64_t room, uint64_t* kept_count);
 
-/// Ranges of leaves that the shaft keeps, each as long as can be, into `kept`, which has room for `room`, and how many
-/// there are into `range_count`. For trees of boxes and spheres. Allocates 8 bytes for each range of room, on the way.
-SHAFTCULL_API shaftcull_status shaftcull_list_ranges(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                     const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                     shaftcull_leaf_range* kept, uint64_t room, uint64_t* range_count);
-
-/// The first indices that shaftcull_list() would write, until there is no more room, and how many it wrote: it stops
-/// there, and does not say whether there are more. Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_list_at_most(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                      const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                      uint32_t* kept, uint64_t room, uint64_t* kept_count);
-
-/// As shaftcull_list(), but what overlaps and what is inside apart, in separate memory. Not for triangles.
+/// As shaftcull_list(), but what overlaps and what is inside apart, in separate memory.
 SHAFTCULL_API shaftcull_status shaftcull_list_classified(const shaftcull_shafts* shafts, uint64_t shaft,
                                                          const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                          uint32_t* overlap, uint64_t overlap_room, uint32_t* inside,
                                                          uint64_t inside_room, shaftcull_kept_counts* counts);
-
-/// As shaftcull_list_ranges(), but what overlaps and what is inside apart; `counts` are numbers of ranges.
-SHAFTCULL_API shaftcull_status shaftcull_list_classified_ranges(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                                const shaftcull_bounds* bounds,
-                                                                const shaftcull_query* query,
-                                                                shaftcull_leaf_range* overlap, uint64_t overlap_room,
-                                                                shaftcull_leaf_range* inside, uint64_t inside_room,
-                                                                shaftcull_kept_counts* counts);
 
 /// The bound that the moving box of the shaft reaches first, and when. Not for hulls, nor for triangles.
 SHAFTCULL_API shaftcull_status shaftcull_first_contact(const shaftcull_shafts* shafts, uint64_t shaft,
@@ -758,18 +737,11 @@ SHAFTCULL_API shaftcull_status shaftcull_first_contact(const shaftcull_shafts* s
                                                        shaftcull_contact_found* contact);
 
 /// When the moving box of the shaft reaches each of `count` bounds: times[i] is that of bound indices[i], rounded down,
-/// or +∞ if the shaft does not keep it. The two arrays share no memory. Not for hulls, nor for triangles. O(count), but
-/// for the first such call of a tree, which is O(n) and allocates an index a bound.
+/// or +∞ if the shaft does not keep it. The two arrays share no memory. Not for hulls, nor for triangles. O(count),
+/// except for the first such call of a tree, which may be O(n) and allocate an index a bound.
 SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* shafts, uint64_t shaft,
                                                      const shaftcull_bounds* bounds, const uint32_t* indices,
                                                      float* times, uint64_t count);
-
-/// Those of `count` candidates that the shaft keeps, in their order, into `kept`, and how many there are into
-/// `kept_count`. `kept` may be `candidates` itself, which are then overwritten; else they share no memory. Not for
-/// triangles. O(count), but for a tree as shaftcull_entry_times().
-SHAFTCULL_API shaftcull_status shaftcull_refine(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                const shaftcull_bounds* bounds, const uint32_t* candidates,
-                                                uint64_t count, uint32_t* kept, uint64_t room, uint64_t* kept_count);
 
 /// Whether one of these solid boxes alone hides the one end of the shaft from the other, 1 or 0. For boxes, and shafts
 /// between two boxes.
@@ -817,19 +789,11 @@ SHAFTCULL_API shaftcull_status shaftcull_blocked_by_polygon(const shaftcull_shaf
 
 /* ---- Many shafts, many bounds, in parallel. Results do not depend on the number of threads. ---- */
 
-/// What lists hold.
-typedef uint32_t shaftcull_lists_kind;
-enum {
-  SHAFTCULL_LISTS_OF_INDICES = 1, /* of bounds */
-  SHAFTCULL_LISTS_OF_RANGES = 2   /* of leaves of a tree */
-};
-
-/// Lists that the library allocates, one for each shaft, one behind the other. Calls use their memory
-/// again, but for lists of ranges.
+/// Lists of indices that the library allocates, one for each shaft, one behind the other. Calls use their memory again.
 typedef struct shaftcull_lists shaftcull_lists;
 
-/// Empty lists of a kind. Freed by shaftcull_lists_free(). O(1).
-SHAFTCULL_API shaftcull_status shaftcull_lists_create(shaftcull_lists_kind kind, shaftcull_lists** lists);
+/// Empty lists. Freed by shaftcull_lists_free(). O(1).
+SHAFTCULL_API shaftcull_status shaftcull_lists_create(shaftcull_lists** lists);
 
 /// Frees lists; does nothing for NULL.
 SHAFTCULL_API void shaftcull_lists_free(shaftcull_lists* lists);
@@ -842,12 +806,8 @@ SHAFTCULL_API uint64_t shaftcull_lists_count(const shaftcull_lists* lists);
 /// O(1).
 SHAFTCULL_API const uint64_t* shaftcull_lists_offsets(const shaftcull_lists* lists);
 
-/// The elements of all lists of indices, or NULL if these are of another kind or there are none. Valid as offsets.
-/// Never fails. O(1).
+/// The elements of all lists, or NULL if there are none. Valid as offsets. Never fails. O(1).
 SHAFTCULL_API const uint32_t* shaftcull_lists_indices(const shaftcull_lists* lists);
-
-/// The same of ranges of leaves.
-SHAFTCULL_API const shaftcull_leaf_range* shaftcull_lists_ranges(const shaftcull_lists* lists);
 
 /// Row s of `kept_rows`, shaftcull_words_for(count of bounds) words, gets what shaftcull_cull() gives of shaft
 /// first + s. `words` are those of all rows.
@@ -855,29 +815,18 @@ SHAFTCULL_API shaftcull_status shaftcull_cull_many(const shaftcull_shafts* shaft
                                                    const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                    uint64_t* kept_rows, uint64_t words);
 
-/// Rows of shaftcull_classify(): `words` words of each kind, in separate memory. Not for triangles.
+/// Rows of shaftcull_classify(): `words` words of each kind, in separate memory. `kept_rows` may be NULL: then only
+/// `inside_rows` is written.
 SHAFTCULL_API shaftcull_status shaftcull_classify_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                        const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                        uint64_t* kept_rows, uint64_t* inside_rows, uint64_t words);
-
-/// Rows of shaftcull_contained(). Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_contained_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                        const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                        uint64_t* inside_rows, uint64_t words);
 
 /// kept_counts[s] becomes shaftcull_count() of shaft first + s, for `count` of them.
 SHAFTCULL_API shaftcull_status shaftcull_count_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                     const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                     uint64_t* kept_counts);
 
-/// kept_counts[s] becomes shaftcull_count_at_most() of shaft first + s, for `count` of them. Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_count_at_most_many(const shaftcull_shafts* shafts, uint64_t first,
-                                                            uint64_t count, const shaftcull_bounds* bounds,
-                                                            const shaftcull_query* query, uint64_t most,
-                                                            uint64_t* kept_counts);
-
 /// counts[s] becomes shaftcull_count_classified() of shaft first + s, for `count` of them. Allocates 16 bytes a shaft.
-/// Not for triangles.
 SHAFTCULL_API shaftcull_status shaftcull_count_classified_many(const shaftcull_shafts* shafts, uint64_t first,
                                                                uint64_t count, const shaftcull_bounds* bounds,
                                                                const shaftcull_query* query,
@@ -888,25 +837,16 @@ SHAFTCULL_API shaftcull_status shaftcull_any_many(const shaftcull_shafts* shafts
                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                   uint64_t* any, uint64_t words);
 
-/// Lists what each shaft keeps, as indices or as ranges of leaves, whichever `lists` are of. Ranges are of trees of
-/// boxes and spheres only. If it fails, lists are as they were or empty. Allocates what it lists.
+/// Lists what each shaft keeps. If it fails, lists are as they were or empty. Allocates what it lists.
 SHAFTCULL_API shaftcull_status shaftcull_list_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                    const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                    shaftcull_lists* lists);
 
-/// Likewise, but what overlaps and what is inside apart: two lists of the same kind, not the same ones. Not for
-/// triangles.
+/// As shaftcull_list_many(), but what overlaps and what is inside apart, in lists that are not the same ones.
 SHAFTCULL_API shaftcull_status shaftcull_list_classified_many(const shaftcull_shafts* shafts, uint64_t first,
                                                               uint64_t count, const shaftcull_bounds* bounds,
                                                               const shaftcull_query* query, shaftcull_lists* overlap,
                                                               shaftcull_lists* inside);
-
-/// Writes for shaft first + s the first indices of what it keeps, `most` or fewer, from kept[s * most] on, and how many
-/// they are to kept_counts[s]. `kept` has room for count · most indices. The two share no memory. Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_list_at_most_many(const shaftcull_shafts* shafts, uint64_t first,
-                                                           uint64_t count, const shaftcull_bounds* bounds,
-                                                           const shaftcull_query* query, uint64_t most, uint32_t* kept,
-                                                           uint64_t* kept_counts);
 
 /// contacts[s] becomes shaftcull_first_contact() of shaft first + s, for `count` of them. Allocates 8 bytes a shaft.
 /// Not for hulls, nor for triangles.
@@ -915,74 +855,16 @@ SHAFTCULL_API shaftcull_status shaftcull_first_contact_many(const shaftcull_shaf
                                                             const shaftcull_query* query,
                                                             shaftcull_contact_found* contacts);
 
-/// Lists, for each shaft, those of the same `candidate_count` candidates that it keeps, in their order: into lists of
-/// indices. If it fails, lists are as they were or empty. Candidates are no part of the lists. Not for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_refine_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                     const shaftcull_bounds* bounds, const uint32_t* candidates,
-                                                     uint64_t candidate_count, shaftcull_lists* lists);
-
 /// Bit s of `blocked` is set if a solid box blocks shaft first + s. `words` is shaftcull_words_for(count). As
 /// shaftcull_blocked().
 SHAFTCULL_API shaftcull_status shaftcull_blocked_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                       const shaftcull_bounds* solids, const shaftcull_query* query,
                                                       uint64_t* blocked, uint64_t words);
 
-/// Lists what blocks each shaft, into lists of indices. If it fails, lists are as they were or empty.
+/// Lists what blocks each shaft. If it fails, lists are as they were or empty. As shaftcull_blocked().
 SHAFTCULL_API shaftcull_status shaftcull_list_blocking_many(const shaftcull_shafts* shafts, uint64_t first,
                                                             uint64_t count, const shaftcull_bounds* solids,
                                                             const shaftcull_query* query, shaftcull_lists* lists);
-
-/* ---- Callbacks ---- */
-
-/// What one shaft answers for one tile of bounds, [first, first + size); first is a multiple of 64. Bit i of both is
-/// bound first + i; `inside` is NULL unless it was asked for. Valid during the callback only.
-typedef struct shaftcull_tile {
-  uint64_t shaft;         /* position in the array of shafts */
-  uint64_t first;         /* the first bound of the tile */
-  uint64_t size;          /* how many bounds it has */
-  const uint64_t* kept;   /* bits of what is kept */
-  const uint64_t* inside; /* bits of what is inside, or NULL */
-} shaftcull_tile;
-
-/// What one shaft keeps, as ranges of leaves of a tree. Valid during the callback only.
-typedef struct shaftcull_ranges {
-  uint64_t shaft;                     /* position in the array of shafts */
-  const shaftcull_leaf_range* kept;   /* or, of shaftcull_for_each_classified(), those that overlap */
-  uint64_t kept_count;                /* of ranges */
-  const shaftcull_leaf_range* inside; /* NULL unless asked for; this and kept also if there are none */
-  uint64_t inside_count;              /* of ranges */
-} shaftcull_ranges;
-
-/// Gets `user` as it was passed. Returns 0 to go on; anything else ends the call with SHAFTCULL_STOPPED. It may run on
-/// any thread, one call at a time. It must return: no exception and no longjmp may leave it.
-typedef int32_t (*shaftcull_tile_callback)(const shaftcull_tile* tile, void* user);
-
-/// Likewise for ranges.
-typedef int32_t (*shaftcull_ranges_callback)(const shaftcull_ranges* ranges, void* user);
-
-/// Calls back once for every tile and shaft, by tile and then by shaft, with bits of what is kept. For boxes and
-/// spheres in views and streams. Allocates some tiles' bits for each thread.
-SHAFTCULL_API shaftcull_status shaftcull_for_each_tile(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                       shaftcull_tile_callback callback, void* user);
-
-/// Likewise with bits of both, kept and inside.
-SHAFTCULL_API shaftcull_status shaftcull_for_each_classified_tile(const shaftcull_shafts* shafts, uint64_t first,
-                                                                  uint64_t count, const shaftcull_bounds* bounds,
-                                                                  const shaftcull_query* query,
-                                                                  shaftcull_tile_callback callback, void* user);
-
-/// Calls back once for every shaft, in their order, with the ranges that it keeps. For trees of boxes and spheres.
-/// Allocates ranges of some shafts for each thread, and those of the one handed over.
-SHAFTCULL_API shaftcull_status shaftcull_for_each_kept(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                       shaftcull_ranges_callback callback, void* user);
-
-/// Likewise with ranges that overlap and that are inside apart.
-SHAFTCULL_API shaftcull_status shaftcull_for_each_classified(const shaftcull_shafts* shafts, uint64_t first,
-                                                             uint64_t count, const shaftcull_bounds* bounds,
-                                                             const shaftcull_query* query,
-                                                             shaftcull_ranges_callback callback, void* user);
 
 /* ---- What sees what: of all pairs of patches ---- */
 

@@ -59,6 +59,12 @@ template <class T>
   return {first, size};
 }
 
+/// An array that may be NULL for none, whatever `count` is.
+template <class T>
+[[nodiscard]] std::span<T> as_span_if_given(T* first, std::uint64_t count, const char* name) {
+  return first == nullptr ? std::span<T>() : as_span(first, count, name);
+}
+
 /// An enumerator of type Enum, whose values are 0 to `last` in both languages.
 template <class Enum>
 [[nodiscard]] Enum as_enumerator(std::uint32_t value, Enum last, const char* name, const char* choices) {

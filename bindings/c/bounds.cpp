@@ -182,19 +182,22 @@ void shaftcull_bounds_free(shaftcull_bounds* bounds) { delete bounds; }
 shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaftcull_bounds_info* info) {
   return guarded([&] {
     shaftcull_bounds_info& out = given(info, "info");
+    const shaftcull_bounds& all = given(bounds, "bounds");
     std::visit(
         [&]<class Holder>(const Holder& holder) {
           out = {};
           out.kind = kind_of<Holder>();
           out.count = streams_of(holder).count;
           out.holder = View<Holder> ? SHAFTCULL_VIEW : Stream<Holder> ? SHAFTCULL_STREAM : SHAFTCULL_TREE;
-          if constexpr (!View<Holder>) out.memory_bytes = holder.memory_bytes();
+          out.memory_bytes = all.layers.size() * sizeof(uint32_t);
+          out.has_layers = all.layers.empty() ? 0 : 1;
+          if constexpr (!View<Holder>) out.memory_bytes += holder.memory_bytes();
           if constexpr (requires { holder.needs_refit(); }) {
             out.needs_refit = holder.needs_refit() ? 1 : 0;
             out.has_layers = holder.has_layers() ? 1 : 0;
           }
         },
-        given(bounds, "bounds").holder);
+        all.holder);
   });
 }
 

@@ -53,10 +53,4 @@ shaftcull_status shaftcull_view_planes(const float matrix[16], shaftcull_clip_de
   });
 }
 
-shaftcull_status shaftcull_keep_layers(uint64_t* bits, uint64_t words, const uint32_t* layers, uint64_t count,
-                                       uint32_t only_layers) {
-  return guarded(
-      [&] { shaftcull::keep_layers(as_span(bits, words, "bits"), as_span(layers, count, "layers"), only_layers); });
-}
-
 }  // extern "C"

@@ -10,16 +10,6 @@
 #include "shaftcull.h"
 #include "shaftcull/shaftcull.hpp"
 
-namespace shaftcull::binding {
-
-/// Ranges of leaves, as C reads them.
-struct RangeLists {
-  std::vector<std::uint64_t> offsets;
-  std::vector<shaftcull_leaf_range> ranges;
-};
-
-}  // namespace shaftcull::binding
-
 struct shaftcull_shaft {
   shaftcull::Shaft formed;
 };
@@ -40,9 +30,10 @@ struct shaftcull_bounds {
                shaftcull::SphereStream, shaftcull::TriangleStream, shaftcull::BoxTree, shaftcull::SphereTree,
                shaftcull::TriangleTree>
       holder;
+  /// Of a view or stream: none, or as many as there were bounds when they were set. Trees have their own.
+  std::vector<std::uint32_t> layers{};
 };
 
 struct shaftcull_lists {
-  /// In the order of shaftcull_lists_kind, from 1 on.
-  std::variant<shaftcull::IndexLists, shaftcull::binding::RangeLists> lists;
+  shaftcull::IndexLists lists;
 };

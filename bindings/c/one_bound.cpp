@@ -12,7 +12,7 @@ namespace {
 template <class Bound>
 shaftcull_answer answer_of(const CompiledShaft& shaft, const Bound& bound, bool inside) {
   if (inside) return static_cast<shaftcull_answer>(shaftcull::classify(shaft, bound));
-  return shaftcull::cull(shaft, bound) ? SHAFTCULL_OVERLAP : SHAFTCULL_OUTSIDE;
+  return shaftcull::keeps(shaft, bound) ? SHAFTCULL_OVERLAP : SHAFTCULL_OUTSIDE;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ shaftcull_status shaftcull_ask_triangle(const shaftcull_shafts* shafts, uint64_t
     const CompiledShaft& asked = shaft_at(shafts, shaft);
     uint32_t& out = given(kept, "kept");
     const auto one = converted<shaftcull::Triangle>(given(triangle, "triangle"));
-    out = shaftcull::cull(asked, one, as_triangle_test(test)) ? 1 : 0;
+    out = shaftcull::keeps(asked, one, as_triangle_test(test)) ? 1 : 0;
   });
 }
 

@@ -16,10 +16,6 @@ namespace shaftcull::binding {
   return {counts.overlap, counts.inside};
 }
 
-[[nodiscard]] inline shaftcull_leaf_range from_range(const LeafRange& range) noexcept {
-  return {range.first, range.size};
-}
-
 [[nodiscard]] inline shaftcull_contact_found from_contact(const FirstContact& contact) noexcept {
   const bool found = static_cast<bool>(contact);
   return {found ? std::uint64_t{contact.index} : SHAFTCULL_NONE, contact.time, found ? 1U : 0U};
@@ -32,10 +28,10 @@ class Written {
   explicit Written(std::size_t size) : elements_(std::make_unique_for_overwrite<Element[]>(size)), size_(size) {}
   [[nodiscard]] std::span<Element> span() const noexcept { return {elements_.get(), size_}; }
 
-  /// Converts the first of them, as many as there are results or as have room.
+  /// Converts all of them.
   template <class Out, class Convert>
-  void copy_to(std::span<Out> out, std::size_t results, Convert&& convert) const {
-    std::transform(elements_.get(), elements_.get() + std::min(results, size_), out.begin(), convert);
+  void copy_to(std::span<Out> out, Convert&& convert) const {
+    std::transform(elements_.get(), elements_.get() + size_, out.begin(), convert);
   }
 
  private:

@@ -112,31 +112,4 @@ shaftcull_status shaftcull_tree_growth(const shaftcull_bounds* tree, double* gro
   });
 }
 
-shaftcull_status shaftcull_tree_set_layers(shaftcull_bounds* tree, const uint32_t* layers, uint64_t count) {
-  return guarded([&] {
-    use_tree(tree, of_bounds, [&](Tree auto& bounds) { bounds.set_layers(as_span(layers, count, "layers")); });
-  });
-}
-
-shaftcull_status shaftcull_tree_set_layers_of(shaftcull_bounds* tree, const uint32_t* indices, const uint32_t* layers,
-                                              uint64_t count) {
-  return guarded([&] {
-    use_tree(tree, of_bounds, [&](Tree auto& bounds) {
-      bounds.set_layers(as_span(indices, count, "indices"), as_span(layers, count, "layers"));
-    });
-  });
-}
-
-shaftcull_status shaftcull_tree_clear_layers(shaftcull_bounds* tree) {
-  return guarded([&] { use_tree(tree, of_bounds, [](Tree auto& bounds) { bounds.clear_layers(); }); });
-}
-
-shaftcull_status shaftcull_tree_layers(const shaftcull_bounds* tree, const uint32_t** layers) {
-  return guarded([&] {
-    const uint32_t*& out = given(layers, "layers");
-    use_tree(tree, of_bounds,
-             [&](const Tree auto& bounds) { out = bounds.layers().empty() ? nullptr : bounds.layers().data(); });
-  });
-}
-
 }  // extern "C"

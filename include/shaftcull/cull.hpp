@@ -17,7 +17,6 @@
 /// keeps denormals whatever the caller does, and raises no flag.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -60,17 +59,10 @@ SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const Bounds& bounds,
                                                 std::span<std::uint32_t> kept, const Query& query = {});
 
 /// The same into a vector, which becomes as long as the list. It allocates if the capacity is too small, and asks twice
-/// if there are more results than the vector had and more than 256: a vector that is used frame after frame is seldom
-/// too short. If this throws, the vector has unspecified values.
-inline std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
-                        const Query& query = {}) {
-  constexpr std::size_t least_room = 256;
-  kept.resize(std::max(kept.size(), std::min(least_room, bounds.size())));
-  const std::size_t size = list(shaft, bounds, std::span<std::uint32_t>(kept), query);
-  const bool fits = size <= kept.size();
-  kept.resize(size);
-  return fits ? size : list(shaft, bounds, std::span<std::uint32_t>(kept), query);
-}
+/// if there are more results than 256 and than the vector had: a vector that is used frame after frame is seldom too
+/// short. The vector may hold the candidates of Query::only, but no other option.
+SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
+                                  const Query& query = {});
 
 /// Lists bounds that overlap and bounds inside apart. The two spans share no memory.
 [[nodiscard]] SHAFTCULL_EXPORT KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds,

@@ -8,8 +8,8 @@
 /// time at which the moving box touches it: 0 if it touches where that starts. First contact is the bound with the
 /// least entry time of those that the shaft keeps, and of several with the same time the one with the lowest index.
 ///
-/// A body that is among the bounds is reached at time 0, before all else: leave it out, `{.exclude = {me}}`. The floor that a body stands on is reached at 0, too; with open contact
-/// what the body only slides along is left out.
+/// A body that is among the bounds is reached at time 0, before all else: leave it out, `{.exclude = {me}}`. The floor
+/// that a body stands on is reached at 0, too; with open contact what the body only slides along is left out.
 ///
 /// Planes that were added to the shaft leave
 /// out bounds that are beyond them, as they do in every query, and open contact (set_contact()) leaves out bounds that
@@ -49,8 +49,8 @@ struct FirstContact {
   friend bool operator==(const FirstContact&, const FirstContact&) = default;
 };
 
-/// First contact among the bounds. A tree visits near nodes first and no node that is reached later than the first bound
-/// found so far, so it mostly looks at bounds that touch the start, or at few more than the first. Throws
+/// First contact among the bounds. A tree visits near nodes first and no node that is reached later than the first
+/// bound found so far, so it mostly looks at bounds that touch the start, or at few more than the first. Throws
 /// InvalidArgument for a view of more than 2³² − 1 bounds.
 [[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const Bounds& bounds,
                                                           const Query& query = {});
@@ -63,8 +63,8 @@ SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, 
 /// Entry times of bounds that a list names: times[i] becomes that of bound indices[i], rounded down, or +∞ if the shaft
 /// does not keep it. O(indices.size()), about 50 ns for a box and 400 ns for a sphere. Throws InvalidArgument for an
 /// index not below the number of bounds, unless there are as many times as indices, if the two share memory, or as
-/// first_contact(), and NeedsRefit for a tree that needs a refit. Allocates nothing, except for a tree the leaf of every
-/// index at the first call, as Query::only says.
+/// first_contact(), and NeedsRefit for a tree that needs a refit. Allocates nothing, except for a tree the leaf of
+/// every index at the first call, as Query::only says.
 SHAFTCULL_EXPORT void entry_times(const CompiledShaft& shaft, const Bounds& bounds,
                                   std::span<const std::uint32_t> indices, std::span<float> times);
 

@@ -96,13 +96,14 @@ class Numbers {
   constexpr Numbers() noexcept = default;
   /// A vector, an array or a span.
   template <class Range>
-    requires std::convertible_to<const Range&, std::span<const std::uint32_t>>
+  requires std::convertible_to<const Range&, std::span<const std::uint32_t>>
   constexpr Numbers(const Range& numbers) noexcept  // NOLINT(google-explicit-constructor)
       : given_(numbers) {}
   /// Numbers in braces.
   template <std::convertible_to<std::uint32_t>... Number>
-    requires(sizeof...(Number) != 0 && sizeof...(Number) <= most_in_braces)
-  constexpr Numbers(Number... number) noexcept  // NOLINT(google-explicit-constructor)
+  requires(sizeof...(Number) != 0 &&
+           sizeof...(Number) <=
+               most_in_braces) constexpr Numbers(Number... number) noexcept  // NOLINT(google-explicit-constructor)
       : in_braces_{static_cast<std::uint32_t>(number)...}, count_(sizeof...(Number)) {}
 
   /// All of them. Valid as long as this object, and what it refers to.
@@ -112,7 +113,7 @@ class Numbers {
 
  private:
   std::span<const std::uint32_t> given_{};
-  std::uint32_t in_braces_[most_in_braces];
+  std::uint32_t in_braces_[most_in_braces]{};
   std::size_t count_ = 0;
 };
 

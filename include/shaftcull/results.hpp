@@ -43,8 +43,8 @@ class BitView {
   /// Walks over the set bits.
   class Iterator {
    public:
-    using value_type = std::size_t;             ///< an index
-    using difference_type = std::ptrdiff_t;     ///< unused
+    using value_type = std::size_t;                     ///< an index
+    using difference_type = std::ptrdiff_t;             ///< unused
     using iterator_category = std::input_iterator_tag;  ///< each value is made when it is read
 
     constexpr Iterator() noexcept = default;

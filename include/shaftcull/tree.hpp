@@ -26,9 +26,9 @@ using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, 
 /// everywhere else. Every answer therefore equals that of a flat scan (see query.hpp for the questions).
 ///
 /// Memory: the bounds, 4 bytes a bound for their order, and less than 2 % of both for nodes (spheres 2.5 %); 4 bytes a
-/// bound more from the first update by index or refine() on, and 4 bytes a bound for layers, if it has any. A tree
-/// holds at most 2³² − 1 bounds; InvalidArgument for more. Of more bounds, build several trees, each of a slice, and
-/// add where a slice begins to the indices of its answers.
+/// bound more from the first update by index or query with Query::only on, and 4 bytes a bound for layers, if it has
+/// any. A tree holds at most 2³² − 1 bounds; InvalidArgument for more. Of more bounds, build several trees, each of a
+/// slice, and add where a slice begins to the indices of its answers.
 ///
 /// Building takes scratch memory, which is free again when it returns: 56 bytes a box and 48 a sphere. Trees of 2²¹
 /// bounds and more are built region by region, where they will be: that takes at most 8 bytes a box and 12 a sphere,
@@ -105,7 +105,7 @@ class BoundsTree {
   /// Whether bounds were updated since the last refit.
   [[nodiscard]] bool needs_refit() const noexcept;
 
-  /// Puts bounds into layers, 32 of them, by which queries can pick (Excluding::only_layers): bit l of layers[i] says
+  /// Puts bounds into layers, 32 of them, by which queries can pick (Query::layer_mask): bit l of layers[i] says
   /// that bound i is in layer l. A bound may be in several or in none. Layers belong to bounds as indices do: they stay
   /// through updates, refit(), rebuild() and copies, and move with their bounds when renumber() gives these other
   /// indices. Replaces the layers that there were. Throws InvalidArgument unless there are size() of them. O(size()).

@@ -26,9 +26,9 @@
 /// that reads a coordinate of it that is not finite. A triangle with a coordinate that is not finite is answered by
 /// vertices even if the exact test is asked for.
 ///
-/// Inside is a triangle whose three vertices are inside, as points: a shaft is convex. With open contact it must be kept,
-/// too. Verbs, options and errors are those of all bounds (cull.hpp, many.hpp, query.hpp); first contact and blocking are
-/// not asked of triangles.
+/// Inside is a triangle whose three vertices are inside, as points: a shaft is convex. With open contact it must be
+/// kept, too. Verbs, options and errors are those of all bounds (cull.hpp, many.hpp, query.hpp); first contact and
+/// blocking are not asked of triangles.
 #pragma once
 
 #include <array>

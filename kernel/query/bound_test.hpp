@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "compiled/contact.hpp"
 #include "compiled/shaft_data.hpp"
 #include "compiled/with_planes.hpp"
 #include "kernels/table.hpp"
@@ -46,6 +47,7 @@ class BoundTest {
   SHAFTCULL_NOINLINE void test_triangles(const ShaftData& shaft, const float* const* stream, std::size_t count,
                                          std::uint64_t* kept, std::uint64_t* inside) const noexcept {
     constexpr std::size_t some = 1024;
+    const WithClosedContact closed(shaft);  // a vertex may lie in the surface
     for (std::size_t first = 0; first < count; first += some) {
       const std::size_t size = std::min(some, count - first);
       const std::size_t words = words_for(size);
@@ -58,7 +60,7 @@ class BoundTest {
       for (std::size_t v = 0; v != 9; v += 3) {
         const float* const point[6] = {part[v], part[v + 1], part[v + 2], part[v], part[v + 1], part[v + 2]};
         std::uint64_t inside_here[some / 64];
-        vertices_(shaft, point, size, nullptr, inside_here);
+        vertices_(closed.shaft(), point, size, nullptr, inside_here);
         for (std::size_t w = 0; w != words; ++w) kept_here[w] &= inside_here[w];
       }
       std::copy_n(kept_here, words, inside + first / 64);

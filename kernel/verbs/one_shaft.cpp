@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// The verbs for one shaft (shaftcull/cull.hpp).
 #include "shaftcull/cull.hpp"
+
+#include <algorithm>
+
 #include "support/arguments.hpp"
 #include "tree/answers.hpp"
 #include "verbs/asked.hpp"
@@ -33,6 +36,12 @@ void require_indices(const Asked& asked, const char* name, std::span<const std::
 void write_bits(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) {
   if (const TreeQuery* const walks = asked.walks()) return kernel::write_bits(*walks, 0, kept, inside);
   asked.scan(0).write_bits(kept, inside);
+}
+
+std::size_t list_kept(const Asked& asked, std::span<std::uint32_t> kept) {
+  const std::size_t limit = asked.options().limit();
+  if (const TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, kept, limit);
+  return asked.scan(0).list(kept, limit);
 }
 
 }  // namespace
@@ -70,9 +79,22 @@ KeptCounts count_classified(const CompiledShaft& shaft, const Bounds& bounds, co
 std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
   const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
   require_indices(asked, "kept", kept, true);
-  const std::size_t limit = asked.options().limit();
-  if (const TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, kept, limit);
-  return asked.scan(0).list(kept, limit);
+  return list_kept(asked, kept);
+}
+
+std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
+                 const Query& query) {
+  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
+  require_indices(asked, "kept", kept, true);
+  constexpr std::size_t least_room = 256;
+  const bool holds_candidates =
+      asked.options().only() && !kept.empty() && asked.options().only()->data() == kept.data();
+  if (!holds_candidates) kept.resize(std::max(kept.size(), std::min(least_room, asked.size())));
+  std::size_t size = list_kept(asked, kept);
+  const bool fits = size <= kept.size();
+  kept.resize(size);
+  if (!fits) size = list_kept(asked, kept);
+  return size;
 }
 
 KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> overlap,

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-/// Every question by the C interface, against the C++ one: over random scenes, in all holders, of all kinds of shafts.
+/// Every question by the C interface, against the C++ one: over random scenes, of bounds of all kinds in all holders,
+/// of all kinds of shafts, with each option and with all of them. Where the C++ interface refuses an option, so does
+/// the one of C, in the same words.
 #include <gmock/gmock.h>
 
-#include <concepts>
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "handles.hpp"
@@ -22,13 +25,6 @@ namespace {
 
 using Words = std::vector<std::uint64_t>;
 using Indices = std::vector<std::uint32_t>;
-
-template <class Set>
-concept FlatSet = std::same_as<Set, BoxView> || std::same_as<Set, SphereView>;
-template <class Set>
-concept Triangles = std::same_as<Set, TriangleView> || std::same_as<Set, TriangleTree>;
-template <class Set>
-concept Boxes = std::same_as<Set, BoxView> || std::same_as<Set, BoxTree>;
 
 /// Shafts of all kinds, the same in both languages: first those between boxes, then other moving boxes, then hulls.
 struct Shafts {
@@ -169,513 +165,539 @@ void make_shafts(Random& random, Shafts& shafts) {
   for (std::size_t s = 0; s != 3; ++s) complete(shafts.cpp[s]);
 }
 
-/// Views are asked without an option.
-struct NoOption {};
+enum class Kind { boxes, spheres, triangles };
 
-/// A shaft and bounds as both languages know them, and how they are asked.
-template <class Set, class Option>
-struct Question {
-  const Shafts& shafts;
-  const shaftcull_bounds* bounds;
-  const Set& set;
-  const shaftcull_query* query;
-  const Option& option;
-  std::size_t size;  ///< of the bounds
-
-  /// Returns ask(option), or ask() if there is none.
-  template <class Ask>
-  decltype(auto) with(const Ask& ask) const {
-    if constexpr (std::same_as<Option, NoOption>) {
-      return ask();
-    } else {
-      return ask(option);
-    }
-  }
+/// Options of a query, in no language yet. Those for each shaft are there for all shafts.
+struct Options {
+  std::string name;
+  bool everywhere = false;  ///< asked of every shaft by itself, and not of some only
+  bool null = false;        ///< C passes no query
+  Indices exclude;
+  Indices exclude_each;  ///< excluded_each a shaft
+  Words exclude_mask;
+  Indices layer_masks;  ///< none, one for all, or one for each shaft
+  std::optional<Indices> only;
+  std::size_t limit = 0;
+  TriangleTest test = TriangleTest::exact;
 };
+constexpr std::size_t excluded_each = 40;
+
+/// The same query in both languages, about `count` shafts from `first` on. Refers to the options.
+class Asked {
+ public:
+  Asked(const Options& options, std::size_t first, std::size_t count)
+      : each_(options.exclude_each.empty()
+                  ? std::span<const std::uint32_t>()
+                  : std::span(options.exclude_each).subspan(first * excluded_each, count * excluded_each)),
+        masks_(options.layer_masks.size() <= 1 ? std::span(options.layer_masks)
+                                               : std::span(options.layer_masks).subspan(first, count)),
+        cpp_{.exclude = options.exclude,
+             .exclude_each = each_,
+             .exclude_mask = options.exclude_mask,
+             .layer_mask = masks_,
+             .limit = options.limit == 0 ? Query::no_limit : options.limit,
+             .only = options.only ? std::optional(std::span(*options.only)) : std::nullopt,
+             .triangle_test = options.test},
+        is_null_(options.null) {
+    static constexpr std::uint32_t no_candidates = 0;  // not NULL
+    c_.exclude = options.exclude.data();
+    c_.exclude_count = options.exclude.size();
+    c_.exclude_each = each_.data();
+    c_.exclude_each_count = each_.size();
+    c_.exclude_mask = options.exclude_mask.data();
+    c_.exclude_mask_words = options.exclude_mask.size();
+    c_.layer_masks = masks_.data();
+    c_.layer_mask_count = masks_.size();
+    if (options.only) {
+      c_.only = options.only->empty() ? &no_candidates : options.only->data();
+      c_.only_count = options.only->size();
+    }
+    c_.limit = options.limit;
+    c_.triangle_test =
+        options.test == TriangleTest::exact ? SHAFTCULL_TRIANGLES_EXACT : SHAFTCULL_TRIANGLES_BY_VERTICES;
+  }
+  Asked(const Asked&) = delete;
+  Asked& operator=(const Asked&) = delete;
+
+  [[nodiscard]] const Query& cpp() const { return cpp_; }
+  [[nodiscard]] const shaftcull_query* c() const { return is_null_ ? nullptr : &c_; }
+
+ private:
+  std::span<const std::uint32_t> each_;
+  std::span<const std::uint32_t> masks_;
+  Query cpp_;
+  shaftcull_query c_{};
+  bool is_null_;
+};
+
+/// Shafts and bounds as both languages know them.
+struct Case {
+  const Shafts& shafts;
+  const shaftcull_bounds* c;
+  Bounds cpp;
+  Kind kind;
+  bool has_layers;
+};
+
+/// What is asked of a case.
+struct Question {
+  const Case& of;
+  const Options& options;
+  std::size_t start = 0;  ///< the first shaft that is asked by itself
+  std::size_t step = 1;   ///< and how far it is to the next one
+
+  [[nodiscard]] const shaftcull_shafts* shafts() const { return of.shafts.c.get(); }
+  [[nodiscard]] const CompiledShaft& shaft(std::size_t s) const { return of.shafts.cpp[s]; }
+  [[nodiscard]] std::size_t size() const { return of.cpp.size(); }
+  /// How many of the shafts answer. Hulls answer about triangles by vertices only.
+  [[nodiscard]] std::size_t count() const {
+    const bool is_exact = of.kind == Kind::triangles && options.test == TriangleTest::exact;
+    return is_exact ? of.shafts.moving : of.shafts.cpp.size();
+  }
+
+  /// Whether the options mean something to these bounds.
+  [[nodiscard]] bool fits() const {
+    return (of.kind == Kind::triangles || options.test == TriangleTest::exact) &&
+           (of.has_layers || options.layer_masks.empty());
+  }
+  /// ... and to a verb that takes no limit.
+  [[nodiscard]] bool fits_without_limit() const { return fits() && options.limit == 0; }
+};
+
+/// Makes both calls. Where the C++ one refuses the query, as it must unless it `fits`, so does the one of C, in the
+/// same words.
+template <class Cpp, class C>
+void both_answer(bool fits, const Cpp& cpp, const C& c) {
+#if defined(__cpp_exceptions)
+  try {
+    cpp();
+  } catch (const InvalidArgument& refused) {
+    EXPECT_FALSE(fits) << refused.what();
+    EXPECT_EQ(c(), SHAFTCULL_INVALID_ARGUMENT);
+    EXPECT_STREQ(shaftcull_error_message(), refused.what());
+    return;
+  }
+  EXPECT_TRUE(fits) << "an option that means nothing was not refused";
+#else
+  if (!fits) return;  // errors are no statuses
+  cpp();
+#endif
+  ok(c());
+}
 
 KeptCounts as_counts(const shaftcull_kept_counts& counts) {
   return {static_cast<std::size_t>(counts.overlap), static_cast<std::size_t>(counts.inside)};
 }
 
-template <class Range>
-std::pair<std::uint64_t, std::uint64_t> as_pair(const Range& range) {
-  return {range.first, range.size};
-}
-using Pairs = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
-template <class Ranges>
-Pairs as_pairs(const Ranges& ranges) {
-  Pairs out;
-  for (const auto& range : ranges) out.push_back(as_pair(range));
-  return out;
+FirstContact as_contact(const shaftcull_contact_found& contact) {
+  EXPECT_EQ(contact.found, contact.index == SHAFTCULL_NONE ? 0U : 1U);
+  return {contact.found == 0 ? FirstContact::none : static_cast<std::uint32_t>(contact.index), contact.time};
 }
 
-/// Bits, counts and any, of one shaft and of `count` from the first on.
-template <class Set, class Option>
-void compare_bits(const Question<Set, Option>& q, std::size_t count) {
-  const shaftcull_shafts* const c = q.shafts.c.get();
-  const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(count);
-  const std::size_t words = words_for(q.size);
-  for (std::size_t s = 0; s != count; ++s) {
-    SCOPED_TRACE("shaft " + std::to_string(s));
-    Words expected(words);
-    Words given(words, 99);
-    q.with([&](const auto&... option) { return cull(shafts[s], q.set, expected, option...); });
-    ok(shaftcull_cull(c, s, q.bounds, q.query, given.data(), words));
-    EXPECT_EQ(given, expected);
-    std::uint64_t number = 99;
-    ok(shaftcull_count(c, s, q.bounds, q.query, &number));
-    EXPECT_EQ(number, q.with([&](const auto&... option) { return shaftcull::count(shafts[s], q.set, option...); }));
-    std::uint32_t any_kept = 99;
-    ok(shaftcull_any(c, s, q.bounds, q.query, &any_kept));
-    EXPECT_EQ(any_kept != 0, q.with([&](const auto&... option) { return any(shafts[s], q.set, option...); }));
-  }
-  Words expected(words * count);
-  Words given(words * count, 99);
-  q.with([&](const auto&... option) { return cull_many(shafts, q.set, expected, option...); });
-  ok(shaftcull_cull_many(c, 0, count, q.bounds, q.query, given.data(), given.size()));
-  EXPECT_EQ(given, expected);
-  expected.assign(count, 0);
-  given.assign(count, 99);
-  q.with([&](const auto&... option) { return count_many(shafts, q.set, expected, option...); });
-  ok(shaftcull_count_many(c, 0, count, q.bounds, q.query, given.data()));
-  EXPECT_EQ(given, expected);
-  expected.assign(words_for(count), 0);
-  given.assign(words_for(count), 99);
-  q.with([&](const auto&... option) { return any_many(shafts, q.set, expected, option...); });
-  ok(shaftcull_any_many(c, 0, count, q.bounds, q.query, given.data(), given.size()));
-  EXPECT_EQ(given, expected);
+/// The first `size` of them, or fewer if there is less room.
+Indices first_of(const Indices& indices, std::size_t size) {
+  return {indices.begin(), indices.begin() + static_cast<std::ptrdiff_t>(std::min(size, indices.size()))};
 }
 
-/// Lists of indices.
-template <class Set, class Option>
-void compare_lists(const Question<Set, Option>& q, std::size_t count) {
-  const shaftcull_shafts* const c = q.shafts.c.get();
-  const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(count);
-  for (std::size_t s = 0; s != count; ++s) {
-    SCOPED_TRACE("shaft " + std::to_string(s));
-    for (const std::size_t room : {q.size, std::size_t{3}}) {
-      Indices expected(room);
-      Indices given(room, 99);
-      std::uint64_t number = 99;
-      const std::size_t found = q.with(
-          [&](const auto&... option) { return list(shafts[s], q.set, std::span<std::uint32_t>(expected), option...); });
-      ok(shaftcull_list(c, s, q.bounds, q.query, given.data(), room, &number));
-      ASSERT_EQ(number, found);
-      expected.resize(std::min(found, room));
-      given.resize(std::min(found, room));
-      EXPECT_EQ(given, expected);
-    }
-  }
-  IndexLists expected;
-  q.with([&](const auto&... option) { return list_many(shafts, q.set, expected, option...); });
-  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES});
-  ok(shaftcull_list_many(c, 0, count, q.bounds, q.query, lists.get()));
-  ASSERT_EQ(shaftcull_lists_count(lists.get()), count);
-  const std::uint64_t* const offsets = shaftcull_lists_offsets(lists.get());
-  EXPECT_EQ(Words(offsets, offsets + count + 1), expected.offsets);
-  Indices given;
-  const std::uint32_t* const indices = shaftcull_lists_indices(lists.get());
-  if (indices != nullptr) given.assign(indices, indices + offsets[count]);
-  EXPECT_EQ(shaftcull_lists_ranges(lists.get()), nullptr);
-  EXPECT_EQ(given, expected.indices);
+void expect_same(const ListsHandle& given, const IndexLists& expected) {
+  ASSERT_EQ(shaftcull_lists_count(given.get()), expected.size());
+  const std::uint64_t* const offsets = shaftcull_lists_offsets(given.get());
+  ASSERT_EQ(offsets == nullptr, expected.offsets.empty());
+  EXPECT_EQ(Words(offsets, offsets + expected.offsets.size()), expected.offsets);
+  const std::uint32_t* const indices = shaftcull_lists_indices(given.get());
+  ASSERT_EQ(indices == nullptr, expected.indices.empty());
+  EXPECT_EQ(Indices(indices, indices + expected.indices.size()), expected.indices);
 }
 
-/// What boxes and spheres are asked and triangles are not: inside, at most so many, candidates.
-template <class Set, class Option>
-void compare_classified(const Question<Set, Option>& q) {
-  const shaftcull_shafts* const c = q.shafts.c.get();
-  const std::size_t count = q.shafts.cpp.size();
-  const std::span<const CompiledShaft> shafts(q.shafts.cpp);
-  const std::size_t words = words_for(q.size);
-  constexpr std::size_t most = 4;
-  Indices candidates;
-  for (std::size_t i = 0; i < q.size; i += 3) candidates.push_back(static_cast<std::uint32_t>(i));
-  for (std::size_t s = 0; s != count; ++s) {
-    SCOPED_TRACE("shaft " + std::to_string(s));
-    Words kept(words);
-    Words inside(words);
-    Words given_kept(words, 99);
-    Words given_inside(words, 99);
-    q.with([&](const auto&... option) { return classify(shafts[s], q.set, kept, inside, option...); });
-    ok(shaftcull_classify(c, s, q.bounds, q.query, given_kept.data(), given_inside.data(), words));
-    EXPECT_EQ(given_kept, kept);
-    EXPECT_EQ(given_inside, inside);
-    given_inside.assign(words, 99);
-    if constexpr (FlatSet<Set>) {
-      contained(shafts[s], q.set, inside);
-    } else {
-      q.with([&](const auto&... option) { return contained(shafts[s], q.set, inside, option...); });
-    }
-    ok(shaftcull_contained(c, s, q.bounds, q.query, given_inside.data(), words));
-    EXPECT_EQ(given_inside, inside);
+// Of all comparisons below: both calls write over the same values. So results are the same after a call that is
+// refused, too, since it writes nothing.
 
-    std::uint64_t number = 99;
-    ok(shaftcull_count_at_most(c, s, q.bounds, q.query, most, &number));
-    EXPECT_EQ(number, q.with([&](const auto&... option) { return count_at_most(shafts[s], q.set, most, option...); }));
-    shaftcull_kept_counts counts{99, 99};
-    ok(shaftcull_count_classified(c, s, q.bounds, q.query, &counts));
-    EXPECT_EQ(as_counts(counts),
-              q.with([&](const auto&... option) { return count_classified(shafts[s], q.set, option...); }));
-
-    Indices first(most);
-    Indices given_first(most);
-    const std::size_t found = q.with([&](const auto&... option) {
-      return list_at_most(shafts[s], q.set, std::span<std::uint32_t>(first), option...);
-    });
-    Indices overlap(q.size);
-    Indices within(q.size);
-    Indices given_overlap(q.size);
-    Indices given_within(q.size);
-    const KeptCounts expected = q.with([&](const auto&... option) {
-      return list_classified(shafts[s], q.set, std::span<std::uint32_t>(overlap), std::span<std::uint32_t>(within),
-                             option...);
-    });
-    Indices refined(candidates.size());
-    Indices given_refined(candidates.size());
-    const std::size_t left = refine(shafts[s], q.set, candidates, refined);
-    std::uint64_t given_left = 99;
-    ok(shaftcull_list_at_most(c, s, q.bounds, q.query, given_first.data(), most, &number));
-    ok(shaftcull_list_classified(c, s, q.bounds, q.query, given_overlap.data(), q.size, given_within.data(), q.size,
-                                 &counts));
-    ok(shaftcull_refine(c, s, q.bounds, candidates.data(), candidates.size(), given_refined.data(),
-                        given_refined.size(), &given_left));
-    ASSERT_EQ(number, found);
-    first.resize(found);
-    given_first.resize(found);
-    EXPECT_EQ(given_first, first);
-    ASSERT_EQ(as_counts(counts), expected);
-    overlap.resize(expected.overlap);
-    given_overlap.resize(expected.overlap);
-    within.resize(expected.inside);
-    given_within.resize(expected.inside);
-    EXPECT_EQ(given_overlap, overlap);
-    EXPECT_EQ(given_within, within);
-    ASSERT_EQ(given_left, left);
-    refined.resize(left);
-    given_refined.resize(left);
-    EXPECT_EQ(given_refined, refined);
-  }
-
-  Words kept(words * count);
-  Words inside(words * count);
-  Words given_kept(words * count, 99);
-  Words given_inside(words * count, 99);
-  q.with([&](const auto&... option) { return classify_many(shafts, q.set, kept, inside, option...); });
-  ok(shaftcull_classify_many(c, 0, count, q.bounds, q.query, given_kept.data(), given_inside.data(), kept.size()));
+/// Bits, classified counts and any, of one shaft.
+void compare_bits(const Question& q, std::size_t s) {
+  const Asked asked(q.options, s, 1);
+  const shaftcull_shafts* const c = q.shafts();
+  const Bounds& bounds = q.of.cpp;
+  const bool fits = q.fits_without_limit();
+  const std::size_t words = words_for(q.size());
+  Words kept(words, 99);
+  Words inside(words, 99);
+  Words given_kept(words, 99);
+  Words given_inside(words, 99);
+  both_answer(
+      fits, [&] { cull(q.shaft(s), bounds, kept, asked.cpp()); },
+      [&] { return shaftcull_cull(c, s, q.of.c, asked.c(), given_kept.data(), words); });
+  EXPECT_EQ(given_kept, kept);
+  kept.assign(words, 99);
+  given_kept.assign(words, 99);
+  both_answer(
+      fits, [&] { classify(q.shaft(s), bounds, kept, inside, asked.cpp()); },
+      [&] { return shaftcull_classify(c, s, q.of.c, asked.c(), given_kept.data(), given_inside.data(), words); });
   EXPECT_EQ(given_kept, kept);
   EXPECT_EQ(given_inside, inside);
-  given_inside.assign(words * count, 99);
-  ok(shaftcull_contained_many(c, 0, count, q.bounds, q.query, given_inside.data(), inside.size()));
+  inside.assign(words, 99);
+  given_inside.assign(words, 99);
+  both_answer(
+      fits, [&] { classify(q.shaft(s), bounds, {}, inside, asked.cpp()); },
+      [&] { return shaftcull_classify(c, s, q.of.c, asked.c(), nullptr, given_inside.data(), words); });
   EXPECT_EQ(given_inside, inside);
 
-  Words numbers(count);
-  Words given_numbers(count, 99);
-  q.with([&](const auto&... option) { return count_at_most_many(shafts, q.set, most, numbers, option...); });
-  ok(shaftcull_count_at_most_many(c, 0, count, q.bounds, q.query, most, given_numbers.data()));
+  KeptCounts counts{99, 99};
+  shaftcull_kept_counts given_counts{99, 99};
+  both_answer(
+      fits, [&] { counts = count_classified(q.shaft(s), bounds, asked.cpp()); },
+      [&] { return shaftcull_count_classified(c, s, q.of.c, asked.c(), &given_counts); });
+  EXPECT_EQ(as_counts(given_counts), counts);
+  std::uint32_t is_any = 99;
+  std::uint32_t given_any = 99;
+  both_answer(
+      fits, [&] { is_any = any(q.shaft(s), bounds, asked.cpp()) ? 1 : 0; },
+      [&] { return shaftcull_any(c, s, q.of.c, asked.c(), &given_any); });
+  EXPECT_EQ(given_any, is_any);
+}
+
+/// Counts and lists of one shaft.
+void compare_lists(const Question& q, std::size_t s) {
+  const Asked asked(q.options, s, 1);
+  const shaftcull_shafts* const c = q.shafts();
+  const Bounds& bounds = q.of.cpp;
+  std::size_t number = 99;
+  std::uint64_t given_number = 99;
+  both_answer(
+      q.fits(), [&] { number = count(q.shaft(s), bounds, asked.cpp()); },
+      [&] { return shaftcull_count(c, s, q.of.c, asked.c(), &given_number); });
+  EXPECT_EQ(given_number, number);
+  for (const std::size_t room : {q.size(), std::size_t{3}}) {
+    Indices expected(room, 99);
+    Indices given(room, 99);
+    number = 99;
+    given_number = 99;
+    both_answer(
+        q.fits(), [&] { number = list(q.shaft(s), bounds, std::span<std::uint32_t>(expected), asked.cpp()); },
+        [&] { return shaftcull_list(c, s, q.of.c, asked.c(), given.data(), room, &given_number); });
+    ASSERT_EQ(given_number, number);
+    EXPECT_EQ(first_of(given, number), first_of(expected, number));
+  }
+  Indices overlap(q.size(), 99);
+  Indices inside(q.size(), 99);
+  Indices given_overlap(q.size(), 99);
+  Indices given_inside(q.size(), 99);
+  KeptCounts counts{99, 99};
+  shaftcull_kept_counts given_counts{99, 99};
+  both_answer(
+      q.fits_without_limit(), [&] { counts = list_classified(q.shaft(s), bounds, overlap, inside, asked.cpp()); },
+      [&] {
+        return shaftcull_list_classified(c, s, q.of.c, asked.c(), given_overlap.data(), q.size(), given_inside.data(),
+                                         q.size(), &given_counts);
+      });
+  ASSERT_EQ(as_counts(given_counts), counts);
+  EXPECT_EQ(first_of(given_overlap, counts.overlap), first_of(overlap, counts.overlap));
+  EXPECT_EQ(first_of(given_inside, counts.inside), first_of(inside, counts.inside));
+
+  // Lists of candidates may overwrite them.
+  if (!q.fits() || !q.options.only || q.options.only->empty()) return;
+  Options options = q.options;
+  Options given_options = q.options;
+  const Asked over(options, s, 1);
+  const Asked given_over(given_options, s, 1);
+  Indices& left = *options.only;
+  Indices& given_left = *given_options.only;
+  number = list(q.shaft(s), bounds, std::span<std::uint32_t>(left), over.cpp());
+  ok(shaftcull_list(c, s, q.of.c, given_over.c(), given_left.data(), given_left.size(), &given_number));
+  ASSERT_EQ(given_number, number);
+  EXPECT_EQ(first_of(given_left, number), first_of(left, number));
+}
+
+/// Bits, counts and lists of many shafts, from `first` on.
+void compare_many(const Question& q, std::size_t first) {
+  const std::size_t shafts = q.count() - first;
+  const Asked asked(q.options, first, shafts);
+  const shaftcull_shafts* const c = q.shafts();
+  const std::span<const CompiledShaft> cpp = std::span(q.of.shafts.cpp).subspan(first, shafts);
+  const Bounds& bounds = q.of.cpp;
+  const bool fits = q.fits_without_limit();
+  const std::size_t words = words_for(q.size()) * shafts;
+  Words kept(words, 99);
+  Words inside(words, 99);
+  Words given_kept(words, 99);
+  Words given_inside(words, 99);
+  both_answer(
+      fits, [&] { cull_many(cpp, bounds, kept, asked.cpp()); },
+      [&] { return shaftcull_cull_many(c, first, shafts, q.of.c, asked.c(), given_kept.data(), words); });
+  EXPECT_EQ(given_kept, kept);
+  kept.assign(words, 99);
+  given_kept.assign(words, 99);
+  both_answer(
+      fits, [&] { classify_many(cpp, bounds, kept, inside, asked.cpp()); },
+      [&] {
+        return shaftcull_classify_many(c, first, shafts, q.of.c, asked.c(), given_kept.data(), given_inside.data(),
+                                       words);
+      });
+  EXPECT_EQ(given_kept, kept);
+  EXPECT_EQ(given_inside, inside);
+  inside.assign(words, 99);
+  given_inside.assign(words, 99);
+  both_answer(
+      fits, [&] { classify_many(cpp, bounds, {}, inside, asked.cpp()); },
+      [&] {
+        return shaftcull_classify_many(c, first, shafts, q.of.c, asked.c(), nullptr, given_inside.data(), words);
+      });
+  EXPECT_EQ(given_inside, inside);
+
+  Words numbers(shafts, 99);
+  Words given_numbers(shafts, 99);
+  both_answer(
+      q.fits(), [&] { count_many(cpp, bounds, numbers, asked.cpp()); },
+      [&] { return shaftcull_count_many(c, first, shafts, q.of.c, asked.c(), given_numbers.data()); });
   EXPECT_EQ(given_numbers, numbers);
-  std::vector<KeptCounts> counts(count);
-  std::vector<shaftcull_kept_counts> given_counts(count);
-  q.with([&](const auto&... option) { return count_classified_many(shafts, q.set, counts, option...); });
-  ok(shaftcull_count_classified_many(c, 0, count, q.bounds, q.query, given_counts.data()));
-  for (std::size_t s = 0; s != count; ++s) {
+  std::vector<KeptCounts> counts(shafts, KeptCounts{99, 99});
+  std::vector<shaftcull_kept_counts> given_counts(shafts, shaftcull_kept_counts{99, 99});
+  both_answer(
+      fits, [&] { count_classified_many(cpp, bounds, counts, asked.cpp()); },
+      [&] { return shaftcull_count_classified_many(c, first, shafts, q.of.c, asked.c(), given_counts.data()); });
+  for (std::size_t s = 0; s != shafts; ++s) {
     EXPECT_EQ(as_counts(given_counts[s]), counts[s]);
   }
+  Words any_bits(words_for(shafts), 99);
+  Words given_any(words_for(shafts), 99);
+  both_answer(
+      fits, [&] { any_many(cpp, bounds, any_bits, asked.cpp()); },
+      [&] { return shaftcull_any_many(c, first, shafts, q.of.c, asked.c(), given_any.data(), given_any.size()); });
+  EXPECT_EQ(given_any, any_bits);
 
-  const std::uint32_t kind = SHAFTCULL_LISTS_OF_INDICES;
-  const ListsHandle given_overlap = made<ListsHandle>(shaftcull_lists_create, kind);
-  const ListsHandle given_within = made<ListsHandle>(shaftcull_lists_create, kind);
-  const ListsHandle given_refined = made<ListsHandle>(shaftcull_lists_create, kind);
-  IndexLists overlap;
-  IndexLists within;
-  IndexLists refined;
-  q.with([&](const auto&... option) { return list_classified_many(shafts, q.set, overlap, within, option...); });
-  refine_many(shafts, q.set, candidates, refined);
-  ok(shaftcull_list_classified_many(c, 0, count, q.bounds, q.query, given_overlap.get(), given_within.get()));
-  Indices rows(count * most);
-  Indices given_rows(count * most);
-  q.with([&](const auto&... option) {
-    return list_at_most_many(shafts, q.set, most, std::span<std::uint32_t>(rows), numbers, option...);
-  });
-  ok(shaftcull_refine_many(c, 0, count, q.bounds, candidates.data(), candidates.size(), given_refined.get()));
-  ok(shaftcull_list_at_most_many(c, 0, count, q.bounds, q.query, most, given_rows.data(), given_numbers.data()));
-  const auto same = [&](const ListsHandle& given, const IndexLists& lists) {
-    const std::uint64_t* const offsets = shaftcull_lists_offsets(given.get());
-    ASSERT_NE(offsets, nullptr);
-    EXPECT_EQ(Words(offsets, offsets + count + 1), lists.offsets);
-    const std::uint32_t* const indices = shaftcull_lists_indices(given.get());
-    EXPECT_EQ(Indices(indices, indices + (indices == nullptr ? 0 : offsets[count])), lists.indices);
-  };
-  same(given_overlap, overlap);
-  same(given_within, within);
-  same(given_refined, refined);
-  EXPECT_EQ(given_numbers, numbers);
-  for (std::size_t s = 0; s != count; ++s) {
-    for (std::size_t i = 0; i != numbers[s]; ++i) EXPECT_EQ(given_rows[s * most + i], rows[s * most + i]);
-  }
-}
-
-/// First contact and entry times, of the shafts in which something moves.
-template <class Set, class Option>
-void compare_times(const Question<Set, Option>& q) {
-  const shaftcull_shafts* const c = q.shafts.c.get();
-  const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(q.shafts.moving);
-  Indices indices;
-  for (std::size_t i = 0; i < q.size; i += 2) indices.push_back(static_cast<std::uint32_t>(i));
-  const auto same = [](const shaftcull_contact_found& given, const auto& expected) {
-    EXPECT_EQ(given.found != 0, static_cast<bool>(expected));
-    EXPECT_EQ(given.time, expected.time);
-    EXPECT_EQ(given.index, expected ? std::uint64_t{expected.index} : SHAFTCULL_NONE);
-  };
-  for (std::size_t s = 0; s != shafts.size(); ++s) {
-    shaftcull_contact_found contact{};
-    ok(shaftcull_first_contact(c, s, q.bounds, q.query, &contact));
-    same(contact, q.with([&](const auto&... option) { return first_contact(shafts[s], q.set, option...); }));
-    std::vector<float> expected(indices.size());
-    std::vector<float> given(indices.size());
-    entry_times(shafts[s], q.set, indices, expected);
-    ok(shaftcull_entry_times(c, s, q.bounds, indices.data(), given.data(), indices.size()));
-    EXPECT_EQ(given, expected);
-  }
-  std::vector<FirstContact> expected(shafts.size());
-  std::vector<shaftcull_contact_found> contacts(shafts.size());
-  q.with([&](const auto&... option) { return first_contact_many(shafts, q.set, expected, option...); });
-  ok(shaftcull_first_contact_many(c, 0, shafts.size(), q.bounds, q.query, contacts.data()));
-  for (std::size_t s = 0; s != shafts.size(); ++s) same(contacts[s], expected[s]);
-}
-
-/// What blocks the shafts that are between two boxes.
-template <class Set, class Option>
-void compare_blocking(const Question<Set, Option>& q) {
-  const shaftcull_shafts* const c = q.shafts.c.get();
-  const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).first(q.shafts.between);
-  const auto call = [&](auto&& verb) {
-    if constexpr (FlatSet<Set>) {
-      return verb(q.set);
-    } else {
-      return q.with([&](const auto&... option) { return verb(q.set, option...); });
-    }
-  };
-  for (std::size_t s = 0; s != shafts.size(); ++s) {
-    std::uint32_t is_blocked = 99;
-    ok(shaftcull_blocked(c, s, q.bounds, q.query, &is_blocked));
-    EXPECT_EQ(is_blocked != 0, call([&](const auto&... asked) { return blocked(shafts[s], asked...); }));
-    std::uint64_t index = 99;
-    ok(shaftcull_blocked_by(c, s, q.bounds, q.query, &index));
-    const auto by = call([&](const auto&... asked) { return blocked_by(shafts[s], asked...); });
-    EXPECT_EQ(index, by ? std::uint64_t{*by} : SHAFTCULL_NONE);
-    Indices expected(q.size);
-    Indices given(q.size);
-    std::size_t found = 0;
-    if constexpr (FlatSet<Set>) {
-      found = list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected));
-    } else {
-      found = q.with([&](const auto&... option) {
-        return list_blocking(shafts[s], q.set, std::span<std::uint32_t>(expected), option...);
+  IndexLists lists;
+  IndexLists inside_lists;
+  const ListsHandle given = made<ListsHandle>(shaftcull_lists_create);
+  const ListsHandle given_inside_lists = made<ListsHandle>(shaftcull_lists_create);
+  both_answer(
+      q.fits(), [&] { list_many(cpp, bounds, lists, asked.cpp()); },
+      [&] { return shaftcull_list_many(c, first, shafts, q.of.c, asked.c(), given.get()); });
+  expect_same(given, lists);
+  both_answer(
+      fits, [&] { list_classified_many(cpp, bounds, lists, inside_lists, asked.cpp()); },
+      [&] {
+        return shaftcull_list_classified_many(c, first, shafts, q.of.c, asked.c(), given.get(),
+                                              given_inside_lists.get());
       });
-    }
-    std::uint64_t number = 99;
-    ok(shaftcull_list_blocking(c, s, q.bounds, q.query, given.data(), q.size, &number));
-    ASSERT_EQ(number, found);
-    expected.resize(found);
-    given.resize(found);
-    EXPECT_EQ(given, expected);
+  expect_same(given, lists);
+  expect_same(given_inside_lists, inside_lists);
+}
+
+/// First contact and entry times, of the shafts in which something moves. Triangles are refused.
+void compare_times(const Question& q) {
+  const shaftcull_shafts* const c = q.shafts();
+  const Bounds& bounds = q.of.cpp;
+  const std::size_t shafts = q.of.shafts.moving;
+  const bool fits = q.fits_without_limit() && q.of.kind != Kind::triangles;
+  Indices indices;
+  for (std::size_t i = 0; i < q.size(); i += 2) indices.push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t s = q.start; s < shafts; s += q.step) {
+    const Asked asked(q.options, s, 1);
+    FirstContact expected{99, 99};
+    shaftcull_contact_found given{99, 99, 1};
+    both_answer(
+        fits, [&] { expected = first_contact(q.shaft(s), bounds, asked.cpp()); },
+        [&] { return shaftcull_first_contact(c, s, q.of.c, asked.c(), &given); });
+    EXPECT_EQ(as_contact(given), expected);
+    if (!q.options.null) continue;  // entry times have no query
+    std::vector<float> times(indices.size(), 99);
+    std::vector<float> given_times(indices.size(), 99);
+    both_answer(
+        fits, [&] { entry_times(q.shaft(s), bounds, indices, times); },
+        [&] { return shaftcull_entry_times(c, s, q.of.c, indices.data(), given_times.data(), indices.size()); });
+    EXPECT_EQ(given_times, times);
   }
-  Words expected(words_for(shafts.size()));
+  const Asked asked(q.options, 0, shafts);
+  std::vector<FirstContact> expected(shafts, FirstContact{99, 99});
+  std::vector<shaftcull_contact_found> given(shafts, shaftcull_contact_found{99, 99, 1});
+  both_answer(
+      fits, [&] { first_contact_many(std::span(q.of.shafts.cpp).first(shafts), bounds, expected, asked.cpp()); },
+      [&] { return shaftcull_first_contact_many(c, 0, shafts, q.of.c, asked.c(), given.data()); });
+  for (std::size_t s = 0; s != shafts; ++s) {
+    EXPECT_EQ(as_contact(given[s]), expected[s]);
+  }
+}
+
+/// What blocks the shafts that are between two boxes. Spheres, triangles and candidates are refused.
+void compare_blocking(const Question& q) {
+  const shaftcull_shafts* const c = q.shafts();
+  const Bounds& solids = q.of.cpp;
+  const std::size_t shafts = q.of.shafts.between;
+  const bool lists_fit = q.fits() && q.of.kind == Kind::boxes && !q.options.only;
+  const bool fits = lists_fit && q.options.limit == 0;
+  for (std::size_t s = q.start; s < shafts; s += q.step) {
+    const Asked asked(q.options, s, 1);
+    std::uint32_t is_blocked = 99;
+    std::uint32_t given_blocked = 99;
+    both_answer(
+        fits, [&] { is_blocked = blocked(q.shaft(s), solids, asked.cpp()) ? 1 : 0; },
+        [&] { return shaftcull_blocked(c, s, q.of.c, asked.c(), &given_blocked); });
+    EXPECT_EQ(given_blocked, is_blocked);
+    std::optional<std::uint32_t> by = 99;
+    std::uint64_t given_by = 99;
+    both_answer(
+        fits, [&] { by = blocked_by(q.shaft(s), solids, asked.cpp()); },
+        [&] { return shaftcull_blocked_by(c, s, q.of.c, asked.c(), &given_by); });
+    EXPECT_EQ(given_by, by ? std::uint64_t{*by} : SHAFTCULL_NONE);
+    Indices expected(q.size(), 99);
+    Indices given(q.size(), 99);
+    std::size_t number = 99;
+    std::uint64_t given_number = 99;
+    both_answer(
+        lists_fit, [&] { number = list_blocking(q.shaft(s), solids, expected, asked.cpp()); },
+        [&] { return shaftcull_list_blocking(c, s, q.of.c, asked.c(), given.data(), q.size(), &given_number); });
+    ASSERT_EQ(given_number, number);
+    EXPECT_EQ(first_of(given, number), first_of(expected, number));
+  }
+  const Asked asked(q.options, 0, shafts);
+  const std::span<const CompiledShaft> cpp = std::span(q.of.shafts.cpp).first(shafts);
+  Words expected(words_for(shafts), 99);
   Words given(expected.size(), 99);
+  both_answer(
+      fits, [&] { blocked_many(cpp, solids, expected, asked.cpp()); },
+      [&] { return shaftcull_blocked_many(c, 0, shafts, q.of.c, asked.c(), given.data(), given.size()); });
+  EXPECT_EQ(given, expected);
   IndexLists expected_lists;
-  if constexpr (FlatSet<Set>) {
-    blocked_many(shafts, q.set, expected);
-    list_blocking_many(shafts, q.set, expected_lists);
-  } else {
-    q.with([&](const auto&... option) { return blocked_many(shafts, q.set, expected, option...); });
-    q.with([&](const auto&... option) { return list_blocking_many(shafts, q.set, expected_lists, option...); });
-  }
-  ok(shaftcull_blocked_many(c, 0, shafts.size(), q.bounds, q.query, given.data(), given.size()));
-  EXPECT_EQ(given, expected);
-  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES});
-  ok(shaftcull_list_blocking_many(c, 0, shafts.size(), q.bounds, q.query, lists.get()));
-  const std::uint64_t* const offsets = shaftcull_lists_offsets(lists.get());
-  EXPECT_EQ(Words(offsets, offsets + shafts.size() + 1), expected_lists.offsets);
+  const ListsHandle given_lists = made<ListsHandle>(shaftcull_lists_create);
+  both_answer(
+      lists_fit, [&] { list_blocking_many(cpp, solids, expected_lists, asked.cpp()); },
+      [&] { return shaftcull_list_blocking_many(c, 0, shafts, q.of.c, asked.c(), given_lists.get()); });
+  expect_same(given_lists, expected_lists);
 }
 
-/// What a callback was told.
-struct Told {
-  std::vector<std::tuple<std::uint64_t, std::uint64_t, Words, Words>> tiles;
-  std::vector<std::tuple<std::uint64_t, Pairs, Pairs>> ranges;
-  friend bool operator==(const Told&, const Told&) = default;
-};
-
-extern "C" std::int32_t record_tile(const shaftcull_tile* tile, void* user) {
-  const std::size_t words = words_for(tile->size);
-  static_cast<Told*>(user)->tiles.emplace_back(
-      tile->shaft, tile->first, Words(tile->kept, tile->kept + words),
-      tile->inside == nullptr ? Words() : Words(tile->inside, tile->inside + words));
-  return 0;
-}
-extern "C" std::int32_t record_ranges(const shaftcull_ranges* ranges, void* user) {
-  static_cast<Told*>(user)->ranges.emplace_back(ranges->shaft, as_pairs(std::span(ranges->kept, ranges->kept_count)),
-                                                as_pairs(std::span(ranges->inside, ranges->inside_count)));
-  return 0;
-}
-
-/// Tiles of views.
-template <class Set, class Option>
-void compare_tiles(const Question<Set, Option>& q) {
-  const std::uint64_t count = q.shafts.cpp.size() - 1;  // from shaft 1 on
-  const std::span<const CompiledShaft> shafts = std::span(q.shafts.cpp).subspan(1);
-  Told expected;
-  Told given;
-  const auto record = [&](const TileAnswers& answers) {
-    expected.tiles.emplace_back(answers.shaft + 1, answers.first, Words(answers.kept.begin(), answers.kept.end()),
-                                Words(answers.inside.begin(), answers.inside.end()));
-  };
-  q.with([&](const auto&... option) { return for_each_tile(shafts, q.set, record, option...); });
-  q.with([&](const auto&... option) { return for_each_classified_tile(shafts, q.set, record, option...); });
-  ok(shaftcull_for_each_tile(q.shafts.c.get(), 1, count, q.bounds, q.query, record_tile, &given));
-  ok(shaftcull_for_each_classified_tile(q.shafts.c.get(), 1, count, q.bounds, q.query, record_tile, &given));
-  EXPECT_FALSE(expected.tiles.empty());
-  EXPECT_EQ(given, expected);
-}
-
-/// Ranges of leaves of trees: in the caller's memory, in lists, and for callbacks.
-template <class Set>
-void compare_ranges(const Question<Set, Excluding>& q) {
-  const shaftcull_shafts* const c = q.shafts.c.get();
-  const std::span<const CompiledShaft> shafts(q.shafts.cpp);
-  const std::size_t count = shafts.size();
-  using Ranges = std::vector<LeafRange>;
-  for (std::size_t s = 0; s != count; ++s) {
-    SCOPED_TRACE("shaft " + std::to_string(s));
-    for (const std::size_t room : {q.size, std::size_t{1}}) {
-      Ranges ranges(room);
-      std::vector<shaftcull_leaf_range> given(room);
-      std::uint64_t number = 99;
-      const std::size_t found =
-          q.with([&](const auto&... option) { return list(shafts[s], q.set, std::span(ranges), option...); });
-      ok(shaftcull_list_ranges(c, s, q.bounds, q.query, given.data(), room, &number));
-      ASSERT_EQ(number, found);
-      ranges.resize(std::min(room, found));
-      given.resize(std::min(room, found));
-      EXPECT_EQ(as_pairs(given), as_pairs(ranges));
+/// All questions with these options. Some shafts are asked by themselves, others with other options.
+void compare(const Case& of, const std::vector<Options>& all) {
+  constexpr std::size_t some = 5;
+  for (std::size_t o = 0; o != all.size(); ++o) {
+    SCOPED_TRACE(all[o].name);
+    const bool everywhere = all[o].everywhere;
+    const Question q{of, all[o], everywhere ? 0 : o % some, everywhere ? 1 : some};
+    for (std::size_t s = q.start; s < q.count(); s += q.step) {
+      SCOPED_TRACE("shaft " + std::to_string(s));
+      compare_bits(q, s);
+      compare_lists(q, s);
     }
-    Ranges overlap(q.size);
-    Ranges inside(q.size);
-    std::vector<shaftcull_leaf_range> given_overlap(q.size);
-    std::vector<shaftcull_leaf_range> given_inside(q.size);
-    shaftcull_kept_counts counts{};
-    const KeptCounts found = q.with([&](const auto&... option) {
-      return list_classified(shafts[s], q.set, std::span(overlap), std::span(inside), option...);
-    });
-    ok(shaftcull_list_classified_ranges(c, s, q.bounds, q.query, given_overlap.data(), q.size, given_inside.data(),
-                                        q.size, &counts));
-    ASSERT_EQ(as_counts(counts), found);
-    overlap.resize(found.overlap);
-    given_overlap.resize(found.overlap);
-    inside.resize(found.inside);
-    given_inside.resize(found.inside);
-    EXPECT_EQ(as_pairs(given_overlap), as_pairs(overlap));
-    EXPECT_EQ(as_pairs(given_inside), as_pairs(inside));
+    compare_many(q, o % 2);
+    compare_times(q);
+    compare_blocking(q);
   }
+}
 
-  const auto same = [count](const ListsHandle& given, const LeafRangeLists& lists) {
-    ASSERT_EQ(shaftcull_lists_count(given.get()), count);
-    const std::uint64_t* const offsets = shaftcull_lists_offsets(given.get());
-    EXPECT_EQ(Words(offsets, offsets + count + 1), lists.offsets);
-    const shaftcull_leaf_range* const ranges = shaftcull_lists_ranges(given.get());
-    EXPECT_EQ(as_pairs(std::span(ranges, ranges == nullptr ? 0 : offsets[count])), as_pairs(lists.ranges));
+/// Layers of so many bounds, four of them.
+Indices some_layers(Random& random, std::size_t size) {
+  Indices layers(size);
+  for (std::uint32_t& layer : layers) layer = 1U << random.below(4);
+  return layers;
+}
+
+/// No query, one that says nothing, and each option. Triangles are tested in one way, and other bounds refuse one.
+std::vector<Options> each_option(Random& random, std::size_t shafts, std::size_t size, Kind kind, TriangleTest test) {
+  const auto some_indices = [&](std::size_t count) {
+    Indices indices(count);
+    for (std::uint32_t& index : indices) index = random.below(static_cast<unsigned>(size));
+    return indices;
   };
-  const auto kind = std::uint32_t{SHAFTCULL_LISTS_OF_RANGES};
-  const ListsHandle given = made<ListsHandle>(shaftcull_lists_create, kind);
-  const ListsHandle given_inside = made<ListsHandle>(shaftcull_lists_create, kind);
-  LeafRangeLists lists;
-  LeafRangeLists inside_lists;
-  q.with([&](const auto&... option) { return list_many(shafts, q.set, lists, option...); });
-  ok(shaftcull_list_many(c, 0, count, q.bounds, q.query, given.get()));
-  same(given, lists);
-  q.with([&](const auto&... option) { return list_classified_many(shafts, q.set, lists, inside_lists, option...); });
-  ok(shaftcull_list_classified_many(c, 0, count, q.bounds, q.query, given.get(), given_inside.get()));
-  same(given, lists);
-  same(given_inside, inside_lists);
-
-  Told expected;
-  Told told;
-  for_each_kept(
-      shafts, q.set,
-      [&](const KeptRanges& answers) { expected.ranges.emplace_back(answers.shaft, as_pairs(answers.kept), Pairs()); },
-      q.option);
-  for_each_classified(
-      shafts, q.set,
-      [&](const ClassifiedRanges& answers) {
-        expected.ranges.emplace_back(answers.shaft, as_pairs(answers.overlap), as_pairs(answers.inside));
-      },
-      q.option);
-  ok(shaftcull_for_each_kept(c, 0, count, q.bounds, q.query, record_ranges, &told));
-  ok(shaftcull_for_each_classified(c, 0, count, q.bounds, q.query, record_ranges, &told));
-  EXPECT_EQ(told, expected);
-}
-
-/// All questions of boxes or spheres in one holder.
-template <class Set, class Option>
-void compare_bounds(const Question<Set, Option>& q) {
-  compare_bits(q, q.shafts.cpp.size());
-  compare_lists(q, q.shafts.cpp.size());
-  compare_classified(q);
-  compare_times(q);
-  if constexpr (Boxes<Set>) compare_blocking(q);
-  if constexpr (FlatSet<Set>) {
-    compare_tiles(q);
-  } else {
-    compare_ranges(q);
-  }
-}
-
-/// A view or stream, with a query that says nothing, and without.
-template <FlatSet Set>
-void compare_flat(const Shafts& shafts, const shaftcull_bounds* bounds, const Set& set) {
-  const NoOption none;
-  const shaftcull_query query{};
-  compare_bounds(Question<Set, NoOption>{shafts, bounds, set, &query, none, set.count});
-  compare_bounds(Question<Set, NoOption>{shafts, bounds, set, nullptr, none, set.count});
-}
-
-/// A tree, without and with what is left out.
-template <class Bound>
-void compare_tree(Random& random, const Shafts& shafts, shaftcull_bounds* bounds, BoundsTree<Bound>& tree) {
-  const Excluding nothing;
-  using Q = Question<BoundsTree<Bound>, Excluding>;
-  compare_bounds(Q{shafts, bounds, tree, nullptr, nothing, tree.size()});
-
-  // A multiple of all numbers of shafts that are asked.
-  Indices own(std::lcm(std::lcm(shafts.cpp.size(), shafts.moving), shafts.between));
-  for (std::uint32_t& index : own) index = random.below(static_cast<unsigned>(tree.size()));
-  Words mask(words_for(tree.size()));
-  std::vector<std::uint32_t> layers(tree.size());
-  for (std::size_t i = 0; i != tree.size(); ++i) {
+  std::vector<Options> all;
+  const auto add = [&](const char* name) -> Options& {
+    Options& options = all.emplace_back();
+    options.name = name;
+    options.test = test;
+    return options;
+  };
+  if (test == TriangleTest::exact) add("no query").null = true;
+  add("nothing");
+  for (Options& options : all) options.everywhere = true;
+  add("exclude").exclude = some_indices(60);
+  add("exclude_each").exclude_each = some_indices(shafts * excluded_each);
+  Words& mask = add("exclude_mask").exclude_mask;
+  mask.resize(words_for(size));
+  for (std::size_t i = 0; i != size; ++i) {
     if (random.one_in(4)) mask[i / 64] |= std::uint64_t{1} << (i % 64);
-    layers[i] = 1U << random.below(4);
   }
-  tree.set_layers(layers);
-  ok(shaftcull_tree_set_layers(bounds, layers.data(), layers.size()));
-  const std::uint32_t only[] = {0b1011};
-  const Excluding excluding{.own = std::span<const std::uint32_t>(own), .mask = mask, .only_layers = only};
-  shaftcull_query query{};
-  query.own = own.data();
-  query.own_count = own.size();
-  query.mask = mask.data();
-  query.mask_words = mask.size();
-  query.only_layers = only;
-  query.only_layers_count = 1;
-  compare_bounds(Q{shafts, bounds, tree, &query, excluding, tree.size()});
+  add("a layer mask").layer_masks = {0b1011};
+  Indices& masks = add("layer masks").layer_masks;
+  for (std::size_t s = 0; s != shafts; ++s) masks.push_back(random.below(16));
+  Indices& only = add("only").only.emplace();
+  for (std::size_t i = size; i >= 3; i -= 3) only.push_back(static_cast<std::uint32_t>(i - 1));  // they descend
+  add("only none").only.emplace();
+  add("limit").limit = 4;
+  if (kind != Kind::triangles) add("triangle_test").test = TriangleTest::vertices;
+  return all;
+}
+
+/// All of these at once, with a limit and without, which some verbs refuse, and with candidates and without, which
+/// others refuse. The bounds may have no layers.
+std::vector<Options> all_at_once(const std::vector<Options>& each, bool have_layers) {
+  Options all;
+  all.everywhere = true;
+  all.test = each.front().test;
+  for (const Options& options : each) {
+    if (!options.exclude.empty()) all.exclude = options.exclude;
+    if (!options.exclude_each.empty()) all.exclude_each = options.exclude_each;
+    if (!options.exclude_mask.empty()) all.exclude_mask = options.exclude_mask;
+    if (have_layers && !options.layer_masks.empty()) all.layer_masks = options.layer_masks;
+    if (options.only && !options.only->empty()) all.only = options.only;
+  }
+  std::vector<Options> several(4, all);
+  several[0].name = "all but a limit";
+  several[1].name = "all options";
+  several[1].limit = 2;
+  several[2].name = "all but a limit and candidates";
+  several[2].only.reset();
+  several[3].name = "all but candidates";
+  several[3].only.reset();
+  several[3].limit = 2;
+  return several;
+}
+
+/// A view or stream: without layers, and then with each option and all of them.
+template <class View>
+void compare_flat(Random& random, const Shafts& shafts, shaftcull_bounds* c, const View& view, Kind kind,
+                  TriangleTest test = TriangleTest::exact) {
+  const std::vector<Options> each = each_option(random, shafts.cpp.size(), view.count, kind, test);
+  const std::vector<Options> all = all_at_once(each, true);
+  const Indices layers = some_layers(random, view.count);
+  compare({shafts, c, view, kind, false}, {each[0], all[0]});
+  compare({shafts, c, view, kind, false}, all_at_once(each, false));
+  ok(shaftcull_bounds_set_layers(c, layers.data(), layers.size()));
+  compare({shafts, c, Bounds(view, layers), kind, true}, each);
+  compare({shafts, c, Bounds(view, layers), kind, true}, all);
+
+  Indices others = layers;
+  const Indices some{3, 1, 3};
+  const Indices changed{1, 2, 8};
+  others[1] = 2;
+  others[3] = 8;  // the last counts
+  ok(shaftcull_bounds_set_layers_of(c, some.data(), changed.data(), 3));
+  const std::uint32_t* given = nullptr;
+  ok(shaftcull_bounds_layers(c, &given));
+  EXPECT_EQ(Indices(given, given + view.count), others);
+  const BoundsHandle copy = made<BoundsHandle>(shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(c));
+  ok(shaftcull_bounds_clear_layers(c));
+  ok(shaftcull_bounds_layers(c, &given));
+  EXPECT_EQ(given, nullptr);
+  compare({shafts, copy.get(), Bounds(view, others), kind, true}, {all[0]});
 }
 
 /// A tree before and after it is updated in all ways.
 template <class Bound>
-void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound>& values) {
+void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound>& values, Kind kind) {
   const auto in_c = as_c(values);
   const shaftcull_source source = source_of(in_c);
   BoundsTree<Bound> tree{std::span<const Bound>(values)};
   const BoundsHandle bounds = made<BoundsHandle>(shaftcull_tree_create, &source);
-  compare_tree(random, shafts, bounds.get(), tree);
+  const std::vector<Options> each = each_option(random, shafts.cpp.size(), values.size(), kind, TriangleTest::exact);
+  const std::vector<Options> all = all_at_once(each, true);
+  const std::vector<Options> few{each[0], all[0], all[3]};
+  const auto compare_now = [&](const std::vector<Options>& options) {
+    compare({shafts, bounds.get(), tree, kind, tree.has_layers()}, options);
+  };
+  compare_now(few);
+  compare_now(all_at_once(each, false));
+  const Indices all_layers = some_layers(random, values.size());
+  tree.set_layers(all_layers);
+  ok(shaftcull_bounds_set_layers(bounds.get(), all_layers.data(), all_layers.size()));
+  compare_now(each);
+  compare_now(all);
 
   std::vector<Bound> moved(values.rbegin(), values.rend());
   const auto moved_in_c = as_c(moved);
@@ -689,7 +711,7 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   const std::uint32_t layers[] = {1, 2, 4};
   tree.set_layers(std::span<const std::uint32_t>(some), layers);
   ok(shaftcull_tree_update_some(bounds.get(), some.data(), 3, &three_source));
-  ok(shaftcull_tree_set_layers_of(bounds.get(), some.data(), layers, 3));
+  ok(shaftcull_bounds_set_layers_of(bounds.get(), some.data(), layers, 3));
 #if defined(__cpp_exceptions)  // without, errors are no statuses
   std::uint64_t number = 0;
   EXPECT_EQ(shaftcull_count(shafts.c.get(), 0, bounds.get(), nullptr, &number), SHAFTCULL_NEEDS_REFIT);
@@ -699,17 +721,20 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   double growth = 0;
   ok(shaftcull_tree_growth(bounds.get(), &growth));
   EXPECT_EQ(growth, tree.growth());
-  compare_tree(random, shafts, bounds.get(), tree);
+  compare_now(few);
   tree.rebuild();
   ok(shaftcull_tree_rebuild(bounds.get()));
   tree.renumber();
   ok(shaftcull_tree_renumber(bounds.get()));
+  const std::uint32_t* given_layers = nullptr;
+  ok(shaftcull_bounds_layers(bounds.get(), &given_layers));
+  EXPECT_EQ(Indices(given_layers, given_layers + tree.size()), Indices(tree.layers().begin(), tree.layers().end()));
+  compare_now(few);
   tree.clear_layers();
-  ok(shaftcull_tree_clear_layers(bounds.get()));
-  const std::uint32_t* given_layers = layers;
-  ok(shaftcull_tree_layers(bounds.get(), &given_layers));
+  ok(shaftcull_bounds_clear_layers(bounds.get()));
+  ok(shaftcull_bounds_layers(bounds.get(), &given_layers));
   EXPECT_EQ(given_layers, nullptr);
-  compare_tree(random, shafts, bounds.get(), tree);
+  compare_now(few);
   shaftcull_box box{};
   ok(shaftcull_tree_box(bounds.get(), &box));
   EXPECT_EQ(std::bit_cast<Box>(box), tree.box());
@@ -728,16 +753,24 @@ TEST_P(CAgreesWithCpp, OnBoxesAndSpheresInViewsStreamsAndTrees) {
   const SphereStream sphere_stream{std::span<const Sphere>(spheres)};
   const BoundsHandle box_view = made<BoundsHandle>(shaftcull_view_create, std::uint32_t{SHAFTCULL_BOXES},
                                                    box_stream.view().stream.data(), std::uint64_t{boxes.size()});
+  const BoundsHandle sphere_view =
+      made<BoundsHandle>(shaftcull_view_create, std::uint32_t{SHAFTCULL_SPHERES}, sphere_stream.view().stream.data(),
+                         std::uint64_t{spheres.size()});
+  const std::vector<shaftcull_box> c_boxes = as_c(boxes);
   const std::vector<shaftcull_sphere> c_spheres = as_c(spheres);
-  const shaftcull_source source = source_of(c_spheres);
-  const BoundsHandle c_sphere_stream = made<BoundsHandle>(shaftcull_stream_create, &source);
+  const shaftcull_source box_source = source_of(c_boxes);
+  const shaftcull_source sphere_source = source_of(c_spheres);
+  const BoundsHandle c_box_stream = made<BoundsHandle>(shaftcull_stream_create, &box_source);
+  const BoundsHandle c_sphere_stream = made<BoundsHandle>(shaftcull_stream_create, &sphere_source);
   std::uint64_t wall = 0;
   ok(shaftcull_blocked_by(shafts.c.get(), 0, box_view.get(), nullptr, &wall));
   EXPECT_LE(wall, 5U);  // a scene may have one before it
-  compare_flat(shafts, box_view.get(), box_stream.view());
-  compare_flat(shafts, c_sphere_stream.get(), sphere_stream.view());
-  compare_trees(random, shafts, boxes);
-  compare_trees(random, shafts, spheres);
+  compare_flat(random, shafts, box_view.get(), box_stream.view(), Kind::boxes);
+  compare_flat(random, shafts, c_box_stream.get(), box_stream.view(), Kind::boxes);
+  compare_flat(random, shafts, sphere_view.get(), sphere_stream.view(), Kind::spheres);
+  compare_flat(random, shafts, c_sphere_stream.get(), sphere_stream.view(), Kind::spheres);
+  compare_trees(random, shafts, boxes, Kind::boxes);
+  compare_trees(random, shafts, spheres, Kind::spheres);
 }
 
 TEST_P(CAgreesWithCpp, OnTriangles) {
@@ -752,25 +785,25 @@ TEST_P(CAgreesWithCpp, OnTriangles) {
   const shaftcull_source source = source_of(in_c);
   const TriangleStream stream{std::span<const Triangle>(triangles)};
   const TriangleTree tree{std::span<const Triangle>(triangles)};
+  const BoundsHandle c_view = made<BoundsHandle>(shaftcull_view_create, std::uint32_t{SHAFTCULL_TRIANGLES},
+                                                 stream.view().stream.data(), std::uint64_t{triangles.size()});
   const BoundsHandle c_stream = made<BoundsHandle>(shaftcull_stream_create, &source);
   const BoundsHandle c_tree = made<BoundsHandle>(shaftcull_tree_create, &source);
   for (const TriangleTest test : {TriangleTest::exact, TriangleTest::vertices}) {
     const bool exact = test == TriangleTest::exact;
-    shaftcull_query query{};
-    query.triangle_test = exact ? SHAFTCULL_TRIANGLES_EXACT : SHAFTCULL_TRIANGLES_BY_VERTICES;
+    SCOPED_TRACE(exact ? "exact" : "by vertices");
+    compare_flat(random, shafts, c_view.get(), stream.view(), Kind::triangles, test);
+    compare_flat(random, shafts, c_stream.get(), stream.view(), Kind::triangles, test);
+    const std::vector<Options> each = each_option(random, shafts.cpp.size(), triangles.size(), Kind::triangles, test);
+    compare({shafts, c_tree.get(), tree, Kind::triangles, false}, each);  // it has no layers
+    compare({shafts, c_tree.get(), tree, Kind::triangles, false}, all_at_once(each, false));
     const std::size_t count = exact ? shafts.moving : shafts.cpp.size();  // hulls take vertices only
-    const TriangleView view = stream.view();
-    const Question<TriangleView, TriangleTest> flat{shafts, c_stream.get(), view, &query, test, view.count};
-    compare_bits(flat, count);
-    compare_lists(flat, count);
-    const Question<TriangleTree, TriangleTest> in_tree{shafts, c_tree.get(), tree, &query, test, tree.size()};
-    compare_bits(in_tree, count);
-    compare_lists(in_tree, count);
     for (std::size_t s = 0; s != count; ++s) {
       for (std::size_t i = 0; i < triangles.size(); i += 10) {
         std::uint32_t kept = 99;
-        ok(shaftcull_ask_triangle(shafts.c.get(), s, &in_c[i], query.triangle_test, &kept));
-        EXPECT_EQ(kept != 0, cull(shafts.cpp[s], triangles[i], test));
+        ok(shaftcull_ask_triangle(shafts.c.get(), s, &in_c[i],
+                                  exact ? SHAFTCULL_TRIANGLES_EXACT : SHAFTCULL_TRIANGLES_BY_VERTICES, &kept));
+        EXPECT_EQ(kept != 0, keeps(shafts.cpp[s], triangles[i], test));
       }
     }
   }
@@ -795,11 +828,11 @@ TEST_P(CAgreesWithCpp, OnOneBoxSphereOrPolygon) {
       ok(shaftcull_ask_box(c, s, &c_box, 1, &answer));
       EXPECT_EQ(static_cast<Answer>(answer), classify(shaft, box));
       ok(shaftcull_ask_box(c, s, &c_box, 0, &answer));
-      EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, cull(shaft, box));
+      EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, keeps(shaft, box));
       ok(shaftcull_ask_sphere(c, s, &c_sphere, 1, &answer));
       EXPECT_EQ(static_cast<Answer>(answer), classify(shaft, sphere));
       ok(shaftcull_ask_sphere(c, s, &c_sphere, 0, &answer));
-      EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, cull(shaft, sphere));
+      EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, keeps(shaft, sphere));
       if (s >= shafts.between) continue;
       std::uint32_t hidden = 99;
       ok(shaftcull_blocked_by_box(c, s, &c_box, &hidden));

@@ -105,14 +105,6 @@ static void values(void) {
   REFUSED(shaftcull_view_planes(NULL, 0, planes, &count), "matrix is NULL");
   REFUSED(shaftcull_view_planes(matrix, 0, NULL, &count), "planes is NULL");
   REFUSED(shaftcull_view_planes(matrix, 0, planes, NULL), "count is NULL");
-
-  uint64_t bits = 3;
-  const uint32_t layers[2] = {1, 2};
-  OK(shaftcull_keep_layers(&bits, 1, layers, 2, 2));
-  CHECK(bits == 2);
-  REFUSED(shaftcull_keep_layers(&bits, 2, layers, 2, 2), "bits has 2 words");
-  REFUSED(shaftcull_keep_layers(NULL, 1, layers, 2, 2), "bits is NULL");
-  REFUSED(shaftcull_keep_layers(&bits, 1, NULL, 2, 2), "layers is NULL");
 }
 
 static void formed_shafts(void) {
@@ -575,29 +567,124 @@ static void trees(void) {
   REFUSED(shaftcull_tree_growth(mesh, &growth), "a tree of triangles");
   REFUSED(shaftcull_tree_growth(tree, NULL), "growth is NULL");
 
-  const uint32_t layers[2] = {1, 2};
-  const uint32_t* found = layers;
-  OK(shaftcull_tree_layers(tree, &found));
-  CHECK(found == NULL);
-  REFUSED(shaftcull_tree_set_layers_of(tree, &index, layers, 1), "layers");
-  OK(shaftcull_tree_set_layers(tree, layers, 2));
-  OK(shaftcull_tree_set_layers(spheres, layers, 2));
-  OK(shaftcull_tree_set_layers_of(tree, &index, layers, 1));
-  OK(shaftcull_tree_set_layers_of(spheres, &index, layers, 1));
-  OK(shaftcull_tree_layers(tree, &found));
-  CHECK(found[0] == 1 && found[1] == 1);
-  OK(shaftcull_bounds_describe(tree, &info));
-  CHECK(info.has_layers == 1);
-  OK(shaftcull_tree_clear_layers(tree));
-  REFUSED(shaftcull_tree_set_layers(tree, layers, 1), "2");
-  REFUSED(shaftcull_tree_set_layers(mesh, layers, 2), "a tree of triangles");
-  REFUSED(shaftcull_tree_set_layers_of(mesh, &index, layers, 1), "a tree of triangles");
-  REFUSED(shaftcull_tree_clear_layers(mesh), "a tree of triangles");
-  REFUSED(shaftcull_tree_layers(mesh, &found), "a tree of triangles");
-  REFUSED(shaftcull_tree_layers(tree, NULL), "layers is NULL");
   shaftcull_bounds_free(tree);
   shaftcull_bounds_free(spheres);
   shaftcull_bounds_free(mesh);
+}
+
+/* Layers of bounds that are given as these boxes, spheres or triangles, and that a question with a mask sees. */
+static void layers_of(shaftcull_bounds* bounds) {
+  const uint32_t layers[2] = {1, 2};
+  const uint32_t others[2] = {4, 8};
+  const uint32_t twice[2] = {1, 1};
+  const uint32_t index = 1;
+  const uint32_t far_index = 2;
+  const uint32_t* found = layers;
+  shaftcull_bounds_info info;
+  OK(shaftcull_bounds_describe(bounds, &info));
+  CHECK(info.has_layers == 0);
+  const uint64_t bytes = info.memory_bytes;
+  OK(shaftcull_bounds_layers(bounds, &found));
+  CHECK(found == NULL);
+  REFUSED(shaftcull_bounds_set_layers_of(bounds, &index, layers, 1), "layers");
+  REFUSED(shaftcull_bounds_set_layers(bounds, layers, 1), "2");
+  REFUSED(shaftcull_bounds_set_layers(bounds, NULL, 2), "layers is NULL");
+  OK(shaftcull_bounds_set_layers(bounds, layers, 2));
+  OK(shaftcull_bounds_set_layers_of(bounds, &index, layers, 1));
+  OK(shaftcull_bounds_layers(bounds, &found));
+  CHECK(found[0] == 1 && found[1] == 1);
+  OK(shaftcull_bounds_set_layers_of(bounds, twice, others, 2)); /* the last counts */
+  OK(shaftcull_bounds_layers(bounds, &found));
+  CHECK(found[0] + found[1] == 9);
+  OK(shaftcull_bounds_describe(bounds, &info));
+  CHECK(info.has_layers == 1 && info.memory_bytes >= bytes + 8);
+  REFUSED(shaftcull_bounds_set_layers_of(bounds, &far_index, layers, 1), "2");
+  REFUSED(shaftcull_bounds_set_layers_of(bounds, NULL, layers, 1), "indices is NULL");
+  REFUSED(shaftcull_bounds_set_layers_of(bounds, &index, NULL, 1), "layers is NULL");
+  REFUSED(shaftcull_bounds_layers(bounds, NULL), "layers is NULL");
+
+  shaftcull_shafts* shafts = three_shafts();
+  shaftcull_query query;
+  memset(&query, 0, sizeof query);
+  const uint32_t mask = 8 | 2;
+  query.layer_masks = &mask;
+  query.layer_mask_count = 1;
+  query.triangle_test = info.kind == SHAFTCULL_TRIANGLES ? SHAFTCULL_TRIANGLES_BY_VERTICES : SHAFTCULL_TRIANGLES_EXACT;
+  uint64_t kept = 0;
+  shaftcull_bounds* copy = NULL;
+  OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+  CHECK(kept == 2);
+  OK(shaftcull_bounds_copy(bounds, &copy)); /* with its layers */
+  OK(shaftcull_bounds_clear_layers(bounds));
+  OK(shaftcull_bounds_describe(bounds, &info));
+  CHECK(info.has_layers == 0 && (info.holder == SHAFTCULL_TREE || info.memory_bytes == bytes));
+  REFUSED(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1), "layer");
+  kept = 0;
+  OK(shaftcull_cull(shafts, 2, copy, &query, &kept, 1));
+  CHECK(kept == 2);
+  OK(shaftcull_bounds_set_layers(copy, layers, 2));
+  OK(shaftcull_cull(shafts, 2, copy, &query, &kept, 1));
+  CHECK(kept == 2);
+  if (info.holder != SHAFTCULL_TREE) { /* whose layers are in its order */
+    OK(shaftcull_bounds_layers(copy, &found));
+    OK(shaftcull_bounds_set_layers(copy, found, 2)); /* its own */
+    OK(shaftcull_bounds_layers(copy, &found));
+    CHECK(found[0] == 1 && found[1] == 2);
+  }
+  shaftcull_bounds_free(copy);
+  shaftcull_shafts_free(shafts);
+}
+
+static void layers(void) {
+  const shaftcull_source sources[3] = {shaftcull_boxes(scene, 2), shaftcull_spheres(balls, 2),
+                                       shaftcull_triangles(faces, 2)};
+  shaftcull_bounds* view = NULL;
+  shaftcull_bounds* stream = NULL;
+  shaftcull_bounds* tree = NULL;
+  const float* streams[9];
+  for (uint32_t kind = SHAFTCULL_BOXES; kind <= SHAFTCULL_TRIANGLES; ++kind) {
+    OK(shaftcull_stream_create(&sources[kind - 1], &stream));
+    OK(shaftcull_bounds_streams(stream, streams));
+    OK(shaftcull_view_create(kind, streams, 2, &view));
+    OK(shaftcull_tree_create(&sources[kind - 1], &tree));
+    layers_of(view);
+    layers_of(stream);
+    if (kind == SHAFTCULL_TRIANGLES) break; /* a tree of them has no layers */
+    layers_of(tree);
+    shaftcull_bounds_free(view);
+    shaftcull_bounds_free(stream);
+    shaftcull_bounds_free(tree);
+  }
+  const uint32_t some[2] = {1, 2};
+  const uint32_t index = 1;
+  const uint32_t* found = some;
+  REFUSED(shaftcull_bounds_set_layers(tree, some, 2), "a tree of triangles");
+  REFUSED(shaftcull_bounds_set_layers_of(tree, &index, some, 1), "a tree of triangles");
+  REFUSED(shaftcull_bounds_clear_layers(tree), "a tree of triangles");
+  REFUSED(shaftcull_bounds_layers(tree, &found), "a tree of triangles");
+  REFUSED(shaftcull_bounds_set_layers(NULL, some, 2), "bounds is NULL");
+  REFUSED(shaftcull_bounds_set_layers_of(NULL, &index, some, 1), "bounds is NULL");
+  REFUSED(shaftcull_bounds_clear_layers(NULL), "bounds is NULL");
+  REFUSED(shaftcull_bounds_layers(NULL, &found), "bounds is NULL");
+
+  /* A view of another number of bounds than had layers. */
+  shaftcull_shafts* shafts = three_shafts();
+  shaftcull_query query;
+  memset(&query, 0, sizeof query);
+  query.layer_masks = some;
+  query.layer_mask_count = 1;
+  uint64_t kept = 0;
+  OK(shaftcull_bounds_set_layers(view, some, 2));
+  OK(shaftcull_cull(shafts, 0, view, &query, &kept, 1));
+  OK(shaftcull_view_set(view, streams, 1));
+  REFUSED(shaftcull_cull(shafts, 0, view, &query, &kept, 1), "layers");
+  OK(shaftcull_bounds_set_layers(view, some, 1));
+  OK(shaftcull_cull(shafts, 0, view, &query, &kept, 1));
+  CHECK(kept == 1);
+  shaftcull_shafts_free(shafts);
+  shaftcull_bounds_free(view);
+  shaftcull_bounds_free(stream);
+  shaftcull_bounds_free(tree);
 }
 
 /* What all questions are asked about. */
@@ -637,8 +724,6 @@ static void one_shaft(void) {
   uint32_t yes = 99;
   uint32_t indices[2] = {99, 99};
   uint32_t more[2] = {99, 99};
-  shaftcull_leaf_range ranges[2];
-  shaftcull_leaf_range more_ranges[2];
   shaftcull_kept_counts counts;
   shaftcull_contact_found contact;
   const uint32_t candidates[2] = {1, 0};
@@ -649,11 +734,9 @@ static void one_shaft(void) {
     CHECK(kept == 1);
     OK(shaftcull_classify(shafts, 2, bounds, NULL, &kept, &inside, 1));
     CHECK(kept == 3 && inside == 3);
-    OK(shaftcull_contained(shafts, 0, bounds, NULL, &inside, 1));
+    OK(shaftcull_classify(shafts, 0, bounds, NULL, NULL, &inside, 1));
     CHECK(inside == 0);
     OK(shaftcull_count(shafts, 0, bounds, NULL, &number));
-    CHECK(number == 1);
-    OK(shaftcull_count_at_most(shafts, 2, bounds, NULL, 1, &number));
     CHECK(number == 1);
     OK(shaftcull_count_classified(shafts, 0, bounds, NULL, &counts));
     CHECK(counts.overlap == 1 && counts.inside == 0);
@@ -671,41 +754,30 @@ static void one_shaft(void) {
     CHECK(number == 1 && indices[0] == 0);
     OK(shaftcull_list(shafts, 2, bounds, NULL, NULL, 0, &number)); /* only counts */
     CHECK(number == 2);
-    OK(shaftcull_list_at_most(shafts, 2, bounds, NULL, indices, 1, &number));
-    CHECK(number == 1);
     OK(shaftcull_list_classified(shafts, 0, bounds, NULL, indices, 2, more, 2, &counts));
     CHECK(counts.overlap == 1 && counts.inside == 0 && indices[0] == 0);
     OK(shaftcull_entry_times(shafts, 0, bounds, candidates, &time, 1));
     CHECK(time == INFINITY);
-    OK(shaftcull_refine(shafts, 0, bounds, candidates, 2, indices, 2, &number));
-    CHECK(number == 1 && indices[0] == 0);
     OK(shaftcull_list_blocking(shafts, 0, bounds, NULL, indices, 2, &number));
     CHECK(number == 0);
   }
-  OK(shaftcull_list_ranges(shafts, 2, all.tree, NULL, ranges, 2, &number));
-  CHECK(number == 1 && ranges[0].first == 0 && ranges[0].size == 2);
-  ranges[0].first = 77;
-  OK(shaftcull_list_ranges(shafts, 2, all.tree, NULL, ranges, 0, &number)); /* no room */
-  CHECK(number == 1 && ranges[0].first == 77);
-  OK(shaftcull_list_classified_ranges(shafts, 2, all.tree, NULL, ranges, 2, more_ranges, 2, &counts));
-  CHECK(counts.overlap == 0 && counts.inside == 1 && more_ranges[0].size == 2);
 
-  /* Triangles are asked less. */
+  /* Triangles are asked about all but first contact and blocking. */
   OK(shaftcull_cull(shafts, 0, all.triangles, NULL, &kept, 1));
   CHECK(kept == 1);
   OK(shaftcull_list(shafts, 0, all.triangles, NULL, indices, 2, &number));
   CHECK(number == 1);
-  REFUSED(shaftcull_classify(shafts, 0, all.triangles, NULL, &kept, &inside, 1), "a stream of triangles");
-  REFUSED(shaftcull_contained(shafts, 0, all.triangles, NULL, &inside, 1), "takes boxes and spheres");
-  REFUSED(shaftcull_count_at_most(shafts, 0, all.triangles, NULL, 1, &number), "triangles");
-  REFUSED(shaftcull_count_classified(shafts, 0, all.triangles, NULL, &counts), "triangles");
-  REFUSED(shaftcull_list_at_most(shafts, 0, all.triangles, NULL, indices, 2, &number), "triangles");
+  OK(shaftcull_classify(shafts, 0, all.triangles, NULL, &kept, &inside, 1));
+  CHECK(kept == 1 && (inside & ~kept) == 0);
+  OK(shaftcull_count_classified(shafts, 0, all.triangles, NULL, &counts));
+  CHECK(counts.overlap + counts.inside == 1 && counts.inside == inside);
+  OK(shaftcull_list_classified(shafts, 0, all.triangles, NULL, indices, 2, more, 2, &counts));
+  CHECK(counts.overlap + counts.inside == 1 && (inside == 1 ? more[0] : indices[0]) == 0);
   REFUSED(shaftcull_first_contact(shafts, 0, all.triangles, NULL, &contact), "triangles");
   REFUSED(shaftcull_blocked(shafts, 0, all.triangles, NULL, &yes), "triangles");
-  REFUSED(shaftcull_list_classified(shafts, 0, all.triangles, NULL, indices, 2, more, 2, &counts), "triangles");
+  REFUSED(shaftcull_blocked_by(shafts, 0, all.triangles, NULL, &number), "triangles");
   REFUSED(shaftcull_entry_times(shafts, 0, all.triangles, candidates, &time, 1), "triangles");
-  REFUSED(shaftcull_list_blocking(shafts, 0, all.triangles, NULL, indices, 2, &number), "this call takes boxes");
-  REFUSED(shaftcull_refine(shafts, 0, all.triangles, candidates, 2, indices, 2, &number), "triangles");
+  REFUSED(shaftcull_list_blocking(shafts, 0, all.triangles, NULL, indices, 2, &number), "triangles");
   REFUSED(shaftcull_cull(shafts, 2, all.triangles, NULL, &kept, 1), "hull");
 
   /* One bound. */
@@ -745,13 +817,13 @@ static void one_shaft(void) {
   REFUSED(shaftcull_count(shafts, 0, all.tree, NULL, NULL), "kept_count is NULL");
   REFUSED(shaftcull_any(shafts, 0, all.tree, NULL, NULL), "any is NULL");
   REFUSED(shaftcull_list(shafts, 0, all.tree, NULL, indices, 2, NULL), "kept_count is NULL");
-  REFUSED(shaftcull_list_ranges(shafts, 0, all.stream, NULL, ranges, 2, &number), "trees of boxes and spheres");
-  REFUSED(shaftcull_list_classified_ranges(shafts, 0, all.stream, NULL, ranges, 2, more_ranges, 2, &counts), "trees");
+  REFUSED(shaftcull_classify(shafts, 0, all.tree, NULL, &kept, NULL, 1), "inside is NULL");
+  REFUSED(shaftcull_classify(shafts, 0, all.tree, NULL, NULL, &inside, 2), "2");
   REFUSED(shaftcull_first_contact(shafts, 2, all.stream, NULL, &contact), "hull");
   REFUSED(shaftcull_first_contact(shafts, 0, all.stream, NULL, NULL), "contact is NULL");
   REFUSED(shaftcull_entry_times(shafts, 0, all.stream, candidates, NULL, 1), "times is NULL");
-  REFUSED(shaftcull_refine(shafts, 0, all.stream, NULL, 2, indices, 2, &number), "candidates is NULL");
   REFUSED(shaftcull_blocked_by(shafts, 1, all.stream, NULL, &number), "between two boxes");
+  REFUSED(shaftcull_blocked(shafts, 0, NULL, NULL, &yes), "solids is NULL");
 
   /* More bounds than indices can number. They are refused before any is read. */
   const float nothing = 0;
@@ -759,58 +831,14 @@ static void one_shaft(void) {
   shaftcull_bounds* large = NULL;
   shaftcull_lists* lists = NULL;
   OK(shaftcull_view_create(SHAFTCULL_BOXES, streams, UINT64_C(1) << 32, &large));
-  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
+  OK(shaftcull_lists_create(&lists));
   REFUSED(shaftcull_list(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
-  REFUSED(shaftcull_list_at_most(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
   REFUSED(shaftcull_list_classified(shafts, 0, large, NULL, indices, 2, more, 2, &counts), "ask slices of the view");
   REFUSED(shaftcull_list_blocking(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
   REFUSED(shaftcull_list_many(shafts, 0, 1, large, NULL, lists), "ask slices of the view");
   REFUSED(shaftcull_first_contact(shafts, 0, large, NULL, &contact), "ask slices of the view");
   shaftcull_lists_free(lists);
   shaftcull_bounds_free(large);
-
-  /* Queries. */
-  const uint64_t mask = 1;
-  const uint32_t layers[2] = {1, 2};
-  const uint32_t only = 2;
-  shaftcull_query query;
-  memset(&query, 0, sizeof query);
-  query.triangle_test = SHAFTCULL_TRIANGLES_BY_VERTICES;
-  OK(shaftcull_cull(shafts, 2, all.triangles, &query, &kept, 1));
-  REFUSED(shaftcull_cull(shafts, 0, all.stream, &query, &kept, 1), "query.triangle_test = 1");
-  query.triangle_test = 2;
-  REFUSED(shaftcull_cull(shafts, 0, all.triangles, &query, &kept, 1), "test = 2");
-  memset(&query, 0, sizeof query);
-  query.mask = &mask;
-  query.mask_words = 1;
-  OK(shaftcull_count(shafts, 0, all.tree, &query, &number));
-  CHECK(number == 0);
-  REFUSED(shaftcull_count(shafts, 0, all.stream, &query, &number), "leaves bounds out");
-  query.mask_words = 2;
-  REFUSED(shaftcull_count(shafts, 0, all.tree, &query, &number), "mask");
-  memset(&query, 0, sizeof query);
-  query.own = candidates;
-  query.own_count = 2;
-  OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
-  CHECK(number == 0);
-  REFUSED(shaftcull_count(shafts, 2, all.stream, &query, &number), "leaves bounds out");
-  query.own_count = 1;
-  OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
-  CHECK(number == 1);
-  query.own = NULL;
-  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.own is NULL");
-  memset(&query, 0, sizeof query);
-  query.only_layers = &only;
-  query.only_layers_count = 1;
-  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "layers");
-  OK(shaftcull_tree_set_layers(all.tree, layers, 2));
-  OK(shaftcull_count(shafts, 2, all.tree, &query, &number));
-  CHECK(number == 1);
-  query.reserved[3] = 1;
-  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.reserved");
-  query.reserved[3] = 0;
-  query.reserved_word = 1;
-  REFUSED(shaftcull_count(shafts, 2, all.tree, &query, &number), "query.reserved_word");
 
   /* A tree between update and refit, and a shaft that was never formed, or not for what it is asked. */
   const shaftcull_source one = shaftcull_boxes(scene, 1);
@@ -824,9 +852,180 @@ static void one_shaft(void) {
   shaftcull_shaft* shaft = NULL;
   OK(shaftcull_shaft_create(&lamp, &table, &options, &shaft));
   OK(shaftcull_shafts_set_formed(others, 1, shaft));
-  REFUSED(shaftcull_classify(others, 1, all.stream, NULL, &kept, &inside, 1), "inside");
   shaftcull_shaft_free(shaft);
+  REFUSED(shaftcull_classify(others, 1, all.stream, NULL, &kept, &inside, 1), "inside");
+  options.inside = 1;
+  options.outside = 0; /* which leaves the one question that writes inside alone */
+  OK(shaftcull_shaft_create(&lamp, &table, &options, &shaft));
+  OK(shaftcull_shafts_set_formed(others, 1, shaft));
+  shaftcull_shaft_free(shaft);
+  REFUSED(shaftcull_classify(others, 1, all.stream, NULL, &kept, &inside, 1), "outside");
+  OK(shaftcull_classify(others, 1, all.stream, NULL, NULL, &inside, 1));
+  CHECK(inside == 0);
   shaftcull_shafts_free(others);
+  free_asked(&all);
+}
+
+/* Each option, alone and about one holder. The hull keeps both of the two bounds. */
+static void options_about(const shaftcull_shafts* shafts, shaftcull_bounds* bounds, int are_boxes) {
+  const uint32_t indices[2] = {1, 0};
+  const uint32_t rows[3] = {1, 1, 0};
+  const uint32_t far_index = 2;
+  const uint64_t mask = 1;
+  const uint32_t layers[2] = {1, 2};
+  const uint32_t masks[3] = {1, 2, 2};
+  uint64_t kept = 0;
+  uint64_t number = 99;
+  uint32_t yes = 99;
+  uint32_t list[2] = {99, 99};
+  uint64_t numbers[3];
+  uint64_t rows_of_bits[3];
+  shaftcull_kept_counts counts;
+  shaftcull_contact_found contact;
+  shaftcull_query query;
+  shaftcull_query none;
+  memset(&none, 0, sizeof none);
+  if (!are_boxes) none.triangle_test = SHAFTCULL_TRIANGLES_BY_VERTICES; /* the one that hulls take */
+
+  query = none;
+  OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+  CHECK(kept == 3);
+  query.exclude = indices;
+  query.exclude_count = 1;
+  OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+  CHECK(kept == 1);
+  OK(shaftcull_count_many(shafts, 0, 3, bounds, &query, numbers)); /* for all shafts */
+  CHECK(numbers[0] == 1 && numbers[1] == 0 && numbers[2] == 1);
+  query.exclude_count = 2;
+  OK(shaftcull_any(shafts, 2, bounds, &query, &yes));
+  CHECK(yes == 0);
+  query.exclude = &far_index;
+  query.exclude_count = 1;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "exclude[0] = 2");
+  query.exclude = NULL;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.exclude is NULL");
+
+  query = none;
+  query.exclude_each = rows;
+  query.exclude_each_count = 3;
+  OK(shaftcull_cull_many(shafts, 0, 3, bounds, &query, rows_of_bits, 3));
+  CHECK(rows_of_bits[0] == 1 && rows_of_bits[1] == 0 && rows_of_bits[2] == 2);
+  OK(shaftcull_count(shafts, 2, bounds, &query, &number)); /* all of it is the one shaft's row */
+  CHECK(number == 0);
+  query.exclude_each_count = 2;
+  REFUSED(shaftcull_count_many(shafts, 0, 3, bounds, &query, numbers), "exclude_each");
+  query.exclude_each = NULL;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.exclude_each is NULL");
+
+  query = none;
+  query.exclude_mask = &mask;
+  query.exclude_mask_words = 1;
+  OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+  CHECK(kept == 2);
+  query.exclude_mask_words = 2;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "exclude_mask");
+  query.exclude_mask = NULL;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.exclude_mask is NULL");
+
+  query = none;
+  query.layer_masks = masks;
+  query.layer_mask_count = 1;
+  shaftcull_bounds_info info;
+  OK(shaftcull_bounds_describe(bounds, &info));
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "layer_mask");
+  if (info.holder != SHAFTCULL_TREE || are_boxes) {
+    OK(shaftcull_bounds_set_layers(bounds, layers, 2));
+    OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+    CHECK(kept == 1);
+    query.layer_mask_count = 3; /* one for each */
+    OK(shaftcull_cull_many(shafts, 0, 3, bounds, &query, rows_of_bits, 3));
+    CHECK(rows_of_bits[0] == 1 && rows_of_bits[1] == 0 && rows_of_bits[2] == 2);
+    query.layer_mask_count = 2;
+    REFUSED(shaftcull_count_many(shafts, 0, 3, bounds, &query, numbers), "layer_mask");
+    query.layer_masks = NULL;
+    REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.layer_masks is NULL");
+    OK(shaftcull_bounds_clear_layers(bounds));
+  }
+
+  query = none;
+  query.only = indices;
+  query.only_count = 1;
+  OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+  CHECK(kept == 2);
+  query.only_count = 2;
+  OK(shaftcull_list(shafts, 2, bounds, &query, list, 2, &number));
+  CHECK(number == 2 && list[0] == 1 && list[1] == 0); /* in their order */
+  query.only = list;
+  OK(shaftcull_list(shafts, 0, bounds, &query, list, 2, &number)); /* over the candidates */
+  CHECK(number == 1 && list[0] == 0);
+  query.only_count = 0; /* no candidates */
+  OK(shaftcull_count(shafts, 2, bounds, &query, &number));
+  CHECK(number == 0);
+  query.only = NULL; /* all bounds */
+  OK(shaftcull_count(shafts, 2, bounds, &query, &number));
+  CHECK(number == 2);
+  query.only_count = 2;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.only is NULL");
+  query.only = &far_index;
+  query.only_count = 1;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "only[0] = 2");
+  if (are_boxes) {
+    query.only = indices;
+    REFUSED(shaftcull_blocked(shafts, 0, bounds, &query, &yes), "only");
+    REFUSED(shaftcull_list_blocking(shafts, 0, bounds, &query, list, 2, &number), "only");
+    REFUSED(shaftcull_blocked_many(shafts, 0, 1, bounds, &query, &kept, 1), "only");
+  }
+
+  query = none;
+  query.limit = 1;
+  OK(shaftcull_count(shafts, 2, bounds, &query, &number));
+  CHECK(number == 1);
+  OK(shaftcull_list(shafts, 2, bounds, &query, list, 2, &number));
+  CHECK(number == 1);
+  OK(shaftcull_count_many(shafts, 0, 3, bounds, &query, numbers));
+  CHECK(numbers[0] == 1 && numbers[1] == 0 && numbers[2] == 1);
+  REFUSED(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1), "limit");
+  REFUSED(shaftcull_any(shafts, 2, bounds, &query, &yes), "limit");
+  REFUSED(shaftcull_count_classified(shafts, 2, bounds, &query, &counts), "limit");
+  if (are_boxes) {
+    OK(shaftcull_list_blocking(shafts, 0, bounds, &query, list, 2, &number));
+    CHECK(number == 0);
+    REFUSED(shaftcull_first_contact(shafts, 0, bounds, &query, &contact), "limit");
+    REFUSED(shaftcull_blocked_by(shafts, 0, bounds, &query, &number), "limit");
+  }
+  query.limit = UINT64_MAX;
+  OK(shaftcull_count(shafts, 2, bounds, &query, &number));
+  CHECK(number == 2);
+
+  query = none;
+  query.triangle_test = SHAFTCULL_TRIANGLES_BY_VERTICES;
+  if (are_boxes) {
+    REFUSED(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1), "triangle_test");
+  } else {
+    OK(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1));
+    query.triangle_test = SHAFTCULL_TRIANGLES_EXACT;
+    REFUSED(shaftcull_cull(shafts, 2, bounds, &query, &kept, 1), "hull");
+  }
+  query.triangle_test = 2;
+  REFUSED(shaftcull_cull(shafts, 0, bounds, &query, &kept, 1), "test = 2");
+  query = none;
+  query.reserved[3] = 1;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.reserved");
+  query = none;
+  query.reserved_word = 1;
+  REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "query.reserved_word");
+}
+
+static void queries(void) {
+  asked all = make_asked();
+  const shaftcull_source triangles = shaftcull_triangles(faces, 2);
+  shaftcull_bounds* mesh = NULL;
+  OK(shaftcull_tree_create(&triangles, &mesh));
+  options_about(all.shafts, all.stream, 1);
+  options_about(all.shafts, all.tree, 1);
+  options_about(all.shafts, all.triangles, 0);
+  options_about(all.shafts, mesh, 0);
+  shaftcull_bounds_free(mesh);
   free_asked(&all);
 }
 
@@ -837,7 +1036,6 @@ static void many_shafts(void) {
   uint64_t kept[3];
   uint64_t inside[3];
   uint64_t numbers[3];
-  uint32_t indices[3];
   uint64_t bits = 99;
   shaftcull_kept_counts counts[3];
   shaftcull_contact_found contacts[2];
@@ -849,12 +1047,10 @@ static void many_shafts(void) {
     CHECK(kept[0] == 3);
     OK(shaftcull_classify_many(shafts, 0, 3, bounds, NULL, kept, inside, 3));
     CHECK(kept[0] == 1 && inside[0] == 0 && inside[2] == 3);
-    OK(shaftcull_contained_many(shafts, 0, 3, bounds, NULL, inside, 3));
+    OK(shaftcull_classify_many(shafts, 0, 3, bounds, NULL, NULL, inside, 3));
     CHECK(inside[1] == 0 && inside[2] == 3);
     OK(shaftcull_count_many(shafts, 0, 3, bounds, NULL, numbers));
     CHECK(numbers[0] == 1 && numbers[2] == 2);
-    OK(shaftcull_count_at_most_many(shafts, 0, 3, bounds, NULL, 1, numbers));
-    CHECK(numbers[1] == 0 && numbers[2] == 1);
     OK(shaftcull_count_classified_many(shafts, 0, 3, bounds, NULL, counts));
     CHECK(counts[2].overlap == 0 && counts[2].inside == 2);
     OK(shaftcull_any_many(shafts, 0, 3, bounds, NULL, &bits, 1));
@@ -864,127 +1060,58 @@ static void many_shafts(void) {
     OK(shaftcull_blocked_many(shafts, 0, 1, bounds, NULL, &bits, 1));
     CHECK(bits == 0);
   }
-  OK(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, 1, indices, numbers));
-  CHECK(numbers[0] == 1 && indices[0] == 0 && numbers[1] == 0);
-  OK(shaftcull_list_at_most_many(shafts, 0, 3, all.stream, NULL, 1, indices, numbers));
-  CHECK(numbers[0] == 1 && indices[0] == 0 && numbers[1] == 0);
-  REFUSED(shaftcull_list_at_most_many(shafts, 0, 3, all.tree, NULL, UINT64_MAX, indices, numbers), "most");
 
   shaftcull_lists* lists = NULL;
   shaftcull_lists* others = NULL;
-  shaftcull_lists* ranges = NULL;
-  shaftcull_lists* more_ranges = NULL;
-  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
-  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &others));
-  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_RANGES, &ranges));
-  OK(shaftcull_lists_create(SHAFTCULL_LISTS_OF_RANGES, &more_ranges));
+  OK(shaftcull_lists_create(&lists));
+  OK(shaftcull_lists_create(&others));
   CHECK(shaftcull_lists_count(lists) == 0 && shaftcull_lists_offsets(lists) == NULL);
   CHECK(shaftcull_lists_indices(lists) == NULL && shaftcull_lists_count(NULL) == 0);
   CHECK(shaftcull_lists_offsets(NULL) == NULL && shaftcull_lists_indices(NULL) == NULL);
-  CHECK(shaftcull_lists_ranges(NULL) == NULL);
   OK(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, lists));
   CHECK(shaftcull_lists_count(lists) == 3);
   const uint64_t* const offsets = shaftcull_lists_offsets(lists);
   CHECK(offsets[0] == 0 && offsets[1] == 1 && offsets[2] == 1 && offsets[3] == 3);
   CHECK(shaftcull_lists_indices(lists)[0] == 0);
-  CHECK(shaftcull_lists_ranges(lists) == NULL);
   REFUSED(shaftcull_list_many(shafts, 0, 3, all.triangles, NULL, lists), "hull");
   OK(shaftcull_list_many(shafts, 0, 2, all.triangles, NULL, lists));
-  OK(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, ranges));
-  CHECK(shaftcull_lists_count(ranges) == 3 && shaftcull_lists_ranges(ranges)[0].size == 1);
-  CHECK(shaftcull_lists_indices(ranges) == NULL);
-  OK(shaftcull_list_classified_many(shafts, 0, 3, all.stream, NULL, lists, others));
-  CHECK(shaftcull_lists_offsets(lists)[3] == 1 && shaftcull_lists_offsets(others)[3] == 2);
-  OK(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, ranges, more_ranges));
-  CHECK(shaftcull_lists_ranges(ranges)[0].size == 1 && shaftcull_lists_ranges(more_ranges)[0].size == 2);
+  CHECK(shaftcull_lists_count(lists) == 2 && shaftcull_lists_offsets(lists)[2] == 1);
   const uint32_t candidates[2] = {1, 0};
-  OK(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, lists));
-  CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
-  OK(shaftcull_refine_many(shafts, 0, 3, all.tree, candidates, 2, lists));
-  CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
-  OK(shaftcull_list_blocking_many(shafts, 0, 1, all.stream, NULL, lists));
-  CHECK(shaftcull_lists_count(lists) == 1 && shaftcull_lists_offsets(lists)[1] == 0);
-  REFUSED(shaftcull_list_many(shafts, 0, 3, all.stream, NULL, ranges), "trees");
+  shaftcull_query query;
+  memset(&query, 0, sizeof query);
+  query.only = candidates;
+  query.only_count = 2;
+  for (int h = 0; h != 2; ++h) {
+    OK(shaftcull_list_classified_many(shafts, 0, 3, holders[h], NULL, lists, others));
+    CHECK(shaftcull_lists_offsets(lists)[3] == 1 && shaftcull_lists_offsets(others)[3] == 2);
+    OK(shaftcull_list_many(shafts, 0, 3, holders[h], &query, lists));
+    CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
+    OK(shaftcull_list_blocking_many(shafts, 0, 1, holders[h], NULL, lists));
+    CHECK(shaftcull_lists_count(lists) == 1 && shaftcull_lists_offsets(lists)[1] == 0);
+    CHECK(shaftcull_lists_indices(lists) == NULL);
+  }
+  query.limit = 1;
+  OK(shaftcull_list_many(shafts, 0, 3, all.stream, &query, lists));
+  CHECK(shaftcull_lists_offsets(lists)[3] == 2 && shaftcull_lists_indices(lists)[1] == 1);
   REFUSED(shaftcull_list_many(shafts, 0, 3, all.tree, NULL, NULL), "lists is NULL");
-  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, ranges), "different kinds");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, lists), "share memory");
-  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, ranges, ranges), "same");
+  REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, NULL, lists), "overlap is NULL");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, NULL), "inside is NULL");
-  REFUSED(shaftcull_refine_many(shafts, 0, 3, all.stream, candidates, 2, ranges), "SHAFTCULL_LISTS_OF_INDICES");
-  REFUSED(shaftcull_list_blocking_many(shafts, 0, 1, all.tree, NULL, ranges), "leaf ranges");
-  REFUSED(shaftcull_lists_create(0, &lists), "kind = 0");
-  REFUSED(shaftcull_lists_create(3, &lists), "kind = 3");
-  REFUSED(shaftcull_lists_create(1, NULL), "lists is NULL");
+  REFUSED(shaftcull_list_blocking_many(shafts, 0, 1, all.tree, NULL, NULL), "lists is NULL");
+  REFUSED(shaftcull_lists_create(NULL), "lists is NULL");
   shaftcull_lists_free(lists);
   shaftcull_lists_free(others);
-  shaftcull_lists_free(ranges);
-  shaftcull_lists_free(more_ranges);
   shaftcull_lists_free(NULL);
 
   REFUSED(shaftcull_cull_many(shafts, 1, 3, all.stream, NULL, kept, 3), "3 shafts of the array");
   REFUSED(shaftcull_cull_many(shafts, 0, 3, all.stream, NULL, kept, 2), "kept_rows");
   REFUSED(shaftcull_cull_many(shafts, 0, 3, all.stream, NULL, NULL, 3), "kept_rows is NULL");
+  REFUSED(shaftcull_classify_many(shafts, 0, 3, all.stream, NULL, kept, NULL, 3), "inside_rows is NULL");
   REFUSED(shaftcull_count_many(shafts, 0, 3, all.stream, NULL, NULL), "kept_counts is NULL");
   REFUSED(shaftcull_count_classified_many(shafts, 0, 3, all.stream, NULL, NULL), "counts is NULL");
   REFUSED(shaftcull_first_contact_many(shafts, 0, 3, all.stream, NULL, contacts), "hull");
   REFUSED(shaftcull_blocked_many(shafts, 0, 3, all.stream, NULL, &bits, 1), "shaft 1");
   REFUSED(shaftcull_any_many(NULL, 0, 3, all.stream, NULL, &bits, 1), "shafts is NULL");
-  free_asked(&all);
-}
-
-/* Counts its calls, and stops at the second if it should. */
-typedef struct calls {
-  int count;
-  int stops;
-} calls;
-
-static int32_t on_tile(const shaftcull_tile* tile, void* user) {
-  calls* const made = user;
-  CHECK(tile->first == 0 && tile->size == 2 && tile->shaft == (uint64_t)(made->count % 3));
-  CHECK(tile->kept[0] == (tile->shaft == 0 ? 1 : tile->shaft == 1 ? 0 : 3));
-  CHECK(made->count < 3 ? tile->inside == NULL : tile->inside != NULL);
-  ++made->count;
-  return made->stops && made->count == 2 ? -7 : 0;
-}
-
-static int32_t on_ranges(const shaftcull_ranges* ranges, void* user) {
-  calls* const made = user;
-  CHECK(ranges->shaft == (uint64_t)(made->count % 3));
-  CHECK(ranges->kept_count + ranges->inside_count == (ranges->shaft == 1 ? 0 : 1));
-  ++made->count;
-  return made->stops && made->count == 2 ? 8 : 0;
-}
-
-static void callbacks(void) {
-  asked all = make_asked();
-  calls made = {0, 0};
-  OK(shaftcull_for_each_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made));
-  CHECK(made.count == 3);
-  OK(shaftcull_for_each_classified_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made));
-  CHECK(made.count == 6);
-  made.count = 1;
-  OK(shaftcull_for_each_tile(all.shafts, 1, 2, all.stream, NULL, on_tile,
-                             &made)); /* positions are those of the array */
-  CHECK(made.count == 3);
-  made.count = 1;
-  OK(shaftcull_for_each_kept(all.shafts, 1, 2, all.tree, NULL, on_ranges, &made));
-  CHECK(made.count == 3);
-  made.count = 0;
-  OK(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made));
-  CHECK(made.count == 3);
-  OK(shaftcull_for_each_classified(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made));
-  CHECK(made.count == 6);
-  made.count = 0;
-  made.stops = 1;
-  FAILS(shaftcull_for_each_tile(all.shafts, 0, 3, all.stream, NULL, on_tile, &made), SHAFTCULL_STOPPED, "returned -7");
-  CHECK(made.count == 2);
-  made.count = 0;
-  FAILS(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, on_ranges, &made), SHAFTCULL_STOPPED, "returned 8");
-  CHECK(made.count == 2);
-  REFUSED(shaftcull_for_each_tile(all.shafts, 0, 3, all.stream, NULL, NULL, &made), "callback is NULL");
-  REFUSED(shaftcull_for_each_kept(all.shafts, 0, 3, all.tree, NULL, NULL, &made), "callback is NULL");
-  REFUSED(shaftcull_for_each_tile(all.shafts, 0, 3, all.tree, NULL, on_tile, &made), "views and streams");
-  REFUSED(shaftcull_for_each_kept(all.shafts, 0, 3, all.stream, NULL, on_ranges, &made), "trees");
   free_asked(&all);
 }
 
@@ -1238,9 +1365,10 @@ int main(void) {
   arrays_of_shafts();
   views_and_streams();
   trees();
+  layers();
   one_shaft();
+  queries();
   many_shafts();
-  callbacks();
   visibility();
   instruction_sets();
   if (failures != 0) {

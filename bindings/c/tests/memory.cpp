@@ -47,8 +47,30 @@ TEST(CMemory, QuestionsOfOneShaftAllocateNothing) {
   std::vector<std::uint32_t> others(100);
   std::vector<float> times(3);
   const std::uint32_t candidates[3] = {3, 2, 1};
+  const std::uint64_t mask[2] = {12, 0};
+  const std::uint32_t layer_mask = 6;
+  const std::vector<std::uint32_t> layers(100, 2);
+  ok(shaftcull_bounds_set_layers(stream.get(), layers.data(), layers.size()));
+  ok(shaftcull_bounds_set_layers(tree.get(), layers.data(), layers.size()));
+  shaftcull_query out{};  // what is left out
+  out.exclude = candidates;
+  out.exclude_count = 2;
+  out.exclude_each = candidates;
+  out.exclude_each_count = 3;
+  out.exclude_mask = mask;
+  out.exclude_mask_words = 2;
+  out.layer_masks = &layer_mask;
+  out.layer_mask_count = 1;
+  shaftcull_query limited = out;
+  limited.limit = 3;
+  shaftcull_query only = out;
+  only.only = candidates;
+  only.only_count = 3;
+  const shaftcull_query* const each[] = {nullptr, &out, &only};
+  const shaftcull_query* const listing[] = {nullptr, &out, &limited, &only};
+  const shaftcull_query* const blocking[] = {nullptr, &out, &limited};
   std::uint64_t number = 0;
-  ok(shaftcull_refine(shafts, 0, tree.get(), candidates, 3, indices.data(), 3, &number));  // the first one may
+  ok(shaftcull_count(shafts, 0, tree.get(), &only, &number));  // the first one with candidates may
 
   const std::size_t before = allocations();
   const shaftcull_sphere ball{{2, 4, 2}, 1};
@@ -68,23 +90,29 @@ TEST(CMemory, QuestionsOfOneShaftAllocateNothing) {
   ok(shaftcull_stream_update(stream.get(), 0, &source));
   for (const shaftcull_bounds* const bounds : {stream.get(), tree.get()}) {
     ok(shaftcull_bounds_describe(bounds, &info));
-    ok(shaftcull_cull(shafts, 0, bounds, nullptr, kept, 2));
-    ok(shaftcull_classify(shafts, 0, bounds, nullptr, kept, inside, 2));
-    ok(shaftcull_contained(shafts, 0, bounds, nullptr, inside, 2));
-    ok(shaftcull_count(shafts, 0, bounds, nullptr, &number));
-    ok(shaftcull_count_at_most(shafts, 0, bounds, nullptr, 3, &number));
-    ok(shaftcull_count_classified(shafts, 0, bounds, nullptr, &counts));
-    ok(shaftcull_any(shafts, 0, bounds, nullptr, &yes));
-    ok(shaftcull_list(shafts, 0, bounds, nullptr, indices.data(), 100, &number));
-    ok(shaftcull_list_at_most(shafts, 0, bounds, nullptr, indices.data(), 3, &number));
-    ok(shaftcull_list_classified(shafts, 0, bounds, nullptr, indices.data(), 100, others.data(), 100, &counts));
-    ok(shaftcull_first_contact(shafts, 0, bounds, nullptr, &contact));
-    ok(shaftcull_entry_times(shafts, 0, bounds, candidates, times.data(), 3));
-    ok(shaftcull_refine(shafts, 0, bounds, candidates, 3, indices.data(), 3, &number));
+    for (const shaftcull_query* const query : each) {
+      ok(shaftcull_cull(shafts, 0, bounds, query, kept, 2));
+      ok(shaftcull_classify(shafts, 0, bounds, query, kept, inside, 2));
+      ok(shaftcull_classify(shafts, 0, bounds, query, nullptr, inside, 2));
+      ok(shaftcull_count_classified(shafts, 0, bounds, query, &counts));
+      ok(shaftcull_any(shafts, 0, bounds, query, &yes));
+      ok(shaftcull_list_classified(shafts, 0, bounds, query, indices.data(), 100, others.data(), 100, &counts));
+      ok(shaftcull_first_contact(shafts, 0, bounds, query, &contact));
+    }
+    for (const shaftcull_query* const query : listing) {
+      ok(shaftcull_count(shafts, 0, bounds, query, &number));
+      ok(shaftcull_list(shafts, 0, bounds, query, indices.data(), 100, &number));
+    }
+    for (const shaftcull_query* const query : blocking) {
+      ok(shaftcull_list_blocking(shafts, 0, bounds, query, indices.data(), 100, &number));
+    }
     ok(shaftcull_blocked(shafts, 0, bounds, nullptr, &yes));
+    ok(shaftcull_blocked(shafts, 0, bounds, &out, &yes));
     ok(shaftcull_blocked_by(shafts, 0, bounds, nullptr, &number));
-    ok(shaftcull_list_blocking(shafts, 0, bounds, nullptr, indices.data(), 100, &number));
+    ok(shaftcull_blocked_by(shafts, 0, bounds, &out, &number));
+    ok(shaftcull_entry_times(shafts, 0, bounds, candidates, times.data(), 3));
   }
+  ok(shaftcull_bounds_set_layers_of(stream.get(), candidates, layers.data(), 3));
   ok(shaftcull_ask_box(shafts, 0, &lamp, 1, &yes));
   ok(shaftcull_ask_sphere(shafts, 0, &ball, 1, &yes));
   ok(shaftcull_ask_triangle(shafts, 0, &face, SHAFTCULL_TRIANGLES_EXACT, &yes));
@@ -96,8 +124,10 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
   const std::vector<shaftcull_box> boxes = row(300);
   const shaftcull_source source = source_of(boxes);
   const BoundsHandle tree = made<BoundsHandle>(shaftcull_tree_create, &source);
+  const BoundsHandle stream = made<BoundsHandle>(shaftcull_stream_create, &source);
+  const std::vector<std::uint32_t> layers(300, 2);
   const ShaftsHandle shafts = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{300});
-  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_RANGES});
+  const ListsHandle lists = made<ListsHandle>(shaftcull_lists_create);
   const HullHandle hull = made<HullHandle>(shaftcull_hull_create, &points[0], std::uint64_t{4},
                                            static_cast<const float*>(nullptr), std::uint64_t{0});
   for (std::uint64_t s = 0; s != 300; ++s) {
@@ -127,7 +157,7 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
       creates(shaftcull_bounds_free, shaftcull_tree_create, &source),
       creates(shaftcull_bounds_free, shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(tree.get())),
       creates(shaftcull_shafts_free, shaftcull_shafts_create, std::uint64_t{10}),
-      creates(shaftcull_lists_free, shaftcull_lists_create, std::uint32_t{SHAFTCULL_LISTS_OF_INDICES}),
+      creates(shaftcull_lists_free, shaftcull_lists_create),
       creates(shaftcull_shaft_free, shaftcull_shaft_create, &lamp, &table,
               static_cast<const shaftcull_shaft_options*>(nullptr)),
       creates(shaftcull_hull_free, shaftcull_hull_create, &points[0], std::uint64_t{4}, &down[0], std::uint64_t{1}),
@@ -143,6 +173,8 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
                                           bits.data(), bits.size(), nullptr);
        },
        nothing},
+      {[&] { return shaftcull_bounds_set_layers(stream.get(), layers.data(), layers.size()); },
+       [&] { EXPECT_EQ(shaftcull_bounds_clear_layers(stream.get()), SHAFTCULL_OK); }},
       {[&] { return shaftcull_list_many(shafts.get(), 0, 300, tree.get(), nullptr, lists.get()); }, nothing},
       {[&] { return shaftcull_count_classified_many(shafts.get(), 0, 300, tree.get(), nullptr, counts.data()); },
        nothing},

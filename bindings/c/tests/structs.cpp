@@ -25,9 +25,8 @@ static_assert(sizeof(shaftcull_index_pair) == sizeof(IndexPair));
 template <class Struct>
 constexpr bool has_no_padding = std::has_unique_object_representations_v<Struct>;
 static_assert(has_no_padding<shaftcull_index_pair> && has_no_padding<shaftcull_kept_counts> &&
-              has_no_padding<shaftcull_leaf_range> && has_no_padding<shaftcull_shaft_options> &&
-              has_no_padding<shaftcull_bounds_info> && has_no_padding<shaftcull_sight_product> &&
-              has_no_padding<shaftcull_sight_counts>);
+              has_no_padding<shaftcull_shaft_options> && has_no_padding<shaftcull_bounds_info> &&
+              has_no_padding<shaftcull_sight_product> && has_no_padding<shaftcull_sight_counts>);
 static_assert(sizeof(shaftcull_contact_found) == 8 + 4 + 4);  // floats have no unique representation
 static_assert(sizeof(shaftcull_joining_plane) == 16 + 4 + 4);
 static_assert(sizeof(shaftcull_shaft_options) == 8 * 4);
@@ -35,9 +34,8 @@ static_assert(sizeof(shaftcull_shaft_info) == 3 * 24 + 32 + 2 * 8);
 static_assert(sizeof(shaftcull_shafts_info) == 2 * 24 + 5 * 4);
 static_assert(sizeof(shaftcull_bounds_info) == 2 * 8 + 4 * 4);
 static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_source> && sizeof(shaftcull_source) == 64));
-static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 88));
-static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_tile> && has_no_padding<shaftcull_ranges> &&
-                                     has_no_padding<shaftcull_batch_planes>));
+static_assert(sizeof(void*) != 8 || (has_no_padding<shaftcull_query> && sizeof(shaftcull_query) == 128));
+static_assert(sizeof(void*) != 8 || has_no_padding<shaftcull_batch_planes>);
 static_assert(sizeof(void*) != 8 ||
               (has_no_padding<shaftcull_undecided_pairs> && has_no_padding<shaftcull_sight_batch> &&
                has_no_padding<shaftcull_visibility_options> && sizeof(shaftcull_visibility_options) == 48));

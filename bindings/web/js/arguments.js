@@ -74,6 +74,14 @@ export function asPosition(value, end, name) {
   return value;
 }
 
+/** An integer from 1 to 2³² − 1. */
+export function asLimit(value, name) {
+  if (!Number.isInteger(value) || value < 1 || value > 0xffff_ffff) {
+    throw new RangeError(`${name} = ${shown(value)} is no integer from 1 to 2^32 - 1`);
+  }
+  return value;
+}
+
 /** Refuses options that are none, which may be misspelt. */
 export function checkOptions(options, names) {
   if (typeof options !== 'object' || options === null) {

@@ -2,19 +2,13 @@
 // Bounds in streams and trees, and what they are asked.
 import {asIndices, checkOptions} from './arguments.js';
 import {Held, made} from './held.js';
+import {optionsOfMany, optionsOfOne, queryOf, wordsFor} from './query.js';
 import {allShafts, Hull, oneShaft} from './shafts.js';
 import {meshSource, sourceOf} from './sources.js';
-
-const queryBytes = 88;  // src/layout.cpp
-const listsOfIndices = 1;
-const byVertices = 1;  // how triangles are tested
-
-const wordsFor = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
 
 /** What is the same for all bounds. */
 export class Bounds extends Held {
   #kind;
-  #isTree;
 
   /** A kind is 'boxes', 'spheres' or 'triangles', a holder 'stream' or 'tree'. */
   constructor(module, kind, holder, values, indices) {
@@ -27,7 +21,6 @@ export class Bounds extends Held {
     }));
     this.length = length;
     this.#kind = kind;
-    this.#isTree = holder === 'tree';
   }
 
   cull(shaft, options = {}) {
@@ -53,80 +46,6 @@ export class Bounds extends Held {
     return this.listOf('shaftcull_list', shaft, options);
   }
 
-  countMany(shafts, options = {}) {
-    const {module} = this;
-    allShafts(module, shafts);
-    const counts = module.resultsOf(8 * shafts.length);
-    this.askMany('shaftcull_count_many', shafts, options, counts);
-    return module.numbers(counts, shafts.length);
-  }
-
-  listMany(shafts, options = {}) {
-    const {module} = this;
-    allShafts(module, shafts);
-    const lists = made(module, 'shaftcull_lists_create', listsOfIndices);
-    try {
-      this.askMany('shaftcull_list_many', shafts, options, lists);
-      const offsets = module.numbers(module.call('shaftcull_lists_offsets', lists), shafts.length + 1);
-      const indices = module.words(module.call('shaftcull_lists_indices', lists), offsets[shafts.length]);
-      return {offsets, indices};
-    } finally {
-      module.call('shaftcull_lists_free', lists);
-    }
-  }
-
-  get kind() {
-    return this.#kind;
-  }
-
-  /** Asks a question of one shaft; values are what the C interface takes behind the query. */
-  ask(question, shaft, options, ...values) {
-    checkOptions(options, ['at', 'own']);
-    const test = this.#kind === 'triangles' && shaft instanceof Hull ? byVertices : 0;
-    this.#withQuery(options.own, test, (query) => {
-      this.module.call(question, ...oneShaft(this.module, shaft, options.at), this.handle, query, ...values);
-    });
-  }
-
-  /** Likewise of all shafts of an array. */
-  askMany(question, shafts, options, ...values) {
-    checkOptions(options, ['own']);
-    this.#withQuery(options.own, 0, (query) => {
-      this.module.call(question, ...allShafts(this.module, shafts), this.handle, query, ...values);
-    });
-  }
-
-  /** A list: into the memory that there is, and again if that was too little. */
-  listOf(question, shaft, options) {
-    const {module} = this;
-    for (let room = 1024;;) {
-      room = Math.max(room, module.resultRoom / 4 - 2);
-      const count = module.resultsOf(8 + 4 * room);
-      this.ask(question, shaft, options, count + 8, BigInt(room), count);
-      const found = module.number(count);
-      if (found <= room) return module.words(count + 8, found);
-      room = found;
-    }
-  }
-
-  #withQuery(own, test, use) {
-    if (own === undefined && test === 0) return use(0);
-    if (own !== undefined && (!this.#isTree || this.#kind === 'triangles')) {
-      throw new TypeError('own is for trees of boxes and spheres');
-    }
-    const indices = asIndices(own ?? [], 'own');
-    return this.module.scratch((scratch) => {
-      const query = scratch.zeros(queryBytes);
-      this.module.view.setUint32(query, test, true);
-      this.module.view.setUint32(query + 8, indices.length === 0 ? 0 : scratch.copy(indices), true);
-      this.module.view.setBigUint64(query + 16, BigInt(indices.length), true);
-      return use(query);
-    });
-  }
-}
-
-/** What spheres and boxes can be asked, too. */
-export class SphereBounds extends Bounds {
   classify(shaft, options = {}) {
     const {module} = this;
     const words = wordsFor(this.length);
@@ -151,6 +70,93 @@ export class SphereBounds extends Bounds {
     }
   }
 
+  countMany(shafts, options = {}) {
+    const {module} = this;
+    allShafts(module, shafts);
+    const counts = module.resultsOf(8 * shafts.length);
+    this.askMany('shaftcull_count_many', shafts, options, counts);
+    return module.numbers(counts, shafts.length);
+  }
+
+  listMany(shafts, options = {}) {
+    const {module} = this;
+    allShafts(module, shafts);
+    const lists = made(module, 'shaftcull_lists_create');
+    try {
+      this.askMany('shaftcull_list_many', shafts, options, lists);
+      const offsets = module.numbers(module.call('shaftcull_lists_offsets', lists), shafts.length + 1);
+      const indices = module.words(module.call('shaftcull_lists_indices', lists), offsets[shafts.length]);
+      return {offsets, indices};
+    } finally {
+      module.call('shaftcull_lists_free', lists);
+    }
+  }
+
+  setLayers(layers) {
+    const {module} = this;
+    const all = asIndices(layers, 'layers');
+    module.scratch((scratch) => {
+      module.call('shaftcull_bounds_set_layers', this.handle, scratch.copy(all), BigInt(all.length));
+    });
+  }
+
+  setLayersOf(indices, layers) {
+    const {module} = this;
+    const [which, all] = [asIndices(indices, 'indices'), asIndices(layers, 'layers')];
+    if (which.length !== all.length) {
+      throw new TypeError(`there are ${all.length} layers for ${which.length} indices; there must be as many of both`);
+    }
+    module.scratch((scratch) => {
+      module.call('shaftcull_bounds_set_layers_of', this.handle, scratch.copy(which), scratch.copy(all),
+                  BigInt(all.length));
+    });
+  }
+
+  clearLayers() {
+    this.module.call('shaftcull_bounds_clear_layers', this.handle);
+  }
+
+  get kind() {
+    return this.#kind;
+  }
+
+  /** Asks a question of one shaft; values are what the C interface takes behind the query. */
+  ask(question, shaft, options, ...values) {
+    checkOptions(options, optionsOfOne);
+    const {module} = this;
+    const test = this.#kind === 'triangles' && shaft instanceof Hull ? 'vertices' : 'exact';
+    module.scratch((scratch) => {
+      const query = queryOf(module, scratch, options, 1, this.length, test);
+      module.call(question, ...oneShaft(module, shaft, options.at), this.handle, query, ...values);
+    });
+  }
+
+  /** Asks it of all shafts of an array. */
+  askMany(question, shafts, options, ...values) {
+    checkOptions(options, optionsOfMany);
+    const {module} = this;
+    module.scratch((scratch) => {
+      const query = queryOf(module, scratch, options, shafts.length, this.length, 'exact');
+      module.call(question, ...allShafts(module, shafts), this.handle, query, ...values);
+    });
+  }
+
+  /** A list: into the memory that there is, and again if that was too little. */
+  listOf(question, shaft, options) {
+    const {module} = this;
+    for (let room = 1024;;) {
+      room = Math.max(room, module.resultRoom / 4 - 2);
+      const count = module.resultsOf(8 + 4 * room);
+      this.ask(question, shaft, options, count + 8, BigInt(room), count);
+      const found = module.number(count);
+      if (found <= room) return module.words(count + 8, found);
+      room = found;
+    }
+  }
+}
+
+/** What spheres and boxes can be asked, too. */
+export class SphereBounds extends Bounds {
   first(shaft, options = {}) {
     const {module} = this;
     const contact = module.resultsOf(16);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 /**
  * Shaft culling in WebAssembly: what can stand between two boxes, what a moving box hits, what lies in a shadow or in
- * view. Answers about boxes and triangles are those of real arithmetic for the floats given; docs/exactness.md says
- * what is said of spheres. All are the same bits on every machine.
+ * view. Answers about boxes and triangles are those of real arithmetic for the floats given; docs/exactness.md tells
+ * how spheres are answered. All are the same bits on every machine.
  *
  *     import {load} from 'shaftcull';
  *     const shaftcull = await load();
- *     const tree = shaftcull.boxTree(boxes);            // 6 floats a box: lo x, y, z, hi x, y, z
+ *     const tree = shaftcull.boxTree(boxes);            // 6 floats for each box: lo x, y, z, hi x, y, z
  *     const shaft = shaftcull.between(lamp, table);
  *     for (const i of tree.list(shaft)) console.log(`box ${i} may stand between`);
  *
  * Numbers. All floats are float32. Arrays of numbers are taken if each is a float32 exactly; otherwise a call throws a
- * TypeError, for nothing is rounded silently: `roundOutwards()` makes float32 boxes that contain those of doubles.
+ * TypeError, since nothing is rounded silently: `roundOutwards()` makes float32 boxes that contain those of doubles.
  *
  * Errors. What the library refuses is a `ShaftcullError`, which says what is wrong, where, and what would be right.
  * Arguments of another type or number, and objects that were freed or are of another module, are a `TypeError`, and a
@@ -61,11 +61,11 @@ export interface Shaftcull {
   /** The one that calls use, the fastest at first. Answers do not depend on it. Throws for a name that is none. */
   instructionSet: string;
 
-  /** Boxes that are asked one after the other: a checked copy. 6 floats a box: lo x, y, z, hi x, y, z; lo ≤ hi. */
+  /** Boxes that are asked one after the other: a checked copy. 6 floats each: lo x, y, z, hi x, y, z; lo ≤ hi. */
   boxStream(boxes: Floats): BoxBounds;
   /** Boxes under a tree, whose questions take what they find. O(n log n). */
   boxTree(boxes: Floats): BoxTree;
-  /** Spheres that are asked one after the other. 4 floats a sphere: centre x, y, z, radius ≥ 0. */
+  /** Spheres that are asked one after the other. 4 floats each: centre x, y, z, radius ≥ 0. */
   sphereStream(spheres: Floats): SphereBounds;
   /** Spheres under a tree. */
   sphereTree(spheres: Floats): SphereTree;
@@ -83,7 +83,7 @@ export interface Shaftcull {
   between(a: Floats, b: Floats, options?: {pairs?: ArrayLike<number>, contact?: Contact, planes?: Floats}): Shafts;
   /** What each body sweeps over that moves by its displacement of 3 floats; one of either may be for all. */
   swept(bodies: Floats, displacements: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
-  /** Likewise without end, in directions of 3 floats. */
+  /** The same without end, in directions of 3 floats. */
   sweptWithoutEnd(bodies: Floats, directions: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
   /**
    * All that occluder i can shadow from light i, which is apart from it: up to `reach` times its distance, 1 or more,
@@ -100,7 +100,7 @@ export interface Shaftcull {
   frustum(matrix: Floats, depth: ClipDepth): Hull;
   /** What can cast a shadow into view by a light at a point of 3 floats. */
   casters(view: Hull, light: Floats): Hull;
-  /** Likewise by a sun in a direction of 3 floats. */
+  /** The same by a sun in a direction of 3 floats. */
   castersTowards(view: Hull, sun: Floats): Hull;
 
   /** Of all pairs of patches, which see each other. Takes what is undecided, and collects all answers. */
@@ -150,53 +150,95 @@ export interface Shafts extends Held {
   joiningPlanes(at?: number): Float32Array;
 }
 
+/** How triangles are tested: exactly, or by the box around their vertices. */
+export type TriangleTest = 'exact' | 'vertices';
+
 /**
- * Which shaft of an array one is asked, and bounds that trees leave out, by index: the shaft's own two objects, say.
+ * The options of a question. They are the same for all bounds, in streams and in trees. The library refuses an option
+ * that means nothing to a question or to bounds. It tells the name in C++: 'query.layer_mask' for `layerMask`.
  */
-export interface AskOptions {
-  at?: number;
-  /** Of trees of boxes and spheres only. */
-  own?: ArrayLike<number>;
+export interface QueryOptions {
+  /** Leaves these bounds out, by index: a moving body itself, say. */
+  exclude?: ArrayLike<number>;
+  /** Leaves bound i out if bit i % 32 of word i / 32 is set: bits as `cull()` returns them. */
+  excludeMask?: ArrayLike<number>;
+  /**
+   * Leaves out every bound that is in none of these layers, 32 bits as an integer from 0 on: `(1 << 31) >>> 0` for the
+   * last one. One mask for all shafts, or an array with one for each. The bounds must have layers: `setLayers()`.
+   */
+  layerMask?: number | ArrayLike<number>;
+  /** Stops at so many results of a shaft, those that come first; 1 or more. For lists and counts of kept bounds. */
+  limit?: number;
+  /** Asks only about these bounds, by index; lists keep their order. Not for `blockedBy()` and `listBlocking()`. */
+  only?: ArrayLike<number>;
+  /** 'exact' if it is not said, for hulls 'vertices', which is all that they answer. Not for boxes and spheres. */
+  triangleTest?: TriangleTest;
 }
 
-/** What all bounds can be asked. Lists ascend; those of trees have the order of the tree. */
+/** Options of questions about one shaft. */
+export interface AskOptions extends QueryOptions {
+  /** Which shaft of an array is asked; the first if it is not said. */
+  at?: number;
+}
+
+/** Options of questions about all shafts of an array. */
+export interface AskManyOptions extends QueryOptions {
+  /**
+   * Leaves bounds of its own out for each shaft, its own two objects, say: as many indices for each shaft, one row
+   * behind the other.
+   */
+  excludeEach?: ArrayLike<number>;
+}
+
+/** All bounds: what they can be asked, and their layers. Lists ascend; those of trees have the order of the tree. */
 export interface Bounds extends Held {
   readonly length: number;
   /** Bit i % 32 of word i / 32 says whether the shaft keeps bound i: whether it is not outside. */
-  cull(shaft: Shafts | Hull, options?: AskOptions): Uint32Array;
-  /** How many it keeps. */
+  cull(shaft: Shafts | Hull, options?: Omit<AskOptions, 'limit'>): Uint32Array;
+  /** How many it keeps; with `limit` that many at most, and then it stops early. */
   count(shaft: Shafts | Hull, options?: AskOptions): number;
-  /** Which it keeps. */
+  /** Which it keeps; with `limit` the first of them. */
   list(shaft: Shafts | Hull, options?: AskOptions): Uint32Array;
   /** Whether it keeps any. */
-  any(shaft: Shafts | Hull, options?: AskOptions): boolean;
-  /** How many each shaft keeps. `own` has as many indices for each shaft. */
-  countMany(shafts: Shafts, options?: {own?: ArrayLike<number>}): Float64Array;
+  any(shaft: Shafts | Hull, options?: Omit<AskOptions, 'limit'>): boolean;
+  /** Bits of what is kept, and of what is inside entirely. */
+  classify(shaft: Shafts | Hull, options?: Omit<AskOptions, 'limit'>): {kept: Uint32Array, inside: Uint32Array};
+  /** Indices of what overlaps, and of what is inside entirely. */
+  listClassified(shaft: Shafts | Hull,
+                 options?: Omit<AskOptions, 'limit'>): {overlap: Uint32Array, inside: Uint32Array};
+  /** How many each shaft keeps. */
+  countMany(shafts: Shafts, options?: AskManyOptions): Float64Array;
   /** What shaft s keeps are indices[offsets[s]] to before indices[offsets[s + 1]]. */
-  listMany(shafts: Shafts, options?: {own?: ArrayLike<number>}): {offsets: Float64Array, indices: Uint32Array};
+  listMany(shafts: Shafts, options?: AskManyOptions): {offsets: Float64Array, indices: Uint32Array};
+  /**
+   * Puts all bounds into layers, for the option `layerMask`: bit l of layers[i] says that bound i is in layer l. One
+   * integer of 32 bits from 0 on for each bound. Replaces the layers that there were. O(n). A tree of triangles has
+   * none, and refuses this.
+   */
+  setLayers(layers: ArrayLike<number>): void;
+  /** Puts bound indices[i] into layers[i]. There must be layers. The last one counts of an index that comes twice. */
+  setLayersOf(indices: ArrayLike<number>, layers: ArrayLike<number>): void;
+  /** Forgets the layers. */
+  clearLayers(): void;
 }
 
-/** Triangles, kept exactly, but for those that hulls are asked about. */
+/** Triangles. One is inside if its three vertices are. */
 export interface TriangleBounds extends Bounds {}
 
-/** What spheres and boxes can be asked, too. */
+/** Spheres and boxes can be reached by bodies that move, too. */
 export interface SphereBounds extends Bounds {
-  /** Bits of what is kept, and of what is inside entirely. */
-  classify(shaft: Shafts | Hull, options?: AskOptions): {kept: Uint32Array, inside: Uint32Array};
-  /** Indices of what overlaps, and of what is inside entirely. */
-  listClassified(shaft: Shafts | Hull, options?: AskOptions): {overlap: Uint32Array, inside: Uint32Array};
-  /** What the moving box of the shaft reaches first, and when, from 0 at the start to 1 at the end. */
-  first(shaft: Shafts, options?: AskOptions): {index: number, time: number} | undefined;
+  /** The bound that the moving box of the shaft reaches first, and when, from 0 at the start to 1 at the end. */
+  first(shaft: Shafts, options?: Omit<AskOptions, 'limit'>): {index: number, time: number} | undefined;
   /** When it reaches each of these, +∞ if never. Times are rounded down. */
   entryTimes(shaft: Shafts, indices: ArrayLike<number>, options?: {at?: number}): Float32Array;
 }
 
-/** What boxes can be asked, too, as solids. */
+/** Boxes can be asked as solids, too. */
 export interface BoxBounds extends SphereBounds {
   /** The first solid found that alone hides the one end of the shaft from the other. */
-  blockedBy(shaft: Shafts, options?: AskOptions): number | undefined;
-  /** All that do. */
-  listBlocking(shaft: Shafts, options?: AskOptions): Uint32Array;
+  blockedBy(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
+  /** All that do; with `limit` the first of them. */
+  listBlocking(shaft: Shafts, options?: Omit<AskOptions, 'only'>): Uint32Array;
 }
 
 /** A tree whose bounds may move. */
@@ -205,7 +247,7 @@ export interface SphereTree extends SphereBounds {
   update(bounds: Floats): void;
   /** How much larger its nodes have become since it was built, 1 at first; at 2 or 3 `rebuild()` pays. */
   readonly growth: number;
-  /** Sorts the bounds anew as they are now. */
+  /** Sorts the bounds again as they are now. */
   rebuild(): void;
 }
 

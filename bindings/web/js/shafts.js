@@ -148,7 +148,8 @@ function ofPairs(module, a, b, names, options, between, set) {
       const sourceB = sourceOf(module, scratch, 'boxes', boxesB, names[1]);
       const [floats, planeCount] = planesFor(options.planes, sourceA.count);
       const planes = scratch.zeros(32);
-      module.view.setUint32(planes, scratch.copy(floats), true);
+      const pointer = scratch.copy(floats);  // which may move all memory
+      module.view.setUint32(planes, pointer, true);
       module.view.setBigUint64(planes + 8, planeCount, true);
       const named = pairs === undefined ? 0 : scratch.copy(pairs);
       set(shafts, scratch, sourceA.pointer, sourceB.pointer, named, BigInt(count), planes);

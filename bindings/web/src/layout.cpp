@@ -15,10 +15,20 @@ static_assert(offsetof(shaftcull_shafts_info, b) == 24);
 
 static_assert(sizeof(shaftcull_joining_plane) == 24);
 
-static_assert(sizeof(shaftcull_query) == 88);
-static_assert(offsetof(shaftcull_query, triangle_test) == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
-static_assert(offsetof(shaftcull_query, own) == 8);
-static_assert(offsetof(shaftcull_query, own_count) == 16);
+static_assert(sizeof(shaftcull_query) == 128);
+static_assert(offsetof(shaftcull_query, exclude) == 0);
+static_assert(offsetof(shaftcull_query, exclude_count) == 8);
+static_assert(offsetof(shaftcull_query, exclude_each) == 16);
+static_assert(offsetof(shaftcull_query, exclude_each_count) == 24);
+static_assert(offsetof(shaftcull_query, exclude_mask) == 32);
+static_assert(offsetof(shaftcull_query, exclude_mask_words) == 40);
+static_assert(offsetof(shaftcull_query, layer_masks) == 48);
+static_assert(offsetof(shaftcull_query, layer_mask_count) == 56);
+static_assert(offsetof(shaftcull_query, only) == 64);
+static_assert(offsetof(shaftcull_query, only_count) == 72);
+static_assert(offsetof(shaftcull_query, limit) == 80);
+static_assert(offsetof(shaftcull_query, triangle_test) == 88);
+static_assert(SHAFTCULL_TRIANGLES_EXACT == 0 && SHAFTCULL_TRIANGLES_BY_VERTICES == 1);
 
 static_assert(sizeof(shaftcull_batch_planes) == 32);
 static_assert(offsetof(shaftcull_batch_planes, a_count) == 8);

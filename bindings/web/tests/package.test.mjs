@@ -152,12 +152,29 @@ describe('bounds', () => {
     assert.throws(() => shaftcull.triangleTree(vertices, [0, 1, 6]), /6/);
   });
 
-  test('trees leave out what a query names', () => {
-    const shafts = shaftcull.between([...lamp, ...lamp], [...table, ...table]);
-    const tree = shaftcull.boxTree(scene);
-    assert.deepEqual([...tree.list(shafts, {own: [2]})], [0]);
-    assert.deepEqual([...tree.countMany(shafts, {own: [0, 1]})], [1, 2]);
-    assert.throws(() => shaftcull.boxStream(scene).list(shafts, {own: [2]}), /own is for trees/);
+  test('triangles are tested exactly or by their vertices, and are inside or not', () => {
+    const [a, b] = [[0, 0, 0, 1, 1, 1], [4, 0, 0, 5, 1, 1]];
+    const near = [0, 0.5, 3, 0, 3, 0.5, 1, 3, 3];  // only the box around it meets the shaft
+    const inside = [1, 0.25, 0.25, 2, 0.5, 0.25, 2, 0.25, 0.5];
+    const across = [1, 0.5, 0.5, 2, 0.5, 0.5, 2, 7, 0.5];
+    const triangles = [...near, ...inside, ...across];
+    const shaft = shaftcull.between(a, b);
+    const corners = upTo(8).flatMap((c) => [c & 1 ? 5 : 0, c >> 1 & 1, c >> 2]);
+    const hull = shaftcull.hull(corners);
+    const lists = (overlap, within) => ({overlap: Uint32Array.from(overlap), inside: Uint32Array.from(within)});
+    const sorted = ({overlap, inside: within}) => lists(ascending(overlap), ascending(within));
+    for (const holder of [shaftcull.triangleStream(triangles), shaftcull.triangleTree(triangles)]) {
+      assert.deepEqual(sorted(holder.listClassified(shaft)), lists([2], [1]));
+      assert.deepEqual(sorted(holder.listClassified(shaft, {triangleTest: 'exact'})), lists([2], [1]));
+      assert.deepEqual(sorted(holder.listClassified(shaft, {triangleTest: 'vertices'})), lists([0, 2], [1]));
+      assert.deepEqual(sorted(holder.listClassified(hull)), lists([0, 2], [1]));
+      assert.deepEqual(sorted(holder.listClassified(hull, {triangleTest: 'vertices'})), lists([0, 2], [1]));
+      assert.throws(() => holder.listClassified(hull, {triangleTest: 'exact'}), ShaftcullError);
+      assert.deepEqual([...holder.countMany(shaft)], [2]);
+      assert.deepEqual([...holder.countMany(shaft, {triangleTest: 'vertices'})], [3]);
+      const {kept, inside: within} = holder.classify(shaft);
+      assert.deepEqual([positionsOf(kept, 3), positionsOf(within, 3)], [[1, 2], [1]]);
+    }
   });
 
   test('trees are updated and rebuilt', () => {
@@ -173,6 +190,208 @@ describe('bounds', () => {
     assert.equal(tree.growth, 1);
     assert.deepEqual(ascending(tree.list(shaft)), [...shaftcull.boxStream(moved).list(shaft)]);
     assert.throws(() => tree.update(boxesOf(499, 5)), ShaftcullError);
+  });
+});
+
+describe('options', () => {
+  const COUNT = 400;
+  const LAST = 0x8000_0000;  // the last layer
+  const layers = upTo(COUNT).map((i) => [1, 2, 4, LAST, 0][i % 5]);
+
+  /** All kinds of bounds in all holders, by name. */
+  function holders(seed) {
+    const below = random(seed);
+    const boxes = boxesOf(COUNT, seed);
+    const spheres = Float32Array.from({length: 4 * COUNT}, (_, i) => below(i % 4 === 3 ? 6 : 100));
+    const triangles = upTo(COUNT).flatMap(() => {
+      const at = [below(100), below(100), below(100)];
+      return [...at, ...at, ...at].map((x) => x + below(8));
+    });
+    return {
+      boxStream: shaftcull.boxStream(boxes), boxTree: shaftcull.boxTree(boxes),
+      sphereStream: shaftcull.sphereStream(spheres), sphereTree: shaftcull.sphereTree(spheres),
+      triangleStream: shaftcull.triangleStream(triangles), triangleTree: shaftcull.triangleTree(triangles),
+    };
+  }
+
+  /** Large shafts, which keep a part of the bounds each. */
+  function manyShafts() {
+    const a = [10, 10, 10, 40, 40, 40, 0, 60, 0, 30, 90, 30, 70, 0, 70, 99, 20, 99];
+    const b = [60, 50, 40, 90, 80, 70, 50, 50, 50, 99, 99, 99, 20, 20, 20, 60, 60, 60];
+    return shaftcull.between(a, b);
+  }
+
+  /** What options leave of a list, in the order that they give it. */
+  function narrowed(whole, {exclude = [], excludeMask, layerMask, only, limit}) {
+    const candidates = only ? only.filter((i) => whole.includes(i)) : whole;
+    const isLeft = (i) => !exclude.includes(i) && (!excludeMask || (excludeMask[i >> 5] >>> (i & 31) & 1) === 0)
+      && (layerMask === undefined || (layers[i] & layerMask) !== 0);
+    return candidates.filter(isLeft).slice(0, limit);
+  }
+
+  /** Sets of options, none of which leaves all or nothing; `kept` is what the shaft keeps. */
+  function optionSets(holder, hasLayers, kept) {
+    const exclude = kept.filter((_, k) => k % 3 === 0);
+    const excludeMask = holder.cull(shaftcull.between([0, 0, 0, 50, 50, 50], [50, 50, 0, 60, 60, 60]));
+    const only = upTo(COUNT).filter((i) => i % 7 !== 0).reverse();
+    const all = [{exclude}, {excludeMask}, {only}, {exclude, excludeMask, only}];
+    if (hasLayers) all.push({layerMask: 2}, {layerMask: (LAST | 1) >>> 0}, {exclude, only, layerMask: LAST});
+    return all;
+  }
+
+  /** Names, holders with layers, and whether they have them: trees of triangles do not. */
+  function prepared(seed) {
+    return Object.entries(holders(seed)).map(([name, holder]) => {
+      const hasLayers = name !== 'triangleTree';
+      if (hasLayers) holder.setLayers(layers);
+      return [name, holder, hasLayers];
+    });
+  }
+
+  test('narrow all questions about one shaft, of all bounds', () => {
+    const shafts = manyShafts();
+    for (const [name, holder, hasLayers] of prepared(11)) {
+      for (let at = 0; at !== shafts.length; ++at) {
+        const whole = [...holder.list(shafts, {at})];
+        const wholeInside = [...holder.listClassified(shafts, {at}).inside];
+        for (const options of optionSets(holder, hasLayers, whole)) {
+          const said = `${name}, shaft ${at}, ${Object.keys(options)}`;
+          const asked = {at, ...options};
+          const left = narrowed(whole, options);
+          assert(left.length > 2 && left.length < whole.length, `${said} are no question`);
+          const inside = ascending(narrowed(wholeInside, options));
+          assert.deepEqual([...holder.list(shafts, asked)], left, said);
+          assert.equal(holder.count(shafts, asked), left.length, said);
+          assert.equal(holder.any(shafts, asked), true, said);
+          assert.deepEqual(positionsOf(holder.cull(shafts, asked), COUNT), ascending(left), said);
+          const bits = holder.classify(shafts, asked);
+          assert.deepEqual(positionsOf(bits.kept, COUNT), ascending(left), said);
+          assert.deepEqual(positionsOf(bits.inside, COUNT), inside, said);
+          const lists = holder.listClassified(shafts, asked);
+          assert.deepEqual(ascending([...lists.overlap, ...lists.inside]), ascending(left), said);
+          assert.deepEqual(ascending(lists.inside), inside, said);
+          for (const limit of [1, 2, left.length, 4 * COUNT]) {
+            assert.deepEqual([...holder.list(shafts, {...asked, limit})], left.slice(0, limit), said);
+            assert.equal(holder.count(shafts, {...asked, limit}), Math.min(left.length, limit), said);
+          }
+        }
+        assert.equal(holder.any(shafts, {at, exclude: whole}), false, name);
+        assert.equal(holder.any(shafts, {at, only: []}), false, name);
+        assert.deepEqual([...holder.list(shafts, {at, only: []})], [], name);
+      }
+    }
+  });
+
+  test('narrow all questions about many shafts, each by a row of its own', () => {
+    const shafts = manyShafts();
+    for (const [name, holder, hasLayers] of prepared(12)) {
+      const whole = upTo(shafts.length).map((at) => [...holder.list(shafts, {at})]);
+      const rows = whole.map((kept) => kept.slice(-4));
+      const masks = [1, LAST, 6];
+      const sets = optionSets(holder, hasLayers, whole[0]).flatMap((options) => [options, {...options, limit: 2}]);
+      sets.push({excludeEach: rows.flat()}, {exclude: [0, 1, 2], excludeEach: Uint32Array.from(rows.flat()), limit: 3});
+      if (hasLayers) sets.push({layerMask: masks}, {layerMask: Uint32Array.from(masks), limit: 1});
+      for (const options of sets) {
+        const said = `${name}, ${Object.keys(options)}`;
+        const left = whole.map((kept, s) => {
+          const exclude = [...options.exclude ?? [], ...options.excludeEach ? rows[s] : []];
+          const layerMask = typeof options.layerMask === 'object' ? options.layerMask[s] : options.layerMask;
+          return narrowed(kept, {...options, exclude, layerMask});
+        });
+        assert.deepEqual([...holder.countMany(shafts, options)], left.map((list) => list.length), said);
+        const {offsets, indices} = holder.listMany(shafts, options);
+        assert.deepEqual(left.map((_, s) => [...indices.subarray(offsets[s], offsets[s + 1])]), left, said);
+      }
+    }
+  });
+
+  test('leave out what a moving box would reach first', () => {
+    const shaft = shaftcull.swept([0, 0, 0, 30, 30, 30], [70, 70, 70]);
+    for (const [name, holder, hasLayers] of prepared(13).filter(([one]) => !one.startsWith('triangle'))) {
+      const whole = [...holder.list(shaft)];
+      const first = [holder.first(shaft).index];
+      for (const options of [{exclude: first}, ...optionSets(holder, hasLayers, whole)]) {
+        const left = narrowed(whole, options);
+        const times = holder.entryTimes(shaft, left);
+        const {index, time} = holder.first(shaft, options);
+        const said = `${name}, ${Object.keys(options)}`;
+        assert.equal(time, Math.min(...times), said);
+        assert.equal(times[left.indexOf(index)], time, said);
+      }
+      assert.equal(holder.first(shaft, {exclude: whole}), undefined, name);
+    }
+  });
+
+  test('leave out what would block', () => {
+    const wall = (x) => [x, -9, -9, x + 1, 9, 9];
+    const shaft = shaftcull.between([0, 0, 0, 1, 1, 1], [9, 0, 0, 10, 1, 1]);
+    const solids = [...wall(2), ...wall(4), 6, 5, 5, 7, 6, 6, ...wall(7)];
+    for (const holder of [shaftcull.boxStream(solids), shaftcull.boxTree(solids)]) {
+      const whole = [...holder.listBlocking(shaft)];
+      assert.deepEqual(ascending(whole), [0, 1, 3]);
+      assert.deepEqual([...holder.listBlocking(shaft, {limit: 2})], whole.slice(0, 2));
+      assert.deepEqual(ascending(holder.listBlocking(shaft, {exclude: [0, 2]})), [1, 3]);
+      assert.deepEqual(ascending(holder.listBlocking(shaft, {excludeMask: [0b1010]})), [0]);
+      assert.equal(holder.blockedBy(shaft, {exclude: [1, 3]}), 0);
+      assert.equal(holder.blockedBy(shaft, {exclude: [0, 1, 3]}), undefined);
+      holder.setLayers([1, 2, 2, 4]);
+      assert.equal(holder.blockedBy(shaft, {layerMask: 4}), 3);
+      assert.deepEqual(ascending(holder.listBlocking(shaft, {layerMask: 6})), [1, 3]);
+    }
+  });
+
+  test('that name layers need some, which are set, changed and cleared', () => {
+    const around = shaftcull.between([-1, -1, -1, 200, 200, 200], [-1, -1, -1, 200, 200, 200]);
+    for (const [name, holder] of Object.entries(holders(14))) {
+      assert.throws(() => holder.count(around, {layerMask: 1}), /layer_mask/, name);
+      if (name === 'triangleTree') {
+        assert.throws(() => holder.setLayers(layers), ShaftcullError);
+        continue;
+      }
+      assert.throws(() => holder.setLayersOf([0], [1]), ShaftcullError, name);
+      assert.throws(() => holder.setLayers(layers.slice(1)), ShaftcullError, name);
+      holder.setLayers(layers);
+      assert.equal(holder.count(around, {layerMask: 0}), 0, name);
+      assert.deepEqual(ascending(holder.list(around, {layerMask: 4})), upTo(COUNT).filter((i) => i % 5 === 2), name);
+      holder.setLayersOf([0, 399, 0], [LAST, 8, 8]);
+      assert.deepEqual(ascending(holder.list(around, {layerMask: 8})), [0, 399], name);
+      assert.throws(() => holder.setLayersOf([400], [1]), ShaftcullError, name);
+      assert.throws(() => holder.setLayersOf([0, 1], [1]), /1 layers for 2 indices/, name);
+      holder.setLayers(Uint32Array.from(layers));
+      assert.equal(holder.count(around, {layerMask: 8}), 0, name);
+      holder.clearLayers();
+      assert.throws(() => holder.count(around, {layerMask: 1}), /layer_mask/, name);
+      assert.equal(holder.count(around), COUNT, name);
+    }
+  });
+
+  test('that mean nothing are refused, by their name', () => {
+    const shafts = shaftcull.between([...lamp, ...lamp], [...table, ...table]);
+    for (const holder of [shaftcull.boxStream(scene), shaftcull.boxTree(scene)]) {
+      for (const question of ['cull', 'classify', 'any', 'listClassified', 'first', 'blockedBy']) {
+        assert.throws(() => holder[question](shafts, {limit: 1}), /limit/, question);
+      }
+      for (const question of ['blockedBy', 'listBlocking']) {
+        assert.throws(() => holder[question](shafts, {only: [0]}), /only/, question);
+      }
+      for (const [options, message] of [
+        [{triangleTest: 'vertices'}, /triangle_test/], [{exclude: [0, 3]}, /exclude.*3/], [{only: [3]}, /only.*3/],
+        [{excludeEach: [0, 3]}, /exclude_each.*3/], [{excludeEach: [0, 1, 2]}, /exclude_each.*3/],
+      ]) {
+        assert.throws(() => holder.countMany(shafts, options), (error) => {
+          assert(error instanceof ShaftcullError);
+          assert.match(error.message, message);
+          return true;
+        });
+      }
+      assert.deepEqual([...holder.countMany(shafts)], [2, 2], 'and goes on');
+    }
+  });
+
+  test('may be large, so that memory grows while they are copied', async () => {
+    const one = await load();
+    const [tree, shaft] = [one.boxTree(scene), one.between(lamp, table)];
+    assert.deepEqual([...tree.list(shaft, {exclude: new Uint32Array(4_000_000)})], [2]);
   });
 });
 
@@ -358,6 +577,8 @@ describe('what cannot be answered is refused', () => {
   });
 
   test('before it, if it is no float32, no index, or no option', () => {
+    const ask = (options) => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), options);
+    const askMany = (options) => shaftcull.boxTree(scene).listMany(shaftcull.between(lamp, table), options);
     for (const [call, message] of [
       [() => shaftcull.boxTree([0, 0, 0, 0.1, 1, 1]), /boxes\[3\] = 0\.1 is no float32/],
       [() => shaftcull.boxTree([0, 0, 0, 1, 1]), /boxes has 5 floats, which is no multiple of 6/],
@@ -374,7 +595,20 @@ describe('what cannot be answered is refused', () => {
       [() => shaftcull.boxTree(scene).list(lamp), /a shaft is made by/],
       [() => shaftcull.visibility({patches: lamp, walls: []}), /no option 'walls'/],
       [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), 1),
-       /options are an object with some of 'at', 'own', not 1/],
+       /options are an object with some of 'at', 'exclude', .*'triangleTest', not 1/],
+      [() => ask({own: [0]}), /no option 'own'/],
+      [() => ask({excludeEach: [0]}), /no option 'excludeEach'/],
+      [() => askMany({at: 0}), /no option 'at'/],
+      [() => ask({exclude: [-1]}), /exclude\[0\] = -1 is no integer/],
+      [() => ask({only: 0}), /only is no array/],
+      [() => ask({excludeMask: [0, 0]}), /excludeMask has 2 words instead of 1/],
+      [() => ask({layerMask: 1 << 31}), /layerMask\[0\] = -2147483648 is no integer/],
+      [() => ask({layerMask: [1, 1]}), /layerMask has 2 masks for 1 shafts/],
+      [() => askMany({layerMask: []}), /layerMask has 0 masks for 1 shafts/],
+      [() => ask({limit: 0}), /limit = 0 is no integer from 1/],
+      [() => ask({limit: 2 ** 32}), /limit = 4294967296 is no integer from 1/],
+      [() => askMany({limit: 1.5}), /limit = 1.5 is no integer from 1/],
+      [() => ask({triangleTest: 'box'}), /triangleTest is "box", not one of 'exact', 'vertices'/],
       [() => shaftcull.boxTree(scene).list(shaftcull.between([], []), {}), /no shafts to ask/],
       [() => shaftcull.boxTree(scene).list(shaftcull.between(lamp, table), {at: '0'}), /at = "0" is no integer/],
       [() => shaftcull.visibility({patches: lamp, planesB: [0, 0, 1, 0]}), /planesB, but no patchesB/],

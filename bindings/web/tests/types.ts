@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A client in TypeScript, which is compiled and not run: all types are there, and what is wrong is refused.
 import {load, roundOutwards, ShaftcullError} from 'shaftcull';
-import type {BoxTree, Bounds, Floats, Hull, Shafts, Shaftcull, Sight, Visibility} from 'shaftcull';
+import type {
+  AskManyOptions, AskOptions, BoxTree, Bounds, Floats, Hull, Shafts, Shaftcull, Sight, Visibility,
+} from 'shaftcull';
 
 const shaftcull: Shaftcull = await load(new Uint8Array());
 const boxes: Floats = roundOutwards([0, 0, 0, 1, 1, 1]);
@@ -11,8 +13,14 @@ const view: Hull = shaftcull.frustum(new Float32Array(16), 'zero_to_one');
 const every: readonly Bounds[] = [tree, shaftcull.sphereStream([]), shaftcull.triangleTree([], [])];
 export const numbers: number[] = every.map((bounds) => bounds.count(view) + bounds.list(shafts, {at: 1}).length);
 export const first: number | undefined = tree.first(shafts)?.time;
-export const blocked: number | undefined = tree.blockedBy(shafts, {own: [0]});
+export const blocked: number | undefined = tree.blockedBy(shafts, {exclude: [0]});
 tree.update(boxes);
+tree.setLayers(Uint32Array.of(1));
+tree.setLayersOf([0], [2]);
+const asked: AskOptions = {exclude: [0], excludeMask: tree.cull(view), layerMask: 1, limit: 9, only: [0], at: 0};
+const askedMany: AskManyOptions = {excludeEach: Uint32Array.of(0), layerMask: [1, 2], triangleTest: 'vertices'};
+export const lists: Uint32Array[] = [tree.list(shafts, asked), tree.listMany(shafts, askedMany).indices];
+export const inside: Uint32Array[] = every.map((bounds) => bounds.listClassified(view, {exclude: [0]}).inside);
 
 const seen: Visibility = shaftcull.visibility({patches: boxes, solids: boxes});
 const sights: Sight[] = ['clear', 'facing_away'];
@@ -29,3 +37,11 @@ shaftcull.between(boxes, boxes, {contact: 'ajar'});
 shaftcull.sphereTree([]).blockedBy(shafts);
 // @ts-expect-error: hulls do not move
 tree.first(view);
+// @ts-expect-error: one shaft has no rows of its own
+tree.list(shafts, {excludeEach: [0]});
+// @ts-expect-error: bits have no limit
+tree.cull(shafts, {limit: 1});
+// @ts-expect-error: solids are not asked about candidates
+tree.blockedBy(shafts, {only: [0]});
+// @ts-expect-error: there is no such test
+tree.list(shafts, {triangleTest: 'boxes'});

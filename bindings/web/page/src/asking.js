@@ -33,7 +33,7 @@ export function ask(library, scene, question) {
   const stopwatch = new Stopwatch();
   const volume = form(library, question);
   try {
-    const answer = {...listed(tree, volume), blocks: NONE, reached: NONE, points: volume.points};
+    const answer = {...tree.listClassified(volume), blocks: NONE, reached: NONE, points: volume.points};
     if (kind.twoEnds && scene.shape === 'boxes') answer.blocks = scene.bounds.tree.listBlocking(volume);
     if (kind.moves) {
       answer.first = scene.bounds.tree.first(volume);  // of triangles, as the boxes around them
@@ -44,12 +44,6 @@ export function ask(library, scene, question) {
   } finally {
     volume.free();
   }
-}
-
-/** Triangles have no answer "inside": those of them are among `overlap`. */
-function listed(bounds, volume) {
-  if (bounds.listClassified) return bounds.listClassified(volume);
-  return {overlap: bounds.list(volume), inside: NONE, keptOnly: true};
 }
 
 /** What a moving body hits until a time: what it sweeps until then keeps. */
@@ -68,8 +62,8 @@ export function measure(library, scene, question) {
   const volume = form(library, question);
   try {
     return {
-      listTree: microseconds(() => listed(tree, volume)),
-      listFlat: microseconds(() => listed(flat, volume)),
+      listTree: microseconds(() => tree.listClassified(volume)),
+      listFlat: microseconds(() => flat.listClassified(volume)),
       countTree: microseconds(() => tree.count(volume)),
       countFlat: microseconds(() => flat.count(volume)),
     };

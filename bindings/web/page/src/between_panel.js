@@ -140,15 +140,13 @@ export class BetweenPanel {
       const {row, number, meaning} = this.#rows[answer];
       row.hidden = counts[answer] === undefined;
       number.textContent = written(counts[answer] ?? 0);
-      meaning.textContent = this.#meaningOf(answer, counts);
+      meaning.textContent = this.#meaningOf(answer);
     }
     byId('time-value').textContent = this.time.toFixed(3);
   }
 
-  #meaningOf(answer, {inside}) {
-    if (answer !== 'overlap') return MEANINGS[answer];
-    if (this.stepping) return 'left after it';
-    return inside === undefined ? 'overlap or inside' : MEANINGS.overlap;
+  #meaningOf(answer) {
+    return answer === 'overlap' && this.stepping ? 'left after it' : MEANINGS[answer];
   }
 
   /** What is hit first, of bounds of a shape. */
@@ -212,7 +210,7 @@ export class BetweenPanel {
 
   /** Tells those who do not see the picture. */
   announce(counts) {
-    const told = ([answer, count]) => `${this.#meaningOf(answer, counts)} ${written(count)}`;
+    const told = ([answer, count]) => `${this.#meaningOf(answer)} ${written(count)}`;
     byId('status').textContent = Object.entries(counts).map(told).join(', ');
   }
 }

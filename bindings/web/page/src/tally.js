@@ -7,17 +7,17 @@ export function layersOf(answer) {
   return ['overlap', 'inside', 'blocks', 'reached'].map((name) => ({answer: name, indices: answer[name]}));
 }
 
-/** Likewise of a step through planes: what was left before it is cut, but for what is left after it. */
+/** Layers of a step through planes: bounds that the step cuts, and bounds that are left after it. */
 export function layersOfStep({left}, step) {
   const kept = {answer: 'overlap', indices: left[step]};
   return step > 0 ? [{answer: 'cut', indices: left[step - 1]}, kept] : [kept];
 }
 
 /** How many bounds of a scene get each answer; those that are not asked for are not there. */
-export function countsOf({overlap, inside, blocks, reached, keptOnly}, scene, question) {
+export function countsOf({overlap, inside, blocks, reached}, scene, question) {
   const kind = VOLUMES[question.kind];
-  const counts = {outside: scene.length - overlap.length - inside.length, overlap: overlap.length};
-  if (!keptOnly) counts.inside = inside.length;
+  const outside = scene.length - overlap.length - inside.length;
+  const counts = {outside, overlap: overlap.length, inside: inside.length};
   if (kind.twoEnds && scene.shape === 'boxes') counts.blocks = blocks.length;
   if (kind.moves) counts.reached = reached.length;
   return counts;

@@ -43,7 +43,7 @@ describe('files', () => {
         await page.selectOption('#kind', kind);
         const {counts, answered} = await state();
         assert.ok(answered, kind);
-        assert.equal(counts.outside + counts.overlap + (counts.inside ?? 0), 12, kind);
+        assert.equal(counts.outside + counts.overlap + counts.inside, 12, kind);
       }
     }
     await page.selectOption('#kind', 'between');

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The options of questions, as the C interface reads them.
+import {asEnumerator, asIndices, asLimit} from './arguments.js';
+
+const queryBytes = 128;  // src/layout.cpp
+const limitAt = 80;
+const triangleTestAt = 88;
+
+/** Where the pointer to the numbers of an option is; 8 bytes behind it is how many these are. */
+const arraysAt = {exclude: 0, excludeEach: 16, excludeMask: 32, layerMask: 48, only: 64};
+const triangleTests = ['exact', 'vertices'];
+
+const ofAll = ['exclude', 'excludeMask', 'layerMask', 'limit', 'only', 'triangleTest'];
+
+/** The names of all options of questions about one shaft, and of those about many. */
+export const optionsOfOne = ['at', ...ofAll];
+export const optionsOfMany = ['excludeEach', ...ofAll];
+
+export const wordsFor = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
+
+/** Bits as cull() returns them; the C interface reads 64 at a time. */
+function maskOf(values, bounds) {
+  const [words, count] = [asIndices(values, 'excludeMask'), Math.ceil(bounds / 32)];
+  if (words.length !== count) {
+    throw new TypeError(`excludeMask has ${words.length} words instead of ${count}, one for each 32 bounds`);
+  }
+  const mask = new Uint32Array(wordsFor(bounds));
+  mask.set(words);
+  return mask;
+}
+
+/** One mask for all shafts, or one for each. */
+function layerMaskOf(value, shafts) {
+  const masks = asIndices(typeof value === 'number' ? [value] : value, 'layerMask');
+  if (masks.length !== 1 && masks.length !== shafts) {
+    const must = 'there must be one for all, or one for each';
+    throw new TypeError(`layerMask has ${masks.length} masks for ${shafts} shafts; ${must}`);
+  }
+  return masks;
+}
+
+function arrayOf(name, value, shafts, bounds) {
+  if (name === 'excludeMask') return maskOf(value, bounds);
+  if (name === 'layerMask') return layerMaskOf(value, shafts);
+  return asIndices(value, name);
+}
+
+/**
+ * The query of these options, or NULL if there are none, for so many shafts and bounds. Triangles are tested by
+ * `usualTest` if the options do not say how.
+ */
+export function queryOf(module, scratch, options, shafts, bounds, usualTest) {
+  const arrays = Object.entries(arraysAt).filter(([name]) => options[name] !== undefined);
+  const limit = options.limit === undefined ? 0 : asLimit(options.limit, 'limit');
+  const test = asEnumerator(options.triangleTest ?? usualTest, triangleTests, 'triangleTest');
+  if (arrays.length === 0 && limit === 0 && test === 0) return 0;
+  const query = scratch.zeros(queryBytes);
+  for (const [name, at] of arrays) {
+    const array = arrayOf(name, options[name], shafts, bounds);
+    const pointer = scratch.copy(array);  // which may move all memory
+    module.view.setUint32(query + at, pointer, true);
+    const count = name === 'excludeMask' ? array.length / 2 : array.length;  // words of a mask have 64 bits
+    module.view.setBigUint64(query + at + 8, BigInt(count), true);
+  }
+  module.view.setBigUint64(query + limitAt, BigInt(limit), true);
+  module.view.setUint32(query + triangleTestAt, test, true);
+  return query;
+}
