@@ -5,9 +5,9 @@ Bounds are float32 arrays: boxes (n, 6) or (n, 2, 3), spheres (n, 4), triangles 
 shafts, and ask:
 
     tree = shaftcull.BoxTree(boxes)
-    offsets, indices = tree.list(a, b)             # what may stand between a[i] and b[i]
+    offsets, indices = tree.list(a, b)             # the boxes that may stand between a[i] and b[i]
     shafts = shaftcull.Shafts.swept(bodies, displacements)
-    indices, times = tree.first(shafts)            # what each body hits first, and when
+    indices, times = tree.first(shafts)            # which box each body hits first, and when
     found = shaftcull.visibility(patches, solids=walls, triangles=mesh)    # of all pairs, what sees what
 
 Answers are those of real arithmetic for the float32 given, and the same bits on every machine.
@@ -16,6 +16,7 @@ Answers are those of real arithmetic for the float32 given, and the same bits on
 from shaftcull._shaftcull import (
     BadBound,
     Blockers,
+    Bounds,
     Boxes,
     BoxStream,
     BoxTree,
@@ -51,6 +52,7 @@ from shaftcull._shaftcull import (
 __all__ = [
     "BadBound",
     "Blockers",
+    "Bounds",
     "Boxes",
     "BoxStream",
     "BoxTree",

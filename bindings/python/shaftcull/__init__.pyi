@@ -86,24 +86,146 @@ class ConvexHull:
     @property
     def directions(self) -> npt.NDArray[np.float32]: ...
 
-class Boxes:
+class Bounds:
     def __len__(self) -> int: ...
-    def cull(self, shafts: _Asked, b: _Floats | None = None, *, packed: bool = False) -> _Bits: ...
-    def any(self, shafts: _Asked, b: _Floats | None = None) -> _Bools: ...
-    def classify(self, shafts: _Asked, b: _Floats | None = None, *, packed: bool = False) -> Tuple[_Bits, _Bits]: ...
-    def contained(self, shafts: _Asked, b: _Floats | None = None, *, packed: bool = False) -> _Bits: ...
-    def count(self, shafts: _Asked, b: _Floats | None = None, *, at_most: int | None = None) -> _Numbers: ...
-    def count_classified(self, shafts: _Asked, b: _Floats | None = None) -> Tuple[_Numbers, _Numbers]: ...
+    def cull(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+        packed: bool = False,
+    ) -> _Bits: ...
+    def any(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+    ) -> _Bools: ...
+    def classify(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+        packed: bool = False,
+    ) -> Tuple[_Bits, _Bits]: ...
+    def count(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        limit: int | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+    ) -> _Numbers: ...
+    def count_classified(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+    ) -> Tuple[_Numbers, _Numbers]: ...
     def list(
-        self, shafts: _Asked, b: _Floats | None = None, *, at_most: int | None = None, times: bool = False
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        limit: int | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+        times: bool = False,
     ) -> _Lists: ...
-    def list_classified(self, shafts: _Asked, b: _Floats | None = None) -> Tuple[_Lists, _Lists]: ...
-    def first(self, shafts: _Asked, b: _Floats | None = None) -> Tuple[_Numbers, _Times]: ...
-    def refine(self, shafts: Shafts | ConvexHull, candidates: _Integers) -> _Lists: ...
+    def list_classified(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+        triangle_test: _Test = "exact",
+    ) -> Tuple[_Lists, _Lists]: ...
+    def set_layers(self, layers: _Integers, indices: _Integers | None = None) -> None: ...
+    def clear_layers(self) -> None: ...
+    @property
+    def has_layers(self) -> bool: ...
+
+class Boxes(Bounds):
+    def first(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+    ) -> Tuple[_Numbers, _Times]: ...
     def entry_times(self, shafts: Shafts, indices: _Integers) -> npt.NDArray[np.float32]: ...
-    def blocked(self, shafts: _Asked, b: _Floats | None = None) -> _Bools: ...
-    def blocked_by(self, shafts: _Asked, b: _Floats | None = None) -> _Numbers: ...
-    def list_blocking(self, shafts: _Asked, b: _Floats | None = None) -> _Lists: ...
+    def blocked(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+    ) -> _Bools: ...
+    def blocked_by(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+    ) -> _Numbers: ...
+    def list_blocking(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        limit: int | None = None,
+    ) -> _Lists: ...
 
 class BoxView(Boxes):
     def __init__(self, boxes: _Floats) -> None: ...
@@ -114,20 +236,34 @@ class BoxStream(Boxes):
     @property
     def memory_bytes(self) -> int: ...
 
-class Spheres:
-    def __len__(self) -> int: ...
-    def cull(self, shafts: _Asked, b: _Floats | None = None, *, packed: bool = False) -> _Bits: ...
-    def any(self, shafts: _Asked, b: _Floats | None = None) -> _Bools: ...
-    def classify(self, shafts: _Asked, b: _Floats | None = None, *, packed: bool = False) -> Tuple[_Bits, _Bits]: ...
-    def contained(self, shafts: _Asked, b: _Floats | None = None, *, packed: bool = False) -> _Bits: ...
-    def count(self, shafts: _Asked, b: _Floats | None = None, *, at_most: int | None = None) -> _Numbers: ...
-    def count_classified(self, shafts: _Asked, b: _Floats | None = None) -> Tuple[_Numbers, _Numbers]: ...
-    def list(
-        self, shafts: _Asked, b: _Floats | None = None, *, at_most: int | None = None, times: bool = False
-    ) -> _Lists: ...
-    def list_classified(self, shafts: _Asked, b: _Floats | None = None) -> Tuple[_Lists, _Lists]: ...
-    def first(self, shafts: _Asked, b: _Floats | None = None) -> Tuple[_Numbers, _Times]: ...
-    def refine(self, shafts: Shafts | ConvexHull, candidates: _Integers) -> _Lists: ...
+class BoxTree(Boxes):
+    def __init__(self, boxes: _Floats) -> None: ...
+    def update(self, boxes: _Floats, indices: _Integers | None = None) -> None: ...
+    def refit(self) -> None: ...
+    @property
+    def needs_refit(self) -> bool: ...
+    def rebuild(self) -> None: ...
+    def renumber(self) -> None: ...
+    def growth(self) -> float: ...
+    @property
+    def order(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def box(self) -> npt.NDArray[np.float32]: ...
+    @property
+    def memory_bytes(self) -> int: ...
+
+class Spheres(Bounds):
+    def first(
+        self,
+        shafts: _Asked,
+        b: _Floats | None = None,
+        *,
+        exclude: _Integers | None = None,
+        exclude_each: _Integers | None = None,
+        exclude_mask: npt.ArrayLike | None = None,
+        layer_mask: _Integers | None = None,
+        only: _Integers | None = None,
+    ) -> Tuple[_Numbers, _Times]: ...
     def entry_times(self, shafts: Shafts, indices: _Integers) -> npt.NDArray[np.float32]: ...
 
 class SphereView(Spheres):
@@ -139,235 +275,8 @@ class SphereStream(Spheres):
     @property
     def memory_bytes(self) -> int: ...
 
-class BoxTree:
-    def __init__(self, boxes: _Floats) -> None: ...
-    def __len__(self) -> int: ...
-    def cull(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        packed: bool = False,
-    ) -> _Bits: ...
-    def any(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> _Bools: ...
-    def classify(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        packed: bool = False,
-    ) -> Tuple[_Bits, _Bits]: ...
-    def contained(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        packed: bool = False,
-    ) -> _Bits: ...
-    def count(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        at_most: int | None = None,
-    ) -> _Numbers: ...
-    def count_classified(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> Tuple[_Numbers, _Numbers]: ...
-    def list(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        at_most: int | None = None,
-        times: bool = False,
-    ) -> _Lists: ...
-    def list_classified(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> Tuple[_Lists, _Lists]: ...
-    def first(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> Tuple[_Numbers, _Times]: ...
-    def refine(self, shafts: Shafts | ConvexHull, candidates: _Integers) -> _Lists: ...
-    def entry_times(self, shafts: Shafts, indices: _Integers) -> npt.NDArray[np.float32]: ...
-    def blocked(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> _Bools: ...
-    def blocked_by(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> _Numbers: ...
-    def list_blocking(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> _Lists: ...
-    def update(self, boxes: _Floats, indices: _Integers | None = None) -> None: ...
-    def refit(self) -> None: ...
-    @property
-    def needs_refit(self) -> bool: ...
-    def rebuild(self) -> None: ...
-    def renumber(self) -> None: ...
-    def growth(self) -> float: ...
-    def set_layers(self, layers: _Integers, indices: _Integers | None = None) -> None: ...
-    def clear_layers(self) -> None: ...
-    @property
-    def has_layers(self) -> bool: ...
-    @property
-    def order(self) -> npt.NDArray[np.uint32]: ...
-    @property
-    def box(self) -> npt.NDArray[np.float32]: ...
-    @property
-    def memory_bytes(self) -> int: ...
-
-class SphereTree:
+class SphereTree(Spheres):
     def __init__(self, spheres: _Floats) -> None: ...
-    def __len__(self) -> int: ...
-    def cull(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        packed: bool = False,
-    ) -> _Bits: ...
-    def any(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> _Bools: ...
-    def classify(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        packed: bool = False,
-    ) -> Tuple[_Bits, _Bits]: ...
-    def contained(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        packed: bool = False,
-    ) -> _Bits: ...
-    def count(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        at_most: int | None = None,
-    ) -> _Numbers: ...
-    def count_classified(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> Tuple[_Numbers, _Numbers]: ...
-    def list(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-        at_most: int | None = None,
-        times: bool = False,
-    ) -> _Lists: ...
-    def list_classified(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> Tuple[_Lists, _Lists]: ...
-    def first(
-        self,
-        shafts: _Asked,
-        b: _Floats | None = None,
-        *,
-        own: _Integers | None = None,
-        mask: npt.ArrayLike | None = None,
-        only_layers: _Integers | None = None,
-    ) -> Tuple[_Numbers, _Times]: ...
-    def refine(self, shafts: Shafts | ConvexHull, candidates: _Integers) -> _Lists: ...
-    def entry_times(self, shafts: Shafts, indices: _Integers) -> npt.NDArray[np.float32]: ...
     def update(self, spheres: _Floats, indices: _Integers | None = None) -> None: ...
     def refit(self) -> None: ...
     @property
@@ -375,10 +284,6 @@ class SphereTree:
     def rebuild(self) -> None: ...
     def renumber(self) -> None: ...
     def growth(self) -> float: ...
-    def set_layers(self, layers: _Integers, indices: _Integers | None = None) -> None: ...
-    def clear_layers(self) -> None: ...
-    @property
-    def has_layers(self) -> bool: ...
     @property
     def order(self) -> npt.NDArray[np.uint32]: ...
     @property
@@ -386,14 +291,7 @@ class SphereTree:
     @property
     def memory_bytes(self) -> int: ...
 
-class Triangles:
-    def __len__(self) -> int: ...
-    def cull(
-        self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact", packed: bool = False
-    ) -> _Bits: ...
-    def any(self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact") -> _Bools: ...
-    def count(self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact") -> _Numbers: ...
-    def list(self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact") -> _Lists: ...
+class Triangles(Bounds): ...
 
 class TriangleView(Triangles):
     def __init__(self, triangles: _Floats) -> None: ...
@@ -404,15 +302,8 @@ class TriangleStream(Triangles):
     @property
     def memory_bytes(self) -> int: ...
 
-class TriangleTree:
+class TriangleTree(Triangles):
     def __init__(self, triangles: _Floats, faces: _Integers | None = None) -> None: ...
-    def __len__(self) -> int: ...
-    def cull(
-        self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact", packed: bool = False
-    ) -> _Bits: ...
-    def any(self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact") -> _Bools: ...
-    def count(self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact") -> _Numbers: ...
-    def list(self, shafts: _Asked, b: _Floats | None = None, *, test: _Test = "exact") -> _Lists: ...
     @property
     def order(self) -> npt.NDArray[np.uint32]: ...
     @property

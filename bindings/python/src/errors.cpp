@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// What the library throws, as Python's exceptions with the library's messages.
 
+#include <cstddef>
+#include <string>
+
 #include "module.hpp"
 #include "shaftcull/error.hpp"
 
@@ -26,6 +29,15 @@ void raise_bad_bound(const BadBound& error) {
   PyErr_SetObject(bad_bound, exception.ptr());
 }
 
+/// C++ calls an option `query.limit`; in Python it is a keyword of the same name.
+std::string without_query(std::string message) {
+  const std::string prefix = "query.";
+  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix, at)) {
+    message.erase(at, prefix.size());
+  }
+  return message;
+}
+
 }  // namespace
 
 void add_errors(py::module_& module) {
@@ -37,14 +49,13 @@ must be. Attribute index: its position, from 0 on.)",
 A tree was asked after update() with indices and before refit().)",
                               PyExc_RuntimeError);
   // pybind11 says what it takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
-  // pybind11 says what it takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const BadBound& error) {
       raise_bad_bound(error);
     } catch (const InvalidArgument& error) {
-      PyErr_SetString(PyExc_ValueError, error.what());
+      PyErr_SetString(PyExc_ValueError, without_query(error.what()).c_str());
     } catch (const NeedsRefit& error) {
       PyErr_SetString(needs_refit, error.what());
     }

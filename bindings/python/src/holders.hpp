@@ -1,145 +1,137 @@
 // SPDX-License-Identifier: MIT
-/// What holds bounds in Python: views and streams, trees. Each knows who uses it (usage.hpp), and gives what the
-/// questions of the C++ interface are asked of.
+/// What holds bounds in Python: views and streams, trees. Each knows who uses it (usage.hpp), and gives the Bounds that
+/// questions are about.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <tuple>
+#include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "arrays.hpp"
-#include "results.hpp"
+#include "interrupts.hpp"
 #include "shaftcull/shaftcull.hpp"
-#include "shafts.hpp"
 #include "usage.hpp"
 
 namespace shaftcull::python {
 
+namespace py = pybind11;
+
+/// What Python knows as shaftcull.Bounds.
+class Holder {
+ public:
+  Holder() = default;
+  Holder(const Holder&) = delete;
+  Holder& operator=(const Holder&) = delete;
+  virtual ~Holder() = default;
+
+  /// All bounds, with their layers. Valid until the holder changes.
+  [[nodiscard]] virtual Bounds bounds() const = 0;
+  [[nodiscard]] std::size_t size() const { return bounds().size(); }
+
+  [[nodiscard]] virtual bool has_layers() const = 0;
+  /// The layers of all bounds; or of those at `indices`, which are below size(). InvalidArgument if there are more or
+  /// fewer, and for some bounds if there are no layers yet.
+  virtual void set_layers(std::span<const std::uint32_t> layers) = 0;
+  virtual void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) = 0;
+  virtual void clear_layers() = 0;
+
+  Usage usage;
+};
+
+/// Boxes, spheres or triangles: shaftcull.Boxes, Spheres, Triangles.
+template <class Bound>
+class HolderOf : public Holder {};
+
+/// The layers of bounds that are looked at one by one.
+class FlatLayers {
+ public:
+  [[nodiscard]] std::span<const std::uint32_t> all() const noexcept { return all_; }
+  /// As Holder says, of so many bounds.
+  void set(std::size_t bounds, std::span<const std::uint32_t> layers);
+  void set_some(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers);
+  void clear() noexcept { all_ = {}; }
+
+ private:
+  std::vector<std::uint32_t> all_;
+};
+
+/// The bound that a view or a stream is of.
+template <class View>
+using BoundOf = std::remove_cvref_t<decltype(std::declval<const View&>()[0])>;
+
 /// A view, of the caller's arrays or of a stream.
 template <class View>
-struct Flat {
-  View view;
-  std::vector<py::object> kept;  ///< the arrays
-  Usage usage;
+class Flat : public HolderOf<BoundOf<View>> {
+ public:
+  [[nodiscard]] Bounds bounds() const override { return {view, layers_.all()}; }
+  [[nodiscard]] bool has_layers() const override { return !layers_.all().empty(); }
+  void set_layers(std::span<const std::uint32_t> layers) override { layers_.set(view.count, layers); }
+  void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) override {
+    layers_.set_some(indices, layers);
+  }
+  void clear_layers() override { layers_.clear(); }
 
-  [[nodiscard]] const View& set() const noexcept { return view; }
-  [[nodiscard]] std::size_t size() const noexcept { return view.count; }
+  View view;
+
+ private:
+  FlatLayers layers_;
 };
 
 /// A stream of the library's, with its view.
-template <class View, class Stream>
-struct Streamed : Flat<View> {
-  Stream stream;
-
+template <class Stream>
+class Streamed : public Flat<decltype(std::declval<const Stream&>().view())> {
+ public:
   explicit Streamed(Stream&& made) : stream(std::move(made)) { this->view = stream.view(); }
+
+  Stream stream;
 };
 
 /// A view of the caller's arrays: a class of its own, so that Python tells it from a stream.
 template <class View>
-struct Viewed : Flat<View> {};
+class Viewed : public Flat<View> {
+ public:
+  std::vector<py::object> kept;  ///< the arrays
+};
 
 /// A tree of the library's.
-template <class Made>
-struct Planted {
-  Made tree;
-  Usage usage;
-
-  [[nodiscard]] const Made& set() const noexcept { return tree; }
-  [[nodiscard]] std::size_t size() const noexcept { return tree.size(); }
-};
-
-using Boxes = Flat<BoxView>;
-using Spheres = Flat<SphereView>;
-using Triangles = Flat<TriangleView>;
-template <class Bound>
-using TreeOf = Planted<BoundsTree<Bound>>;
-
-/// Bounds that a query of a tree leaves out, for `shafts` shafts.
-class LeftOut {
+template <class Bound, class Tree>
+class Planted : public HolderOf<Bound> {
  public:
-  LeftOut() = default;
-  LeftOut(const py::object& own, const py::object& mask, const py::object& only_layers, const Shafts& shafts,
-          std::size_t bounds)
-      : shafts_(shafts.count) {
-    if (!own.is_none()) {
-      IndicesIn in = indices_in(own, "own", bounds, "bounds");
-      const bool fits = shafts.one ? in.shape.size() <= 1
-                                   : (in.shape.size() == 1 || in.shape.size() == 2) && in.shape[0] == shafts.count;
-      if (!fits) {
-        throw py::value_error(shafts.one ? "own must be an index or have shape (k,), for one shaft"
-                                         : "own must have shape (" + std::to_string(shafts.count) + ", k) or (" +
-                                               std::to_string(shafts.count) + ",): a row for each shaft");
-      }
-      own_ = std::move(in.indices);
-    }
-    if (!mask.is_none()) mask_ = bits_in(mask, "mask", bounds);
-    if (!only_layers.is_none()) {
-      layers_ = layers_in(only_layers, "only_layers");
-      if (layers_.size() != 1 && layers_.size() != shafts.count) {
-        throw py::value_error("only_layers has " + std::to_string(layers_.size()) + " sets of layers for " +
-                              std::to_string(shafts.count) + " shafts; it must be one for all, or one for each");
-      }
-    }
+  [[nodiscard]] Bounds bounds() const override { return tree; }
+  [[nodiscard]] bool has_layers() const override {
+    if constexpr (have_layers) return tree.has_layers();
+    return false;
+  }
+  void set_layers(std::span<const std::uint32_t> layers) override {
+    require_layers();
+    if constexpr (have_layers) tree.set_layers(layers);
+  }
+  void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) override {
+    require_layers();
+    if constexpr (have_layers) tree.set_layers(indices, layers);
+  }
+  void clear_layers() override {
+    if constexpr (have_layers) tree.clear_layers();
   }
 
-  /// Those for a range of the shafts.
-  [[nodiscard]] std::tuple<Excluding> of(std::size_t first, std::size_t count) const {
-    Excluding excluding;
-    if (!own_.empty()) {
-      const std::size_t row = own_.size() / shafts_;
-      excluding.own = std::span(own_).subspan(first * row, count * row);
-    }
-    excluding.mask = mask_;
-    if (!layers_.empty()) {
-      excluding.only_layers = layers_.size() == 1 ? std::span(layers_) : std::span(layers_).subspan(first, count);
-    }
-    return excluding;
-  }
+  Tree tree;
 
  private:
-  std::size_t shafts_ = 0;
-  std::vector<std::uint32_t> own_;
-  std::vector<std::uint64_t> mask_;
-  std::vector<std::uint32_t> layers_;
+  static constexpr bool have_layers = requires(Tree & some) { some.clear_layers(); };
+
+  /// In a child of fork() that has no threads it throws, as all parallel calls.
+  static void require_layers() {
+    if (!have_layers) throw InvalidArgument("a tree of triangles has no layers; a stream or a view may have some");
+    begin_parallel();
+  }
 };
 
-/// What a view is asked with: nothing that Python chooses.
-struct FlatOption {
-  [[nodiscard]] std::tuple<> of(std::size_t /*first*/, std::size_t /*count*/) const { return {}; }
-};
-
-/// How triangles are tested.
-struct TestOption {
-  TriangleTest test = TriangleTest::exact;
-  [[nodiscard]] std::tuple<TriangleTest> of(std::size_t /*first*/, std::size_t /*count*/) const { return test; }
-};
-[[nodiscard]] inline TestOption test_in(const std::string& test) {
-  if (test == "exact") return {TriangleTest::exact};
-  if (test == "vertices") return {TriangleTest::vertices};
-  throw py::value_error("test is '" + test + "'; it must be 'exact' or 'vertices'");
-}
-
-template <class Holder>
-struct OptionOfHolder {
-  using Type = FlatOption;
-};
 template <class Bound>
-struct OptionOfHolder<TreeOf<Bound>> {
-  using Type = LeftOut;
-};
-template <>
-struct OptionOfHolder<Triangles> {
-  using Type = TestOption;
-};
-template <>
-struct OptionOfHolder<Planted<TriangleTree>> {
-  using Type = TestOption;
-};
-template <class Holder>
-using OptionOf = typename OptionOfHolder<Holder>::Type;
+using TreeOf = Planted<Bound, BoundsTree<Bound>>;
+using TriangleTreeHolder = Planted<Triangle, TriangleTree>;
 
 }  // namespace shaftcull::python

@@ -18,7 +18,7 @@ enum class Chunks {
 /// Calls run(first, count) for ranges of shafts, in order, with the interpreter lock released; between them handlers of
 /// signals run, and their exceptions leave this call. The first range is a few shafts, which tell how many others take
 /// half a second. Where chunks are joined and all shafts take no longer than that, run(0, shafts) follows the first
-/// few: so first == 0 begins anew. Errors name positions among all shafts.
+/// few: so first == 0 begins again. Errors name positions among all shafts.
 ///
 /// Call it with the lock held. RuntimeError in a child of fork() whose parent has run a parallel call.
 void in_chunks(std::size_t shafts, Chunks chunks, FunctionRef<void(std::size_t first, std::size_t count)> run);

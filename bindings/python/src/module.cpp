@@ -9,6 +9,7 @@ PYBIND11_MODULE(_shaftcull, module) {
   add_errors(module);
   add_hulls(module);
   add_shafts(module);
+  add_bounds(module);
   add_box_streams(module);
   add_box_trees(module);
   add_sphere_streams(module);

@@ -14,6 +14,7 @@ void add_errors(py::module_& module);
 void add_shafts(py::module_& module);
 void add_kinds(py::class_<Shafts>& shafts);
 void add_hulls(py::module_& module);
+void add_bounds(py::module_& module);
 void add_box_streams(py::module_& module);
 void add_box_trees(py::module_& module);
 void add_sphere_streams(py::module_& module);

@@ -160,7 +160,7 @@ those of `boxes`, then solids, hulls, polygons, and groups of triangles.
 boxes: what may hide something: float32 (n, 6), as everywhere.
 solids: boxes that are solid, as walls are. They make pairs 'blocked', also where several are one larger box together.
 hulls: convex hulls that are solid: (n, k, 3), or a list of (k, 3), of 4 to 32 corners each.
-polygons: flat convex polygons without thickness, by their corners in order: likewise, of 3 corners or more.
+polygons: flat convex polygons without thickness, by their corners in order: such arrays, of 3 corners or more.
 triangles, faces: a mesh, (n, 3, 3), or vertices (v, 3) with faces (f, 3).
 groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. Without it the library makes groups.)")
       .def(py::init([](const py::object& boxes, const py::object& solids, const py::object& hulls,

@@ -124,7 +124,8 @@ Returns float32 (n, 6) or (6,).)");
   module.def("round_spheres_outwards", &spheres_outwards, arg("spheres"), R"(
 float32 spheres that contain spheres of float64: centres rounded to nearest, radii grown by as much and rounded up.
 
-spheres: float64 (n, 4), a tuple (centres, radii) of (n, 3) and (n,), or (4,) for one. Returns float32 of that shape.)");
+spheres: float64 (n, 4), a tuple (centres, radii) of (n, 3) and (n,), or (4,) for one.
+Returns float32 of that shape.)");
   module.def("points", &point_boxes, arg("points"), R"(
 Boxes that are points, for viewpoints and point lights: float32 (n, 3) to (n, 6), or (3,) to (6,).)");
 }

@@ -168,8 +168,8 @@ All pairs of one kind: uint32 (n, 2), indices of patches, of one set with itself
 
 sight: 'undecided', 'clear', 'blocked' or 'facing_away'.)")
       .def("bits", &bits_of, arg("sight"), py::kw_only(), arg("packed") = false, R"(
-Which pairs are of one kind: bool (a, b). With packed=True uint64 of (b + 63) // 64 words a row instead. Of one set with
-itself both bits of a pair are set.
+Which pairs are of one kind: bool (a, b). With packed=True uint64 of (b + 63) // 64 words per row instead. Of one set
+with itself both bits of a pair are set.
 
 sight: 'undecided', 'clear', 'blocked' or 'facing_away'.)")
       .def("__repr__", [](const Sights& self) {

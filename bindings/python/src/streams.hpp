@@ -2,24 +2,30 @@
 /// What views and streams can do beyond questions.
 #pragma once
 
-#include "questions.hpp"
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "arrays.hpp"
+#include "holders.hpp"
 
 namespace shaftcull::python {
 
 /// A stream, which owns its bounds: in(given) reads what it is made of and updated with.
-template <class View, class Stream, class Class, class In>
+template <class Stream, class Class, class In>
 void add_stream(Class& to, const char* name, const std::string& plural, const In& in) {
   using py::arg;
-  using Holder = Streamed<View, Stream>;
+  using Made = Streamed<Stream>;
   to.def(py::init([plural, in](const py::object& given) {
            const auto bounds = in(given, plural);
            const py::gil_scoped_release release;
-           return std::visit([](const auto& where) { return std::make_unique<Holder>(Stream(where)); }, bounds.where);
+           return std::visit([](const auto& where) { return std::make_unique<Made>(Stream(where)); }, bounds.where);
          }),
          arg(plural.c_str()))
       .def(
           "update",
-          [plural, in](Holder& self, const py::object& given, const py::object& first) {
+          [plural, in](Made& self, const py::object& given, const py::object& first) {
             const auto bounds = in(given, plural);
             const std::size_t from = number_in(first, "first").value_or(0);
             const Changing changing(self.usage);
@@ -28,8 +34,8 @@ void add_stream(Class& to, const char* name, const std::string& plural, const In
           },
           arg(plural.c_str()), arg("first") = 0, "Replaces bounds from `first` on, as many as are given.")
       .def_property_readonly(
-          "memory_bytes", [](const Holder& self) { return self.stream.memory_bytes(); }, "Bytes that the stream holds.")
-      .def("__repr__", [name, plural](const Holder& self) {
+          "memory_bytes", [](const Made& self) { return self.stream.memory_bytes(); }, "Bytes that the stream holds.")
+      .def("__repr__", [name, plural](const Made& self) {
         return std::string("<shaftcull.") + name + " of " + std::to_string(self.size()) + " " + plural + ">";
       });
 }
@@ -38,10 +44,10 @@ void add_stream(Class& to, const char* name, const std::string& plural, const In
 template <class View, class Class, class In>
 void add_view(Class& to, const char* name, const std::string& plural, const std::string& columns, const In& in) {
   using py::arg;
-  using Holder = Viewed<View>;
+  using Made = Viewed<View>;
   to.def(py::init([name, plural, columns, in](const py::object& given) {
            auto bounds = in(given, plural);
-           auto holder = std::make_unique<Holder>();
+           auto holder = std::make_unique<Made>();
            if (bounds.count == 0) return holder;
            const View* const view = std::get_if<View>(&bounds.where);
            if (view == nullptr || bounds.copied) {
@@ -55,7 +61,7 @@ void add_view(Class& to, const char* name, const std::string& plural, const std:
            return holder;
          }),
          arg(plural.c_str()))
-      .def("__repr__", [name, plural](const Holder& self) {
+      .def("__repr__", [name, plural](const Made& self) {
         return std::string("<shaftcull.") + name + " of " + std::to_string(self.size()) + " " + plural + ">";
       });
 }

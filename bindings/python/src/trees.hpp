@@ -2,7 +2,17 @@
 /// What trees of boxes and of spheres can do beyond questions.
 #pragma once
 
-#include "questions.hpp"
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "arrays.hpp"
+#include "holders.hpp"
+#include "interrupts.hpp"
+#include "results.hpp"
 
 namespace shaftcull::python {
 
@@ -20,43 +30,42 @@ template <class Bound, class Class>
 void add_tree(Class& to, const char* name, const std::string& plural) {
   using py::arg;
   using Tree = BoundsTree<Bound>;
-  using Holder = TreeOf<Bound>;
+  using Made = TreeOf<Bound>;
   const py::object none = py::none();
   to.def(py::init([plural](const py::object& given) {
            const auto bounds = bounds_in<Bound>(given, plural);
            begin_parallel();
-           auto holder = std::make_unique<Holder>();
+           auto holder = std::make_unique<Made>();
            const py::gil_scoped_release release;
            std::visit([&holder](const auto& where) { holder->tree = Tree(where); }, bounds.where);
            return holder;
          }),
-         arg(plural.c_str()));
-  add_questions<Holder>(to);
-  to.def(
-        "update",
-        [plural](Holder& self, const py::object& given, const py::object& indices) {
-          const auto bounds = bounds_in<Bound>(given, plural);
-          const bool some = !indices.is_none();
-          const IndicesIn in = some ? indices_in(indices, "indices", self.size(), "bounds") : IndicesIn{};
-          begin_parallel();
-          const Changing changing(self.usage);
-          const py::gil_scoped_release release;
-          std::visit(
-              [&](const auto& where) {
-                if (some) {
-                  self.tree.update(in.indices, where);
-                } else {
-                  self.tree.update(where);
-                }
-              },
-              bounds.where);
-        },
-        arg(plural.c_str()), arg("indices") = none, R"(
+         arg(plural.c_str()))
+      .def(
+          "update",
+          [plural](Made& self, const py::object& given, const py::object& indices) {
+            const auto bounds = bounds_in<Bound>(given, plural);
+            const bool some = !indices.is_none();
+            const IndicesIn in = some ? indices_in(indices, "indices", self.size(), "bounds") : IndicesIn{};
+            begin_parallel();
+            const Changing changing(self.usage);
+            const py::gil_scoped_release release;
+            std::visit(
+                [&](const auto& where) {
+                  if (some) {
+                    self.tree.update(in.indices, where);
+                  } else {
+                    self.tree.update(where);
+                  }
+                },
+                bounds.where);
+          },
+          arg(plural.c_str()), arg("indices") = none, R"(
 Gives bounds new values: all of them, in the order of their indices; or those at `indices`, integers (k,), after which
 refit() is due before the next question.)")
       .def(
           "refit",
-          [](Holder& self) {
+          [](Made& self) {
             begin_parallel();
             const Changing changing(self.usage);
             const py::gil_scoped_release release;
@@ -64,77 +73,49 @@ refit() is due before the next question.)")
           },
           "Fits the nodes to bounds that were updated by indices.")
       .def_property_readonly(
-          "needs_refit", [](const Holder& self) { return self.tree.needs_refit(); },
+          "needs_refit", [](const Made& self) { return self.tree.needs_refit(); },
           "Whether bounds were updated by indices since the last refit().")
       .def(
           "rebuild",
-          [](Holder& self) {
+          [](Made& self) {
             begin_parallel();
             const Changing changing(self.usage);
             const py::gil_scoped_release release;
             self.tree.rebuild();
           },
-          "Sorts the bounds anew as they are now. Indices stay; order changes. It pays when growth() is 2 or 3.")
+          "Sorts the bounds again, as they are now. Indices stay; order changes. It pays when growth() is 2 or 3.")
       .def(
           "renumber",
-          [](Holder& self) {
+          [](Made& self) {
             const Changing changing(self.usage);
             self.tree.renumber();
           },
-          "Numbers the bounds anew, by their places in the order of the tree.")
+          "Numbers the bounds again, by their places in the order of the tree.")
       .def(
           "growth",
-          [](Holder& self) {
+          [](Made& self) {
             const Reading reading(self.usage);
             const py::gil_scoped_release release;
             return self.tree.growth();
           },
           "How much larger the smallest nodes have become since the tree was built: 1 at first.")
-      .def(
-          "set_layers",
-          [](Holder& self, const py::object& layers, const py::object& indices) {
-            const std::vector<std::uint32_t> sets = layers_in(layers, "layers");
-            const bool some = !indices.is_none();
-            const IndicesIn in = some ? indices_in(indices, "indices", self.size(), "bounds") : IndicesIn{};
-            begin_parallel();
-            const Changing changing(self.usage);
-            const py::gil_scoped_release release;
-            if (some) {
-              self.tree.set_layers(in.indices, sets);
-            } else {
-              self.tree.set_layers(sets);
-            }
-          },
-          arg("layers"), arg("indices") = none, R"(
-Puts bounds into layers, by which queries can choose (only_layers): bit l says that a bound is in layer l.
-
-layers: integers (bounds,) from 0 to 2**32 - 1; with indices, integers (k,), those of these bounds.)")
-      .def(
-          "clear_layers",
-          [](Holder& self) {
-            const Changing changing(self.usage);
-            self.tree.clear_layers();
-          },
-          "Forgets all layers.")
-      .def_property_readonly(
-          "has_layers", [](const Holder& self) { return self.tree.has_layers(); }, "Whether bounds are in layers.")
       .def_property_readonly(
           "order",
-          [](Holder& self) {
+          [](Made& self) {
             const Reading reading(self.usage);
             return array_of(std::vector<std::uint32_t>(self.tree.order().begin(), self.tree.order().end()));
           },
           "uint32 (bounds,): the indices of the bounds in the order of the tree. A copy.")
       .def_property_readonly(
           "box",
-          [](Holder& self) {
+          [](Made& self) {
             const Reading reading(self.usage);
             return array_of(self.tree.box());
           },
           "float32 (6,): the box around all bounds.")
       .def_property_readonly(
-          "memory_bytes", [](const Holder& self) { return self.tree.memory_bytes(); }, "Bytes that the tree holds.")
-      .def("__repr__", [name, plural](const Holder& self) {
+          "memory_bytes", [](const Made& self) { return self.tree.memory_bytes(); }, "Bytes that the tree holds.")
+      .def("__repr__", [name, plural](const Made& self) {
         return std::string("<shaftcull.") + name + " of " + std::to_string(self.size()) + " " + plural + ">";
       });
 }

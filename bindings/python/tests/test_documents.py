@@ -43,10 +43,9 @@ def test_the_page_runs():
 def test_every_verb_of_the_readme_is_a_method():
     """The first column of the table names verbs of C++, the second one methods, perhaps with an argument."""
     table = dict(re.findall(r"^\| `(\w+)` \| (`\w.*?`) \|", PAGE, re.MULTILINE))
-    rows = re.findall(r"^\| [^|`]+ \|((?: (?:–|`[a-z_]+`) \|){4})$", (ROOT / "README.md").read_text(), re.MULTILINE)
+    rows = re.findall(r"^\| [^|`]+ \|((?: (?:–|`[a-z_]+`) \|){2,})$", (ROOT / "README.md").read_text(), re.MULTILINE)
     verbs = {re.sub("_many$", "", verb) for row in rows for verb in re.findall("`([a-z_]+)`", row)}
-    verbs = {verb for verb in verbs if not verb.startswith("for_each")}
-    assert len(verbs) > 14 and verbs == set(table)
+    assert len(verbs) >= 12 and verbs == set(table)
     for methods in table.values():
         for method, argument in re.findall(r"`(?:Shafts\.)?(\w+)(?:\((\w+)=\w+\))?`", methods):
             signature = (getattr(shaftcull.BoxTree, method, None) or getattr(shaftcull.Shafts, method)).__doc__

@@ -5,6 +5,7 @@ import numpy as np
 import oracle
 import pytest
 import shaftcull as sc
+from choices import check_options
 from conftest import some_boxes
 
 
@@ -186,7 +187,7 @@ def test_spheres_are_outside_beyond_their_radius(make, layout, a, b):
             assert indices[row] == -1
     overlapping, inside = holder.count_classified(shafts)
     np.testing.assert_array_equal(overlapping + inside, kept.sum(1))
-    np.testing.assert_array_equal(holder.contained(shafts).sum(1), inside)
+    np.testing.assert_array_equal(holder.classify(shafts)[1].sum(1), inside)
 
 
 def test_sphere_views_answer_as_streams_do(a, b):
@@ -209,6 +210,19 @@ def test_sphere_views_answer_as_streams_do(a, b):
     tree.update(spheres[::-1].copy())
     np.testing.assert_array_equal(tree.cull(a, b), stream.cull(a, b)[:, ::-1])
     assert not hasattr(tree, "blocked")
+
+
+@pytest.mark.parametrize("layout", ["tree", "stream", "view"])
+def test_every_option_goes_with_spheres(layout, a, b):
+    spheres = some_spheres(17, 100)
+    make = {"tree": sc.SphereTree, "stream": sc.SphereStream, "view": lambda x: sc.SphereView(np.asfortranarray(x))}
+    holder, shafts = make[layout](spheres), sc.Shafts.between(a * 4, b * 4)
+    check_options(holder, shafts)
+    found, times = holder.first(shafts, exclude=4, layer_mask=0b110)
+    offsets, indices, all_times = holder.list(shafts, exclude=4, layer_mask=0b110, times=True)
+    for row, (index, time) in enumerate(zip(found, times)):
+        mine = slice(offsets[row], offsets[row + 1])
+        assert time == all_times[mine].min(initial=np.inf) and (index in indices[mine] or index == -1)
 
 
 # Triangles.
@@ -239,18 +253,22 @@ def triangle_holders(triangles):
 
 
 def test_triangles_answer_alike_wherever_they_are(a, b):
+    a, b = a * 2, b * 2
     triangles = some_triangles(18, 200)
     around = np.hstack([triangles.min(1), triangles.max(1)])
     boxes = sc.BoxStream(around).cull(a, b)
     exact = sc.TriangleStream(triangles).cull(a, b)
     assert (exact <= boxes).all() and (exact != boxes).any() and exact.any()
-    corners = sc.BoxStream(np.tile(triangles.reshape(-1, 3), 2)).cull(a, b).reshape(len(a), -1, 3).any(2)
-    assert (corners <= exact).all()
+    corners = sc.BoxStream(np.tile(triangles.reshape(-1, 3), 2)).cull(a, b).reshape(len(a), -1, 3)
+    inside = corners.all(2)
+    assert (corners.any(2) <= exact).all() and inside.any()
     shafts = sc.Shafts.between(a, b)
     for holder in triangle_holders(triangles):
         assert len(holder) == 200
         np.testing.assert_array_equal(holder.cull(shafts), exact)
-        np.testing.assert_array_equal(holder.cull(shafts, test="vertices"), boxes)
+        np.testing.assert_array_equal(holder.cull(shafts, triangle_test="vertices"), boxes)
+        np.testing.assert_array_equal(holder.classify(shafts), [exact, inside])
+        np.testing.assert_array_equal(holder.classify(shafts, triangle_test="vertices"), [boxes, inside])
         np.testing.assert_array_equal(holder.count(shafts), exact.sum(1))
         np.testing.assert_array_equal(holder.any(shafts), exact.any(1))
         offsets, indices = holder.list(shafts)
@@ -261,11 +279,35 @@ def test_triangles_answer_alike_wherever_they_are(a, b):
         np.testing.assert_array_equal(holder.cull(shafts[5]), exact[5])
 
 
+def test_every_option_goes_with_triangles(a, b):
+    triangles = some_triangles(18, 200)
+    shafts = sc.Shafts.between(a * 4, b * 4)
+    for test in ("exact", "vertices"):
+        check_options(sc.TriangleStream(triangles), shafts, triangle_test=test)
+        check_options(sc.TriangleView(np.asfortranarray(triangles)), shafts, triangle_test=test)
+        check_options(sc.TriangleTree(triangles), shafts, with_layers=False, triangle_test=test)
+
+
+def test_triangles_are_asked_less_than_boxes():
+    triangles, shaft = some_triangles(18, 20), sc.Shafts.between([0] * 6, [1] * 6)
+    tree, stream = sc.TriangleTree(triangles), sc.TriangleStream(triangles)
+    for holder in (tree, stream):
+        assert not any(hasattr(holder, verb) for verb in ("first", "entry_times", "blocked", "list_blocking"))
+        with pytest.raises(ValueError):
+            holder.list(shaft, times=True)
+        with pytest.raises(ValueError, match="layer_mask"):
+            holder.cull(shaft, layer_mask=1)
+    with pytest.raises(ValueError, match="a tree of triangles has no layers"):
+        tree.set_layers([1] * 20)
+    tree.clear_layers()
+    assert not tree.has_layers and not hasattr(tree, "update")
+
+
 def test_a_slanted_triangle_is_passed_by_where_its_box_is_not():
     triangle = np.array([[[0, 0, 0], [10, 10, 0], [10, 10, 1]]], dtype=np.float32)
     shaft = sc.Shafts.between([6, 1, 0, 7, 2, 1], [8, 1, 0, 9, 2, 1])
     tree = sc.TriangleTree(triangle)
-    assert tree.any(shaft, test="vertices") and not tree.any(shaft)
+    assert tree.any(shaft, triangle_test="vertices") and not tree.any(shaft)
 
 
 def test_bad_triangles_are_refused():
@@ -287,11 +329,11 @@ def test_bad_triangles_are_refused():
             make(np.zeros((3, 3, 3)))
     tree = sc.TriangleTree(some_triangles(19, 10))
     hull = sc.ConvexHull(CUBE)
-    assert tree.cull(hull, test="vertices").shape == (10,)
+    assert tree.cull(hull, triangle_test="vertices").shape == (10,)
     with pytest.raises(ValueError, match="hull"):
         tree.cull(hull)
-    with pytest.raises(ValueError, match="'loose'; it must be 'exact' or 'vertices'"):
-        tree.cull(hull, test="loose")
+    with pytest.raises(ValueError, match="triangle_test is 'loose'; it must be 'exact' or 'vertices'"):
+        tree.cull(hull, triangle_test="loose")
     with pytest.raises(ValueError, match="copies nothing"):
         sc.TriangleView(some_triangles(19, 10))
     stream = sc.TriangleStream(some_triangles(19, 10))

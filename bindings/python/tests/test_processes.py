@@ -273,8 +273,8 @@ def pairs(count):
 def answers(boxes, of):
     tree = sc.BoxTree(boxes)
     shafts = sc.Shafts.between(boxes, boxes, pairs=of)
-    offsets, indices = tree.list(shafts, own=of)
-    first, times = tree.first(shafts, own=of)
+    offsets, indices = tree.list(shafts, exclude_each=of)
+    first, times = tree.first(shafts, exclude_each=of)
     return np.diff(offsets), indices, first, times, tree.blocked(shafts)
 """
 

@@ -5,6 +5,7 @@ import numpy as np
 import oracle
 import pytest
 import shaftcull as sc
+from choices import check_options, choices, layers_of, lists_of_bits, rows, same_lists
 from conftest import some_boxes
 
 HOLDERS = {
@@ -17,19 +18,6 @@ HOLDERS = {
 @pytest.fixture(params=HOLDERS)
 def holder(request, boxes):
     return HOLDERS[request.param](boxes)
-
-
-def lists_of_bits(bits):
-    return [np.flatnonzero(row) for row in bits]
-
-
-def rows(offsets, indices):
-    assert offsets[0] == 0 and offsets[-1] == len(indices)
-    return [indices[first:last] for first, last in zip(offsets, offsets[1:])]
-
-
-def same_lists(found, wanted):
-    assert [sorted(row) for row in found] == [sorted(row) for row in wanted]
 
 
 KINDS = {
@@ -51,13 +39,13 @@ def test_bits_counts_lists_and_times_are_those_of_the_definition(kind, holder, b
     assert kept.any() and not kept.all()
     np.testing.assert_array_equal(holder.cull(shafts), kept)
     np.testing.assert_array_equal(holder.count(shafts), kept.sum(1))
-    np.testing.assert_array_equal(holder.count(shafts, at_most=3), np.minimum(kept.sum(1), 3))
+    np.testing.assert_array_equal(holder.count(shafts, limit=3), np.minimum(kept.sum(1), 3))
     np.testing.assert_array_equal(holder.any(shafts), kept.any(1))
     same_lists(rows(*holder.list(shafts)), lists_of_bits(kept))
     offsets, indices, times = holder.list(shafts, times=True)
     for shaft, row, entered in zip(defined, rows(offsets, indices), np.split(times, offsets[1:-1])):
         np.testing.assert_array_equal(entered, [oracle.entry_time(shaft, boxes[i]) for i in row])
-    for some, every in zip(rows(*holder.list(shafts, at_most=2)), rows(*holder.list(shafts))):
+    for some, every in zip(rows(*holder.list(shafts, limit=2)), rows(*holder.list(shafts))):
         np.testing.assert_array_equal(some, every[:2])
     found, when = holder.first(shafts)
     wanted = [oracle.first(shaft, boxes) for shaft in defined]
@@ -72,7 +60,6 @@ def test_inside_is_that_of_the_definition(kind, holder, boxes, a, b):
     inside = oracle.bits(defined, boxes, oracle.inside)
     assert inside.any() and (inside != kept).any()
     np.testing.assert_array_equal(holder.classify(shafts), [kept, inside])
-    np.testing.assert_array_equal(holder.contained(shafts), inside)
     overlapping, contained = holder.count_classified(shafts)
     np.testing.assert_array_equal(overlapping, (kept & ~inside).sum(1))
     np.testing.assert_array_equal(contained, inside.sum(1))
@@ -89,19 +76,18 @@ def test_one_shaft_has_the_answers_of_its_row(holder, boxes, a, b):
         one = shafts[i]
         np.testing.assert_array_equal(holder.cull(one), holder.cull(shafts)[i])
         np.testing.assert_array_equal(holder.classify(one), np.array(holder.classify(shafts))[:, i])
-        np.testing.assert_array_equal(holder.contained(one), holder.contained(shafts)[i])
         assert holder.count(one) == holder.count(shafts)[i] and isinstance(holder.count(one), int)
-        assert holder.count(one, at_most=2) == holder.count(shafts, at_most=2)[i]
+        assert holder.count(one, limit=2) == holder.count(shafts, limit=2)[i]
         assert holder.any(one) is bool(holder.any(shafts)[i])
         assert holder.count_classified(one) == tuple(x[i] for x in holder.count_classified(shafts))
         row = indices[offsets[i] : offsets[i + 1]]
         np.testing.assert_array_equal(holder.list(one), row)
-        np.testing.assert_array_equal(holder.list(one, at_most=3), row[:3])
+        np.testing.assert_array_equal(holder.list(one, limit=3), row[:3])
         np.testing.assert_array_equal(holder.list(one, times=True)[1], holder.entry_times(one, row))
         for mine, (starts, all_of_them) in zip(holder.list_classified(one), holder.list_classified(shafts)):
             np.testing.assert_array_equal(mine, all_of_them[starts[i] : starts[i + 1]])
         assert holder.first(one) == tuple(x[i] for x in holder.first(shafts))
-        np.testing.assert_array_equal(holder.refine(one, row[::-1]), row[::-1])
+        np.testing.assert_array_equal(holder.list(one, only=row[::-1]), row[::-1])
         assert holder.blocked(one) is bool(holder.blocked(shafts)[i])
         assert holder.blocked_by(one) == holder.blocked_by(shafts)[i]
         starts, blocking = holder.list_blocking(shafts)
@@ -114,12 +100,12 @@ def test_boxes_ask_as_shafts_between_them_do(holder, a, b):
     assert holder.count(a[0], b[0]) == holder.count(a, b)[0]
 
 
-def test_candidates_are_refined_in_their_order(holder, boxes, a, b):
+def test_only_candidates_are_listed_in_their_order(holder, boxes, a, b):
     shafts = sc.Shafts.between(a, b)
     candidates = np.random.default_rng(5).permutation(len(boxes))[:70]
     kept = holder.cull(shafts)
     wanted = [[i for i in candidates if row[i]] for row in kept]
-    found = rows(*holder.refine(shafts, candidates))
+    found = rows(*holder.list(shafts, only=candidates))
     assert [list(row) for row in found] == wanted
 
 
@@ -178,34 +164,108 @@ def test_planes_leave_out_what_is_beyond_them():
     np.testing.assert_array_equal(tree.cull(copied), tree.cull(sc.Shafts.swept(a[0], b[:, :3])) & behind)
 
 
-def test_trees_leave_out_own_bounds_masked_ones_and_layers(boxes, a, b):
-    tree = sc.BoxTree(boxes)
-    shafts = sc.Shafts.between(a, b)
-    every = tree.cull(shafts)
-    own = np.random.default_rng(6).integers(0, len(boxes), (len(a), 2))
-    own[:, 0] = [np.flatnonzero(row)[0] if row.any() else 0 for row in every]
-    without = every.copy()
-    without[np.arange(len(a))[:, None], own] = False
-    assert (without != every).any()
-    np.testing.assert_array_equal(tree.cull(shafts, own=own), without)
-    np.testing.assert_array_equal(tree.count(a, b, own=own), without.sum(1))
-    same_lists(rows(*tree.list(a, b, own=own)), lists_of_bits(without))
-    assert tree.count(shafts[3], own=own[3]) == without[3].sum()
-    found, _ = tree.first(shafts, own=own)
-    wanted = [oracle.first(oracle.between(x, y), boxes, set(row))[0] for x, y, row in zip(a, b, own)]
-    np.testing.assert_array_equal(found, wanted)
+def test_every_option_goes_with_every_holder_and_question(holder, a, b):
+    check_options(holder, sc.Shafts.between(a * 4, b * 4))
 
-    mask = np.arange(len(boxes)) % 3 == 0
-    np.testing.assert_array_equal(tree.cull(shafts, mask=mask), every & ~mask)
+
+def test_first_contact_is_among_the_bounds_that_options_leave(holder, boxes, a, b):
+    shafts, defined = KINDS["swept"](a, b)
+    times = [[oracle.times(shaft, box) for box in boxes] for shaft in defined]
+    kept = np.array([[time is not None for time in row] for row in times])
+    holder.set_layers(layers_of(len(boxes)))
+    for options, left in choices(kept, layers_of(len(boxes))):
+        reached = [
+            min(((row[i][0], i) for i in np.flatnonzero(bits)), default=(None, -1))
+            for row, bits in zip(times, kept & left)
+        ]
+        found, when = holder.first(shafts, **options)
+        np.testing.assert_array_equal(found, [index for _, index in reached])
+        entered = [np.inf if i < 0 else oracle.entry_time(shaft, boxes[i]) for shaft, (_, i) in zip(defined, reached)]
+        np.testing.assert_array_equal(when, np.float32(entered))
+        offsets, indices, all_times = holder.list(shafts, times=True, **options)
+        for row, mine, first in zip(rows(offsets, indices), np.split(all_times, offsets[1:-1]), entered):
+            assert len(row) == len(mine) and mine.min(initial=np.inf) == first
+    me = int(kept[3].argmax())
+    assert holder.first(shafts[3], exclude=me) == tuple(x[3] for x in holder.first(shafts, exclude=me))
+
+
+def test_solids_are_left_out_as_other_bounds_are():
+    walls = np.array([[0, -9, -9, 1, 9, 9], [2, -9, -9, 3, 9, 9], [0, -9, 0, 1, 9, 0.5]], dtype=np.float32)
+    shafts = sc.Shafts.between([[-5, 0, 0, -4, 1, 1]] * 2, [6, 0, 0, 7, 1, 1])
+    for make in HOLDERS.values():
+        holder = make(walls)
+        holder.set_layers([1, 2, 4])
+        for options, wanted in (
+            (dict(), [[0, 1], [0, 1]]),
+            (dict(exclude=0), [[1], [1]]),
+            (dict(exclude=[0, 1]), [[], []]),
+            (dict(exclude_each=[[0, 0], [0, 1]]), [[1], []]),
+            (dict(exclude_each=[1, 0]), [[0], [1]]),
+            (dict(exclude_mask=[True, False, False]), [[1], [1]]),
+            (dict(layer_mask=0b110), [[1], [1]]),
+            (dict(layer_mask=[1, 4]), [[0], []]),
+            (dict(layer_mask=3, exclude=1, exclude_each=[2, 0]), [[0], []]),
+        ):
+            np.testing.assert_array_equal(holder.blocked(shafts, **options), [len(row) > 0 for row in wanted])
+            blocking = rows(*holder.list_blocking(shafts, **options))
+            same_lists(blocking, wanted)
+            np.testing.assert_array_equal(
+                holder.blocked_by(shafts, **options), [row[0] if len(row) else -1 for row in blocking]
+            )
+            for some, every in zip(rows(*holder.list_blocking(shafts, limit=1, **options)), blocking):
+                np.testing.assert_array_equal(some, every[:1])
+        assert holder.blocked(shafts[0], exclude=0) is True and holder.blocked(shafts[0], exclude=[0, 1]) is False
+        assert holder.blocked_by(shafts[0], layer_mask=2) == 1 and holder.blocked_by(shafts[0], layer_mask=4) == -1
+        np.testing.assert_array_equal(holder.list_blocking(shafts[0], exclude=1), [0])
+        assert len(holder.list_blocking(shafts[0], limit=1)) == 1
+
+
+def test_layers_are_changed_and_forgotten(holder, boxes, a, b):
+    every = holder.cull(a, b)
     layers = 1 << (np.arange(len(boxes)) % 5)
-    tree.set_layers(layers)
-    assert tree.has_layers
-    np.testing.assert_array_equal(tree.cull(shafts, only_layers=0b101), every & ((layers & 0b101) != 0))
-    each = np.arange(len(a)) % 32
-    np.testing.assert_array_equal(tree.any(shafts, only_layers=each), (every & ((layers & each[:, None]) != 0)).any(1))
-    tree.set_layers([0, 0], indices=[1, 2])
-    tree.clear_layers()
-    assert not tree.has_layers
+    assert not holder.has_layers
+    with pytest.raises(ValueError, match="layer_mask chooses among layers, and these bounds have none"):
+        holder.cull(a, b, layer_mask=1)
+    with pytest.raises(ValueError, match="layers"):
+        holder.set_layers([1], indices=[0])
+    holder.set_layers(layers)
+    assert holder.has_layers
+    np.testing.assert_array_equal(holder.cull(a, b, layer_mask=0b101), every & ((layers & 0b101) != 0))
+    holder.set_layers([0, 2**32 - 1, 8], indices=[1, 2, 3])
+    layers[[1, 2, 3]] = 0, 2**32 - 1, 8
+    for mask in (0, 1, 8, 2**31, 2**32 - 1):
+        np.testing.assert_array_equal(holder.cull(a, b, layer_mask=mask), every & ((layers & mask) != 0))
+    np.testing.assert_array_equal(holder.cull(a, b), every)
+    for wrong, error, words in (
+        (lambda: holder.set_layers([1, 2]), ValueError, "150 bounds.*2"),
+        (lambda: holder.set_layers([-1] * 150), ValueError, "0 to 2"),
+        (lambda: holder.set_layers([2**32] * 150), ValueError, "0 to 2"),
+        (lambda: holder.set_layers([1, 2], indices=[1]), ValueError, "1 ind.*2"),
+        (lambda: holder.set_layers([1], indices=[150]), IndexError, "indices: number 0 is 150"),
+        (lambda: holder.set_layers([0.5] * 150), TypeError, "integers"),
+    ):
+        with pytest.raises(error, match=words):
+            wrong()
+    np.testing.assert_array_equal(holder.cull(a, b, layer_mask=8), every & ((layers & 8) != 0))
+    holder.clear_layers()
+    assert not holder.has_layers
+    with pytest.raises(ValueError, match="layer_mask"):
+        holder.any(a, b, layer_mask=1)
+
+
+def test_questions_refuse_options_that_mean_nothing_to_them(holder, a, b):
+    shafts = sc.Shafts.between(a, b)
+    wrong = [(verb, "limit") for verb in ("cull", "any", "classify", "count_classified", "list_classified", "first")]
+    wrong += [(verb, "limit") for verb in ("blocked", "blocked_by")]
+    wrong += [(verb, "only") for verb in ("blocked", "blocked_by", "list_blocking")]
+    wrong += [(verb, "triangle_test") for verb in ("first", "blocked", "blocked_by", "list_blocking")]
+    for verb, option in wrong:
+        with pytest.raises(TypeError, match=verb):
+            getattr(holder, verb)(shafts, **{option: "exact" if option == "triangle_test" else 1})
+    for verb in ("cull", "any", "classify", "count", "count_classified", "list", "list_classified"):
+        getattr(holder, verb)(shafts, triangle_test="exact")
+        with pytest.raises(ValueError, match="^triangle_test"):
+            getattr(holder, verb)(shafts, triangle_test="vertices")
 
 
 def test_many_shafts_asked_in_chunks_have_the_answers_of_rows(million):
@@ -214,9 +274,19 @@ def test_many_shafts_asked_in_chunks_have_the_answers_of_rows(million):
     offsets, indices = tree.list(shafts)
     counts = tree.count(shafts)
     np.testing.assert_array_equal(np.diff(offsets), counts)
+    random = np.random.default_rng(7)
+    each, masks = random.integers(0, 2000, (20000, 3)), random.integers(0, 32, 20000)
+    each[:, 0] = indices[np.minimum(offsets[:-1], len(indices) - 1)]
+    tree.set_layers(layers_of(2000))
+    some = tree.count(shafts, exclude_each=each, layer_mask=masks)
+    starts, fewer = tree.list(shafts, exclude_each=each, layer_mask=masks)
+    np.testing.assert_array_equal(np.diff(starts), some)
     for i in (0, 15, 16, 17, 63, 64, 1039, 1040, 4159, 4160, 19999):
         np.testing.assert_array_equal(indices[offsets[i] : offsets[i + 1]], tree.list(shafts[i]))
         assert counts[i] == tree.count(shafts[i])
+        mine = dict(exclude=each[i], layer_mask=masks[i])
+        np.testing.assert_array_equal(fewer[starts[i] : starts[i + 1]], tree.list(shafts[i], **mine))
+        assert some[i] == tree.count(shafts[i], **mine)
 
 
 def test_trees_follow_their_bounds(boxes, a, b):
@@ -250,6 +320,10 @@ def test_streams_follow_their_bounds(boxes, a, b):
     changed = boxes.copy()
     changed[20:30] = boxes[:10] + np.float32(1)
     np.testing.assert_array_equal(stream.cull(a, b), sc.BoxTree(changed).cull(a, b))
+    stream.set_layers(layers_of(len(boxes)))
+    stream.update(boxes)
+    wanted = sc.BoxTree(boxes).cull(a, b) & ((layers_of(len(boxes)) & 6) != 0)
+    np.testing.assert_array_equal(stream.cull(a, b, layer_mask=6), wanted)
     assert stream.memory_bytes >= 24 * len(boxes) and len(stream) == len(boxes)
 
 
@@ -259,7 +333,11 @@ def test_nothing_and_no_shafts_are_fine(boxes, a):
         empty = make(none)
         assert len(empty) == 0 and empty.count(a, a).sum() == 0 and empty.cull(a, a).shape == (len(a), 0)
         assert empty.first(a[0], a[0]) == (-1, np.inf)
+        empty.set_layers([])
+        assert empty.count(a, a, layer_mask=1, only=[], exclude=[], exclude_mask=np.zeros(0, bool)).sum() == 0
         holder = make(boxes)
         offsets, indices = holder.list(none, none)
         assert list(offsets) == [0] and len(indices) == 0
+        holder.set_layers(layers_of(len(boxes)))
+        assert len(holder.list(none, none, exclude_each=np.empty((0, 2), int), layer_mask=[])[1]) == 0
         assert holder.cull(none, none).shape == (0, len(boxes)) and len(holder.first(none, none)[0]) == 0

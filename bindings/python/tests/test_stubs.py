@@ -117,7 +117,7 @@ def test_a_program_that_uses_it_passes_the_type_checker(tmp_path):
         "import shaftcull\n"
         "tree = shaftcull.BoxTree(np.zeros((3, 6), dtype=np.float32))\n"
         "shafts = shaftcull.Shafts.between([0] * 6, [1] * 6, contact='open')\n"
-        "offsets, indices = tree.list(shafts[:1], own=[[0, 1]])\n"
+        "offsets, indices = tree.list(shafts[:1], exclude_each=[[0, 1]])\n"
         "reveal_type(tree.order)\n"
         "tree.list(shafts, owner=3)\n"
     )
