@@ -48,11 +48,9 @@ inline void require_contact_of_choice(const ShaftData& shaft, std::size_t positi
 
 [[noreturn]] void refuse_exact_test(std::size_t position);
 
-/// Throws InvalidArgument unless the shaft was formed to answer outside and can be asked about triangles: exactly, or
-/// by their vertices. `position` as above.
-inline void require_triangle_answers(const ShaftData& shaft, bool exactly, std::size_t position) {
-  require_answers(shaft, true, false, false, position);
-  if (exactly && shaft.is_hull()) [[unlikely]]
+/// Throws InvalidArgument for a convex hull, which answers triangles by vertices only. `position` as above.
+inline void require_no_hull_for_exact_test(const ShaftData& shaft, std::size_t position) {
+  if (shaft.is_hull()) [[unlikely]]
     refuse_exact_test(position);
 }
 

@@ -53,17 +53,18 @@ class BoundTest {
       const std::size_t words = words_for(size);
       const float* part[9];
       for (std::size_t r = 0; r != 9; ++r) part[r] = stream[r] + first;
-      std::uint64_t kept_here[some / 64];
-      test_(shaft, part, size, kept_here, nullptr);
-      if (kept != nullptr) std::copy_n(kept_here, words, kept + first / 64);
+      std::uint64_t both_here[some / 64];
+      std::fill_n(both_here, words, ~std::uint64_t{0});
+      if (kept != nullptr || shaft.contact == Contact::open) test_(shaft, part, size, both_here, nullptr);
+      if (kept != nullptr) std::copy_n(both_here, words, kept + first / 64);
       if (inside == nullptr) continue;
       for (std::size_t v = 0; v != 9; v += 3) {
         const float* const point[6] = {part[v], part[v + 1], part[v + 2], part[v], part[v + 1], part[v + 2]};
         std::uint64_t inside_here[some / 64];
         vertices_(closed.shaft(), point, size, nullptr, inside_here);
-        for (std::size_t w = 0; w != words; ++w) kept_here[w] &= inside_here[w];
+        for (std::size_t w = 0; w != words; ++w) both_here[w] &= inside_here[w];
       }
-      std::copy_n(kept_here, words, inside + first / 64);
+      std::copy_n(both_here, words, inside + first / 64);
     }
   }
 

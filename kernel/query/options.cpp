@@ -27,7 +27,7 @@ void require_answers_of(std::span<const ShaftData> shafts, Question question, Bo
       continue;
     }
     require_answers(shafts[s], question != Question::inside, question != Question::kept, kind == BoundKind::spheres, s);
-    if (kind == BoundKind::triangles) require_triangle_answers(shafts[s], test == TriangleTest::exact, s);
+    if (kind == BoundKind::triangles && test == TriangleTest::exact) require_no_hull_for_exact_test(shafts[s], s);
   }
 }
 
@@ -42,7 +42,7 @@ Options::Options(const Query& query, const char* call, const Takes& takes, std::
       limit_(query.limit),
       only_(query.only),
       triangle_test_(query.triangle_test) {
-  require_triangle_test(triangle_test_);
+  require_triangle_test("query.triangle_test", triangle_test_);
   if (triangle_test_ != TriangleTest::exact && kind != BoundKind::triangles) {
     refuse_option("triangle_test", std::string(" of ") + call + " asks for vertices; bounds are " + noun_of(kind) +
                                        ", and only triangles have them");

@@ -44,8 +44,8 @@ void refuse_contact(Contact contact) {
                                " is neither Contact::closed nor Contact::open"));
 }
 
-void refuse_triangle_test(TriangleTest test) {
-  kernel::fail(InvalidArgument("test = " + std::to_string(static_cast<unsigned>(test)) +
+void refuse_triangle_test(const char* what, TriangleTest test) {
+  kernel::fail(InvalidArgument(std::string(what) + " = " + std::to_string(static_cast<unsigned>(test)) +
                                " is neither TriangleTest::vertices nor TriangleTest::exact"));
 }
 
@@ -64,11 +64,6 @@ void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::si
 void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
   kernel::fail(InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + "; " +
                                counted(shafts, "shaft") + " need one each"));
-}
-
-void refuse_room(const char* what, std::size_t size, std::size_t shafts, std::size_t most) {
-  kernel::fail(InvalidArgument(std::string(what) + " has room for " + std::to_string(size) + " indices; " +
-                               counted(shafts, "shaft") + " need room for most = " + std::to_string(most) + " each"));
 }
 
 void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {

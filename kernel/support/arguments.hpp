@@ -26,12 +26,11 @@ namespace shaftcull::kernel {
 [[noreturn]] void refuse_view(const char* noun, std::span<const float* const> streams, std::size_t count);
 [[noreturn]] void refuse_form(Form form);
 [[noreturn]] void refuse_contact(Contact contact);
-[[noreturn]] void refuse_triangle_test(TriangleTest test);
+[[noreturn]] void refuse_triangle_test(const char* what, TriangleTest test);
 [[noreturn]] void refuse_words(const char* what, std::size_t size, std::size_t bounds);
 [[noreturn]] void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words);
 [[noreturn]] void refuse_counts(const char* what, std::size_t size, std::size_t shafts);
 [[noreturn]] void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts);
-[[noreturn]] void refuse_room(const char* what, std::size_t size, std::size_t shafts, std::size_t most);
 [[noreturn]] void refuse_index_width(const char* call, std::size_t bounds);
 [[noreturn]] void refuse_shared_memory(const char* call, const char* one, const char* other);
 [[noreturn]] void refuse_index(const char* what, std::size_t position, std::uint64_t index, std::size_t bounds);
@@ -82,9 +81,10 @@ inline void require_usable_box(const Box& box, const char* noun, std::size_t i) 
   }
 }
 
-inline void require_triangle_test(TriangleTest test) {
+/// The test called `what` is one.
+inline void require_triangle_test(const char* what, TriangleTest test) {
   if (test > TriangleTest::exact) [[unlikely]]
-    refuse_triangle_test(test);
+    refuse_triangle_test(what, test);
 }
 
 inline void require_form(Form form) {
@@ -120,14 +120,6 @@ void require_counts(const char* what, std::span<Count> counts, std::size_t shaft
   if (counts.size() != shafts) [[unlikely]]
     refuse_counts(what, counts.size(), shafts);
   require_memory(what, counts, "counts");
-}
-
-/// The span called `what` has room for exactly `most` indices a shaft.
-inline void require_room(const char* what, std::span<std::uint32_t> indices, std::size_t shafts, std::size_t most) {
-  const bool overflows = most != 0 && shafts > std::numeric_limits<std::size_t>::max() / most;
-  if (overflows || indices.size() != shafts * most) [[unlikely]]
-    refuse_room(what, indices.size(), shafts, most);
-  require_memory(what, indices, "indices");
 }
 
 /// The span called `what` has exactly the words of one bit a shaft.

@@ -45,8 +45,9 @@ bool keeps(const CompiledShaft& shaft, const Sphere& sphere) { return keeps_one(
 
 bool keeps(const CompiledShaft& shaft, const Triangle& triangle, TriangleTest test) {
   const kernel::ShaftData& data = kernel::data_of(shaft);
-  kernel::require_triangle_test(test);
-  kernel::require_triangle_answers(data, test == TriangleTest::exact, 0);
+  kernel::require_triangle_test("test", test);
+  kernel::require_answers(data, true, false, false, 0);
+  if (test == TriangleTest::exact) kernel::require_no_hull_for_exact_test(data, 0);
   const float* stream[9];
   for (std::size_t s = 0; s != 9; ++s) stream[s] = &triangle.vertex[s / 3][s % 3];
   const kernel::Kernels& kernels = kernel::active_kernels();
