@@ -32,7 +32,7 @@ if("avx512" IN_LIST isas AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 
 set(shaftcull_test_seconds 900)
-set(shaftcull_long_areas allocation calls many many_tree tree tree_building)
+set(shaftcull_long_areas allocation calls many many_tree options tree tree_building)
 set(shaftcull_test_environment "")
 if(shaftcull_emulates_processor)
   set(shaftcull_test_seconds 7200)

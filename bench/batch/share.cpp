@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "batch/parallel.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/first_contact.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/many.hpp"
 
 namespace shaftcull::batch {
 namespace {
@@ -43,7 +42,7 @@ void add_answers(const ShareTree& share, std::span<const CompiledShaft> shafts, 
   switch (question.answer) {
     case Answer::count: {
       std::vector<std::uint64_t> counts(shafts.size());
-      share.visit([&](const auto& tree) { count_many(shafts, tree, counts); });
+      count_many(shafts, share.bounds(), counts);
       for (std::size_t s = 0; s != shafts.size(); ++s) {
         if (counts[s] == 0) continue;
         answer.rows.push_back(rows[s]);
@@ -55,12 +54,11 @@ void add_answers(const ShareTree& share, std::span<const CompiledShaft> shafts, 
     case Answer::classify: {
       const bool both = question.answer == Answer::classify;
       std::array<IndexLists, 2> lists;
-      share.visit([&]<class Tree>(const Tree& tree) {
-        if constexpr (!std::is_same_v<Tree, TriangleTree>) {
-          if (both) return list_classified_many(shafts, tree, lists[0], lists[1]);
-        }
-        list_many(shafts, tree, lists[0]);
-      });
+      if (both) {
+        list_classified_many(shafts, share.bounds(), lists[0], lists[1]);
+      } else {
+        list_many(shafts, share.bounds(), lists[0]);
+      }
       std::vector<std::size_t> kept;
       for (std::size_t s = 0; s != shafts.size(); ++s) {
         if (lists[0][s].empty() && (!both || lists[1][s].empty())) continue;
@@ -73,9 +71,7 @@ void add_answers(const ShareTree& share, std::span<const CompiledShaft> shafts, 
     }
     case Answer::first: {
       std::vector<FirstContact> contacts(shafts.size());
-      share.visit([&]<class Tree>(const Tree& tree) {
-        if constexpr (!std::is_same_v<Tree, TriangleTree>) first_contact_many(shafts, tree, std::span(contacts));
-      });
+      first_contact_many(shafts, share.bounds(), contacts);
       for (std::size_t s = 0; s != shafts.size(); ++s) {
         if (!contacts[s]) continue;
         answer.rows.push_back(rows[s]);
@@ -86,12 +82,8 @@ void add_answers(const ShareTree& share, std::span<const CompiledShaft> shafts, 
     }
     case Answer::blocked: {
       std::vector<std::uint64_t> bits(words_for(shafts.size()));
-      share.visit([&]<class Tree>(const Tree& tree) {
-        if constexpr (std::is_same_v<Tree, BoxTree>) blocked_many(shafts, tree, std::span(bits));
-      });
-      for (std::size_t s = 0; s != shafts.size(); ++s) {
-        if ((bits[s / 64] >> (s % 64) & 1) != 0) answer.rows.push_back(rows[s]);
-      }
+      blocked_many(shafts, share.bounds(), bits);
+      for (const std::size_t s : BitView(bits)) answer.rows.push_back(rows[s]);
       break;
     }
   }
@@ -102,8 +94,7 @@ void add_answers(const ShareTree& share, std::span<const CompiledShaft> shafts, 
 BlockAnswer answer(const ShareTree& share, const ShaftSource& shafts, std::uint64_t first, std::uint64_t count,
                    const Question& question) {
   // Questions about inside, and some of spheres, need joining planes.
-  const bool complete = question.answer == Answer::classify ||
-                        share.visit([]<class Tree>(const Tree&) { return std::is_same_v<Tree, SphereTree>; });
+  const bool complete = question.answer == Answer::classify || share.has_spheres();
   BlockAnswer result;
   std::vector<CompiledShaft> formed(static_cast<std::size_t>(std::min(count, formed_at_once)));
   std::vector<std::uint32_t> rows(formed.size());
@@ -113,13 +104,10 @@ BlockAnswer answer(const ShareTree& share, const ShaftSource& shafts, std::uint6
     for (std::size_t s = 0; s != size; ++s) rows[s] = static_cast<std::uint32_t>(done + s);
     if (share.is_one_of_several()) {
       // With closed contact: a flat bound in a face of the box around them all meets what the box only touches.
-      std::vector<std::uint8_t> meets(size);
-      for_chunks(size, shafts_a_task, [&](std::size_t begin, std::size_t some) {
-        for (std::size_t s = begin; s != begin + some; ++s) meets[s] = cull(formed[s], share.box()) ? 1 : 0;
-      });
+      std::vector<std::uint64_t> meets(words_for(size));
+      any_many(std::span(formed).first(size), BoxStream(std::span(&share.box(), 1)), meets);
       std::size_t kept = 0;
-      for (std::size_t s = 0; s != size; ++s) {
-        if (meets[s] == 0) continue;
+      for (const std::size_t s : BitView(meets)) {
         if (kept != s) formed[kept] = formed[s];
         rows[kept++] = rows[s];
       }

@@ -115,7 +115,7 @@ ShareTree::~ShareTree() = default;
 
 std::size_t ShareTree::image_bytes() const {
   return sizeof(ImageHead) + in_lines(positions_.size_bytes()) +
-         visit([](const auto& tree) { return shaftcull::image_bytes(tree); });
+         std::visit([](const auto* tree) { return shaftcull::image_bytes(*tree); }, tree_);
 }
 
 void ShareTree::write_image(std::span<std::byte> image) const {
@@ -125,7 +125,7 @@ void ShareTree::write_image(std::span<std::byte> image) const {
   std::ranges::copy(std::as_bytes(positions_), rest.begin());
   const std::size_t end = in_lines(positions_.size_bytes());
   std::ranges::fill(rest.first(end).subspan(positions_.size_bytes()), std::byte{0});
-  visit([&](const auto& tree) { shaftcull::write_image(tree, rest.subspan(end)); });
+  std::visit([&](const auto* tree) { shaftcull::write_image(*tree, rest.subspan(end)); }, tree_);
 }
 
 }  // namespace shaftcull::batch

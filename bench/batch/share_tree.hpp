@@ -13,6 +13,7 @@
 #include "batch/bounds_source.hpp"
 #include "batch/dealt_bounds.hpp"
 #include "batch/question.hpp"
+#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "shaftcull/triangles.hpp"
@@ -54,11 +55,11 @@ class ShareTree {
   /// Positions in the file of the bounds of the tree, ascending; empty if they are the same.
   [[nodiscard]] std::span<const std::uint64_t> positions() const noexcept { return positions_; }
 
-  /// use(tree), a BoxTree, a SphereTree or a TriangleTree.
-  template <class Use>
-  decltype(auto) visit(const Use& use) const {
-    return std::visit([&](const auto* tree) -> decltype(auto) { return use(*tree); }, tree_);
+  /// The tree.
+  [[nodiscard]] Bounds bounds() const noexcept {
+    return std::visit([](const auto* tree) { return Bounds(*tree); }, tree_);
   }
+  [[nodiscard]] bool has_spheres() const noexcept { return std::holds_alternative<const SphereTree*>(tree_); }
 
  private:
   struct Owned;

@@ -2,12 +2,10 @@
 #include "answer_count.hpp"
 
 #include <algorithm>
-#include <array>
 #include <random>
 #include <span>
 #include <vector>
 
-#include "bits.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/streams.hpp"
@@ -22,73 +20,32 @@ bool holds_all_of(const Box& box, const Box& end) {
   return true;
 }
 
-/// Which triangles have all three corners inside a shaft.
-class CornersInside {
- public:
-  explicit CornersInside(std::span<const Triangle> triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::vector<Box> corners;
-      for (const Triangle& triangle : triangles) corners.push_back({triangle.vertex[i], triangle.vertex[i]});
-      corners_[i] = BoxStream(corners);
-    }
-  }
-
-  /// Clears the bits of all others.
-  void keep_in(std::span<std::uint64_t> bits, const CompiledShaft& shaft) {
-    inside_.resize(bits.size());
-    for (const BoxStream& corners : corners_) {
-      contained(shaft, corners.view(), inside_);
-      for (std::size_t w = 0; w < bits.size(); ++w) bits[w] &= inside_[w];
-    }
-  }
-
- private:
-  std::array<BoxStream, 3> corners_;
-  std::vector<std::uint64_t> inside_;
-};
-
-}  // namespace
-
-AnswerCount count_cubes(const RandomShafts& shafts, const ShaftChoice& choice) {
-  const BoxStream cubes(grid_of_cubes(shafts));
+AnswerCount count_answers(const RandomShafts& shafts, const ShaftChoice& choice, const Bounds& bounds,
+                          const Query& query) {
   std::mt19937_64 random(shafts.seed);
-  std::vector<std::uint64_t> kept(words_for(cubes.size()));
-  std::vector<std::uint64_t> inside(kept.size());
   AnswerCount sum;
   for (std::uint32_t i = 0; i < shafts.count; ++i) {
     const BoxPair pair = next_pair(shafts, choice, random);
-    classify(choice.form(pair.a, pair.b).compiled(), cubes, kept, inside);
-    const std::uint64_t kept_count = bits_in(kept);
-    sum.bounds += cubes.size();
-    sum.inside += bits_in(inside);
-    sum.outside += cubes.size() - kept_count;
+    const KeptCounts counts = count_classified(choice.form(pair.a, pair.b).compiled(), bounds, query);
+    const std::size_t kept = counts.overlap + counts.inside;
+    sum.bounds += bounds.size();
+    sum.inside += counts.inside;
+    sum.outside += bounds.size() - kept;
     if (choice.contact() == Contact::open) {
-      sum.touching += count(choice.form(pair.a, pair.b, Contact::closed).compiled(), cubes) - kept_count;
+      sum.touching += count(choice.form(pair.a, pair.b, Contact::closed).compiled(), bounds, query) - kept;
     }
   }
   return sum;
 }
 
+}  // namespace
+
+AnswerCount count_cubes(const RandomShafts& shafts, const ShaftChoice& choice) {
+  return count_answers(shafts, choice, BoxStream(grid_of_cubes(shafts)), {});
+}
+
 AnswerCount count_triangles(const RandomShafts& shafts, const ShaftChoice& choice, TriangleTest test) {
-  const std::vector<Triangle> all = triangles_in_cubes(shafts);
-  const TriangleStream triangles{std::span<const Triangle>(all)};
-  CornersInside corners(all);
-  std::mt19937_64 random(shafts.seed);
-  std::vector<std::uint64_t> kept(words_for(all.size()));
-  AnswerCount sum;
-  for (std::uint32_t i = 0; i < shafts.count; ++i) {
-    const BoxPair pair = next_pair(shafts, choice, random);
-    cull(choice.form(pair.a, pair.b).compiled(), triangles, kept, test);
-    const std::uint64_t kept_count = bits_in(kept);
-    sum.bounds += all.size();
-    sum.outside += all.size() - kept_count;
-    // Corners of what is inside may be in the surface of the shaft, where points are outside with open contact.
-    const FormedShaft closed = choice.form(pair.a, pair.b, Contact::closed);
-    if (choice.contact() == Contact::open) sum.touching += count(closed.compiled(), triangles, test) - kept_count;
-    corners.keep_in(kept, closed.compiled());
-    sum.inside += bits_in(kept);
-  }
-  return sum;
+  return count_answers(shafts, choice, TriangleStream(triangles_in_cubes(shafts)), {.triangle_test = test});
 }
 
 BlockingCount count_blocking(const RandomShafts& shafts, const ShaftChoice& choice) {

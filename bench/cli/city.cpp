@@ -131,12 +131,4 @@ void City::place_shafts(double time, std::span<Box> a, std::span<Box> b) const {
   }
 }
 
-void City::count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const {
-  if (trees_.in_use()) {
-    count_many(shafts, trees_.asked(), kept);
-  } else {
-    count_many(shafts, stream_.view(), kept);
-  }
-}
-
 }  // namespace shaftcull::cli

@@ -24,7 +24,7 @@ class City : public MovingScene {
   void move_to(double time) override;
   void swap_trees() noexcept override { trees_.swap(); }
   void place_shafts(double time, std::span<Box> a, std::span<Box> b) const override;
-  void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const override;
+  [[nodiscard]] Bounds asked() const override { return trees_.in_use() ? Bounds(trees_.asked()) : Bounds(stream_); }
 
  private:
   /// Drives up and down no lane but its own, and comes in again at the other end of the city.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// `shaftcull cull`: which bounds of a mesh file may lie between two of its objects, in the way of one, in a shadow?
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdio>
 #include <memory>
 #include <random>
@@ -20,7 +18,6 @@
 #include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
-#include "triangle_answer.hpp"
 
 namespace shaftcull::cli {
 namespace {
@@ -170,63 +167,42 @@ std::vector<CullBound> bounds_of(const MeshScene& scene, Grain grain) {
   return bounds;
 }
 
-/// Adds what the shaft keeps, but for its own ends. In the order of the file, if `kept` is.
-void add_candidates(std::span<const CullBound> all, std::span<const std::uint32_t> kept, bool inside,
-                    PairResult& pair) {
-  for (const std::uint32_t bound : kept) {
-    if (!pair.from.holds(all[bound]) && !pair.to.holds(all[bound])) pair.candidates.push_back({bound, inside, false});
-  }
+TriangleTest test_of(const CullOptions& options) {
+  return options.triangles == "vertices" ? TriangleTest::vertices : TriangleTest::exact;
 }
 
-void sort_candidates(PairResult& pair) {
-  std::sort(pair.candidates.begin(), pair.candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.bound < b.bound; });
+std::vector<std::uint32_t> indices_of(const std::vector<Candidate>& candidates) {
+  std::vector<std::uint32_t> indices;
+  for (const Candidate& candidate : candidates) indices.push_back(static_cast<std::uint32_t>(candidate.bound));
+  return indices;
 }
 
-void find_candidates(std::span<const CullBound> all, const BoxTree& bounds, const CompiledShaft& shaft,
-                     PairResult& pair) {
-  std::vector<std::uint32_t> overlap(bounds.size());
-  std::vector<std::uint32_t> inside(bounds.size());
-  const KeptCounts counts = list_classified(shaft, bounds, std::span(overlap), std::span(inside));
-  add_candidates(all, std::span(overlap).first(counts.overlap), false, pair);
-  add_candidates(all, std::span(inside).first(counts.inside), true, pair);
-  sort_candidates(pair);
+/// Leaves the candidate that the shaft reaches first.
+void keep_first(const Bounds& bounds, const CompiledShaft& shaft, std::vector<Candidate>& candidates) {
+  const std::vector<std::uint32_t> indices = indices_of(candidates);
+  const FirstContact first = first_contact(shaft, bounds, {.only = indices});
+  std::erase_if(candidates, [&](const Candidate& candidate) { return candidate.bound != first.index; });
 }
 
-void find_candidates(std::span<const CullBound> all, const BoxStream& bounds, const CompiledShaft& shaft,
-                     PairResult& pair) {
+void find_times(const Bounds& bounds, const CompiledShaft& shaft, std::vector<Candidate>& candidates) {
+  std::vector<float> times(candidates.size());
+  entry_times(shaft, bounds, indices_of(candidates), times);
+  for (std::size_t i = 0; i < times.size(); ++i) candidates[i].time = times[i];
+}
+
+/// Finds what the shafts keep of the report's bounds, without their own ends. `bounds` are these, or triangles in them.
+void find_candidates(const CullOptions& options, const Bounds& bounds, CullReport& report) {
   std::vector<std::uint64_t> kept(words_for(bounds.size()));
   std::vector<std::uint64_t> inside(kept.size());
-  classify(shaft, bounds.view(), kept, inside);
-  for (std::size_t w = 0; w < kept.size(); ++w) {
-    for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
-      const auto bit = static_cast<std::size_t>(std::countr_zero(left));
-      const auto bound = static_cast<std::uint32_t>(64 * w + bit);
-      add_candidates(all, std::span(&bound, 1), (inside[w] >> bit & 1) != 0, pair);
+  for (PairResult& pair : report.pairs) {
+    const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
+    classify(shaft.compiled(), bounds, kept, inside, {.triangle_test = test_of(options)});
+    for (const std::size_t i : BitView(kept)) {
+      if (pair.from.holds(report.bounds[i]) || pair.to.holds(report.bounds[i])) continue;
+      pair.candidates.push_back({i, BitView(inside)[i], false});
     }
-  }
-}
-
-TriangleTest test_of(const CullOptions& options) {
-  return options.triangles == "exact" ? TriangleTest::exact : TriangleTest::vertices;
-}
-
-std::span<const Vec3> vertices_of(const CullReport& report, const Candidate& candidate) {
-  return report.scene.triangles[candidate.bound].vertex;
-}
-
-/// `Triangles` is a stream or a tree of the mesh's triangles, which are the report's bounds.
-template <class Triangles>
-void find_triangles(const CullOptions& options, const Triangles& triangles, const CullReport& report,
-                    PairResult& pair) {
-  const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
-  std::vector<std::uint32_t> kept(triangles.size());
-  kept.resize(list(shaft.compiled(), triangles, std::span(kept), test_of(options)));
-  add_candidates(report.bounds, kept, false, pair);
-  sort_candidates(pair);
-  const FormedShaft closed = options.choice.form(pair.from.box, pair.to.box, Contact::closed);
-  for (Candidate& candidate : pair.candidates) {
-    candidate.inside = all_inside(closed.compiled(), vertices_of(report, candidate));
+    if (options.first) keep_first(bounds, shaft.compiled(), pair.candidates);
+    if (report.times) find_times(bounds, shaft.compiled(), pair.candidates);
   }
 }
 
@@ -234,13 +210,20 @@ void find_triangles(const CullOptions& options, CullReport& report) {
   std::vector<Triangle> triangles;
   triangles.reserve(report.scene.triangles.size());
   for (const MeshTriangle& each : report.scene.triangles) triangles.push_back({each.vertex});
-  const std::span<const Triangle> all = triangles;
   if (options.tree) {
-    const TriangleTree tree(all);
-    for (PairResult& pair : report.pairs) find_triangles(options, tree, report, pair);
+    find_candidates(options, TriangleTree(triangles), report);
   } else {
-    const TriangleStream stream(all);
-    for (PairResult& pair : report.pairs) find_triangles(options, stream, report, pair);
+    find_candidates(options, TriangleStream(triangles), report);
+  }
+}
+
+void find_bounds(const CullOptions& options, CullReport& report) {
+  const MinMaxRecords records{&report.bounds.front().box.lo, &report.bounds.front().box.hi, sizeof(CullBound),
+                              report.bounds.size()};
+  if (options.tree) {
+    find_candidates(options, BoxTree(records), report);
+  } else {
+    find_candidates(options, BoxStream(records), report);
   }
 }
 
@@ -248,42 +231,7 @@ void find_blockers(const CullOptions& options, const CullReport& report, PairRes
   const CompiledShaft shaft = compile(pair.from.box, pair.to.box);
   for (Candidate& candidate : pair.candidates) {
     candidate.blocks = options.triangles.empty() ? blocked(shaft, report.bounds[candidate.bound].box)
-                                                 : blocked(shaft, vertices_of(report, candidate));
-  }
-}
-
-void find_times(const CullOptions& options, const BoxStream& bounds, PairResult& pair) {
-  std::vector<std::uint32_t> indices;
-  for (const Candidate& candidate : pair.candidates) indices.push_back(static_cast<std::uint32_t>(candidate.bound));
-  std::vector<float> times(indices.size());
-  entry_times(options.choice.form(pair.from.box, pair.to.box).compiled(), bounds, indices, times);
-  for (std::size_t i = 0; i < times.size(); ++i) pair.candidates[i].time = times[i];
-}
-
-/// Of what the shaft keeps, but for its own ends, leaves the bound that it reaches first.
-void keep_first(std::span<const CullBound> all, const BoxTree& bounds, const CompiledShaft& shaft, PairResult& pair) {
-  std::vector<std::uint64_t> ends(words_for(bounds.size()));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (pair.from.holds(all[i]) || pair.to.holds(all[i])) ends[i / 64] |= std::uint64_t{1} << i % 64;
-  }
-  const FirstContact first = first_contact(shaft, bounds, {.mask = ends});
-  std::erase_if(pair.candidates, [&](const Candidate& candidate) { return candidate.bound != first.index; });
-}
-
-void find_bounds(const CullOptions& options, CullReport& report) {
-  const MinMaxRecords records{&report.bounds.front().box.lo, &report.bounds.front().box.hi, sizeof(CullBound),
-                              report.bounds.size()};
-  const BoxStream stream(records);
-  const BoxTree tree = options.tree || options.first ? BoxTree(records) : BoxTree();
-  for (PairResult& pair : report.pairs) {
-    const FormedShaft shaft = options.choice.form(pair.from.box, pair.to.box);
-    if (options.tree) {
-      find_candidates(report.bounds, tree, shaft.compiled(), pair);
-    } else {
-      find_candidates(report.bounds, stream, shaft.compiled(), pair);
-    }
-    if (options.first) keep_first(report.bounds, tree, shaft.compiled(), pair);
-    if (report.times) find_times(options, stream, pair);
+                                                 : blocked(shaft, report.scene.triangles[candidate.bound].vertex);
   }
 }
 

@@ -112,7 +112,7 @@ class FrameLoop {
     stream_a_.update(0, ends_a_);
     stream_b_.update(0, ends_b_);
     compile_batch(stream_a_.view(), stream_b_.view(), shafts_);
-    scene_.count(shafts_, kept_);
+    count_many(shafts_, scene_.asked(), kept_);
     return milliseconds_since(begin);
   }
   MovingScene& scene() noexcept { return scene_; }

@@ -22,7 +22,6 @@
 #include "shaft_choice.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
-#include "triangle_answer.hpp"
 
 namespace shaftcull::cli {
 namespace {
@@ -206,19 +205,27 @@ std::vector<DrawnBound> bounds_of(const DrawOptions& options, const CompiledShaf
   return bounds;
 }
 
-std::vector<DrawnTriangle> triangles_of(const DrawOptions& options, const Box& from, const Box& to) {
+std::vector<DrawnTriangle> triangles_of(const DrawOptions& options, const CompiledShaft& shaft) {
   const std::vector<std::string>& corners = options.corners;
   if (corners.size() % 3 != 0) {
     throw InvalidArgument(fmt::format("--triangle {}: {} corners; a triangle takes three: X,Y,Z X,Y,Z X,Y,Z",
                                       fmt::join(corners, " "), corners.size()));
   }
-  std::vector<DrawnTriangle> triangles;
-  for (std::size_t i = 0; i < corners.size(); i += 3) {
-    Triangle triangle{};
-    for (std::size_t k = 0; k < 3; ++k) triangle.vertex[k] = vector_option("--triangle", corners[i + k], "a corner");
-    triangles.push_back({triangle, answer_of(triangle, options.choice, from, to)});
+  if (corners.empty()) return {};  // hulls, which have no exact test, are drawn without triangles
+  std::vector<Triangle> triangles(corners.size() / 3);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    triangles[i / 3].vertex[i % 3] = vector_option("--triangle", corners[i], "a corner");
   }
-  return triangles;
+  std::vector<std::uint64_t> kept(words_for(triangles.size()));
+  std::vector<std::uint64_t> inside(kept.size());
+  classify(shaft, TriangleStream(triangles), kept, inside);
+  std::vector<DrawnTriangle> drawn;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    drawn.push_back({triangles[i], BitView(inside)[i] ? Answer::inside
+                                   : BitView(kept)[i] ? Answer::overlap
+                                                      : Answer::outside});
+  }
+  return drawn;
 }
 
 ShaftDrawing drawing_of(const DrawOptions& options) {
@@ -230,7 +237,7 @@ ShaftDrawing drawing_of(const DrawOptions& options) {
   if (choice.has_to()) drawing.b = to;
   if (choice.kind() == ShaftKind::swept) drawing.b = drawing.shaft.compiled().b();
   drawing.bounds = bounds_of(options, drawing.shaft.compiled());
-  drawing.triangles = triangles_of(options, from, to);
+  drawing.triangles = triangles_of(options, drawing.shaft.compiled());
   std::vector<Point3> shown;
   const auto show = [&](const Box& box) { shown.insert(shown.end(), {in_doubles(box.lo), in_doubles(box.hi)}); };
   for (const std::optional<Box>& end : {drawing.a, drawing.b}) {

@@ -26,17 +26,16 @@ class MovingScene {
   [[nodiscard]] virtual std::size_t moving() const = 0;
   /// Keeps the bounds in a tree from now on, no longer in a stream.
   virtual void use_tree() = 0;
-  /// Then keeps a second tree too: move_to() updates the one that count() does not ask, and both may be called at the
-  /// same time.
+  /// Then keeps a second tree too: move_to() updates the one that is not asked(), which may be asked at the same time.
   virtual void use_second_tree() = 0;
   /// Moves what moves and updates its bounds in place, in parallel.
   virtual void move_to(double time) = 0;
-  /// With a second tree: count() asks about the last move from now on. Without one it always does.
+  /// With a second tree: asked() are the bounds of the last move from now on. Without one they always are.
   virtual void swap_trees() noexcept = 0;
   /// Where the two ends of every shaft are: a[i] and b[i] have a.size() boxes each.
   virtual void place_shafts(double time, std::span<Box> a, std::span<Box> b) const = 0;
-  /// Counts what each shaft keeps.
-  virtual void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const = 0;
+  /// What shafts are asked about, until it moves or trees are swapped.
+  [[nodiscard]] virtual Bounds asked() const = 0;
 };
 
 /// A tree that is updated and asked; or two, one asked while the other is updated.

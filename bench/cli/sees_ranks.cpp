@@ -26,6 +26,7 @@
 #include "ranked_run.hpp"
 #include "sees_places.hpp"
 #include "shaftcull/error.hpp"
+#include "shaftcull/many.hpp"
 
 namespace shaftcull::cli {
 namespace {

@@ -30,7 +30,7 @@ class Sphereflake : public MovingScene {
   void move_to(double time) override;
   void swap_trees() noexcept override { trees_.swap(); }
   void place_shafts(double time, std::span<Box> a, std::span<Box> b) const override;
-  void count(std::span<const CompiledShaft> shafts, std::span<std::uint64_t> kept) const override;
+  [[nodiscard]] Bounds asked() const override { return trees_.in_use() ? Bounds(trees_.asked()) : Bounds(stream_); }
 
  private:
   std::vector<Sphere> at_rest_;    ///< in tree order if there are trees

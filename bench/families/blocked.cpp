@@ -5,7 +5,6 @@
 /// which some block; an item is one of these boxes. They are few of those that test/boxes/cull/slab tests, which it is
 /// compared with. blocked/tree asks a tree of walls about pairs of small patches, and blocked/any asks it whether the
 /// shaft keeps any; an item is a shaft.
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,6 +17,7 @@
 #include "scenes/random.hpp"
 #include "shaftcull/blocked.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/many.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -39,8 +39,8 @@ std::unique_ptr<const Kept> kept_of(const Workload& workload, const BoxView& all
   auto kept = std::make_unique<Kept>();
   for (std::size_t s = 0; s != shafts; ++s) {
     kept->compiled.push_back(compile(workload.a[s], workload.b[s]));
-    std::vector<std::uint32_t> indices(most_kept);
-    indices.resize(std::min(most_kept, list(kept->compiled[s], all, indices)));
+    std::vector<std::uint32_t> indices;
+    list(kept->compiled[s], all, indices, {.limit = most_kept});
     std::vector<Box> boxes;
     for (const std::uint32_t i : indices) boxes.push_back(all[i]);
     kept->count += static_cast<std::int64_t>(boxes.size());

@@ -17,7 +17,6 @@
 #include "scenes/tree_scene.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/query.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -30,7 +29,6 @@ constexpr std::array finds{SweptSetting{"0.01%", 0.05F, 5.0F}, SweptSetting{"0.6
                            SweptSetting{"all", 10.0F, 0.0F}};
 
 /// Lists what 64 shafts find of bounds, a view or a tree.
-template <class Bounds>
 void list(benchmark::State& state, const Bounds& bounds, const SweptBoxes& swept) {
   select_isa(available_isas().back());
   std::vector<CompiledShaft> shafts(shafts_at_once);
@@ -46,16 +44,12 @@ void list(benchmark::State& state, const Bounds& bounds, const SweptBoxes& swept
       static_cast<double>(lists.indices.size()) / static_cast<double>(shafts_at_once * bounds.size());
 }
 
-struct View : BoxView {
-  [[nodiscard]] std::size_t size() const noexcept { return count; }
-};
-
 void declare_finds(Suite& suite, std::size_t count) {
   const auto scene = std::make_shared<TreeScene>(count);
   for (const SweptSetting& setting : finds) {
     const std::string name = fmt::format("flat_against_tree/{}/{}/", count, setting.name);
     const auto swept = std::make_shared<const SweptBoxes>(shafts_at_once, setting);
-    suite.add(name + "flat", "", [=](benchmark::State& state) { list(state, View{scene->stream().view()}, *swept); },
+    suite.add(name + "flat", "", [=](benchmark::State& state) { list(state, scene->stream(), *swept); },
               {.brief = true});
     suite.add(name + "tree", "", [=](benchmark::State& state) { list(state, scene->tree(), *swept); }, {.brief = true});
   }

@@ -16,7 +16,6 @@
 #include "scenes/swept_boxes.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 
 namespace shaftcull::bench {
@@ -53,25 +52,16 @@ class Frame {
   void with_tree(benchmark::State& state, bool sorted) const {
     const auto& boxes = sorted ? frames().sorted : frames().shuffled;
     BoxTree tree{std::span<const Box>(boxes[0])};
-    run(
-        state, [&](std::size_t time) { tree.update(std::span<const Box>(boxes[time])); },
-        [&](std::span<const CompiledShaft> shafts, std::span<std::uint64_t> counts) {
-          count_many(shafts, tree, counts);
-        });
+    run(state, tree, [&](std::size_t time) { tree.update(std::span<const Box>(boxes[time])); });
   }
   void with_flat_scan(benchmark::State& state) const {
     const auto& boxes = frames().shuffled;
     BoxStream stream{std::span<const Box>(boxes[0])};
-    run(
-        state,
-        [&](std::size_t time) {
-          for_chunks(bounds_, std::size_t{1} << 14, [&](std::size_t first, std::size_t size) {
-            stream.update(first, std::span<const Box>(boxes[time]).subspan(first, size));
-          });
-        },
-        [&](std::span<const CompiledShaft> shafts, std::span<std::uint64_t> counts) {
-          count_many(shafts, stream.view(), counts);
-        });
+    run(state, stream, [&](std::size_t time) {
+      for_chunks(bounds_, std::size_t{1} << 14, [&](std::size_t first, std::size_t size) {
+        stream.update(first, std::span<const Box>(boxes[time]).subspan(first, size));
+      });
+    });
   }
 
  private:
@@ -80,8 +70,8 @@ class Frame {
     return **frames_;
   }
 
-  template <class Move, class Ask>
-  void run(benchmark::State& state, const Move& move, const Ask& ask) const {
+  template <class Move>
+  void run(benchmark::State& state, const Bounds& bounds, const Move& move) const {
     select_isa(available_isas().back());
     std::vector<CompiledShaft> shafts(swept_.from.size());
     std::vector<std::uint64_t> counts(shafts.size());
@@ -90,7 +80,7 @@ class Frame {
       time = 1 - time;
       move(time);
       compile_batch(swept_.from.view(), swept_.to.view(), shafts);
-      ask(shafts, counts);
+      count_many(shafts, bounds, counts);
       benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations());

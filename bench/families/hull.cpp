@@ -4,7 +4,6 @@
 /// hull/casters/list: the hull of a view and a light is formed, and lists what it keeps of a tree; hull/view/list: the
 /// view alone lists, formed before.
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +20,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -83,12 +82,6 @@ struct Cameras {
       records.push_back(record);
     }
   }
-
-  [[nodiscard]] std::size_t set_bits() const {
-    std::size_t bits = 0;
-    for (const std::uint64_t word : kept) bits += static_cast<std::size_t>(std::popcount(word));
-    return bits;
-  }
 };
 
 struct Scene {
@@ -134,9 +127,9 @@ void declare_hull(Suite& suite, const Workload& workload) {
     std::size_t exactly = 0;
     for (std::size_t c = 0; c != cameras; ++c) {
       cull_by_six_planes_avx2(all->planes[c], boxes, all->kept.data());
-      kept += all->set_bits();
+      kept += BitView(all->kept).count();
       cull(all->hulls[c], boxes, all->kept);
-      exactly += all->set_bits();
+      exactly += BitView(all->kept).count();
     }
     state.counters["kept_in_vain"] = static_cast<double>(kept - exactly) / static_cast<double>(kept);
     state.counters["kept"] = static_cast<double>(kept) / static_cast<double>(cameras * boxes.count);

@@ -28,8 +28,7 @@ struct Bench {
   std::vector<std::uint64_t> inside;
 };
 
-template <class View>
-void run(benchmark::State& state, Bench& bench, const View& bounds, bool classify, Form form, Isa isa) {
+void run(benchmark::State& state, Bench& bench, const Bounds& bounds, bool classify, Form form, Isa isa) {
   select_isa(isa);
   set_form(bench.shafts, form);
   for (auto _ : state) {
@@ -40,11 +39,10 @@ void run(benchmark::State& state, Bench& bench, const View& bounds, bool classif
     }
     benchmark::ClobberMemory();
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bench.shafts.size() * bounds.count));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bench.shafts.size() * bounds.size()));
 }
 
-template <class View>
-void declare(Suite& suite, const std::shared_ptr<Bench>& bench, const std::string& kind, const View& bounds) {
+void declare(Suite& suite, const std::shared_ptr<Bench>& bench, const std::string& kind, const Bounds& bounds) {
   const std::vector<Isa> available = available_isas();
   for (const bool classify : {false, true}) {
     const std::string job = classify ? "classify" : "cull";
@@ -65,8 +63,8 @@ void declare(Suite& suite, const std::shared_ptr<Bench>& bench, const std::strin
 
 void declare_many(Suite& suite, const Workload& workload) {
   const auto bench = std::make_shared<Bench>(workload);
-  declare(suite, bench, "boxes", workload.boxes.view());
-  declare(suite, bench, "spheres", workload.spheres.view());
+  declare(suite, bench, "boxes", workload.boxes);
+  declare(suite, bench, "spheres", workload.spheres);
 
   suite.add_target("test/boxes/cull/slab/scalar", "paper/boxes_cull", 4.0);
   for (const double ratio : {12.0, 16.0}) suite.add_target("test/boxes/cull/slab/sse4_2", "paper/boxes_cull", ratio);

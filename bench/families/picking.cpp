@@ -12,9 +12,9 @@
 #include "harness/suite.hpp"
 #include "scenes/swept_boxes.hpp"
 #include "scenes/tree_scene.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/query.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -79,8 +79,9 @@ void declare_setting(Suite& suite, const std::shared_ptr<LayeredScene>& scene, c
   });
   add(row("count"), [=](const CompiledShaft& shaft, Swept&) { benchmark::DoNotOptimize(count(shaft, scene->tree())); });
   add(row("any"), [=](const CompiledShaft& shaft, Swept&) { benchmark::DoNotOptimize(any(shaft, scene->tree())); });
-  add(row("at_most_10"),
-      [=](const CompiledShaft& shaft, Swept&) { benchmark::DoNotOptimize(count_at_most(shaft, scene->tree(), 10)); });
+  add(row("at_most_10"), [=](const CompiledShaft& shaft, Swept&) {
+    benchmark::DoNotOptimize(count(shaft, scene->tree(), {.limit = 10}));
+  });
   add(row("first"),
       [=](const CompiledShaft& shaft, Swept&) { benchmark::DoNotOptimize(first_contact(shaft, scene->tree()).index); });
   add(row("list_of_spheres"), [=](const CompiledShaft& shaft, Swept& swept) {
@@ -94,7 +95,7 @@ void declare_setting(Suite& suite, const std::shared_ptr<LayeredScene>& scene, c
 
   const auto add_layers = [&](const char* what, std::uint32_t mask) {
     add(fmt::format("layers/{}/{}", setting.name, what), [=](const CompiledShaft& shaft, Swept& swept) {
-      benchmark::DoNotOptimize(list(shaft, scene->layered(), std::span(swept.hits), {.only_layers = {mask}}));
+      benchmark::DoNotOptimize(list(shaft, scene->layered(), std::span(swept.hits), {.layer_mask = {mask}}));
     });
   };
   add(fmt::format("layers/{}/none", setting.name), [=](const CompiledShaft& shaft, Swept& swept) {

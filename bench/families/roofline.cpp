@@ -18,8 +18,8 @@
 
 #include "families/roofline_kernels.hpp"
 #include "harness/suite.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/many.hpp"
 
 namespace shaftcull::bench {
 
@@ -138,17 +138,14 @@ struct Shares {
       const Shaft shaft(workload.a[i], workload.b[i]);
       const CompiledShaft compiled = compile(shaft);
       const auto planes = static_cast<double>(shaft.joining_planes().size());
-      std::uint64_t kept_boxes = 0;
-      std::uint64_t kept_balls = 0;
-      count_many({&compiled, 1}, boxes, {&kept_boxes, 1});
-      count_many({&compiled, 1}, spheres, {&kept_balls, 1});
+      const auto kept_boxes = static_cast<double>(count(compiled, boxes));
       double met = 0;
       for (std::size_t b = 0; b < boxes.count; ++b) met += meets(shaft.box(), boxes[b]) ? 1 : 0;
       in_shaft_box += met;
       planes_there += met * planes;
-      kept += static_cast<double>(kept_boxes);
-      kept_planes += static_cast<double>(kept_boxes) * planes;
-      kept_spheres += static_cast<double>(kept_balls);
+      kept += kept_boxes;
+      kept_planes += kept_boxes * planes;
+      kept_spheres += static_cast<double>(count(compiled, spheres));
     }
     const auto tests = static_cast<double>(Workload::test_shafts * boxes.count);
     for (double* share : {&in_shaft_box, &planes_there, &kept, &kept_planes, &kept_spheres}) *share /= tests;

@@ -7,7 +7,6 @@
 /// these hits must, in one call and always the same ones: no tree of such words can do better.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +25,7 @@
 #include "scenes/random.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/tree.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -99,8 +98,8 @@ struct Scene {
       const BoxStream stream(level);
       std::vector<std::uint64_t> kept(words_for(level.size()));
       for (std::size_t s = 0; s < sweeps; ++s) {
-        cull(compile(from[s], to[s]), stream.view(), kept);
-        for (const std::uint64_t bits : kept) words[s] += static_cast<std::size_t>(std::popcount(bits));
+        cull(compile(from[s], to[s]), stream, kept);
+        words[s] += BitView(kept).count();
       }
     }
     for (std::size_t& of_sweep : words) of_sweep += words_for(level.size());

@@ -3,8 +3,8 @@
 ///
 /// small/one_shaft_64_boxes is the whole cost of cull() for a full word of boxes. small/n/N, small/list_many/N and
 /// small/refine_many/N are calls for N boxes, just below and above a word too: fewer bounds must not cost more.
-/// small/one_box/cull and small/one_box/classify are the calls that take a Box instead of a view, for the boxes of
-/// small/n/1.
+/// small/refine_many/N passes these N as candidates (Query::only). small/one_box/cull and small/one_box/classify are
+/// keeps() and classify() of a Box instead of a view, for the boxes of small/n/1.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,7 +20,6 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/refine.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -82,8 +81,7 @@ void run_refine_many(benchmark::State& state, Small& small, std::size_t count) {
   std::size_t next = 0;
   for (auto _ : state) {
     const std::size_t first = next++ % slices * word_boxes;
-    refine_many(small.shafts, small.boxes, std::span<const std::uint32_t>(small.candidates).subspan(first, count),
-                small.lists);
+    list_many(small.shafts, small.boxes, small.lists, {.only = std::span(small.candidates).subspan(first, count)});
     benchmark::DoNotOptimize(small.lists.indices.data());
   }
   state.SetItemsProcessed(state.iterations());
@@ -131,7 +129,8 @@ void declare_small(Suite& suite, const Workload& workload) {
     suite.add(fmt::format("small/one_box/cull/{}", name(isa)), "",
               [=](benchmark::State& state) {
                 select_isa(isa);
-                run_one_box(state, *small, [](const CompiledShaft& shaft, const Box& box) { return cull(shaft, box); });
+                run_one_box(state, *small,
+                            [](const CompiledShaft& shaft, const Box& box) { return keeps(shaft, box); });
               },
               {.brief = true});
     suite.add(fmt::format("small/one_box/classify/{}", name(isa)), "",

@@ -126,25 +126,24 @@ class Curves {
     point_of(name, isa, shafts, boxes_.slice(0, bounds), false, options);
   }
 
-  template <class View>
-  void point_of(const std::string& name, Isa isa, std::size_t shafts, const View& view, bool classify,
+  void point_of(const std::string& name, Isa isa, std::size_t shafts, const Bounds& bounds, bool classify,
                 RunOptions options) const {
-    const auto body = [sweep = sweep_, view, isa, shafts, classify](benchmark::State& state) {
+    const auto body = [sweep = sweep_, bounds, isa, shafts, classify](benchmark::State& state) {
       select_isa(isa);
-      const std::span<std::uint64_t> kept(sweep->kept.data(), shafts * words_for(view.count));
+      const std::span<std::uint64_t> kept(sweep->kept.data(), shafts * words_for(bounds.size()));
       const std::span<std::uint64_t> inside(sweep->inside.data(), classify ? kept.size() : 0);
       std::size_t next = 0;  // one shaft after the other where one is tested at a time: they differ in speed
       for (auto _ : state) {
         const std::size_t first = shafts == 1 ? next++ % Workload::test_shafts : 0;
         const std::span<const CompiledShaft> some = std::span(sweep->shafts).subspan(first, shafts);
         if (classify) {
-          classify_many(some, view, kept, inside);
+          classify_many(some, bounds, kept, inside);
         } else {
-          cull_many(some, view, kept);
+          cull_many(some, bounds, kept);
         }
         benchmark::ClobberMemory();
       }
-      state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(shafts * view.count));
+      state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(shafts * bounds.size()));
     };
     suite_.add(name, "", body, options);
   }

@@ -104,7 +104,7 @@ struct Scene {
         const auto kept = kept_of<Stream>(compiled[s], tried);
         const auto kept_farther = kept_of<Stream>(compiled[s], farther);
         for (std::size_t i = 0; i < tries && found.size() < bounds; ++i) {
-          if ((kept[i / 64] & ~kept_farther[i / 64]) >> (i % 64) & 1U) found.push_back(tried[i]);
+          if (BitView(kept)[i] && !BitView(kept_farther)[i]) found.push_back(tried[i]);
         }
       }
       touching.push_back(Stream(std::span<const Bound>(found)));

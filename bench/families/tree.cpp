@@ -20,7 +20,6 @@
 #include "scenes/tree_scene.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/query.hpp"
 
 namespace shaftcull::bench {
 namespace {
@@ -61,7 +60,6 @@ void query_flat(benchmark::State& state, const BoxView& boxes, const SweptBoxes&
 /// roundings decides about.
 void require_same_hits(TreeScene& scene, const SweptBoxes& swept, const SweptSetting& setting) {
   std::vector<std::uint32_t> bullet;
-  std::vector<std::uint32_t> kept(scene.count);
   const auto grown = [](Box box, float by) {
     for (std::size_t k = 0; k != 3; ++k) {
       box.lo[k] -= by;
@@ -71,8 +69,8 @@ void require_same_hits(TreeScene& scene, const SweptBoxes& swept, const SweptSet
   };
   const auto hits_of = [&](std::size_t i, float by) {
     const CompiledShaft shaft = compile(Shaft(grown(swept.from[i], by), grown(swept.to[i], by)));
-    std::vector<std::uint32_t> hits(
-        kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(list(shaft, scene.tree(), std::span(kept))));
+    std::vector<std::uint32_t> hits;
+    list(shaft, scene.tree(), hits);
     std::sort(hits.begin(), hits.end());
     return hits;
   };

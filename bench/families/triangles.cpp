@@ -19,7 +19,7 @@
 #include "harness/suite.hpp"
 #include "scenes/random.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/triangles.hpp"
 
 namespace shaftcull::bench {
@@ -57,8 +57,8 @@ std::unique_ptr<const Survivors> survivors_of(const Workload& workload) {
     shaft.add_plane(from_a);
     shaft.add_plane(from_b);
     survivors->with_planes.push_back(compile(shaft));
-    std::vector<std::uint32_t> indices(most_kept);
-    indices.resize(std::min(most_kept, list(survivors->plain[s], workload.boxes.view(), indices)));
+    std::vector<std::uint32_t> indices;
+    list(survivors->plain[s], workload.boxes, indices, {.limit = most_kept});
     std::vector<Triangle> triangles;
     for (const std::uint32_t i : indices) {
       const Box box = workload.boxes[i];
@@ -148,7 +148,8 @@ void declare_triangles(Suite& suite, const Workload& workload) {
         std::vector<std::uint64_t> kept(words_for(most_kept));
         for (auto _ : state) {
           for (std::size_t s = 0; s != shafts; ++s) {
-            cull(compiled[s], all.triangles[s], std::span(kept).first(words_for(all.triangles[s].size())), test);
+            cull(compiled[s], all.triangles[s], std::span(kept).first(words_for(all.triangles[s].size())),
+                 {.triangle_test = test});
           }
           benchmark::ClobberMemory();
         }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "columns.hpp"
@@ -12,6 +11,7 @@
 #include "hashes/hashes.hpp"
 #include "hashes/moving_shaft.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/first_contact.hpp"
 
 namespace shaftcull::hashes {
@@ -64,8 +64,8 @@ void add_times(const CompiledShaft& shaft, const View& view, Way way, Digest& di
   }
   digest.add(contact ? contact.index : ~std::uint64_t{0});
   digest.add_float(contact.time);
-  std::vector<std::uint32_t> kept(view.count);
-  kept.resize(list(in_form, view, std::span(kept)));
+  std::vector<std::uint32_t> kept;
+  list(in_form, view, kept);
   std::vector<float> times(kept.size());
   entry_times(shaft, view, kept, times);
   for (const float time : times) digest.add_float(time);

@@ -14,7 +14,6 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/triangles.hpp"
 
@@ -61,16 +60,15 @@ std::vector<CompiledShaft> some_shafts(Numbers& numbers, bool on_lattice) {
   return shafts;
 }
 
-template <class Tree>
-void add_lists(std::span<const CompiledShaft> shafts, const Tree& tree, Way way, Digest& digest) {
+void add_lists(std::span<const CompiledShaft> shafts, const Bounds& tree, Way way, Digest& digest) {
   IndexLists lists;
   if (way == Way::many) {
     list_many(shafts, tree, lists);
   } else {
+    std::vector<std::uint32_t> kept;
     lists.offsets.push_back(0);
     for (const CompiledShaft& shaft : shafts) {
-      std::vector<std::uint32_t> kept(tree.size());
-      kept.resize(list(shaft, tree, std::span(kept)));
+      list(shaft, tree, kept);
       lists.indices.insert(lists.indices.end(), kept.begin(), kept.end());
       lists.offsets.push_back(lists.indices.size());
     }
@@ -90,12 +88,12 @@ std::uint64_t answers(std::uint64_t scenes, Way way) {
     const Tree tree{std::span<const Bound>(bounds)};
     digest.add_all(std::span<const std::uint32_t>(tree.order()));
     const std::vector<CompiledShaft> shafts = some_shafts(numbers, on_lattice);
-    add_lists<Tree>(shafts, tree, way, digest);
+    add_lists(shafts, tree, way, digest);
     if constexpr (!std::is_same_v<Tree, TriangleTree>) {
       std::vector<FirstContact> contacts(shafts.size());
       std::vector<KeptCounts> counts(shafts.size());
       if (way == Way::many) {
-        first_contact_many(shafts, tree, std::span(contacts));
+        first_contact_many(shafts, tree, contacts);
         count_classified_many(shafts, tree, counts);
       } else {
         for (std::size_t i = 0; i != shafts.size(); ++i) {

@@ -11,6 +11,7 @@
 #include "hashes/hashes.hpp"
 #include "hashes/moving_shaft.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/triangles.hpp"
 
 namespace shaftcull::hashes {
@@ -42,7 +43,7 @@ std::uint64_t answers(std::uint64_t scenes, TriangleTest test) {
     }
     triangles[s % bounds_a_scene].vertex[s % 2][s % 3] = std::numeric_limits<float>::quiet_NaN();
     std::vector<std::uint64_t> kept(words_for(bounds_a_scene));
-    cull(shaft, TriangleColumns(triangles).view(), kept, test);
+    cull(shaft, TriangleColumns(triangles).view(), kept, {.triangle_test = test});
     digest.add_all(kept);
   }
   return digest.value();

@@ -25,10 +25,13 @@ const Box box{{0, 0, 0}, {1, 1, 1}};
 const std::vector<Box> boxes = {box, {{4, 0, 0}, {5, 1, 1}}, {{0, 40, 0}, {1, 41, 1}}};
 const std::vector<std::uint32_t> indices = {0, 1, 2};
 const std::vector<Vec3> vertices = {{4, 0, 0}, {5, 0, 0}, {4, 1, 1}};
+constexpr std::array<float, 16> matrix = {1, 0, 0,     0,      0, 1, 0, 0,
+                                          0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
+constexpr ClipDepth depth = ClipDepth::minus_one_to_one;
 
 void make_more(const ConvexHull& view) {
   const Vec3 light{0, 99, 9};
-  expect(cull(casters(view, light), Box{light, light}), "casters of a light");
+  expect(keeps(casters(view, light), Box{light, light}), "casters of a light");
   const BoxStream a(std::span<const Box>(boxes).first(2));
   const BoxStream& b = a;
   const std::vector<IndexPair> pairs = {{0, 1}};
@@ -57,20 +60,17 @@ void make_volumes() {
   const Vec3 direction{1, 0, 0};
   const Vec3 sun{0, 1, 0};
   const Plane plane{{1, 0, 0}, 3};
-  constexpr std::array<float, 16> matrix = {1, 0, 0,     0,      0, 1, 0, 0,
-                                            0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
-  constexpr ClipDepth depth = ClipDepth::minus_one_to_one;
   const std::vector<Vec3>& points = vertices;
   Shaft shaft(a, b);
   shaft.add_plane(plane);
   const ConvexHull view = frustum(matrix, depth);
-  expect(cull(compile(a, b), boxes[1]), "between");
-  expect(!cull(compile(shaft), boxes[1]), "cut by a plane");
+  expect(keeps(compile(a, b), boxes[1]), "between");
+  expect(!keeps(compile(shaft), boxes[1]), "cut by a plane");
   expect(compile(a, b, Contact::open).contact() == Contact::open, "open contact");
-  expect(cull(swept(body, travel), boxes[1]), "swept");
-  expect(cull(swept_without_end(body, direction), boxes[1]), "swept without end");
-  expect(!cull(shadow(light, occluder), light), "shadow");
-  expect(cull(casters_towards(view, sun), Box{{0, 99, 9}, {1, 99, 9}}), "casters of a sun");
+  expect(keeps(swept(body, travel), boxes[1]), "swept");
+  expect(keeps(swept_without_end(body, direction), boxes[1]), "swept without end");
+  expect(!keeps(shadow(light, occluder), light), "shadow");
+  expect(keeps(casters_towards(view, sun), Box{{0, 99, 9}, {1, 99, 9}}), "casters of a sun");
   expect(ConvexHull(points).points().size() == 3, "hull");
   make_more(view);
 }
@@ -82,10 +82,10 @@ void ask() {
   const BoxStream walls(std::vector<Box>{{{2, -9, -9}, {3, 9, 9}}});
   const TriangleTree triangles = TriangleTree(mesh_view(vertices, indices));
   expect(BoxStream(records(objects, &Object::lo, &Object::hi)).size() == 1, "records");
-  expect(cull(shaft, box), "one box");
+  expect(keeps(shaft, box), "one box");
   expect(classify(shaft, box) == Answer::inside, "the answer of one box");
   expect(any(shaft, triangles), "triangles");
-  expect(any(shaft, triangles, TriangleTest::vertices), "triangles by vertices");
+  expect(any(shaft, triangles, {.triangle_test = TriangleTest::vertices}), "by vertices");
   expect(!any(compile(box, box), triangles), "triangles in a box");
   expect(blocked(shaft, walls), "blocked");
 
@@ -95,11 +95,8 @@ void ask() {
   tree.refit();
   tree.update(boxes);
   if (tree.growth() > 2) tree.rebuild();
-  std::vector<std::uint32_t> kept(3);
+  std::vector<std::uint32_t> kept;
   const std::vector<Vec3>& corners = vertices;
-  constexpr std::array<float, 16> matrix = {1, 0, 0,     0,      0, 1, 0, 0,
-                                            0, 0, 1.04F, -2.04F, 0, 0, 1, 0};
-  constexpr ClipDepth depth = ClipDepth::minus_one_to_one;
   const Vec3 from{-1, 0.5F, 0.5F};
   const Vec3 to{9, 0.5F, 0.5F};
   const Vec3 direction{10, 0, 0};
@@ -107,7 +104,10 @@ void ask() {
   const Box& body = box;
   const std::uint32_t me = 0;
   const std::uint32_t mask = 0b110;
+  const std::vector<std::uint32_t> candidates = {1, 2};
   expect(list(shaft, tree, kept) == 2, "list");
+  expect(list(shaft, tree, kept, {.limit = 1}) == 1, "a list with an end");
+  expect(list(shaft, tree, kept, {.only = candidates}) == 1 && kept[0] == 1, "candidates");
   expect(list(shaft, triangles, kept) == 1, "list of triangles");
   expect(list(compile(box, box), tree, kept) == 1, "what meets a box");
   expect(list(compile(Box{from, from}, Box{to, to}), tree, kept) == 2, "what meets a segment");
@@ -116,8 +116,8 @@ void ask() {
   expect(list(ConvexHull(corners), tree, kept) == 1, "what meets a hull");
   expect(list(frustum(matrix, depth), tree, kept) == 1, "what is in view");
   expect(first_contact(swept(body, travel), tree).index == 0, "the body itself");
-  expect(first_contact(swept(body, travel), tree, {.own = {me}}).index == 1, "first contact");
-  expect(count(shaft, tree, {.only_layers = {mask}}) == 1, "layers");
+  expect(first_contact(swept(body, travel), tree, {.exclude = {me}}).index == 1, "contact");
+  expect(count(shaft, tree, {.layer_mask = {mask}}) == 1, "layers");
   IndexLists lists;
   list_many(shafts, tree, lists);
   expect(lists[0].size() == 2, "lists");

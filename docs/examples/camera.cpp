@@ -1,5 +1,4 @@
 // What a camera sees, and what else must be drawn because its shadow falls into view.
-#include <algorithm>
 #include <cstdio>
 #include <shaftcull/shaftcull.hpp>
 #include <vector>
@@ -25,18 +24,13 @@ int main() {
   const sc::ConvexHull view = sc::frustum(matrix, sc::ClipDepth::minus_one_to_one);
   const sc::ConvexHull casters = sc::casters_towards(view, {0, 1, 0});  // sun at the zenith
 
-  std::vector<std::uint32_t> seen(tree.size());
-  seen.resize(list(view, tree, seen));
-  std::vector<std::uint32_t> casting(tree.size());
-  casting.resize(list(casters, tree, casting));
+  std::vector<std::uint64_t> seen(sc::words_for(tree.size()));
+  cull(view, tree, seen);
+  for (const std::size_t i : sc::BitView(seen)) std::printf("box %zu is in view\n", i);
 
-  std::sort(seen.begin(), seen.end());  // trees list in their own order
-  for (const std::uint32_t i : seen) std::printf("box %u is in view\n", i);
-  for (const std::uint32_t i : casting) {
-    if (!std::binary_search(seen.begin(), seen.end(), i)) {
-      std::printf("box %u only casts a shadow into it\n", i);
-    }
-  }
+  std::vector<std::uint32_t> casting;
+  list(casters, tree, casting, {.exclude_mask = seen});
+  for (const std::uint32_t i : casting) std::printf("box %u only casts a shadow into it\n", i);
 
   // The six planes of the same view keep box 4: it is beyond none of them.
   sc::Shaft six_planes(tree.box(), tree.box());
@@ -44,6 +38,6 @@ int main() {
     six_planes.add_plane(plane);
   }
   std::printf("box 4: six planes %s it, the hull %s it\n",
-              cull(sc::compile(six_planes), scene[4]) ? "keep" : "cull",
-              cull(view, scene[4]) ? "keeps" : "culls");
+              keeps(sc::compile(six_planes), scene[4]) ? "keep" : "cull",
+              keeps(view, scene[4]) ? "keeps" : "culls");
 }

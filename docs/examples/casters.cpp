@@ -8,8 +8,8 @@ namespace sc = shaftcull;
 namespace {
 
 void print(const char* light, const sc::CompiledShaft& shaft, const sc::BoxTree& tree) {
-  std::vector<std::uint32_t> casters(tree.size());
-  casters.resize(list(shaft, tree, casters));
+  std::vector<std::uint32_t> casters;
+  list(shaft, tree, casters);
   std::printf("%s:", light);
   for (const std::uint32_t caster : casters) std::printf(" %u", caster);
   std::printf("\n");

@@ -51,7 +51,7 @@ int main() {
         sc::compile(relative(crate, origin), relative(other, origin));
     std::printf("%s:", origin[0] == 0 ? "relative to the sun" : "relative to the camera");
     for (const WorldBox& wall : walls) {
-      std::printf(" %s", cull(shaft, relative(wall, origin)) ? "may" : "cannot");
+      std::printf(" %s", keeps(shaft, relative(wall, origin)) ? "may" : "cannot");
     }
     std::printf("\n");
   }

@@ -46,9 +46,9 @@ int main() {
   int clear = 0;
   int to_trace = 0;
   for (std::size_t i = 0; i != pairs.size(); ++i) {
-    if (hidden[i / 64] >> i % 64 & 1) {
+    if (sc::BitView(hidden)[i]) {
       ++dark;
-    } else if (obstructed[i / 64] >> i % 64 & 1) {
+    } else if (sc::BitView(obstructed)[i]) {
       ++to_trace;  // sc::list_many() says by which objects: trace rays against these alone
     } else {
       ++clear;  // the form factor needs no visibility

@@ -20,13 +20,13 @@ int main() {
   const std::array<sc::Vec3, 2> travel = {{{10, 0, 0}, {0, 2, 0}}};
   const sc::BoxTree tree(boxes);
 
-  // One shaft a body, anew every frame. `own` has one index a shaft: the body itself.
+  // Every frame a shaft for each body. It leaves out the body itself.
   std::vector<sc::Box> bodies;
   for (const std::uint32_t index : moving) bodies.push_back(boxes[index]);
   std::vector<sc::CompiledShaft> shafts(bodies.size());
   sc::swept_batch(sc::BoxStream(bodies), travel, shafts);
   std::vector<sc::FirstContact> contacts(shafts.size());
-  sc::first_contact_many(shafts, tree, contacts, {.own = moving});
+  sc::first_contact_many(shafts, tree, contacts, {.exclude_each = moving});
 
   for (std::size_t i = 0; i != moving.size(); ++i) {
     if (contacts[i]) {
@@ -38,8 +38,8 @@ int main() {
   }
 
   // All that a body would meet if it went on, and when.
-  std::vector<std::uint32_t> met(boxes.size());
-  met.resize(list(shafts[0], tree, met, {.own = {moving[0]}}));
+  std::vector<std::uint32_t> met;
+  list(shafts[0], tree, met, {.exclude = {moving[0]}});
   std::vector<float> times(met.size());
   entry_times(shafts[0], tree, met, times);
   for (std::size_t i = 0; i != met.size(); ++i) {

@@ -19,7 +19,7 @@ int main() {
   std::vector<std::uint64_t> kept(sc::words_for(boxes.size()));
   cull(shaft, boxes, kept);  // bit i: box i may stand between
   for (std::size_t i = 0; i != scene.size(); ++i) {
-    std::printf("box %zu %s\n", i, kept[i / 64] >> i % 64 & 1 ? "may" : "cannot");
+    std::printf("box %zu %s\n", i, sc::BitView(kept)[i] ? "may" : "cannot");
   }
   // [[end]]
 
@@ -38,8 +38,8 @@ int main() {
   // [[end]]
 
   // [[tree]]
-  sc::BoxTree tree(scene);                             // sorted once; asked the same questions
-  list_many(shafts, tree, lists, {.own = {2, 2, 2}});  // each shaft leaves box 2 out
+  sc::BoxTree tree(scene);                           // sorted once; asked the same questions
+  list_many(shafts, tree, lists, {.exclude = {2}});  // box 2 is left out
   std::printf("%zu without box 2, %s\n", lists[0].size(),
               any(shafts[0], tree) ? "some with it" : "none with it");
   // [[end]]
@@ -48,7 +48,7 @@ int main() {
   for (int frame = 0; frame != 3; ++frame) {
     for (sc::Box& box : scene) box = sc::translated(box, {0.5F, 0, 0});
     tree.update(std::span<const sc::Box>(scene));  // no memory is taken, nothing is sorted
-    const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts anew: nanoseconds
+    const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts again: nanoseconds
     std::printf("frame %d: %zu\n", frame, count(now, tree));
   }
   if (tree.growth() > 2) tree.rebuild();  // when much has moved far
@@ -71,14 +71,13 @@ int main() {
 
   // [[contact]]
   const sc::Box floor{{-9, -1, -9}, {9, 0, 9}};  // the table stands on it
-  std::printf("closed: %d, open: %d\n", cull(sc::compile(lamp, table), floor),
-              cull(sc::compile(lamp, table, sc::Contact::open), floor));
+  std::printf("closed: %d, open: %d\n", keeps(sc::compile(lamp, table), floor),
+              keeps(sc::compile(lamp, table, sc::Contact::open), floor));
   // [[end]]
 
   // [[blocked]]
-  const sc::BoxStream walls(
-      std::vector<sc::Box>{{{-9, 5, -9}, {9, 6, 9}}});  // solid: it fills its box
-  std::printf("%s\n", blocked(shaft, walls) ? "the lamp does not light the table" : "it may");
+  const sc::Box wall{{-9, 5, -9}, {9, 6, 9}};  // solid: it fills its box
+  std::printf("%s\n", blocked(shaft, wall) ? "the lamp does not light the table" : "it may");
   // [[end]]
 
   // [[errors]]

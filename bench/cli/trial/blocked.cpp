@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// What trials ask about solid boxes that hide one end of a shaft from the other.
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <variant>
@@ -18,7 +17,7 @@
 namespace shaftcull::cli {
 void Trial::note_blocking(std::size_t i, const ShaftInput& input) {
   // What blocks meets the shaft between the boxes; whether a plane that was added is in the way does not matter.
-  const bool is_outside = input.added.empty() && (kept_[i / 64] & bit_of(i)) == 0;
+  const bool is_outside = input.added.empty() && !BitView(kept_)[i];
   if (!is_outside && oracle::blocks(input.a, input.b, boxes()[i])) blocking_[i / 64] |= bit_of(i);
 }
 
@@ -37,7 +36,7 @@ void Trial::ask_blocking(const CompiledShaft& shaft, const char* how) {
     if (blocked(shaft, boxes()[i])) alone[i / 64] |= bit_of(i);
   }
   compare(alone, blocking_, question("blocked, one box"));
-  const bool is_blocked = std::any_of(blocking_.begin(), blocking_.end(), [](std::uint64_t word) { return word != 0; });
+  const bool is_blocked = BitView(blocking_).count() != 0;
   if (blocked(shaft, boxes()) != is_blocked) fail(0, question("blocked, a view")());
   if (blocked(shaft, BoxTree(boxes())) != is_blocked) fail(0, question("blocked, a tree")());
 }

@@ -8,11 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "bits.hpp"
 #include "oracle/grid_answers.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "trial/seed.hpp"
 #include "trial/trial.hpp"
@@ -55,8 +53,8 @@ void Trial::ask_view(const CompiledShaft& shaft, const View& view, const char* h
   };
   compare(on_grid.kept, kept_, question("kept"));
   compare(on_grid.inside, inside_, question("inside"));
-  contained(shaft, view, inside);
-  compare(inside, inside_, [=] { return fmt::format("contained, {}, {}", how, name(active_isa())); });
+  classify(shaft, view, {}, inside);
+  compare(inside, inside_, [=] { return fmt::format("classify, inside alone, {}, {}", how, name(active_isa())); });
 }
 
 template <class View>
@@ -85,7 +83,7 @@ void Trial::count_undecided() {
   for (const Form form : {Form::slab, Form::planes}) {
     set_form(in_form, form);
     with_view([&](const auto& view) { undecided(in_form, view, asked, kept, inside); });
-    (form == Form::slab ? counts_.undecided_slab : counts_.undecided_planes) = bits_in(asked);
+    (form == Form::slab ? counts_.undecided_slab : counts_.undecided_planes) = BitView(asked).count();
   }
 }
 

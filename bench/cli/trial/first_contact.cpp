@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "bits.hpp"
 #include "oracle/entry_time.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/first_contact.hpp"
@@ -39,7 +38,7 @@ void Trial::find_first_contact(const View& bounds, const TimeOf& time_of) {
   FirstContact first;
   decltype(time_of(bounds[0])) least;
   for (std::size_t i = 0; i != count_; ++i) {
-    if ((kept_[i / 64] & bit_of(i)) == 0) continue;
+    if (!BitView(kept_)[i]) continue;
     const auto time = time_of(bounds[i]);
     if (!time) {
       fail(i, "oracles disagree: a bound that is kept is never reached");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "trial/trial.hpp"
 
-#include <bit>
 #include <limits>
 
 #include <fmt/format.h>
@@ -101,9 +100,9 @@ Trial::Trial(std::uint64_t seed, std::uint64_t number, std::size_t bounds)
     make_hull(random);
   }
   counts_.bounds = count_;
-  counts_.outside = count_ - bits_in(kept_);
-  counts_.inside = bits_in(inside_);
-  counts_.blocking = bits_in(blocking_);
+  counts_.outside = count_ - BitView(kept_).count();
+  counts_.inside = BitView(inside_).count();
+  counts_.blocking = BitView(blocking_).count();
   count_undecided();
 }
 
@@ -149,11 +148,11 @@ SphereView Trial::sphere_view() const noexcept {
 void Trial::compare(const std::vector<std::uint64_t>& got, const std::vector<std::uint64_t>& right,
                     FunctionRef<std::string()> what) {
   for (std::size_t w = 0; w != got.size(); ++w) {
-    for (std::uint64_t differ = (got[w] ^ right[w]) & ~wrong_[w]; differ != 0; differ &= differ - 1) {
-      const std::size_t i = w * 64 + static_cast<std::size_t>(std::countr_zero(differ));
+    const std::uint64_t differ = (got[w] ^ right[w]) & ~wrong_[w];
+    for (const std::size_t bit : BitView({&differ, 1})) {
+      const std::size_t i = w * 64 + bit;
       if (i < count_) {
-        fail(i, fmt::format("{}: bit {} instead of {}", what(), (got[w] & bit_of(i)) != 0 ? 1 : 0,
-                            (right[w] & bit_of(i)) != 0 ? 1 : 0));
+        fail(i, fmt::format("{}: bit {} instead of {}", what(), BitView(got)[i] ? 1 : 0, BitView(right)[i] ? 1 : 0));
       } else {
         fail(count_ - 1, fmt::format("{}: bit {} past the last bound is set", what(), i));
       }
@@ -194,7 +193,7 @@ void Trial::ask(std::span<Trial> trials) {
 }
 
 void Trial::fail(std::size_t bound, const std::string& what) {
-  if ((wrong_[bound / 64] & bit_of(bound)) == 0) ++counts_.wrong;
+  if (!BitView(wrong_)[bound]) ++counts_.wrong;
   wrong_[bound / 64] |= bit_of(bound);
   const std::string input = std::visit([](const auto& of) { return source_text(of); }, input_);
   failures_.push_back(fmt::format("trial {} ({}), bound {} of {}: {}\n  {}\n  {}", number_, subject_name(subject_),

@@ -15,6 +15,7 @@
 #include "oracle/cases/triangles.hpp"
 #include "oracle/random.hpp"
 #include "oracle/triangle.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
 #include "shaftcull/triangles.hpp"
 #include "trial/trial.hpp"
@@ -67,17 +68,16 @@ void Trial::ask_triangles(const CompiledShaft& shaft, const char* how) {
     const std::vector<std::uint64_t>& right = kept_triangles_[static_cast<std::size_t>(test)];
     const auto compare_triangles = [&](const std::vector<std::uint64_t>& got, const char* of) {
       for (std::size_t i = 0; i != count_; ++i) {
-        if (((got[i / 64] ^ right[i / 64]) & bit_of(i)) == 0) continue;
+        if (BitView(got)[i] == BitView(right)[i]) continue;
         fail(i, fmt::format("cull of triangles of a {}, {}, {}, {}: bit {} instead of {} for {}", of, how,
                             name(active_isa()), test == TriangleTest::exact ? "exact" : "by vertices",
-                            (got[i / 64] & bit_of(i)) != 0 ? 1 : 0, (right[i / 64] & bit_of(i)) != 0 ? 1 : 0,
-                            source_text(triangles_[i])));
+                            BitView(got)[i] ? 1 : 0, BitView(right)[i] ? 1 : 0, source_text(triangles_[i])));
       }
     };
     std::vector<std::uint64_t> kept(right.size());
-    cull(shaft, stream.view(), kept, test);
+    cull(shaft, stream, kept, {.triangle_test = test});
     compare_triangles(kept, "stream");
-    cull(shaft, tree, kept, test);
+    cull(shaft, tree, kept, {.triangle_test = test});
     compare_triangles(kept, "tree");
   }
 }
