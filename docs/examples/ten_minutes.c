@@ -41,7 +41,7 @@ int main(void) {
                                           SHAFTCULL_CONTACT_CLOSED));
 
   shaftcull_lists* lists = NULL;
-  must(shaftcull_lists_create(SHAFTCULL_LISTS_OF_INDICES, &lists));
+  must(shaftcull_lists_create(&lists));
   must(shaftcull_list_many(shafts, 0, 3, boxes, NULL, lists)); /* in parallel */
   const uint64_t* offsets = shaftcull_lists_offsets(lists);
   for (int s = 0; s != 3; ++s) {
@@ -52,8 +52,8 @@ int main(void) {
   /* [[tree]] */
   shaftcull_bounds* tree = NULL;
   must(shaftcull_tree_create(&source, &tree)); /* sorted once; asked the same questions */
-  const uint32_t own[3] = {2, 2, 2};           /* each shaft leaves box 2 out */
-  const shaftcull_query without = {.own = own, .own_count = 3};
+  const uint32_t floor_box = 2;                /* is left out */
+  const shaftcull_query without = {.exclude = &floor_box, .exclude_count = 1};
   must(shaftcull_list_many(shafts, 0, 3, tree, &without, lists));
   uint32_t any = 0;
   must(shaftcull_any(shafts, 0, tree, NULL, &any));
@@ -67,7 +67,7 @@ int main(void) {
   for (int frame = 0; frame != 3; ++frame) {
     for (int i = 0; i != 3; ++i) must(shaftcull_translated(&scene[i], step, &scene[i]));
     must(shaftcull_tree_update(tree, &source)); /* no memory is taken, nothing is sorted */
-    /* Form shafts anew: nanoseconds. */
+    /* Form shafts again: nanoseconds. */
     must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
     must(shaftcull_count(shaft, 0, tree, NULL, &count));
     printf("frame %d: %u\n", frame, (unsigned)count);

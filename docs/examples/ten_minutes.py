@@ -23,7 +23,7 @@ for s in range(len(shafts)):
 
 # [[tree]]
 tree = sc.BoxTree(scene)  # sorted once; asked the same questions
-offsets, indices = tree.list(shafts, own=[2, 2, 2])  # each shaft leaves box 2 out
+offsets, indices = tree.list(shafts, exclude=2)  # box 2 is left out
 print(f"{offsets[1]} without box 2, {'some' if tree.any(shafts[0]) else 'none'} with it")
 # [[end]]
 
@@ -31,7 +31,7 @@ print(f"{offsets[1]} without box 2, {'some' if tree.any(shafts[0]) else 'none'} 
 for frame in range(3):
     scene += np.float32([0.5, 0, 0, 0.5, 0, 0])
     tree.update(scene)  # nothing is sorted
-    now = sc.Shafts.between(lamp, table)  # form shafts anew: it takes microseconds
+    now = sc.Shafts.between(lamp, table)  # form shafts again: it takes microseconds
     print(f"frame {frame}: {tree.count(now)}")
 if tree.growth() > 2:  # when much has moved far
     tree.rebuild()

@@ -177,9 +177,9 @@ TEST(ViewPlanes, FitAShaft) {
   Shaft camera(world, world);
   for (const Plane& plane : view_planes(perspective_gl, ClipDepth::minus_one_to_one)) camera.add_plane(plane);
   const CompiledShaft shaft = compile(camera);
-  EXPECT_TRUE(cull(shaft, Box{{-0.5F, -0.5F, -4}, {0.5F, 0.5F, -3}}));
-  EXPECT_FALSE(cull(shaft, Box{{-0.5F, -0.5F, 3}, {0.5F, 0.5F, 4}})) << "behind the camera";
-  EXPECT_FALSE(cull(shaft, Box{{8, -0.5F, -4}, {9, 0.5F, -3}})) << "to the right of what is in view";
+  EXPECT_TRUE(keeps(shaft, Box{{-0.5F, -0.5F, -4}, {0.5F, 0.5F, -3}}));
+  EXPECT_FALSE(keeps(shaft, Box{{-0.5F, -0.5F, 3}, {0.5F, 0.5F, 4}})) << "behind the camera";
+  EXPECT_FALSE(keeps(shaft, Box{{8, -0.5F, -4}, {9, 0.5F, -3}})) << "to the right of what is in view";
 }
 
 TEST(ViewPlanes, RefuseWhatIsNoMatrixOfAView) {

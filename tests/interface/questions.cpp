@@ -62,13 +62,12 @@ const auto deliver = [](const sc::SightBatch& batch) {
 constexpr std::uint32_t me = 0;
 const std::vector<std::uint32_t> indices{1};
 std::vector<float> times(1);
-std::vector<std::uint32_t> kept(3);
-std::vector<std::uint32_t> sixteen(16);
+std::vector<std::uint32_t> kept;
 
 // Of a question: the code as text, and whether what it makes keeps a box.
-#define QUESTION(code)                                        \
-  Question {                                                  \
-#code, [](const sc::Box& box) { return cull(code, box); } \
+#define QUESTION(code)                                             \
+  Question {                                                       \
+#code, [](const sc::Box& box) { return sc::keeps(code, box); } \
   }
 
 struct Question {
@@ -119,20 +118,21 @@ struct Answer {
 };
 
 std::vector<Answer> answers() {
-  return {ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), walls)),
-          ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), wall_corners)),
-          ANSWER(answer.index == 1 && answer.time > 0.44F && answer.time < 0.45F,
-                 sc::first_contact(sc::swept(body, travel), tree, {.own = {me}})),
-          ANSWER(answer.index == 0 && answer.time > 0.52F && answer.time < 0.53F,
-                 sc::first_contact(sc::swept(body, travel), spheres)),
-          WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
-          ANSWER(answer.blocked == 1 && delivered == 3, sc::visibility(patches, blockers, deliver)),
-          ANSWER(answer.blocked == 1 && answer.total() == 3, sc::count_visibility(patches, blockers)),
-          ANSWER(answer, sc::any(shaft, triangles)),
-          ANSWER(answer, sc::any(shaft, triangles, sc::TriangleTest::vertices)),
-          ANSWER(answer, sc::any(shaft, tree)),
-          ANSWER(answer == 2 && sixteen[0] + sixteen[1] == 1, sc::list_at_most(shaft, tree, sixteen)),
-          ANSWER(answer == 1 && kept[0] == 0, sc::list(shaft, tree, kept, {.only_layers = {0b101}}))};
+  return {
+      ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), walls)),
+      ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), wall_corners)),
+      ANSWER(answer.index == 1 && answer.time > 0.44F && answer.time < 0.45F,
+             sc::first_contact(sc::swept(body, travel), tree, {.exclude = {me}})),
+      ANSWER(answer.index == 0 && answer.time > 0.52F && answer.time < 0.53F,
+             sc::first_contact(sc::swept(body, travel), spheres)),
+      WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
+      ANSWER(answer.blocked == 1 && delivered == 3, sc::visibility(patches, blockers, deliver)),
+      ANSWER(answer.blocked == 1 && answer.total() == 3, sc::count_visibility(patches, blockers)),
+      ANSWER(answer, sc::any(shaft, triangles)),
+      ANSWER(answer, sc::any(shaft, triangles, {.triangle_test = sc::TriangleTest::vertices})),
+      ANSWER(answer, sc::any(shaft, tree)),
+      ANSWER(answer == 2 && kept.size() == 2 && kept[0] + kept[1] == 1, sc::list(shaft, tree, kept, {.limit = 16})),
+      ANSWER(answer == 1 && kept.size() == 1 && kept[0] == 0, sc::list(shaft, tree, kept, {.layer_mask = {0b101}}))};
 }
 
 TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
@@ -146,8 +146,8 @@ TEST(ReadmeQuestions, KeepWhatIsInTheWayAndCullWhatIsNot) {
 
 TEST(ReadmeQuestions, TheWallBehindAPatchIsLeftOutWithOpenContact) {
   const sc::Box wall{{-9, -9, -1}, {9, 9, 0}};
-  EXPECT_TRUE(cull(sc::compile(patch, other_patch), wall));
-  EXPECT_FALSE(cull(sc::compile(patch, other_patch, sc::Contact::open), wall));
+  EXPECT_TRUE(keeps(sc::compile(patch, other_patch), wall));
+  EXPECT_FALSE(keeps(sc::compile(patch, other_patch, sc::Contact::open), wall));
 }
 
 TEST(ReadmeQuestions, AreAnsweredAtOnce) {
@@ -161,8 +161,8 @@ TEST(ReadmeQuestions, OneWallThatDoesNotHideAllHidesNothing) {
 
 TEST(ReadmeQuestions, ATriangleBesideTheShaftIsNotInTheWayThoughItsBoxIs) {
   const sc::Triangle beside{{{{2.2F, 0, 5}, {0, 2.2F, 5}, {2, 2, 6}}}};
-  EXPECT_FALSE(cull(shaft, beside));
-  EXPECT_TRUE(cull(shaft, beside, sc::TriangleTest::vertices));
+  EXPECT_FALSE(keeps(shaft, beside));
+  EXPECT_TRUE(keeps(shaft, beside, sc::TriangleTest::vertices));
 }
 
 /// Whether a question above has this code.
