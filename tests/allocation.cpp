@@ -2,8 +2,10 @@
 /// Hot calls do not allocate: every call of operator new is counted, in all threads.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -74,7 +76,11 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
   for (const Box& box : boxes_) corners_of_boxes.push_back({{box.lo, {box.hi[0], box.lo[1], box.hi[2]}, box.hi}});
   const TriangleStream triangles(corners_of_boxes);
   const TriangleTree triangle_tree(triangles.view());
+  const std::vector<std::uint64_t> mask(words_for(bound_count), 0x0f0f);
+  const std::vector<std::uint32_t> layers(bound_count, 2);
+  const std::span<std::uint32_t> room(listed);
   std::vector<float> times(few.size());
+  (void)list(shafts_[0], triangle_tree, room, {.only = few});  // the first one looks up the places of indices
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
@@ -85,39 +91,50 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                     classify(in_form(shaft, form), boxes.view(), kept, inside);
                     classify(in_form(shaft, form), spheres.view(), kept, inside);
                   }
-                  contained(shaft, boxes.view(), inside);
-                  contained(shaft, spheres.view(), inside);
+                  classify(shaft, boxes.view(), {}, inside);
+                  classify(shaft, spheres.view(), {}, inside);
                   (void)classify(shaft, boxes_[0]);
                   (void)classify(shaft, spheres_[0]);
-                  (void)cull(shaft, boxes_[0]);
-                  (void)cull(shaft, spheres_[0]);
+                  (void)keeps(shaft, boxes_[0]);
+                  (void)keeps(shaft, spheres_[0]);
                   (void)count(shaft, boxes.view());
                   (void)count_classified(shaft, spheres.view());
                   (void)any(shaft, spheres.view());
                   for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
-                    cull(shaft, triangles.view(), kept, test);
-                    (void)cull(shaft, corners_of_boxes[0], test);
-                    (void)count(shaft, triangles.view(), test);
-                    (void)any(shaft, triangles.view(), test);
-                    (void)list(shaft, triangles.view(), listed, test);
-                    cull(shaft, triangle_tree, kept, test);
-                    (void)count(shaft, triangle_tree, test);
-                    (void)any(shaft, triangle_tree, test);
-                    (void)list(shaft, triangle_tree, listed, test);
+                    (void)keeps(shaft, corners_of_boxes[0], test);
+                    const Query query{.triangle_test = test};
+                    for (const Bounds& all : {Bounds(triangles), Bounds(triangle_tree)}) {
+                      cull(shaft, all, kept, query);
+                      classify(shaft, all, kept, inside, query);
+                      (void)count(shaft, all, query);
+                      (void)count_classified(shaft, all, query);
+                      (void)any(shaft, all, query);
+                      (void)list(shaft, all, room, query);
+                      (void)list(shaft, all, room, {.exclude = {7, 9}, .limit = 9, .triangle_test = test});
+                      (void)list_classified(shaft, all, room, std::span<std::uint32_t>(), query);
+                      (void)list(shaft, all, room, {.only = few, .triangle_test = test});
+                    }
                   }
                   (void)blocked(shaft, boxes_[0]);
                   (void)blocked(shaft, boxes.view());
                   (void)blocked(shaft, corners);
                   (void)blocked_by(shaft, boxes.view());
                   (void)list_blocking(shaft, boxes.view(), listed);
-                  (void)count_at_most(shaft, boxes.view(), 9);
+                  (void)count(shaft, boxes.view(), {.limit = 9});
                   (void)first_contact(shaft, boxes.view());
                   entry_times(shaft, boxes.view(), std::span<const std::uint32_t>(few), times);
                   (void)first_contact(shaft, spheres.view());
                   entry_times(shaft, spheres.view(), std::span<const std::uint32_t>(few), times);
-                  (void)list_at_most(shaft, spheres.view(), std::span(listed).first(9));
-                  (void)list(shaft, boxes.view(), listed);
-                  (void)list_classified(shaft, boxes.view(), listed, std::span<std::uint32_t>());
+                  (void)list(shaft, spheres.view(), room.first(9), {.limit = 9});
+                  (void)list(shaft, boxes.view(), room);
+                  (void)list_classified(shaft, boxes.view(), room, std::span<std::uint32_t>());
+                  (void)list(shaft, boxes.view(), room, {.only = few});
+                  cull(shaft, spheres.view(), kept, {.only = few});
+                  const Query leave_out{.exclude = few, .exclude_mask = mask, .layer_mask = {6}};
+                  classify(shaft, Bounds(boxes.view(), layers), kept, inside, leave_out);
+                  (void)list(shaft, Bounds(spheres.view(), layers), room, leave_out);
+                  (void)first_contact(shaft, Bounds(boxes.view(), layers), leave_out);
+                  (void)blocked(shaft, Bounds(boxes.view(), layers), leave_out);
                 }
               }),
               0U)
@@ -206,40 +223,39 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
   boxes.set_layers(std::vector<std::uint32_t>(bound_count, 6));
   std::vector<std::uint32_t> kept(bound_count);
   std::vector<std::uint32_t> inside(bound_count);
-  std::vector<LeafRange> ranges(bound_count);
-  const std::vector<std::uint32_t> own = {1, 2};
-  std::vector<float> times(own.size());
+  const std::span<std::uint32_t> room(kept);
+  const std::vector<std::uint32_t> few = {1, 2};
+  std::vector<float> times(few.size());
   std::vector<std::uint64_t> bits(words_for(bound_count));
   std::vector<std::uint64_t> other_bits(bits.size());
-  (void)refine(shafts_[0], boxes, own, kept);  // the first one looks up the leaves of indices
-  (void)refine(shafts_[0], spheres, own, kept);
+  (void)list(shafts_[0], boxes, room, {.only = few});  // the first one looks up the leaves of indices
+  (void)list(shafts_[0], spheres, room, {.only = few});
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     EXPECT_EQ(allocations_in([&] {
                 for (const CompiledShaft& shaft : shafts_) {
-                  (void)count(shaft, boxes, {.own = own});
+                  (void)count(shaft, boxes, {.exclude = few});
                   (void)count_classified(shaft, boxes);
-                  (void)list(shaft, boxes, std::span(kept));
-                  (void)list(shaft, spheres, std::span(ranges));
-                  (void)list_classified(shaft, boxes, std::span(kept), std::span(inside));
-                  (void)list_classified(shaft, spheres, std::span(kept), std::span(inside), {.own = own});
-                  (void)refine(shaft, boxes.leaves(), own, kept);
-                  (void)refine(shaft, boxes, own, kept);
+                  (void)list(shaft, boxes, room);
+                  (void)list_classified(shaft, boxes, room, std::span(inside));
+                  (void)list_classified(shaft, spheres, room, std::span(inside), {.exclude = few});
+                  (void)list(shaft, boxes.leaves(), room, {.only = few});
+                  (void)list(shaft, boxes, room, {.only = few});
                   cull(shaft, boxes, bits);
-                  classify(shaft, spheres, bits, other_bits, {.own = own});
-                  contained(shaft, spheres, bits);
+                  classify(shaft, spheres, bits, other_bits, {.exclude = few});
+                  classify(shaft, spheres, {}, bits);
                   (void)any(shaft, boxes);
-                  (void)blocked(shaft, boxes, {.own = own});
+                  (void)blocked(shaft, boxes, {.exclude = few});
                   (void)blocked_by(shaft, boxes);
-                  (void)list_blocking(shaft, boxes, std::span(kept));
-                  (void)count(shaft, boxes, {.only_layers = {4}});
-                  (void)count(shaft, boxes, {.only_layers = {1}});
-                  (void)count_at_most(shaft, boxes, 9);
-                  (void)first_contact(shaft, boxes, {.own = own});
-                  entry_times(shaft, boxes, own, times);
-                  (void)first_contact(shaft, spheres, {.own = own});
-                  entry_times(shaft, spheres, own, times);
-                  (void)list_at_most(shaft, spheres, std::span(kept).first(9));
+                  (void)list_blocking(shaft, boxes, room);
+                  (void)count(shaft, boxes, {.layer_mask = {4}});
+                  (void)count(shaft, boxes, {.layer_mask = {1}});
+                  (void)count(shaft, boxes, {.limit = 9});
+                  (void)first_contact(shaft, boxes, {.exclude = few});
+                  entry_times(shaft, boxes, few, times);
+                  (void)first_contact(shaft, spheres, {.exclude_each = few});
+                  entry_times(shaft, spheres, few, times);
+                  (void)list(shaft, spheres, room.first(9), {.limit = 9});
                 }
               }),
               0U)
@@ -272,7 +288,8 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   std::vector<std::uint64_t> counts(shafts_.size());
   std::vector<KeptCounts> classified(shafts_.size());
   std::vector<FirstContact> contacts(shafts_.size());
-  std::vector<std::uint32_t> few(9 * shafts_.size());
+  const std::vector<std::uint32_t> of_each(2 * shafts_.size(), 7);
+  const std::vector<std::uint32_t> layers(bound_count, 2);
   const std::vector<CompiledShaft> by_planes = in_form(shafts_, Form::planes);
   const std::span<const CompiledShaft> both_forms[] = {shafts_, by_planes};
   const auto calls = [&] {
@@ -283,10 +300,10 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
         count_many(shafts, view, counts);
         count_classified_many(shafts, view, classified);
         any_many(shafts, view, std::span(counts).first(1));
-        count_at_most_many(shafts, view, 9, counts);
-        list_at_most_many(shafts, view, 9, few, counts);
-        contained_many(shafts_, view, inside);
+        count_many(shafts, view, counts, {.limit = 9});
+        classify_many(shafts, view, {}, inside);
         first_contact_many(shafts, view, contacts);
+        cull_many(shafts, Bounds(view, layers), kept, {.exclude_each = of_each, .layer_mask = {6}});
       };
       ask(boxes.view());
       ask(spheres.view());

@@ -10,14 +10,14 @@ set(quick_tests
   # The library, against exact arithmetic and answers on record.
   cull[.].* hull[.].* visibility[.].* formation interface streams isa wide
   "(same_bits|simd)[.].*"
-  "(many|many_tree|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
+  "(many|many_tree|options|tree|tree_building|allocation)[.](scalar|${shaftcull_best_set})" calls[.]${shaftcull_best_set}
   # Its bindings and what its pages show.
   "c[.](gcc|example|header|symbols|ten_minutes|sights)" "python[.](documents|questions|inputs|visibility|examples)" examples[.].* consumer
   # The sources and the build.
   architecture check_steps compilers dependencies documents "documents[.](links|tuning)" fetches first_command headers "packages[.](licences|spdx)"
   symbols[.].* units)
 set(ci_tests
-  allocation.* "calls[.](scalar|aarch64)" many[.].* many_tree[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
+  allocation.* "calls[.](scalar|aarch64)" many[.].* many_tree[.].* options[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
   "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")
@@ -25,7 +25,7 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
   # Where memory is touched.
   set(quick_tests "")
   set(ci_tests
-    "(calls|many|many_tree|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
+    "(calls|many|many_tree|options|tree)[.]${shaftcull_best_set}" tree_building[.].* visibility[.].* streams "c|c_memory" fuzz_corpus)
 elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*thread")
   # Where threads are, which share work in one way on all instruction sets.
   set(quick_tests "")

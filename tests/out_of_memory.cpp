@@ -166,7 +166,7 @@ class TreeOutOfMemory : public testing::Test {
 };
 TYPED_TEST_SUITE(TreeOutOfMemory, TreeKinds);
 
-TYPED_TEST(TreeOutOfMemory, ATreeThatIsBuiltOrCopiedAnewStaysWhatItWas) {
+TYPED_TEST(TreeOutOfMemory, ATreeThatIsBuiltOrCopiedAgainStaysWhatItWas) {
   using Bound = BoundOf<TypeParam>;
   const auto records = std::span<const Bound>(this->after_);
   EXPECT_GT(this->expect_unchanged_by([&](TypeParam& tree) { tree = TypeParam{records}; }), 3U);
@@ -233,17 +233,17 @@ TYPED_TEST(TreeOutOfMemory, AnUpdateOfSomeThatFailsLeavesTheTreeAndWorksTheNextT
   EXPECT_EQ(fail_each_allocation([&] { return this->tree_; }, update, check), 3U);
 }
 
-TYPED_TEST(TreeOutOfMemory, TheFirstRefineThatFailsLeavesTheTreeAndWorksTheNextTime) {
+TYPED_TEST(TreeOutOfMemory, TheFirstQueryAboutCandidatesThatFailsLeavesTheTreeAndWorksTheNextTime) {
   std::vector<std::uint32_t> expected(this->some_.size());
-  expected.resize(refine(this->shafts_[0], TypeParam(this->tree_), this->some_, expected));
-  const auto refine_some = [&](const TypeParam& tree) {
+  expected.resize(list(this->shafts_[0], TypeParam(this->tree_), std::span(expected), {.only = this->some_}));
+  const auto list_some = [&](const TypeParam& tree) {
     std::vector<std::uint32_t> kept = this->some_;
-    return refine(this->shafts_[0], tree, kept, kept);
+    return list(this->shafts_[0], tree, std::span(kept), {.only = kept});
   };
   const std::size_t its_own = 1;
   EXPECT_EQ(fail_each_allocation([&] { return this->tree_; },
-                                 [&](const TypeParam& tree) { static_cast<void>(refine_some(tree)); },
-                                 [&](const TypeParam& tree) { EXPECT_EQ(refine_some(tree), expected.size()); }),
+                                 [&](const TypeParam& tree) { static_cast<void>(list_some(tree)); },
+                                 [&](const TypeParam& tree) { EXPECT_EQ(list_some(tree), expected.size()); }),
             2U + its_own);
 }
 
@@ -310,26 +310,19 @@ bool are_as_before_or_empty(const IndexLists& lists, const IndexLists& before) {
   return (lists.offsets == before.offsets && lists.indices == before.indices) ||
          (lists.size() == 0 && lists.indices.empty());
 }
-bool are_as_before_or_empty(const LeafRangeLists& lists, const LeafRangeLists& before) {
-  return (lists.offsets == before.offsets && lists.ranges == before.ranges) ||
-         (lists.size() == 0 && lists.ranges.empty());
-}
 
 bool are_equal(const IndexLists& one, const IndexLists& other) {
   return one.offsets == other.offsets && one.indices == other.indices;
 }
-bool are_equal(const LeafRangeLists& one, const LeafRangeLists& other) {
-  return one.offsets == other.offsets && one.ranges == other.ranges;
-}
 
 /// Makes call(lists) fail at every allocation, and again without: it lists what it lists of new memory.
-template <class Lists, class Call>
-void expect_lists_or_none(const Lists& before, const Call& call) {
-  Lists expected;
+template <class Call>
+void expect_lists_or_none(const IndexLists& before, const Call& call) {
+  IndexLists expected;
   call(expected);
   EXPECT_GT(expected.offsets.back(), 0U);
   EXPECT_GT(fail_each_allocation([&] { return before; }, call,
-                                 [&](Lists& lists) {
+                                 [&](IndexLists& lists) {
                                    EXPECT_EQ(are_as_before_or_empty(lists, before), true);
                                    call(lists);
                                    EXPECT_EQ(are_equal(lists, expected), true);
@@ -337,9 +330,9 @@ void expect_lists_or_none(const Lists& before, const Call& call) {
             1U);
 }
 
-/// Likewise for call(overlap, inside), which fills two lists.
-template <class Lists, class Call>
-void expect_both_lists_or_none(const Lists& before, const Call& call) {
+/// The same for call(overlap, inside), which fills two lists.
+template <class Call>
+void expect_both_lists_or_none(const IndexLists& before, const Call& call) {
   auto expected = std::pair(before, before);
   call(expected.first, expected.second);
   EXPECT_GT(expected.first.offsets.back(), 0U);
@@ -357,22 +350,18 @@ void expect_both_lists_or_none(const Lists& before, const Call& call) {
 
 TYPED_TEST(TreeOutOfMemory, ListsOfATreeAreAsTheyWereOrEmpty) {
   const IndexLists indices{{0, 1}, {5}};
-  const LeafRangeLists ranges{{0, 1}, {{5, 1}}};
-  const auto list = [&](auto& lists) { list_many(this->shafts_, this->tree_, lists); };
-  expect_lists_or_none(indices, list);
-  expect_lists_or_none(ranges, list);
-  const auto refine = [&](auto& lists) {
-    refine_many(this->shafts_, this->tree_.leaves(), this->tree_.order(), lists);
-  };
-  expect_lists_or_none(indices, refine);
-  expect_lists_or_none(indices,
-                       [&](auto& lists) { refine_many(this->shafts_, this->tree_, this->tree_.order(), lists); });
-
-  const auto list_both = [&](auto& overlap, auto& inside) {
-    list_classified_many(this->shafts_, this->tree_, overlap, inside);
-  };
-  expect_both_lists_or_none(indices, list_both);
-  expect_both_lists_or_none(ranges, list_both);
+  const Bounds tree = this->tree_;
+  const Bounds view = this->tree_.leaves();
+  const Query of_candidates{.only = this->tree_.order()};
+  expect_lists_or_none(indices, [&](auto& lists) { list_many(this->shafts_, tree, lists); });
+  expect_lists_or_none(indices, [&](auto& lists) { list_many(this->shafts_, tree, lists, {.limit = 20}); });
+  expect_lists_or_none(indices, [&](auto& lists) { list_many(this->shafts_, view, lists, of_candidates); });
+  expect_lists_or_none(indices, [&](auto& lists) { list_many(this->shafts_, tree, lists, of_candidates); });
+  expect_both_lists_or_none(
+      indices, [&](auto& overlap, auto& inside) { list_classified_many(this->shafts_, tree, overlap, inside); });
+  expect_both_lists_or_none(indices, [&](auto& overlap, auto& inside) {
+    list_classified_many(this->shafts_, tree, overlap, inside, of_candidates);
+  });
 }
 
 TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
@@ -382,6 +371,7 @@ TEST(ListsOutOfMemory, ListsOfAViewAreAsTheyWereOrEmpty) {
   const IndexLists before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, spheres.view(), lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, boxes.view(), lists, {.limit = 20}); });
   expect_both_lists_or_none(
       before, [&](auto& overlap, auto& inside) { list_classified_many(shafts, boxes.view(), overlap, inside); });
 }
@@ -435,50 +425,46 @@ TEST(TrianglesOutOfMemory, ListsAreAsTheyWereOrEmpty) {
   const IndexLists before{{0, 1}, {5}};
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, memory.view(), lists); });
   expect_lists_or_none(before, [&](auto& lists) { list_many(shafts, tree, lists); });
+  expect_both_lists_or_none(
+      before, [&](auto& overlap, auto& inside) { list_classified_many(shafts, memory.view(), overlap, inside); });
+  expect_both_lists_or_none(before,
+                            [&](auto& overlap, auto& inside) { list_classified_many(shafts, tree, overlap, inside); });
 }
 
-/// Makes `call`, which hands answers to a callback, fail at every allocation: those that were handed out are the first
-/// ones of all, and the next call hands out all.
-template <class Call>
-void expect_first_answers(const Call& call) {
-  std::vector<std::size_t> all;
-  const auto call_into = [&](std::vector<std::size_t>& answers) { call(answers); };
-  call_into(all);
-  EXPECT_FALSE(all.empty());
-  const auto make = [&] {
-    std::vector<std::size_t> answers;
-    answers.reserve(all.size());
-    return answers;
+TYPED_TEST(TreeOutOfMemory, BitsAndNumbersOfCandidatesAreRightTheNextTime) {
+  const Query query{.only = this->some_};
+  const std::size_t words = this->shafts_.size() * words_for(this->count);
+  std::vector<std::uint64_t> right(words);
+  cull_many(this->shafts_, TypeParam(this->tree_), right, query);
+  std::vector<std::uint64_t> right_counts(this->shafts_.size());
+  count_many(this->shafts_, TypeParam(this->tree_), right_counts, query);
+  std::vector<std::uint64_t> kept(words);
+  std::vector<std::uint64_t> counts(this->shafts_.size());
+  const auto ask = [&](const TypeParam& tree) {
+    cull_many(this->shafts_, tree, kept, query);
+    count_many(this->shafts_, tree, counts, query);
   };
-  EXPECT_GT(fail_each_allocation(make, call_into,
-                                 [&](std::vector<std::size_t>& answers) {
-                                   ASSERT_LE(answers.size(), all.size());
-                                   EXPECT_TRUE(std::equal(answers.begin(), answers.end(), all.begin()));
-                                   answers.clear();
-                                   call_into(answers);
-                                   EXPECT_EQ(answers, all);
+  EXPECT_GT(fail_each_allocation([&] { return this->tree_; }, ask,
+                                 [&](const TypeParam& tree) {
+                                   ask(tree);
+                                   EXPECT_EQ(kept == right, true);
+                                   EXPECT_EQ(counts, right_counts);
                                  }),
             0U);
 }
 
-TYPED_TEST(TreeOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {
-  expect_first_answers([&](auto& sizes) {
-    for_each_kept(this->shafts_, this->tree_, [&](const auto& answers) { sizes.push_back(answers.kept.size()); });
-  });
-  expect_first_answers([&](auto& sizes) {
-    for_each_classified(this->shafts_, this->tree_,
-                        [&](const auto& answers) { sizes.push_back(answers.overlap.size() + answers.inside.size()); });
-  });
-}
-
-TEST(TilesOutOfMemory, CallbacksGetTheFirstAnswersOrNone) {
-  const std::vector<CompiledShaft> shafts = random_shafts(66, 70);
-  const BoxColumns boxes(random_boxes(67, 9000));
-  const auto sizes_in = [](std::vector<std::size_t>& sizes) {
-    return [&sizes](const TileAnswers& answers) { sizes.push_back(answers.first + answers.kept.size()); };
-  };
-  expect_first_answers([&](auto& sizes) { for_each_tile(shafts, boxes.view(), sizes_in(sizes)); });
-  expect_first_answers([&](auto& sizes) { for_each_classified_tile(shafts, boxes.view(), sizes_in(sizes)); });
+TEST(ListsOutOfMemory, AVectorThatFindsNoMemoryIsListedIntoTheNextTime) {
+  const CompiledShaft shaft = compile({{-5, -5, -5}, {0, 0, 0}}, {{0, 0, 0}, {5, 2, 2}});
+  const BoxColumns boxes(random_boxes(64, 9000));
+  std::vector<std::uint32_t> right;
+  ASSERT_GT(list(shaft, boxes.view(), right), 300U) << "more than there is room for at first";
+  const auto call = [&](std::vector<std::uint32_t>& kept) { list(shaft, boxes.view(), kept); };
+  EXPECT_GT(fail_each_allocation([] { return std::vector<std::uint32_t>(); }, call,
+                                 [&](std::vector<std::uint32_t>& kept) {
+                                   call(kept);
+                                   EXPECT_EQ(kept, right);
+                                 }),
+            1U);
 }
 
 }  // namespace

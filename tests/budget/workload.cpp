@@ -127,8 +127,9 @@ void run() {
   }
   const TriangleStream triangles(corners);
   for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
-    count(test == TriangleTest::exact ? "triangles_exact" : "triangles_vertices", tests,
-          [&] { each_shaft([&](const CompiledShaft& shaft) { cull(shaft, triangles.view(), kept, test); }); });
+    count(test == TriangleTest::exact ? "triangles_exact" : "triangles_vertices", tests, [&] {
+      each_shaft([&](const CompiledShaft& shaft) { cull(shaft, triangles.view(), kept, {.triangle_test = test}); });
+    });
   }
 
   BoxStream packed(leaves);

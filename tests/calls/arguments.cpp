@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "calls/every_call.hpp"
@@ -35,29 +37,43 @@ class Arguments : public testing::Test {
   /// What all calls that read a view say of it.
   template <class View>
   std::vector<std::string> refusals_of(const View& view) {
+    constexpr bool are_triangles = std::is_same_v<View, TriangleView>;
+    using Bound =
+        std::conditional_t<std::is_same_v<View, BoxView>, Box, std::conditional_t<are_triangles, Triangle, Sphere>>;
     const std::span<std::uint64_t> row(kept_.data(), 2);
     const std::span<std::uint64_t> inside_row(inside_.data(), 2);
     const std::vector<std::uint32_t> candidates = {1, 2};
-    std::vector<std::uint32_t> kept(2);
-    std::vector<std::uint32_t> inside(2);
-    std::vector<std::uint64_t> counts(shafts_.size());
-    std::vector<std::uint32_t> few(3 * shafts_.size());
+    std::vector<std::uint32_t> kept(2, 7);
+    std::vector<std::uint32_t> inside(2, 7);
+    std::vector<std::uint64_t> counts(shafts_.size(), 7);
     std::vector<KeptCounts> classified(shafts_.size());
     IndexLists lists;
     IndexLists insides;
-    using Bound = std::conditional_t<std::is_same_v<View, BoxView>, Box, Sphere>;
-    const BoundsTree<Bound> whole{std::span<const Bound>(std::vector<Bound>(count))};
-    BoundsTree<Bound> tree(whole);
     std::vector<std::string> messages;
     const auto ask = [&](const auto& call) { messages.push_back(message_of(call)); };
     ask([&] { cull(shafts_[0], view, row); });
     ask([&] { classify(shafts_[0], view, row, inside_row); });
-    ask([&] { contained(shafts_[0], view, inside_row); });
+    ask([&] { classify(shafts_[0], view, {}, inside_row); });
     ask([&] { (void)shaftcull::count(shafts_[0], view); });
+    ask([&] { (void)shaftcull::count(shafts_[0], view, {.limit = 3}); });
     ask([&] { (void)count_classified(shafts_[0], view); });
     ask([&] { (void)list(shafts_[0], view, kept); });
+    ask([&] { (void)list(shafts_[0], view, std::span(kept)); });
+    ask([&] { (void)list(shafts_[0], view, std::span(kept), {.limit = 2}); });
+    ask([&] { (void)list(shafts_[0], view, std::span(kept), {.only = candidates}); });
     ask([&] { (void)list_classified(shafts_[0], view, kept, inside); });
     ask([&] { (void)any(shafts_[0], view); });
+    ask([&] { cull_many(shafts_, view, kept_); });
+    ask([&] { classify_many(shafts_, view, kept_, inside_); });
+    ask([&] { classify_many(shafts_, view, {}, inside_); });
+    ask([&] { count_many(shafts_, view, counts); });
+    ask([&] { count_many(shafts_, view, counts, {.limit = 3}); });
+    ask([&] { count_classified_many(shafts_, view, classified); });
+    ask([&] { any_many(shafts_, view, std::span(kept_).first(1)); });
+    ask([&] { list_many(shafts_, view, lists); });
+    ask([&] { list_many(shafts_, view, lists, {.limit = 3}); });
+    ask([&] { list_many(shafts_, view, lists, {.only = candidates}); });
+    ask([&] { list_classified_many(shafts_, view, lists, insides); });
     if constexpr (std::is_same_v<View, BoxView>) {
       ask([&] { (void)blocked(shafts_[0], view); });
       ask([&] { (void)blocked_by(shafts_[0], view); });
@@ -65,31 +81,25 @@ class Arguments : public testing::Test {
       ask([&] { blocked_many(shafts_, view, std::span(kept_).first(1)); });
       ask([&] { list_blocking_many(shafts_, view, lists); });
     }
-    ask([&] { cull_many(shafts_, view, kept_); });
-    ask([&] { classify_many(shafts_, view, kept_, inside_); });
-    ask([&] { contained_many(shafts_, view, inside_); });
-    ask([&] { count_many(shafts_, view, counts); });
-    ask([&] { count_classified_many(shafts_, view, classified); });
-    ask([&] { any_many(shafts_, view, std::span(kept_).first(1)); });
-    ask([&] { (void)count_at_most(shafts_[0], view, 3); });
-    ask([&] { (void)list_at_most(shafts_[0], view, kept); });
-    ask([&] { count_at_most_many(shafts_, view, 3, counts); });
-    ask([&] { list_at_most_many(shafts_, view, 3, few, counts); });
-    std::vector<FirstContact> contacts(shafts_.size());
-    std::vector<float> times(candidates.size());
-    ask([&] { (void)first_contact(shafts_[0], view); });
-    ask([&] { first_contact_many(shafts_, view, contacts); });
-    ask([&] { entry_times(shafts_[0], view, std::span<const std::uint32_t>(candidates), times); });
-    ask([&] { list_many(shafts_, view, lists); });
-    ask([&] { list_classified_many(shafts_, view, lists, insides); });
-    ask([&] { for_each_tile(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
-    ask([&] { for_each_classified_tile(shafts_, view, [](const TileAnswers&) { FAIL(); }); });
-    ask([&] { (void)refine(shafts_[0], view, std::span<const std::uint32_t>(candidates), kept); });
-    ask([&] { refine_many(shafts_, view, candidates, lists); });
-    ask([&] { BoundsTree<Bound>{view}; });
-    ask([&] { tree.update(view); });
+    if constexpr (are_triangles) {
+      ask([&] { TriangleStream{view}; });
+      ask([&] { TriangleTree{view}; });
+    } else {
+      std::vector<FirstContact> contacts(shafts_.size());
+      std::vector<float> times(candidates.size());
+      ask([&] { (void)first_contact(shafts_[0], view); });
+      ask([&] { first_contact_many(shafts_, view, contacts); });
+      ask([&] { entry_times(shafts_[0], view, candidates, times); });
+      BoundsTree<Bound> tree{std::span<const Bound>(std::vector<Bound>(count))};
+      ask([&] { BoundsTree<Bound>{view}; });
+      ask([&] { tree.update(view); });
+    }
     EXPECT_EQ(kept_, untouched_);
     EXPECT_EQ(inside_, untouched_);
+    EXPECT_EQ(kept, std::vector<std::uint32_t>(2, 7));
+    EXPECT_EQ(inside, std::vector<std::uint32_t>(2, 7));
+    EXPECT_EQ(counts, std::vector<std::uint64_t>(shafts_.size(), 7));
+    EXPECT_EQ(lists.size(), 0U);
     return messages;
   }
 };
@@ -105,33 +115,14 @@ TEST_F(Arguments, ANullStreamIsRefusedByEveryCallAndNamed) {
   for (const std::string& message : refusals_of(spheres)) {
     EXPECT_THAT(message, AllOf(HasSubstr("spheres.stream[3] is null"), HasSubstr("70 floats")));
   }
-  std::vector<CompiledShaft> out(count);
-  EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes, out); }), HasSubstr("boxes.stream[4] is null"));
-}
-
-TEST_F(Arguments, ANullStreamOfTrianglesIsRefusedByEveryCallAndNamed) {
-  const TriangleStream triangles{std::vector<Triangle>(count, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}})};
-  TriangleView view = triangles.view();
-  view.stream[5] = nullptr;
-  std::vector<std::uint32_t> kept(2);
-  std::vector<std::uint64_t> counts(shafts_.size());
-  IndexLists lists;
-  std::vector<std::string> messages;
-  const auto ask = [&](const auto& call) { messages.push_back(message_of(call)); };
-  ask([&] { cull(shafts_[0], view, std::span(kept_).first(2)); });
-  ask([&] { (void)shaftcull::count(shafts_[0], view); });
-  ask([&] { (void)any(shafts_[0], view); });
-  ask([&] { (void)list(shafts_[0], view, kept); });
-  ask([&] { cull_many(shafts_, view, kept_); });
-  ask([&] { count_many(shafts_, view, counts); });
-  ask([&] { any_many(shafts_, view, std::span(kept_).first(1)); });
-  ask([&] { list_many(shafts_, view, lists); });
-  ask([&] { TriangleStream{view}; });
-  ask([&] { TriangleTree{view}; });
-  for (const std::string& message : messages) {
+  const TriangleStream stream{std::vector<Triangle>(count, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}})};
+  TriangleView triangles = stream.view();
+  triangles.stream[5] = nullptr;
+  for (const std::string& message : refusals_of(triangles)) {
     EXPECT_THAT(message, AllOf(HasSubstr("triangles.stream[5] is null"), HasSubstr("70 floats")));
   }
-  EXPECT_EQ(kept_, untouched_);
+  std::vector<CompiledShaft> out(count);
+  EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes, out); }), HasSubstr("boxes.stream[4] is null"));
 }
 
 TEST_F(Arguments, NullStreamsOfAnEmptyViewAreLegal) {
@@ -139,7 +130,7 @@ TEST_F(Arguments, NullStreamsOfAnEmptyViewAreLegal) {
   cull_many(shafts_, TriangleView(), {});
   EXPECT_EQ(TriangleTree(TriangleView()).size(), 0U);
   cull(shafts_[0], BoxView(), {});
-  contained(shafts_[0], SphereView(), {});
+  classify(shafts_[0], SphereView(), {}, {});
   cull_many(shafts_, BoxView(), {});
   compile_batch(BoxView(), BoxView(), {});
   IndexLists lists;
@@ -175,82 +166,57 @@ TEST_F(Arguments, NullOutputsAreRefused) {
   const std::span<std::uint64_t> null_rows(static_cast<std::uint64_t*>(nullptr), 8);
   const std::span<std::uint64_t> null_counts(static_cast<std::uint64_t*>(nullptr), 4);
   const std::span<std::uint64_t> row(kept_.data(), 2);
-  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_.view(), null_row); }),
-              HasSubstr("kept is null; it must point to the first of 2 words"));
-  EXPECT_THAT(message_of([&] { classify(shafts_[0], boxes_.view(), row, null_row); }), HasSubstr("inside is null"));
-  EXPECT_THAT(message_of([&] { contained(shafts_[0], spheres_.view(), null_row); }), HasSubstr("inside is null"));
-  EXPECT_THAT(message_of([&] { cull_many(shafts_, boxes_.view(), null_rows); }), HasSubstr("kept_rows is null"));
-  EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), kept_, null_rows); }),
-              HasSubstr("inside_rows is null"));
-  EXPECT_THAT(message_of([&] { count_many(shafts_, boxes_.view(), null_counts); }), HasSubstr("kept_counts is null"));
-  const BoxTree tree(boxes_.view());
-  EXPECT_THAT(message_of([&] { cull(shafts_[0], tree, null_row); }), HasSubstr("kept is null"));
-  EXPECT_THAT(message_of([&] { classify(shafts_[0], tree, row, null_row); }), HasSubstr("inside is null"));
-  EXPECT_THAT(message_of([&] { contained(shafts_[0], tree, null_row); }), HasSubstr("inside is null"));
-  EXPECT_THAT(message_of([&] { cull_many(shafts_, tree, null_rows); }), HasSubstr("kept_rows is null"));
-  EXPECT_THAT(message_of([&] { classify_many(shafts_, tree, kept_, null_rows); }), HasSubstr("inside_rows is null"));
-  EXPECT_THAT(message_of([&] { contained_many(shafts_, tree, null_rows); }), HasSubstr("inside_rows is null"));
-  EXPECT_THAT(message_of([&] { count_many(shafts_, tree, null_counts); }), HasSubstr("kept_counts is null"));
-  EXPECT_THAT(message_of([&] { any_many(shafts_, tree, null_row.first(1)); }), HasSubstr("any is null"));
-  EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, tree, 3, null_counts); }), HasSubstr("kept_counts is null"));
-  std::vector<std::uint64_t> counts_of_few(shafts_.size(), 7);
-  std::vector<std::uint32_t> few(3 * shafts_.size(), 7);
-  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, boxes_, 3, few, null_counts); }),
-              HasSubstr("kept_counts is null"));
-  const std::span in_counts(reinterpret_cast<std::uint32_t*>(counts_of_few.data()), 2 * counts_of_few.size());
-  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, boxes_, 1, in_counts.first(4), counts_of_few); }),
-              HasSubstr("share memory"));
-  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, boxes_, 4, few, counts_of_few); }),
-              HasSubstr("kept has room for 12 indices; 4 shafts need room for most = 4 each"));
-  EXPECT_THAT(message_of([&] { list_at_most_many(shafts_, tree, 2, std::span<std::uint32_t>(), counts_of_few); }),
-              HasSubstr("kept has room for 0 indices; 4 shafts need room for most = 2 each"));
-  EXPECT_EQ(few, std::vector<std::uint32_t>(few.size(), 7));
-  EXPECT_EQ(counts_of_few, std::vector<std::uint64_t>(counts_of_few.size(), 7));
-  EXPECT_THAT(message_of([&] {
-                first_contact_many(shafts_, boxes_, {static_cast<FirstContact*>(nullptr), 4});
-              }),
-              HasSubstr("contacts is null"));
-  EXPECT_THAT(message_of([&] {
-                first_contact_many(shafts_, spheres_, {static_cast<FirstContact*>(nullptr), 4});
-              }),
-              HasSubstr("contacts is null"));
-  EXPECT_THAT(message_of([&] {
-                first_contact_many(shafts_, tree, {static_cast<FirstContact*>(nullptr), 4});
-              }),
-              HasSubstr("contacts is null"));
-  EXPECT_THAT(message_of([&] { count_at_most_many(shafts_, boxes_, 3, null_counts); }),
-              HasSubstr("kept_counts is null"));
-  EXPECT_THAT(message_of([&] { contained_many(shafts_, boxes_, null_rows); }), HasSubstr("inside_rows is null"));
-  const std::span<KeptCounts> null_classified(static_cast<KeptCounts*>(nullptr), 4);
-  EXPECT_THAT(message_of([&] { count_classified_many(shafts_, boxes_, null_classified); }),
-              HasSubstr("counts is null"));
   const std::span<std::uint64_t> null_bits(static_cast<std::uint64_t*>(nullptr), 1);
-  EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, null_bits); }), HasSubstr("any is null"));
+  const std::span<KeptCounts> null_classified(static_cast<KeptCounts*>(nullptr), 4);
+  const std::span<FirstContact> null_contacts(static_cast<FirstContact*>(nullptr), 4);
   const std::span<std::uint32_t> null_list(static_cast<std::uint32_t*>(nullptr), 2);
   std::vector<std::uint32_t> list_of_two = {7, 7};
-  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, null_list); }), HasSubstr("kept is null"));
-  EXPECT_THAT(message_of([&] { (void)list_at_most(shafts_[0], boxes_, null_list); }), HasSubstr("kept is null"));
-  EXPECT_THAT(message_of([&] { (void)list_at_most(shafts_[0], tree, null_list); }), HasSubstr("kept is null"));
-  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], boxes_, null_list, list_of_two); }),
-              HasSubstr("overlap is null"));
-  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], spheres_, list_of_two, null_list); }),
-              HasSubstr("inside is null"));
-  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], tree, null_list); }),
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], boxes_, null_row); }),
+              HasSubstr("kept is null; it must point to the first of 2 words"));
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes_, null_list); }),
               HasSubstr("kept is null; it must point to the first of 2 indices"));
-  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, null_list, list_of_two); }),
-              HasSubstr("overlap is null"));
-  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, list_of_two, null_list); }),
-              HasSubstr("inside is null"));
-  const std::span<LeafRange> null_ranges(static_cast<LeafRange*>(nullptr), 2);
-  std::vector<LeafRange> two_ranges(2);
-  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], tree, null_ranges); }),
-              HasSubstr("kept is null; it must point to the first of 2 leaf ranges"));
-  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, null_ranges, two_ranges); }),
-              HasSubstr("overlap is null"));
-  EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], tree, two_ranges, null_ranges); }),
-              HasSubstr("inside is null"));
+  const BoxTree box_tree(boxes_.view());
+  const SphereTree sphere_tree(spheres_.view());
+  const TriangleStream triangles{std::vector<Triangle>(count, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}})};
+  const TriangleTree triangle_tree(triangles.view());
+  const Bounds of_boxes_and_spheres[] = {boxes_, spheres_, box_tree, sphere_tree};
+  std::vector<Bounds> all(std::begin(of_boxes_and_spheres), std::end(of_boxes_and_spheres));
+  all.insert(all.end(), {triangles, triangle_tree});
+  for (const Bounds& bounds : all) {
+    EXPECT_THAT(message_of([&] { cull(shafts_[0], bounds, null_row); }), HasSubstr("kept is null"));
+    EXPECT_THAT(message_of([&] { classify(shafts_[0], bounds, row, null_row); }), HasSubstr("inside is null"));
+    EXPECT_THAT(message_of([&] { classify(shafts_[0], bounds, null_row, row); }), HasSubstr("kept is null"));
+    EXPECT_THAT(message_of([&] { classify(shafts_[0], bounds, {}, null_row); }), HasSubstr("inside is null"));
+    EXPECT_THAT(message_of([&] { cull_many(shafts_, bounds, null_rows); }), HasSubstr("kept_rows is null"));
+    EXPECT_THAT(message_of([&] { classify_many(shafts_, bounds, kept_, null_rows); }),
+                HasSubstr("inside_rows is null"));
+    EXPECT_THAT(message_of([&] { classify_many(shafts_, bounds, null_rows, inside_); }),
+                HasSubstr("kept_rows is null"));
+    EXPECT_THAT(message_of([&] { classify_many(shafts_, bounds, {}, null_rows); }), HasSubstr("inside_rows is null"));
+    EXPECT_THAT(message_of([&] { count_many(shafts_, bounds, null_counts); }), HasSubstr("kept_counts is null"));
+    EXPECT_THAT(message_of([&] { count_many(shafts_, bounds, null_counts, {.limit = 3}); }),
+                HasSubstr("kept_counts is null"));
+    EXPECT_THAT(message_of([&] { count_classified_many(shafts_, bounds, null_classified); }),
+                HasSubstr("counts is null"));
+    EXPECT_THAT(message_of([&] { any_many(shafts_, bounds, null_bits); }), HasSubstr("any is null"));
+    EXPECT_THAT(message_of([&] { (void)list(shafts_[0], bounds, null_list); }), HasSubstr("kept is null"));
+    EXPECT_THAT(message_of([&] { (void)list(shafts_[0], bounds, null_list, {.limit = 2}); }),
+                HasSubstr("kept is null"));
+    EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], bounds, null_list, list_of_two); }),
+                HasSubstr("overlap is null"));
+    EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], bounds, list_of_two, null_list); }),
+                HasSubstr("inside is null"));
+  }
+  for (const Bounds& bounds : of_boxes_and_spheres) {
+    EXPECT_THAT(message_of([&] { first_contact_many(shafts_, bounds, null_contacts); }), HasSubstr("contacts is null"));
+  }
+  for (const Bounds& bounds : {Bounds(boxes_), Bounds(box_tree)}) {
+    EXPECT_THAT(message_of([&] { blocked_many(shafts_, bounds, null_bits); }), HasSubstr("blocked is null"));
+    EXPECT_THAT(message_of([&] { (void)list_blocking(shafts_[0], bounds, null_list); }), HasSubstr("blocking is null"));
+  }
   EXPECT_EQ(list_of_two, (std::vector<std::uint32_t>{7, 7}));
   EXPECT_EQ(kept_, untouched_);
+  EXPECT_EQ(inside_, untouched_);
   const std::span<CompiledShaft> null_shafts(static_cast<CompiledShaft*>(nullptr), count);
   EXPECT_THAT(message_of([&] { compile_batch(boxes_.view(), boxes_.view(), null_shafts); }), HasSubstr("out is null"));
 }
@@ -263,17 +229,31 @@ TEST_F(Arguments, NullInputsAreRefused) {
   std::vector<std::uint64_t> counts(4);
   EXPECT_THAT(message_of([&] { count_many(null_shafts, tree, counts); }), HasSubstr("shafts is null"));
   const std::span<const std::uint64_t> null_mask(static_cast<const std::uint64_t*>(nullptr), words_for(tree.size()));
-  EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], tree, {.mask = null_mask}); }),
-              HasSubstr("excluding.mask is null"));
-  EXPECT_THAT(message_of([&] { cull_many(shafts_, tree, kept_, {.mask = null_mask}); }),
-              HasSubstr("excluding.mask is null"));
+  const std::span<const std::uint32_t> null_indices(static_cast<const std::uint32_t*>(nullptr), 4);
+  const std::vector<std::uint32_t> layers(count, 1);
+  std::vector<std::uint32_t> kept(4, 7);
+  for (const Bounds& bounds : {Bounds(boxes_, layers), Bounds(tree)}) {
+    EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], bounds, {.exclude = null_indices}); }),
+                HasSubstr("query.exclude is null"));
+    EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], bounds, {.exclude_each = null_indices}); }),
+                HasSubstr("query.exclude_each is null"));
+    EXPECT_THAT(message_of([&] { cull_many(shafts_, bounds, kept_, {.exclude_each = null_indices}); }),
+                HasSubstr("query.exclude_each is null"));
+    EXPECT_THAT(message_of([&] { (void)shaftcull::count(shafts_[0], bounds, {.exclude_mask = null_mask}); }),
+                HasSubstr("query.exclude_mask is null"));
+    EXPECT_THAT(message_of([&] { cull_many(shafts_, bounds, kept_, {.exclude_mask = null_mask}); }),
+                HasSubstr("query.exclude_mask is null"));
+    EXPECT_THAT(message_of([&] { cull_many(shafts_, bounds, kept_, {.layer_mask = null_indices}); }),
+                HasSubstr("query.layer_mask is null"));
+    EXPECT_THAT(message_of([&] { (void)list(shafts_[0], bounds, std::span(kept), {.only = null_indices}); }),
+                HasSubstr("query.only is null"));
+    EXPECT_THAT(message_of([&] { cull_many(shafts_, bounds, kept_, {.only = null_indices}); }),
+                HasSubstr("query.only is null"));
+  }
+  EXPECT_THAT(message_of([&] { cull(shafts_[0], Bounds(boxes_, null_indices), std::span(kept_).first(2)); }),
+              HasSubstr("layers is null"));
+  EXPECT_EQ(kept, std::vector<std::uint32_t>(4, 7));
   EXPECT_EQ(kept_, untouched_);
-  const std::span<const std::uint32_t> null_candidates(static_cast<const std::uint32_t*>(nullptr), 3);
-  std::vector<std::uint32_t> kept(3);
-  EXPECT_THAT(message_of([&] { (void)refine(shafts_[0], boxes_.view(), null_candidates, kept); }),
-              HasSubstr("candidates is null"));
-  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shafts_[0], tree, null_candidates, kept)); }),
-              HasSubstr("candidates is null"));
   EXPECT_THAT(message_of([&] {
                 BoxTree{CentreExtentRecords{nullptr, nullptr, sizeof(Box), 5}};
               }),
@@ -346,7 +326,7 @@ TEST_F(Arguments, NumbersForEachShaftNeedASpanOfTheirOwnSize) {
   EXPECT_EQ(three, std::vector<KeptCounts>(3, KeptCounts{7, 7}));
   EXPECT_THAT(message_of([&] { any_many(shafts_, boxes_, kept_); }),
               HasSubstr("any has 8 words; one bit for each of 4 shafts takes 1"));
-  EXPECT_THAT(message_of([&] { contained_many(shafts_, boxes_, std::span(inside_).first(7)); }),
+  EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_, {}, std::span(inside_).first(7)); }),
               HasSubstr("inside_rows has 7 words"));
   EXPECT_EQ(kept_, untouched_);
   EXPECT_EQ(inside_, untouched_);
@@ -369,7 +349,7 @@ TEST_F(Arguments, ListsOfMoreBoundsThanIndicesReachAreRefused) {
   BoxView boxes = boxes_;
   boxes.count = (std::size_t{1} << 32U) + 1;  // never read
   std::vector<std::uint32_t> kept(1, 7);
-  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes, kept); }),
+  EXPECT_THAT(message_of([&] { (void)list(shafts_[0], boxes, std::span(kept)); }),
               HasSubstr("list() got 4294967297 bounds, but 32-bit indices reach 4294967295; ask slices of the view"));
   EXPECT_THAT(message_of([&] { (void)list_classified(shafts_[0], boxes, kept, std::span(kept).first(0)); }),
               HasSubstr("list_classified() got 4294967297 bounds"));
@@ -385,9 +365,9 @@ TEST_F(Arguments, InsideAloneIsAnsweredByShaftsFormedForItAlone) {
   ShaftOptions options;
   options.outside = false;
   const std::vector<CompiledShaft> shafts(2, compile(Shaft(boxes_[0], boxes_[1], options)));
-  EXPECT_NO_THROW(contained_many(shafts, boxes_, std::span(inside_).first(4)));
+  EXPECT_NO_THROW(classify_many(shafts, boxes_, {}, std::span(inside_).first(4)));
   EXPECT_THAT(message_of([&] { (void)any(shafts[0], boxes_); }), HasSubstr("formed without outside"));
-  EXPECT_THAT(message_of([&] { (void)cull(shafts[0], boxes_[0]); }), HasSubstr("formed without outside"));
+  EXPECT_THAT(message_of([&] { (void)keeps(shafts[0], boxes_[0]); }), HasSubstr("formed without outside"));
   EXPECT_THAT(message_of([&] { (void)classify(shafts[0], spheres_[0]); }), HasSubstr("formed without outside"));
 }
 

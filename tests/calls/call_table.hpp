@@ -39,9 +39,6 @@ void note(AnswerWords& words, const T& value) {
   } else if constexpr (requires { value.time; }) {
     words.push_back(value.index);
     note(words, value.time);
-  } else if constexpr (requires { value.first; }) {
-    words.push_back(value.first);
-    words.push_back(value.size);
   } else if constexpr (requires { value.begin(); }) {
     for (const auto& each : value) note(words, each);
   } else {
@@ -81,7 +78,10 @@ struct CallTable {
   std::vector<Box> boxes;
   std::vector<Sphere> spheres;
   std::vector<std::uint32_t> candidates;
-  std::vector<float> centres;  ///< with half extents
+  std::vector<std::uint32_t> of_each;  ///< two bounds of each shaft
+  std::vector<std::uint64_t> mask;     ///< one bit for each bound
+  std::vector<std::uint32_t> layers;   ///< of the bounds
+  std::vector<float> centres;          ///< with half extents
   BoxStream box_stream;
   SphereStream sphere_stream;
   std::vector<Triangle> triangles;

@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "calls/blocked_calls.hpp"
 #include "calls/forming_calls.hpp"
+#include "calls/query_calls.hpp"
 #include "calls/stream_calls.hpp"
+#include "calls/tree_calls.hpp"
 #include "calls/triangle_calls.hpp"
-#include "calls/view_calls.hpp"
 #include "calls/visibility_calls.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/shaftcull.hpp"
@@ -31,7 +33,14 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
     table_.spheres.push_back({table_.boxes.back().lo, i % 5 == 0 ? random.integer(0, 3) : random.uniform(0.01F, 0.5F)});
     if (i % 7 == 0) table_.candidates.push_back(static_cast<std::uint32_t>(i));
   }
+  table_.mask.resize(words_for(bounds));
+  for (std::size_t i = 0; i != bounds; ++i) {
+    table_.layers.push_back(1U << i % 5);
+    if (i % 11 == 0) table_.mask[i / 64] |= std::uint64_t{1} << i % 64;
+  }
   for (std::size_t s = 0; s != table_.shafts.size(); ++s) {
+    table_.of_each.push_back(static_cast<std::uint32_t>(s % bounds));
+    table_.of_each.push_back(static_cast<std::uint32_t>(7 * s % bounds));
     if (!is_moving(s)) table_.between.push_back(table_.shafts[s]);
   }
   table_.box_stream = BoxStream(table_.boxes);
@@ -44,13 +53,23 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
   table_.triangle_tree = TriangleTree(table_.triangle_stream.view());
   table_.box_tree = BoxTree(table_.box_stream.view());
   table_.sphere_tree = SphereTree(table_.sphere_stream.view());
+  table_.box_tree.set_layers(table_.layers);
+  table_.sphere_tree.set_layers(table_.layers);
   add_forming_calls(table_);
   add_stream_calls(table_);
-  add_triangle_calls(table_, " in a view", table_.triangle_stream.view());
-  add_triangle_calls(table_, " in a tree", table_.triangle_tree);
+  add_tree_calls<Box>(table_, " of boxes", table_.box_stream, table_.boxes, table_.box_tree);
+  add_tree_calls<Sphere>(table_, " of spheres", table_.sphere_stream, table_.spheres, table_.sphere_tree);
+  add_triangle_calls(table_);
   add_visibility_calls(table_);
-  add_view_calls<Box>(table_, table_.box_stream, table_.boxes, table_.box_tree);
-  add_view_calls<Sphere>(table_, table_.sphere_stream, table_.spheres, table_.sphere_tree);
+  add_view_calls(table_, " of boxes", table_.box_stream.view());
+  add_view_calls(table_, " of spheres", table_.sphere_stream.view());
+  add_query_calls(table_, {.bounds = table_.box_tree, .name = " of a tree of boxes"});
+  add_query_calls(table_, {.bounds = table_.sphere_tree, .name = " of a tree of spheres"});
+  add_triangle_query_calls(table_, " of triangles in a view", Bounds(table_.triangle_stream, table_.layers), true);
+  add_triangle_query_calls(table_, " of triangles in a tree", table_.triangle_tree, false);
+  add_calls_about_one(table_, " of boxes", table_.boxes);
+  add_calls_about_one(table_, " of spheres", table_.spheres);
+  add_blocked_calls(table_, table_.box_stream, table_.boxes, table_.box_tree);
 }
 
 std::vector<CompiledShaft> EveryCall::shafts(std::size_t count) {

@@ -67,25 +67,6 @@ TEST(FloatState, IsTheStandardOneInAllTasks) {
   }
 }
 
-TEST(FloatState, IsTheCallersOwnInItsCallbacks) {
-  const std::vector<CompiledShaft> shafts = EveryCall::shafts(9);
-  const BoxStream boxes(random_boxes(5, 9000));
-  const BoxTree tree(boxes.view());
-  for (const Mode& mode : modes) {
-    std::vector<FloatRegisters> seen;
-    {
-      const InMode in(mode);
-      const auto see = [&](const auto& /*answers*/) { seen.push_back(float_registers() & control_bits); };
-      with_threads(3, [&] {
-        for_each_tile(shafts, boxes.view(), see);
-        for_each_classified(shafts, tree, see);
-      });
-    }
-    ASSERT_GT(seen.size(), shafts.size());
-    EXPECT_EQ(seen, std::vector<FloatRegisters>(seen.size(), mode.bits & control_bits)) << mode.name;
-  }
-}
-
 #endif
 
 TEST(FloatState, RoundingModeAndFlagsOfTheStandardLibraryStay) {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -22,6 +23,20 @@ namespace shaftcull {
 namespace {
 
 constexpr int threads = 4;
+
+/// Patches and blockers, whose sights are delivered in many batches.
+struct Patches {
+  PatchSet some{std::span<const Box>(random_boxes(3, 700))};
+  PatchSet others{std::span<const Box>(random_boxes(4, 700))};
+  Blockers blockers;
+
+  Patches() { blockers.add_boxes(std::span<const Box>(random_boxes(5, 100))); }
+  void deliver(FunctionRef<void(const SightBatch&)> to) const {
+    VisibilityOptions options;
+    options.memory = std::size_t{1} << 20;
+    visibility(some, others, blockers, to, options);
+  }
+};
 
 TEST(InsideTasks, AnswersAreRightWhereTheCallersGroupIsCancelled) {
   const EveryCall every(EveryCall::shafts(70), random_cases(5000));
@@ -60,8 +75,7 @@ TEST(InsideTasks, AnUpdateIsNotLostWhereTheCallersGroupIsCancelled) {
 // Were another task of the caller begun meanwhile, a mutex that the first one holds would be locked twice, and what it
 // keeps in thread_local memory be overwritten.
 TEST(InsideTasks, AThreadThatWaitsInsideACallTakesNoOtherTaskOfTheCaller) {
-  const std::vector<CompiledShaft> shafts = random_shafts(3, 70);
-  const BoxStream boxes(random_boxes(4, 300000));
+  const Patches patches;
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 3);
   tbb::task_arena arena(3, 2);  // the caller, another thread of the user's, and one of oneTBB's
   tbb::task_group group;
@@ -85,10 +99,10 @@ TEST(InsideTasks, AThreadThatWaitsInsideACallTakesNoOtherTaskOfTheCaller) {
   });
   arena.execute([&] {
     is_in_call = true;
-    for_each_tile(shafts, boxes.view(), [&](const TileAnswers& tile) {
+    patches.deliver([&](const SightBatch&) {
       if (std::this_thread::get_id() == caller) {
         // Time for another thread to come and help.
-        if (tile.shaft == 0 && !waits_in_callback) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (!waits_in_callback) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       } else {
         waits_in_callback = true;
         while (!go_on) std::this_thread::yield();
@@ -104,16 +118,13 @@ TEST(InsideTasks, AThreadThatWaitsInsideACallTakesNoOtherTaskOfTheCaller) {
 }
 
 TEST(InsideTasks, AnExceptionOfACallbackReachesTheCallerAndLeavesItsGroupAlone) {
-  const std::vector<CompiledShaft> shafts = random_shafts(3, 64);
-  const BoxStream boxes(random_boxes(4, 50000));
+  const Patches patches;
   with_threads(threads, [&] {
     tbb::task_group group;
     int caught = 0;
     group.run([&] {
       try {
-        for_each_tile(shafts, boxes.view(), [](const TileAnswers& tile) {
-          if (tile.shaft == 5) throw std::runtime_error("enough");
-        });
+        patches.deliver([](const SightBatch&) { throw std::runtime_error("enough"); });
       } catch (const std::runtime_error&) {
         ++caught;
       }

@@ -84,7 +84,7 @@ std::size_t expect_exact_blocking(const ShaftInput& input, std::vector<Box> boxe
     std::vector<std::uint32_t> listed(boxes.size());
     listed.resize(list_blocking(shaft, memory.view(), listed));
     EXPECT_EQ(listed, expected);
-    EXPECT_EQ(blocked_by(shaft, memory.view()), all == 0 ? std::nullopt : std::optional<std::size_t>(expected[0]));
+    EXPECT_EQ(blocked_by(shaft, memory.view()), all == 0 ? std::nullopt : std::optional(expected[0]));
     const Bits holds = holding(shaft, memory.view());
     for (std::size_t i = 0; i != 64 * holds.size(); ++i) {
       EXPECT_TRUE(bit(holds, i) || !right[i]) << "as a node of itself, " << source_text(boxes[i]);

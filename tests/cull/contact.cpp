@@ -173,8 +173,8 @@ TEST_F(OpenContactRoom, KeepsNoWallThatAPatchLiesOn) {
     for (const auto& [a, b] : {std::pair(on_floor_, on_ceiling_), std::pair(on_floor_, on_wall_)}) {
       const CompiledShaft closed = compile(a, b);
       const CompiledShaft open = compile(a, b, Contact::open);
-      EXPECT_TRUE(cull(closed, floor_));
-      for (const Box& box : {floor_, ceiling_, wall_}) EXPECT_FALSE(cull(open, box));
+      EXPECT_TRUE(keeps(closed, floor_));
+      for (const Box& box : {floor_, ceiling_, wall_}) EXPECT_FALSE(keeps(open, box));
     }
   });
 }
@@ -182,15 +182,15 @@ TEST_F(OpenContactRoom, KeepsNoWallThatAPatchLiesOn) {
 TEST_F(OpenContactRoom, KeepsWhatIsBetweenThePatches) {
   on_each_instruction_set([&] {
     const CompiledShaft open = compile(on_floor_, on_ceiling_, Contact::open);
-    EXPECT_TRUE(cull(open, Box{{0.4F, 0.4F, 2}, {0.6F, 0.6F, 3}})) << "a box";
-    EXPECT_TRUE(cull(open, Box{{-1, -1, 4}, {2, 2, 4}})) << "a sheet of glass";
-    EXPECT_TRUE(cull(open, Box{{0.5F, 0.5F, 4}, {0.5F, 0.5F, 4}})) << "a point";
-    EXPECT_TRUE(cull(open, Sphere{{1.5F, 0.5F, 4}, 0.75F})) << "a sphere";
-    EXPECT_FALSE(cull(open, Sphere{{1.5F, 0.5F, 4}, 0.5F})) << "a sphere that touches";
-    EXPECT_FALSE(cull(open, Box{{0, -1, 1}, {0, 2, 4}})) << "a sheet in the shaft's side";
-    EXPECT_FALSE(cull(open, Box{{0, 0.5F, 4}, {0, 0.5F, 4}})) << "a point of it";
-    EXPECT_FALSE(cull(open, Box{{1, 0, 0}, {3, 1, 8}})) << "a box beside it";
-    EXPECT_FALSE(cull(open, on_floor_)) << "the patch itself";
+    EXPECT_TRUE(keeps(open, Box{{0.4F, 0.4F, 2}, {0.6F, 0.6F, 3}})) << "a box";
+    EXPECT_TRUE(keeps(open, Box{{-1, -1, 4}, {2, 2, 4}})) << "a sheet of glass";
+    EXPECT_TRUE(keeps(open, Box{{0.5F, 0.5F, 4}, {0.5F, 0.5F, 4}})) << "a point";
+    EXPECT_TRUE(keeps(open, Sphere{{1.5F, 0.5F, 4}, 0.75F})) << "a sphere";
+    EXPECT_FALSE(keeps(open, Sphere{{1.5F, 0.5F, 4}, 0.5F})) << "a sphere that touches";
+    EXPECT_FALSE(keeps(open, Box{{0, -1, 1}, {0, 2, 4}})) << "a sheet in the shaft's side";
+    EXPECT_FALSE(keeps(open, Box{{0, 0.5F, 4}, {0, 0.5F, 4}})) << "a point of it";
+    EXPECT_FALSE(keeps(open, Box{{1, 0, 0}, {3, 1, 8}})) << "a box beside it";
+    EXPECT_FALSE(keeps(open, on_floor_)) << "the patch itself";
   });
 }
 
@@ -199,10 +199,10 @@ TEST_F(OpenContactRoom, InAPlaneKeepsWhatReachesIntoTheShaft) {
     const Box strip{{0, 0, 0}, {1, 1, 0}};
     const Box other{{5, 0, 0}, {6, 1, 0}};
     const CompiledShaft open = compile(strip, other, Contact::open);
-    EXPECT_TRUE(cull(open, Box{{2, 0, 0}, {3, 1, 0}})) << "a rectangle in the plane";
-    EXPECT_TRUE(cull(open, Box{{2, 0, -1}, {3, 1, 1}})) << "a box across the plane";
-    EXPECT_FALSE(cull(open, Box{{2, 0, 0}, {3, 1, 1}})) << "a box on the plane";
-    EXPECT_FALSE(cull(open, Box{{2, 1, 0}, {3, 2, 0}})) << "a rectangle beside the shaft";
+    EXPECT_TRUE(keeps(open, Box{{2, 0, 0}, {3, 1, 0}})) << "a rectangle in the plane";
+    EXPECT_TRUE(keeps(open, Box{{2, 0, -1}, {3, 1, 1}})) << "a box across the plane";
+    EXPECT_FALSE(keeps(open, Box{{2, 0, 0}, {3, 1, 1}})) << "a box on the plane";
+    EXPECT_FALSE(keeps(open, Box{{2, 1, 0}, {3, 2, 0}})) << "a rectangle beside the shaft";
   });
 }
 
@@ -223,12 +223,12 @@ TEST(OpenContact, WhatIsInsideIsKept) {
       std::vector<std::uint64_t> alone(kept.size());
       const CompiledShaft shaft = compile(input.a, input.b, Contact::open);
       classify(shaft, memory.view(), kept, inside);
-      contained(shaft, memory.view(), alone);
+      classify(shaft, memory.view(), {}, alone);
       EXPECT_EQ(alone, inside) << source_text(input);
       std::vector<std::uint64_t> row(kept.size());
-      contained_many({&shaft, 1}, memory.view(), row);
+      classify_many({&shaft, 1}, memory.view(), {}, row);
       EXPECT_EQ(row, inside) << source_text(input);
-      contained(compile(input.a, input.b), memory.view(), alone);
+      classify(compile(input.a, input.b), memory.view(), {}, alone);
       for (std::size_t w = 0; w != kept.size(); ++w) {
         EXPECT_EQ(inside[w], alone[w] & kept[w]) << source_text(input);
         in_surface += alone[w] != inside[w] ? 1 : 0;
@@ -305,9 +305,8 @@ class OpenContactVerbs : public testing::Test {
   const std::vector<std::vector<std::uint32_t>>& kept_boxes_ = lattice().kept_boxes;
   const std::vector<std::vector<std::uint32_t>>& kept_spheres_ = lattice().kept_spheres;
 
-  template <class Bounds>
   void expect_all(const Bounds& bounds, const std::vector<std::vector<std::uint32_t>>& kept) {
-    std::vector<std::uint32_t> list_of_one(boxes_.size());
+    std::vector<std::uint32_t> list_of_one;
     std::vector<std::uint32_t> candidates;
     for (std::uint32_t i = 0; i < boxes_.size(); i += 3) candidates.push_back(i);
     std::vector<std::uint64_t> any_bits(words_for(shafts_.size()));
@@ -316,8 +315,8 @@ class OpenContactVerbs : public testing::Test {
     count_many(shafts_, bounds, counts);
     IndexLists lists;
     list_many(shafts_, bounds, lists);
-    IndexLists refined;
-    refine_many(shafts_, bounds, candidates, refined);
+    IndexLists of_candidates;
+    list_many(shafts_, bounds, of_candidates, {.only = candidates});
     for (std::size_t s = 0; s != shafts_.size(); ++s) {
       SCOPED_TRACE("shaft " + std::to_string(s));
       const std::vector<std::uint32_t>& right = kept[s];
@@ -330,17 +329,15 @@ class OpenContactVerbs : public testing::Test {
       EXPECT_EQ(counts[s], right.size());
       EXPECT_EQ(any(shafts_[s], bounds), !right.empty());
       EXPECT_EQ((any_bits[s / 64] >> s % 64 & 1U) != 0, !right.empty());
-      EXPECT_EQ(count_at_most(shafts_[s], bounds, 5), std::min<std::size_t>(5, right.size()));
-      list_of_one.resize(boxes_.size());
-      list_of_one.resize(list(shafts_[s], bounds, std::span(list_of_one)));
+      EXPECT_EQ(count(shafts_[s], bounds, {.limit = 5}), std::min<std::size_t>(5, right.size()));
+      EXPECT_EQ(list(shafts_[s], bounds, list_of_one), right.size());
       EXPECT_EQ(sorted(list_of_one), right);
       EXPECT_EQ(sorted(vector(lists[s])), right);
       std::vector<std::uint32_t> some;
       std::set_intersection(right.begin(), right.end(), candidates.begin(), candidates.end(), std::back_inserter(some));
-      std::vector<std::uint32_t> own(candidates.size());
-      own.resize(refine(shafts_[s], bounds, std::span<const std::uint32_t>(candidates), std::span(own)));
-      EXPECT_EQ(own, some);
-      EXPECT_EQ(vector(refined[s]), some);
+      EXPECT_EQ(list(shafts_[s], bounds, list_of_one, {.only = candidates}), some.size());
+      EXPECT_EQ(list_of_one, some);
+      EXPECT_EQ(vector(of_candidates[s]), some);
     }
   }
 

@@ -53,7 +53,11 @@ TEST_F(CullErrors, AnInsideOnlyShaftDoesNotCull) {
   const CompiledShaft shaft = shaft_for(false, true, true);
   EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), kept_); }), HasSubstr("outside"));
   EXPECT_THAT(message_of([&] { cull(in_form(shaft, Form::planes), spheres_.view(), kept_); }), HasSubstr("outside"));
+  EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), kept_, inside_); }), HasSubstr("outside"));
   EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
+  EXPECT_EQ(inside_, std::vector<std::uint64_t>(2, 7)) << "written before the error was found";
+  EXPECT_NO_THROW(classify(shaft, boxes_.view(), {}, inside_));
+  EXPECT_NO_THROW(classify(shaft, spheres_.view(), {}, inside_));
 }
 
 TEST_F(CullErrors, AShaftWithoutSpheresDoesNotTestThem) {
@@ -82,8 +86,10 @@ TEST_F(CullErrors, SpansOfTheWrongSizeAreRefusedWithBothSizes) {
     const auto names_sizes = testing::AllOf(HasSubstr(std::to_string(size)), HasSubstr("2"));
     EXPECT_THAT(message_of([&] { cull(shaft, boxes_.view(), wrong); }), names_sizes);
     EXPECT_THAT(message_of([&] { cull(shaft, spheres_.view(), wrong); }), names_sizes);
-    EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), wrong, inside_); }), names_sizes);
     EXPECT_THAT(message_of([&] { classify(shaft, spheres_.view(), kept_, wrong); }), names_sizes);
+    if (size != 0) {  // without bits of kept bounds, those inside are asked for alone
+      EXPECT_THAT(message_of([&] { classify(shaft, boxes_.view(), wrong, inside_); }), names_sizes);
+    }
     EXPECT_EQ(wrong, std::vector<std::uint64_t>(size, 7));
   }
   EXPECT_EQ(kept_, std::vector<std::uint64_t>(2, 7));

@@ -47,7 +47,7 @@ std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds
       cull(in_form(each, form), bounds, kept);
       note(kept);
     }
-    contained(each, bounds, inside);
+    classify(each, bounds, {}, inside);
     note(inside);
     const GridAnswers on_grid = grid_answers(each, bounds, doublings);
     note(on_grid.kept);

@@ -27,6 +27,7 @@
 #include "oracle/open_contact.hpp"
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
+#include "query/bounds.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
 
@@ -243,19 +244,19 @@ TEST(Kinds, MeanWhatTheirNamesSay) {
     const Box beyond{{10, 0, 0}, {11, 1, 1}};
     const Box behind{{-3, 0, 0}, {-2, 1, 1}};
     EXPECT_EQ(classify(swept(body, {0, 0, 0}), body), Answer::inside);
-    EXPECT_FALSE(cull(swept(body, {0, 0, 0}), beyond));
-    EXPECT_TRUE(cull(swept(body, {9, 0, 0}), beyond)) << "it touches";
-    EXPECT_FALSE(cull(swept(body, {std::nextafter(9.0F, 0.0F), 0, 0}), beyond));
+    EXPECT_FALSE(keeps(swept(body, {0, 0, 0}), beyond));
+    EXPECT_TRUE(keeps(swept(body, {9, 0, 0}), beyond)) << "it touches";
+    EXPECT_FALSE(keeps(swept(body, {std::nextafter(9.0F, 0.0F), 0, 0}), beyond));
     EXPECT_EQ(classify(swept_without_end(body, {1e-30F, 0, 0}), beyond), Answer::inside);
-    EXPECT_FALSE(cull(swept_without_end(body, {1, 0, 0}), behind));
+    EXPECT_FALSE(keeps(swept_without_end(body, {1, 0, 0}), behind));
 
     const Box lamp{{-9, 0.5F, 0.5F}, {-9, 0.5F, 0.5F}};
     EXPECT_EQ(classify(shadow(lamp, body), beyond), Answer::inside);
-    EXPECT_FALSE(cull(shadow(lamp, body), behind)) << "between lamp and occluder is light";
+    EXPECT_FALSE(keeps(shadow(lamp, body), behind)) << "between lamp and occluder is light";
     EXPECT_EQ(classify(shadow(lamp, body, 1), body), Answer::inside);
-    EXPECT_FALSE(cull(shadow(lamp, body, 1.9F), beyond))
+    EXPECT_FALSE(keeps(shadow(lamp, body, 1.9F), beyond))
         << "the float is less than 1.9, at which the shadow ends at x = 10";
-    EXPECT_TRUE(cull(shadow(lamp, body, std::nextafter(1.9F, 2.0F)), beyond));
+    EXPECT_TRUE(keeps(shadow(lamp, body, std::nextafter(1.9F, 2.0F)), beyond));
   });
 }
 
@@ -476,7 +477,7 @@ TEST(Kinds, ShaftsWithoutEndHaveAPlaceOnTheGrid) {
     if (kernels.frame == nullptr) continue;
     const auto data = kernel::data_of(std::span<const CompiledShaft>(input.shafts));
     kernel::GroupOnGrid group;
-    group.form(kernels, data, memory.view(), input.boxes.size(), false);
+    group.form(kernels, data, memory.view(), input.boxes.size());
     ASSERT_TRUE(group.exists() && group.has_cuts);
     std::size_t endless = 0;
     for (std::size_t s = 0; s != data.size(); ++s) {
@@ -534,16 +535,17 @@ TEST(Kinds, ShadowsThatLeaveTheFrameAnswerWhatEachAnswersAlone) {
 TEST(Kinds, ShadowsThatLeaveTheFrameHaveAPlaceOnTheGrid) {
   Random random(13);
   const GridCase input = case_of_wide_shadows(random);
-  const std::vector<Box> near(input.boxes.begin(), input.boxes.begin() + 2048);
-  const auto memory = columns(near);
+  const auto boxes = columns(std::vector<Box>(input.boxes.begin(), input.boxes.begin() + 2048));
+  const auto spheres = columns(std::vector<Sphere>(input.spheres.begin(), input.spheres.begin() + 2048));
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
     const kernel::GridKernels& kernels = kernel::active_kernels().grid;
     if (kernels.frame == nullptr) continue;
     const auto data = kernel::data_of(std::span<const CompiledShaft>(input.shafts));
-    for (const bool spheres : {false, true}) {
+    for (const kernel::BoundStreams& near :
+         {kernel::BoundStreams(boxes.view()), kernel::BoundStreams(spheres.view())}) {
       kernel::GroupOnGrid group;
-      group.form(kernels, data, memory.view(), near.size(), spheres);
+      group.form(kernels, data, near, near.count);
       ASSERT_TRUE(group.exists());
       for (std::size_t s = 0; s != data.size(); ++s) {
         EXPECT_TRUE(group.shaft[s].exists && group.shaft[s].cut.leaves_frame) << "shaft " << s;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,14 @@
 #include "message_of.hpp"
 #include "oracle/cases/families.hpp"
 #include "oracle/cases/triangles.hpp"
+#include "oracle/hull.hpp"
+#include "oracle/moving_hull.hpp"
 #include "oracle/triangle.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/kinds.hpp"
+#include "shaftcull/many.hpp"
 
 namespace shaftcull {
 namespace {
@@ -40,7 +45,7 @@ const char* name(TriangleTest test) { return test == TriangleTest::exact ? "tria
 
 Bits kept_of(const CompiledShaft& shaft, const TriangleView& triangles, TriangleTest test) {
   Bits kept(words_for(triangles.count), 0x5555);
-  cull(shaft, triangles, kept, test);
+  cull(shaft, triangles, kept, {.triangle_test = test});
   return kept;
 }
 
@@ -60,6 +65,18 @@ CompiledShaft compiled(const MovingInput& input) {
   return result;
 }
 
+/// The shaft with closed contact.
+oracle::Hull closed_hull(const ShaftInput& input) { return {input.a, input.b, input.added}; }
+oracle::MovingHull closed_hull(const MovingInput& input) { return oracle::MovingHull(input); }
+
+/// Whether all vertices are inside, as points.
+template <class Hull>
+bool has_vertices_inside(const Hull& hull, const Triangle& triangle) {
+  return std::all_of(triangle.vertex.begin(), triangle.vertex.end(), [&](const Vec3& vertex) {
+    return hull.answer(Box{vertex, vertex}) == Answer::inside;
+  });
+}
+
 template <class Input>
 Input opened(Input input) {
   input.contact = Contact::open;
@@ -77,24 +94,36 @@ template <class Input>
 Found expect_exact_triangles(const Input& input, const std::vector<Triangle>& triangles) {
   const TriangleColumns memory(triangles);
   const CompiledShaft shaft = compiled(input);
+  const auto hull = closed_hull(input);
   Found found;
   std::array<std::vector<bool>, 2> outside;
   for (const TriangleTest test : tests) {
     std::vector<bool>& right = outside[static_cast<std::size_t>(test)];
-    for (const Triangle& triangle : triangles) right.push_back(oracle::is_outside(input, triangle, test));
+    std::vector<bool> inside;
+    for (const Triangle& triangle : triangles) {
+      right.push_back(oracle::is_outside(input, triangle, test));
+      inside.push_back(!right.back() && has_vertices_inside(hull, triangle));
+    }
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       const Bits kept = kept_of(shaft, memory.view(), test);
+      Bits kept_too(kept.size(), 0x5555);
+      Bits inside_bits(kept.size(), 0x5555);
+      classify(shaft, memory.view(), kept_too, inside_bits, {.triangle_test = test});
+      EXPECT_EQ(kept_too, kept) << "cull() and classify() keep different triangles of " << source_text(input);
       std::size_t wrong = 0;
       std::size_t first = 0;
       for (std::size_t i = triangles.size(); i-- != 0;) {
-        if (bit(kept, i) == !right[i]) continue;
+        if (bit(kept, i) == !right[i] && bit(inside_bits, i) == inside[i]) continue;
         ++wrong;
         first = i;
       }
       EXPECT_EQ(wrong, 0U) << "of " << triangles.size() << " on " << shaftcull::name(isa) << ", form " << name(test)
                            << "; the first is bound " << first << ":\n  " << source_text(input) << "\n  "
-                           << source_text(triangles[first]) << "\n  is " << (right[first] ? "outside" : "overlap")
+                           << source_text(triangles[first]) << "\n  is "
+                           << (right[first]    ? "outside"
+                               : inside[first] ? "inside"
+                                               : "overlap")
                            << ", answered otherwise";
     }
   }
@@ -358,33 +387,33 @@ TEST(Triangles, ThoseOfAPatchesOwnWallAreOutsideOfAnOpenShaft) {
   const Triangle across{{{{2, -9, -9}, {2, 9, -9}, {2, 0, 9}}}};
   for (const TriangleTest test : tests) {
     set_contact(shaft, Contact::closed);
-    for (const Triangle& triangle : {floor, wall, across}) EXPECT_TRUE(cull(shaft, triangle, test));
+    for (const Triangle& triangle : {floor, wall, across}) EXPECT_TRUE(keeps(shaft, triangle, test));
     set_contact(shaft, Contact::open);
-    EXPECT_FALSE(cull(shaft, floor, test));
-    EXPECT_FALSE(cull(shaft, wall, test));
-    EXPECT_TRUE(cull(shaft, across, test));
+    EXPECT_FALSE(keeps(shaft, floor, test));
+    EXPECT_FALSE(keeps(shaft, wall, test));
+    EXPECT_TRUE(keeps(shaft, across, test));
   }
   // A shaft in the plane of the floor is kept apart from what is beside it in that plane, not from what it crosses.
   CompiledShaft flat = compile(Box{{0, 0, 0}, {1, 1, 0}}, Box{{4, 0, 0}, {5, 1, 0}}, Contact::open);
-  EXPECT_TRUE(cull(flat, floor));
-  EXPECT_FALSE(cull(flat, Triangle{{{{0, 1, 0}, {5, 1, 0}, {2, 3, 0}}}}));
-  EXPECT_FALSE(cull(flat, Triangle{{{{0, 0, 0}, {5, 0, 0}, {2, 1, 1}}}})) << "only an edge of it is in the plane";
+  EXPECT_TRUE(keeps(flat, floor));
+  EXPECT_FALSE(keeps(flat, Triangle{{{{0, 1, 0}, {5, 1, 0}, {2, 3, 0}}}}));
+  EXPECT_FALSE(keeps(flat, Triangle{{{{0, 0, 0}, {5, 0, 0}, {2, 1, 1}}}})) << "only an edge of it is in the plane";
 }
 
 TEST(Triangles, ASlantedTriangleThatItsBoxHidesIsOutsideForTheExactTestAlone) {
   // It faces a corner of the shaft, which is within its box.
   const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{0, 0, 4}, {1, 1, 5}});
   const Triangle triangle{{{{2, 0.9F, 2}, {0.9F, 2, 2}, {2, 2, 3}}}};
-  EXPECT_TRUE(cull(shaft, triangle, TriangleTest::vertices));
-  EXPECT_FALSE(cull(shaft, triangle, TriangleTest::exact));
-  EXPECT_FALSE(cull(shaft, triangle)) << "which is what is asked for if nothing is said";
+  EXPECT_TRUE(keeps(shaft, triangle, TriangleTest::vertices));
+  EXPECT_FALSE(keeps(shaft, triangle, TriangleTest::exact));
+  EXPECT_FALSE(keeps(shaft, triangle)) << "which is what is asked for if nothing is said";
 }
 
 TEST(Triangles, AVertexThatTouchesACornerIsKept) {
   const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{0, 0, 4}, {1, 1, 5}});
   for (const TriangleTest test : tests) {
-    EXPECT_TRUE(cull(shaft, {{{{1, 1, 3}, {2, 1, 3}, {1, 2, 3}}}}, test));
-    EXPECT_FALSE(cull(shaft, {{{{std::nextafter(1.0F, 2.0F), 1, 3}, {2, 1, 3}, {1.5F, 2, 3}}}}, test));
+    EXPECT_TRUE(keeps(shaft, Triangle{{{{1, 1, 3}, {2, 1, 3}, {1, 2, 3}}}}, test));
+    EXPECT_FALSE(keeps(shaft, Triangle{{{{std::nextafter(1.0F, 2.0F), 1, 3}, {2, 1, 3}, {1.5F, 2, 3}}}}, test));
   }
 }
 
@@ -394,8 +423,8 @@ TEST(Triangles, APlaneAddedToAShaftCullsWhatItsBoxWouldKeep) {
   shaft.add_plane({{1, 1, 0}, 2.9F});
   const Triangle triangle{{{{2, 0.95F, 0}, {2.9F, 0.05F, 0}, {2.5F, 0.5F, 1}}}};
   const CompiledShaft compiled_shaft = compile(shaft);
-  EXPECT_TRUE(cull(compiled_shaft, oracle::box_around(triangle)));
-  for (const TriangleTest test : tests) EXPECT_FALSE(cull(compiled_shaft, triangle, test));
+  EXPECT_TRUE(keeps(compiled_shaft, oracle::box_around(triangle)));
+  for (const TriangleTest test : tests) EXPECT_FALSE(keeps(compiled_shaft, triangle, test));
 }
 
 TEST(Triangles, AHullIsAskedByVerticesOnly) {
@@ -471,6 +500,11 @@ TEST(Triangles, CoordinatesThatAreNotFiniteAreAnsweredAsPromised) {
     for (const TriangleTest test : tests) {
       const Bits plain_bits = kept_of(plain, memory.view(), test);
       const Bits plane_bits = kept_of(with_plane, memory.view(), test);
+      for (const CompiledShaft& asked : {plain, with_plane}) {
+        Bits inside_bits(plain_bits.size(), 0x5555);
+        classify(asked, memory.view(), {}, inside_bits, {.triangle_test = test});
+        EXPECT_EQ(inside_bits, Bits(plain_bits.size())) << shaftcull::name(isa) << ", " << name(test);
+      }
       for (std::size_t i = 0; i != triangles.size(); ++i) {
         EXPECT_EQ(bit(plain_bits, i), kept[i]) << shaftcull::name(isa) << ", " << name(test) << ", " << i;
         EXPECT_EQ(bit(plane_bits, i), kept_with_plane[i]) << shaftcull::name(isa) << ", " << name(test) << ", " << i;
@@ -505,6 +539,14 @@ TEST(Triangles, EveryCountIsAnsweredAndNothingBehindItIsRead) {
           const TriangleColumns memory(triangles);
           const GuardedView guarded(memory.view());
           EXPECT_EQ(kept_of(shaft, guarded.view(), test), expected) << shaftcull::name(isa) << ", " << count;
+          const std::size_t words = words_for(count);
+          Bits kept(words + 1, 0x5555);
+          Bits inside(kept);
+          classify(shaft, guarded.view(), std::span(kept).first(words), std::span(inside).first(words),
+                   {.triangle_test = test});
+          expected.push_back(0x5555);
+          EXPECT_EQ(kept, expected) << shaftcull::name(isa) << ", " << count;
+          EXPECT_EQ(inside, expected) << "a point of the shaft is inside, " << shaftcull::name(isa) << ", " << count;
         }
       }
     }
@@ -525,14 +567,15 @@ TEST(Triangles, CountsListsAndManyShaftsSayWhatBitsSay) {
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       for (const TriangleTest test : tests) {
+        const Query query{.triangle_test = test};
         Bits rows(shafts.size() * words_for(size), 0x5555);
-        cull_many(shafts, view, rows, test);
+        cull_many(shafts, view, rows, query);
         std::vector<std::uint64_t> counts(shafts.size(), 5);
-        count_many(shafts, view, counts, test);
+        count_many(shafts, view, counts, query);
         Bits any_bits(2, 0x5555);
-        any_many(shafts, view, any_bits, test);
+        any_many(shafts, view, any_bits, query);
         IndexLists lists;
-        list_many(shafts, view, lists, test);
+        list_many(shafts, view, lists, query);
         ASSERT_EQ(lists.size(), shafts.size());
         for (std::size_t s = 0; s != shafts.size(); ++s) {
           const Bits kept = kept_of(shafts[s], view, test);
@@ -541,12 +584,13 @@ TEST(Triangles, CountsListsAndManyShaftsSayWhatBitsSay) {
           for (std::uint32_t i = 0; i != size; ++i) {
             if (bit(kept, i)) expected.push_back(i);
           }
-          EXPECT_EQ(count(shafts[s], view, test), expected.size());
+          EXPECT_EQ(count(shafts[s], view, query), expected.size());
           EXPECT_EQ(counts[s], expected.size());
-          EXPECT_EQ(any(shafts[s], view, test), !expected.empty());
+          EXPECT_EQ(any(shafts[s], view, query), !expected.empty());
           EXPECT_EQ(bit(any_bits, s), !expected.empty());
           std::vector<std::uint32_t> listed(size);
-          listed.resize(list(shafts[s], view, listed, test));
+          EXPECT_EQ(list(shafts[s], view, std::span(listed), query), expected.size());
+          listed.resize(expected.size());
           EXPECT_EQ(listed, expected);
           EXPECT_TRUE(std::equal(expected.begin(), expected.end(), lists[s].begin(), lists[s].end()));
         }
@@ -569,7 +613,7 @@ TEST(Triangles, BadArgumentsAreRefusedBeforeAnythingIsWritten) {
   const TriangleView view = memory.view();
   Bits kept(2, 7);
   EXPECT_THAT(message_of([&] { cull(shaft, view, std::span(kept).first(1)); }), testing::HasSubstr("kept has 1 word;"));
-  EXPECT_THAT(message_of([&] { cull(shaft, view, kept, static_cast<TriangleTest>(9)); }),
+  EXPECT_THAT(message_of([&] { cull(shaft, view, kept, {.triangle_test = static_cast<TriangleTest>(9)}); }),
               testing::HasSubstr("test = 9 is neither"));
   EXPECT_THAT(message_of([&] { cull(CompiledShaft(), view, kept); }), testing::HasSubstr("shaft 0 was never formed"));
   EXPECT_THAT(message_of([&] {

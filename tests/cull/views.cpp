@@ -198,7 +198,7 @@ void expect_single(const ShaftInput& asked, const std::vector<Bound>& bounds) {
     for (const CompiledShaft& shaft : shafts) {
       for (std::size_t i = 0; i != bounds.size(); ++i) {
         ASSERT_EQ(classify(shaft, bounds[i]), right[i]) << source_text(bounds[i]) << ", " << name(isa);
-        ASSERT_EQ(cull(shaft, bounds[i]), right[i] != Answer::outside) << source_text(bounds[i]) << ", " << name(isa);
+        ASSERT_EQ(keeps(shaft, bounds[i]), right[i] != Answer::outside) << source_text(bounds[i]) << ", " << name(isa);
       }
     }
   }
@@ -232,35 +232,63 @@ TEST(Views, AnEmptyBoundIsOutsideAndOneWithNanIsNot) {
   const CompiledShaft shaft = compile(input.a, input.b);
   for (const Isa isa : isas_under_test()) {
     const UseIsa use(isa);
-    EXPECT_FALSE(cull(shaft, Box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}));
-    EXPECT_FALSE(cull(shaft, Sphere{{0, 0, 0}, -1}));
+    EXPECT_FALSE(keeps(shaft, Box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}}));
+    EXPECT_FALSE(keeps(shaft, Sphere{{0, 0, 0}, -1}));
     EXPECT_EQ(classify(shaft, Box{{nan, nan, nan}, {nan, nan, nan}}), Answer::overlap);
-    EXPECT_TRUE(cull(shaft, Box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
+    EXPECT_TRUE(keeps(shaft, Box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}}));
   }
 }
 
-TEST(Views, BitsOfOtherLayersAreCleared) {
+template <class Columns, class Bound>
+void expect_layers(const std::vector<Bound>& bounds) {
   Random random(45);
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const std::vector<Answer> right = answers(input, bounds, Form::slab);
   for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 200U}) {
+    const Columns memory(std::vector<Bound>(bounds.begin(), bounds.begin() + static_cast<std::ptrdiff_t>(count)));
     std::vector<std::uint32_t> layers(count);
     for (std::uint32_t& each : layers) each = random.one_in(4) ? 0 : 1U << random.below(32);
-    const std::vector<std::uint64_t> before(words_for(count), 0xffff'0f0f'ffff'fff1);
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       for (const std::uint32_t mask : {0U, 0xffff0000U, 0x80000001U, ~0U}) {
-        std::vector<std::uint64_t> bits = before;
-        keep_layers(bits, layers, mask);
-        for (std::size_t i = 0; i != 64 * bits.size(); ++i) {
-          const bool stays = i < count && (layers[i] & mask) != 0 && (before[i / 64] >> i % 64 & 1) != 0;
-          ASSERT_EQ(bits[i / 64] >> i % 64 & 1, stays ? 1U : 0U) << name(isa) << ", bit " << i << " of " << count;
+        std::vector<std::uint64_t> kept(words_for(count) + 1, sentinel);
+        std::vector<std::uint64_t> inside(kept);
+        const std::size_t words = words_for(count);
+        classify(shaft, Bounds(memory.view(), layers), std::span(kept).first(words), std::span(inside).first(words),
+                 {.layer_mask = {mask}});
+        ASSERT_EQ(kept[words], sentinel) << "written past the end";
+        ASSERT_EQ(inside[words], sentinel) << "written past the end";
+        for (std::size_t i = 0; i != 64 * words; ++i) {
+          const bool is_asked = i < count && (layers[i] & mask) != 0;
+          ASSERT_EQ(bit(kept, i), is_asked && right[i] != Answer::outside)
+              << name(isa) << ", bound " << i << " of " << count;
+          ASSERT_EQ(bit(inside, i), is_asked && right[i] == Answer::inside)
+              << name(isa) << ", bound " << i << " of " << count;
         }
       }
     }
   }
-  std::vector<std::uint64_t> two(2, 7);
-  EXPECT_THROW(keep_layers(two, std::vector<std::uint32_t>(200), 1), InvalidArgument);
-  EXPECT_THROW(keep_layers(two, {static_cast<const std::uint32_t*>(nullptr), 100}, 1), InvalidArgument);
-  EXPECT_EQ(two, std::vector<std::uint64_t>(2, 7));
+}
+
+TEST(Views, BoundsInNoneOfTheLayersAreLeftOut) {
+  expect_layers<BoxColumns>(some_boxes());
+  expect_layers<SphereColumns>(some_spheres());
+}
+
+TEST(Views, LayersOfTheWrongSizeAreRefused) {
+  const CompiledShaft shaft = compile(Shaft(input.a, input.b));
+  const BoxColumns memory(some_boxes());
+  std::vector<std::uint64_t> kept(words_for(most_bounds), 7);
+  const auto layers = [](std::size_t count) { return std::vector<std::uint32_t>(count, 1); };
+  const auto ask = [&](std::span<const std::uint32_t> of_bounds) {
+    cull(shaft, Bounds(memory.view(), of_bounds), kept, {.layer_mask = {1}});
+  };
+  EXPECT_THROW(ask(layers(most_bounds - 1)), InvalidArgument);
+  EXPECT_THROW(ask(layers(most_bounds + 1)), InvalidArgument);
+  EXPECT_THROW(ask(layers(0)), InvalidArgument) << "there are none";
+  EXPECT_THROW(ask({static_cast<const std::uint32_t*>(nullptr), most_bounds}), InvalidArgument);
+  EXPECT_EQ(kept, std::vector<std::uint64_t>(words_for(most_bounds), 7));
+  EXPECT_NO_THROW(ask(layers(most_bounds)));
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ struct Answers {
   std::optional<Words> culled;
   std::optional<Words> kept;
   std::optional<Words> inside;
-  std::optional<Words> contained;
+  std::optional<Words> inside_alone;
 };
 
 const char* text(Form form) { return form == Form::slab ? "slab" : "planes"; }
@@ -215,7 +215,7 @@ class Comparison {
       if (is_listed && has_nan(bounds_[i])) fail_at(i, "blocks, but has a NaN");
       if (is_listed && slab_.culled && it_.planes.empty() && !bit(*slab_.culled, i)) fail_at(i, "blocks from outside");
     }
-    const std::optional<std::size_t> first = blocked_by(shaft, memory_.view());
+    const std::optional<std::uint32_t> first = blocked_by(shaft, memory_.view());
     if (first.has_value() == listed.empty() || (first && *first != listed[0])) fail("blocked_by() differs", it_);
   }
 
@@ -229,25 +229,47 @@ class Comparison {
       triangles.push_back({{box.lo, Vec3{box.hi[0], box.lo[1], box.hi[2]}, i % 2 == 0 ? box.hi : other.lo}});
     }
     const TriangleColumns memory(triangles);
+    CompiledShaft closed = shaft;
+    set_contact(closed, Contact::closed);
     for (const TriangleTest test : {TriangleTest::vertices, TriangleTest::exact}) {
-      std::optional<Words> scalar;
+      std::optional<std::pair<Words, Words>> scalar;
       for (const Isa isa : isas()) {
         if (isa != Isa::scalar && !is_drawn(isa)) continue;
         select_isa(isa);
-        cull(shaft, memory.view(), kept_.unwritten(), test);
-        const Words kept = kept_.read();
+        const std::pair<Words, Words> answers = triangles_of(shaft, memory.view(), test);
         if (!scalar) {
-          scalar = kept;
-          for (std::size_t i = 0; i != triangles.size(); ++i) require_exact_triangle(triangles[i], test, bit(kept, i));
+          scalar = answers;
+          const auto& [kept, inside] = answers;
+          for (std::size_t i = 0; i != triangles.size(); ++i) {
+            if (!are_finite(triangles[i])) continue;
+            if (it_.options.inside) require_inside(closed, triangles[i], bit(kept, i), bit(inside, i));
+            require_exact_triangle(triangles[i], test, bit(kept, i));
+          }
         }
-        if (kept != *scalar) fail("triangles on " + std::string(name(isa)) + " differ from scalar", it_);
+        if (answers != *scalar) fail("triangles on " + std::string(name(isa)) + " differ from scalar", it_);
       }
     }
   }
+  /// Bits of triangles that are kept, and of those inside if the shaft tells them.
+  std::pair<Words, Words> triangles_of(const CompiledShaft& shaft, const TriangleView& triangles, TriangleTest test) {
+    cull(shaft, triangles, kept_.unwritten(), {.triangle_test = test});
+    const Words kept = kept_.read();
+    if (!it_.options.inside) return {kept, Words{}};
+    classify(shaft, triangles, kept_.unwritten(), inside_.unwritten(), {.triangle_test = test});
+    if (kept_.read() != kept) fail("cull() and classify() keep different triangles", it_);
+    return {kept, inside_.read()};
+  }
+  /// Inside is a triangle that is kept and whose vertices are inside, with closed contact.
+  void require_inside(const CompiledShaft& closed, const Triangle& triangle, bool is_kept, bool is_inside) const {
+    const bool right = is_kept && std::all_of(triangle.vertex.begin(), triangle.vertex.end(), [&](const Vec3& vertex) {
+                         return classify(closed, Box{vertex, vertex}) == Answer::inside;
+                       });
+    if (is_inside != right) fail("whether a triangle is inside is answered wrongly: " + source_text(triangle), it_);
+  }
+  static bool are_finite(const Triangle& triangle) {
+    return std::all_of(triangle.vertex.begin(), triangle.vertex.end(), is_finite);
+  }
   void require_exact_triangle(const Triangle& triangle, TriangleTest test, bool is_kept) const {
-    for (const Vec3& vertex : triangle.vertex) {
-      if (!is_finite(vertex)) return;
-    }
     if (draw_ && *draw_ % 8 != 0) return;  // rationals take long
     const Case::Input input = it_.input();
     const auto* const moving = std::get_if<MovingInput>(&input);
@@ -262,11 +284,13 @@ class Comparison {
     return kept_.read();
   }
   std::pair<Words, Words> classified(const CompiledShaft& shaft, Form form) {
+    // Without bounds there are no words of kept ones, and those inside are asked for alone.
+    if (bounds_.empty()) static_cast<void>(culled(shaft, form));
     classify(in_form(shaft, form), memory_.view(), kept_.unwritten(), inside_.unwritten());
     return {kept_.read(), inside_.read()};
   }
-  Words contained_by(const CompiledShaft& shaft) {
-    contained(shaft, memory_.view(), inside_.unwritten());
+  Words inside_alone(const CompiledShaft& shaft) {
+    classify(shaft, memory_.view(), {}, inside_.unwritten());
     return inside_.read();
   }
 
@@ -277,8 +301,9 @@ class Comparison {
       answers.inside = both->second;
     }
     answers.culled = unless_refused([&] { return culled(shaft, form); });
-    // contained() knows no forms.
-    answers.contained = form == Form::slab ? unless_refused([&] { return contained_by(shaft); }) : slab_.contained;
+    // Without kept bounds, the form makes no difference.
+    answers.inside_alone =
+        form == Form::slab ? unless_refused([&] { return inside_alone(shaft); }) : slab_.inside_alone;
     return answers;
   }
 
@@ -291,8 +316,8 @@ class Comparison {
       require_equal(inside, *scalar.inside, "classify() (inside)", isa, form);
     } else if (scalar.culled) {
       require_equal(culled(shaft, form), *scalar.culled, "cull()", isa, form);
-    } else if (scalar.contained) {
-      require_equal(contained_by(shaft), *scalar.contained, "contained()", isa, form);
+    } else if (scalar.inside_alone) {
+      require_equal(inside_alone(shaft), *scalar.inside_alone, "classify() (inside alone)", isa, form);
     }
   }
 
@@ -314,19 +339,19 @@ class Comparison {
     const bool refuses = std::is_same_v<Bound, Sphere> && !can.spheres;
     if (answers.culled.has_value() != (can.outside && !refuses) ||
         answers.inside.has_value() != (can.outside && can.inside && !refuses) ||
-        answers.contained.has_value() != (can.inside && !refuses)) {
+        answers.inside_alone.has_value() != (can.inside && !refuses)) {
       fail(std::string("what is refused is not what the options leave out, form ") + text(form), it_);
     }
     if (answers.inside && answers.kept != answers.culled) fail("cull() and classify() keep differently", it_);
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
       if (answers.inside && bit(*answers.inside, i) && !bit(*answers.kept, i)) fail_at(i, "inside but not kept");
-      if (answers.contained && bit(*answers.contained, i) && has_nan(bounds_[i])) fail_at(i, "NaN inside");
-      if (answers.inside && is_specified(bounds_[i]) && bit(*answers.inside, i) != bit(*answers.contained, i)) {
-        fail_at(i, "classify() and contained() differ about inside");
+      if (answers.inside_alone && bit(*answers.inside_alone, i) && has_nan(bounds_[i])) fail_at(i, "NaN inside");
+      if (answers.inside && is_specified(bounds_[i]) && bit(*answers.inside, i) != bit(*answers.inside_alone, i)) {
+        fail_at(i, "inside alone is another answer");
       }
     }
     const std::size_t rest = bounds_.size() % 64;
-    for (const std::optional<Words>* words : {&answers.culled, &answers.inside, &answers.contained}) {
+    for (const std::optional<Words>* words : {&answers.culled, &answers.inside, &answers.inside_alone}) {
       if (rest == 0 || !words->has_value()) continue;
       if ((**words)[bounds_.size() / 64] >> rest != 0) fail("bits past the last bound are set", it_);
     }
@@ -463,7 +488,7 @@ void require_exact_times(const Case& it, const CompiledShaft& shaft, std::size_t
   std::vector<float> times(boxes.size());
   entry_times(shaft, memory.view(), indices, times);
   for (std::size_t i = 0; i != boxes.size(); ++i) {
-    const bool is_kept = cull(shaft, boxes[i]);
+    const bool is_kept = keeps(shaft, boxes[i]);
     const std::optional<mpq_class> time = time_of(boxes[i]);
     if (is_kept && !time) fail(source_text(boxes[i]) + "\n  is kept, but never reached", it);
     const float right = is_kept ? oracle::rounded_down(*time) : std::numeric_limits<float>::infinity();

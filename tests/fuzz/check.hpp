@@ -19,7 +19,8 @@ class Fault : public std::logic_error {
 /// * packing and formation, of all kinds of shafts and of hulls, refuse exactly what the headers say, and pack exactly
 ///   what they are given;
 /// * every instruction set gives the answers of the scalar one;
-/// * both forms, cull() and contained() agree on bounds that are legal or have a NaN;
+/// * both forms agree, and so do cull() and classify(), of bounds inside alone too, on bounds that are legal or have a
+///   NaN;
 /// * what is inside is kept, and nothing with a NaN is inside;
 /// * what blocks is kept, has no NaN, and is the same alone and in a view.
 /// With a draw, it picks the one instruction set that is compared with the scalar one, and one case in four for a whole

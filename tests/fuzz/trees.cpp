@@ -15,10 +15,10 @@
 #include "oracle/cases/moving.hpp"
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/blocked.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 
@@ -45,7 +45,7 @@ bool asks_alike(const Case& it, const CompiledShaft& shaft, const BoundsTree<Bou
   }
   const auto of_scan = first_contact(shaft, memory.view());
   const auto of_tree = first_contact(shaft, tree);
-  return of_tree.index == static_cast<std::uint32_t>(of_scan.index) && of_tree.time == of_scan.time;
+  return of_tree.index == of_scan.index && of_tree.time == of_scan.time;
 }
 
 template <class Bound>
@@ -54,13 +54,13 @@ void require_flat_answers(const Case& it, const CompiledShaft& shaft, const Boun
   const FlatAnswers flat(shaft, bounds);
   Indices kept(bounds.size());
   kept.resize(list(shaft, tree, std::span(kept)));
-  std::vector<LeafRange> overlap(bounds.size());
-  std::vector<LeafRange> inside(bounds.size());
-  const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
+  Indices overlap(bounds.size());
+  Indices inside(bounds.size());
+  const KeptCounts counts = list_classified(shaft, tree, overlap, inside);
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
-  if (sorted(kept) == flat.kept() && sorted(overlap, tree.order()) == flat.overlap &&
-      sorted(inside, tree.order()) == flat.inside && asks_alike(it, shaft, tree, bounds)) {
+  if (sorted(kept) == flat.kept() && sorted(overlap) == flat.overlap && sorted(inside) == flat.inside &&
+      asks_alike(it, shaft, tree, bounds)) {
     return;
   }
   std::string message = std::string("a tree ") + when + " on " + std::string(name(active_isa())) +

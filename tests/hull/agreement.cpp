@@ -20,8 +20,7 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/query.hpp"
-#include "shaftcull/refine.hpp"
+#include "shaftcull/tree.hpp"
 
 namespace shaftcull {
 namespace {
@@ -32,25 +31,26 @@ Answer answer_at(const std::vector<std::uint64_t>& kept, const std::vector<std::
   return !bit(kept, i) ? Answer::outside : bit(inside, i) ? Answer::inside : Answer::overlap;
 }
 
-/// Answers of classify() for a view, after checking that cull(), contained() and one bound at a time agree.
+/// Answers of classify() for a view, after checking that cull(), classify() of bounds inside alone, and one bound at a
+/// time agree.
 template <class Bound>
 std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bounds) {
   const auto memory = columns(bounds);
   std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
   std::vector<std::uint64_t> inside = culled;
-  std::vector<std::uint64_t> contained_alone = culled;
+  std::vector<std::uint64_t> inside_alone = culled;
   cull(hull, memory.view(), culled);
   classify(hull, memory.view(), kept, inside);
-  contained(hull, memory.view(), contained_alone);
+  classify(hull, memory.view(), {}, inside_alone);
   EXPECT_EQ(culled, kept);
-  EXPECT_EQ(contained_alone, inside);
+  EXPECT_EQ(inside_alone, inside);
   std::vector<Answer> all;
   for (std::size_t i = 0; i != bounds.size(); ++i) {
     all.push_back(answer_at(kept, inside, i));
     if (i % 7 == 0) {
       EXPECT_EQ(classify(hull, bounds[i]), all.back());
-      EXPECT_EQ(cull(hull, bounds[i]), all.back() != Answer::outside);
+      EXPECT_EQ(keeps(hull, bounds[i]), all.back() != Answer::outside);
     }
   }
   return all;
@@ -337,7 +337,7 @@ TEST(Hull, OfAViewIsWhatItsPlanesShowAndNoMore) {
         most = std::max(most, value / std::sqrt(length));
       }
       if (std::abs(most) > 1e-2) {
-        EXPECT_EQ(cull(view, Box{at, at}), most < 0) << most;
+        EXPECT_EQ(keeps(view, Box{at, at}), most < 0) << most;
       }
     }
     const HullInput input{{view.points().begin(), view.points().end()},
@@ -372,7 +372,7 @@ TEST(Hull, OfCastersDoesNotFlickerWhereTheLightCrossesTheViewsPlane) {
       boxes.push_back({light, light});
       expect_exact(input, boxes);
       if (HasFatalFailure()) return;
-      EXPECT_TRUE(cull(hull, Box{light, light}));
+      EXPECT_TRUE(keeps(hull, Box{light, light}));
     }
   }
 }
@@ -382,8 +382,8 @@ TEST(Hull, OfCastersTowardsASunHasNoEnd) {
     const std::vector<Vec3> corners = {{-1, -1, 2}, {1, -1, 2}, {-1, 1, 2}, {1, 1, 2},
                                        {-4, -4, 8}, {4, -4, 8}, {-4, 4, 8}, {4, 4, 8}};
     const ConvexHull hull = casters_towards(ConvexHull(corners), {0, 1, 0});
-    EXPECT_TRUE(cull(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}));
-    EXPECT_FALSE(cull(hull, Box{{0, -1e20F, 5}, {1, -10, 6}}));
+    EXPECT_TRUE(keeps(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}));
+    EXPECT_FALSE(keeps(hull, Box{{0, -1e20F, 5}, {1, -10, 6}}));
     EXPECT_EQ(classify(hull, Box{{0, 1e20F, 5}, {1, 1e21F, 6}}), Answer::inside);
     EXPECT_EQ(hull.box().hi[1], std::numeric_limits<float>::infinity());
   });

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// How calls for many behave: what they refuse, where they run, and what exceptions do.
+/// How calls for many behave: what they refuse, and where they run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
-#include <string>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "columns.hpp"
 #include "many/workload.hpp"
 #include "message_of.hpp"
+#include "parallel/parallel.hpp"
 #include "shaftcull/many.hpp"
 
 namespace shaftcull {
@@ -68,8 +67,9 @@ TEST_F(ManyErrors, AShaftThatDoesNotAnswerIsNamedBeforeAnythingIsWritten) {
   outside_only.inside = false;
   last_shaft(outside_only);
   EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), rows_, inside_); }), HasSubstr("2"));
-  EXPECT_THROW(for_each_classified_tile(shafts_, boxes_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
+  EXPECT_THAT(message_of([&] { classify_many(shafts_, boxes_.view(), {}, inside_); }), HasSubstr("2"));
   EXPECT_EQ(rows_, std::vector<std::uint64_t>(15, 7));
+  EXPECT_EQ(inside_, std::vector<std::uint64_t>(15, 7));
   EXPECT_NO_THROW(cull_many(shafts_, boxes_.view(), rows_));
 }
 
@@ -83,7 +83,6 @@ TEST_F(ManyErrors, EveryOutputRefusesSpheresForAShaftWithoutThem) {
   EXPECT_THROW(classify_many(shafts_, spheres_.view(), rows_, inside_), InvalidArgument);
   EXPECT_THROW(count_many(shafts_, spheres_.view(), counts), InvalidArgument);
   EXPECT_THROW(list_many(shafts_, spheres_.view(), lists), InvalidArgument);
-  EXPECT_THROW(for_each_tile(shafts_, spheres_.view(), [](const TileAnswers&) { FAIL(); }), InvalidArgument);
   EXPECT_EQ(counts, std::vector<std::uint64_t>(3, 7));
   EXPECT_EQ(lists.indices, std::vector<std::uint32_t>{5});
 }
@@ -98,16 +97,11 @@ TEST_F(ManyErrors, ListsOfMoreBoundsThanIndicesReachAreRefused) {
 }
 #endif
 
-TEST_F(ManyErrors, AnEmptyCallbackIsRefused) {
-  const std::function<void(const TileAnswers&)> empty;
-  EXPECT_THROW(for_each_tile(shafts_, boxes_.view(), empty), InvalidArgument);
-}
-
-TEST(ManyCalls, NoShaftsOrNoBoundsCallNothingBack) {
+TEST(ManyCalls, NoShaftsOrNoBoundsHaveEmptyLists) {
   const BoxColumns boxes(random_boxes(94, 10));
   const std::vector<CompiledShaft> shafts = random_shafts(95, 2);
-  for_each_tile({}, boxes.view(), [](const TileAnswers&) { FAIL(); });
-  for_each_classified_tile(shafts, BoxView{}, [](const TileAnswers&) { FAIL(); });
+  cull_many({}, boxes.view(), {});
+  classify_many(shafts, BoxView{}, {}, {});
   IndexLists lists;
   list_many(shafts, BoxView{}, lists);
   EXPECT_EQ(lists.offsets, std::vector<std::uint64_t>(3, 0));
@@ -116,43 +110,7 @@ TEST(ManyCalls, NoShaftsOrNoBoundsCallNothingBack) {
   EXPECT_EQ(lists.size(), 0U);
 }
 
-#if defined(__cpp_exceptions)
-TEST(ManyCalls, AnExceptionFromACallbackEndsTheRunAndReachesTheCaller) {
-  const BoxColumns boxes(random_boxes(96, 100000));
-  const std::vector<CompiledShaft> shafts = random_shafts(97, 70);
-  for (const int threads : thread_counts) {
-    for (const int last : {1, 71, 2000}) {
-      int calls = 0;
-      with_threads(threads, [&] {
-        try {
-          for_each_tile(shafts, boxes.view(), [&](const TileAnswers&) {
-            if (++calls == last) throw std::domain_error("from the callback");
-          });
-          ADD_FAILURE() << "nothing was thrown";
-        } catch (const std::domain_error& error) {
-          EXPECT_STREQ(error.what(), "from the callback");
-        }
-      });
-      EXPECT_EQ(calls, last) << "delivered after the exception";
-    }
-  }
-}
-#endif
-
 #if defined(__STDCPP_THREADS__)
-
-TEST(ManyCalls, CallbacksComeOneAtATime) {
-  const BoxColumns boxes(random_boxes(98, 50000));
-  const std::vector<CompiledShaft> shafts = random_shafts(99, 8);
-  std::atomic<int> inside = 0;
-  with_threads(5, [&] {
-    for_each_tile(shafts, boxes.view(), [&](const TileAnswers&) {
-      EXPECT_EQ(++inside, 1);
-      std::this_thread::yield();
-      --inside;
-    });
-  });
-}
 
 TEST(ManyCalls, CallsFromManyThreadsDoNotDisturbEachOther) {
   const BoxColumns boxes(random_boxes(100, 20000));
@@ -171,13 +129,13 @@ TEST(ManyCalls, CallsFromManyThreadsDoNotDisturbEachOther) {
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 
+// Calls for many shafts hand out their work by parallel_for().
+
 TEST(ManyCalls, WorkRunsInsideTheCallersArena) {
-  const BoxColumns boxes(random_boxes(102, 100000));
-  const std::vector<CompiledShaft> shafts = random_shafts(103, 8);
   for (const int threads : {1, 3}) {
     with_threads(threads, [&] {
       EXPECT_EQ(concurrency(), threads);
-      for_each_tile(shafts, boxes.view(), [threads](const TileAnswers&) {
+      kernel::parallel_for(400, 8, [threads](std::size_t, std::size_t) {
         EXPECT_EQ(tbb::this_task_arena::max_concurrency(), threads);
         EXPECT_LT(tbb::this_task_arena::current_thread_index(), threads);
       });
@@ -186,12 +144,9 @@ TEST(ManyCalls, WorkRunsInsideTheCallersArena) {
 }
 
 TEST(ManyCalls, AnArenaOfOneThreadIsTheCallersOwn) {
-  const BoxColumns boxes(random_boxes(104, 50000));
-  const std::vector<CompiledShaft> shafts = random_shafts(105, 8);
   const std::thread::id caller = std::this_thread::get_id();
   tbb::task_arena(1).execute([&] {
-    for_each_tile(shafts, boxes.view(),
-                  [caller](const TileAnswers&) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+    kernel::parallel_for(200, 8, [caller](std::size_t, std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
   });
 }
 

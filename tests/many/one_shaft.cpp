@@ -53,9 +53,18 @@ void expect_numbers_and_lists(const CompiledShaft& shaft, const View& view, Form
       EXPECT_EQ(list(in_form(shaft, form), view, kept), right.kept.size());
     });
     expect_listed(right.kept, room, [&](std::span<std::uint32_t> kept) {
-      EXPECT_EQ(list_at_most(in_form(shaft, form), view, kept), std::min(room, right.kept.size()));
+      EXPECT_EQ(list(in_form(shaft, form), view, kept, {.limit = room}), std::min(room, right.kept.size()));
     });
-    EXPECT_EQ(count_at_most(in_form(shaft, form), view, room), std::min(room, right.kept.size()));
+    expect_listed(right.kept, room, [&](std::span<std::uint32_t> kept) {
+      EXPECT_EQ(list(in_form(shaft, form), view, kept, {.limit = room + 30}), std::min(room + 30, right.kept.size()));
+    });
+    std::vector<std::uint32_t> kept(most + 41, static_cast<std::uint32_t>(sentinel));
+    EXPECT_EQ(list(in_form(shaft, form), view, std::span(kept), {.limit = room}), std::min(room, right.kept.size()));
+    EXPECT_TRUE(std::equal(right.kept.begin(),
+                           right.kept.begin() + static_cast<std::ptrdiff_t>(std::min(room, right.kept.size())),
+                           kept.begin()))
+        << "more room than the limit";
+    EXPECT_EQ(count(in_form(shaft, form), view, {.limit = room}), std::min(room, right.kept.size()));
   }
   for (const std::size_t room : {std::size_t{0}, counts.inside / 2, counts.inside, most + 1}) {
     expect_listed(right.inside, room, [&](std::span<std::uint32_t> inside) {
@@ -101,13 +110,17 @@ TEST(OneShaft, AnyFindsASingleBoundWhereverItIs) {
   EXPECT_FALSE(any(shaft, boxes));
 }
 
-TEST(OneShaft, AnyStopsAfterTheChunkThatHoldsAKeptBound) {
+TEST(OneShaft, AnyAndLimitedCallsStopAfterTheChunkThatHoldsEnoughKeptBounds) {
   const CompiledShaft shaft = compile(Box{{-1, -1, -1}, {0, 0, 0}}, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxColumns memory(std::vector<Box>(512, Box{{0, 0, 0}, {1, 1, 1}}));
   const GuardedView guarded(memory.view());  // what is past the 512 boxes must not be read
   BoxView more = guarded.view();
   more.count = 1000000;
   EXPECT_TRUE(any(shaft, more));
+  EXPECT_EQ(count(shaft, more, {.limit = 300}), 300U);
+  std::vector<std::uint32_t> first;
+  EXPECT_EQ(list(shaft, more, first, {.limit = 300}), 300U);
+  EXPECT_EQ(first.size(), 300U);
 }
 
 TEST(OneShaft, OfNoBoundsNothingIsKept) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Bits, counts, lists and tiles all say what cull() and classify() say, whatever the number of threads.
+/// Bits, counts and lists all say what cull() and classify() say, whatever the number of threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -17,7 +16,6 @@
 #include "misaligned.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 
 namespace shaftcull {
@@ -95,10 +93,10 @@ TEST(Outputs, CountManyCountsTheBitsOfEachRow) {
   });
 }
 
-TEST(Outputs, ContainedManyWritesTheInsideRowsThatClassifyGives) {
+TEST(Outputs, ClassifyManyOfBoundsInsideAloneWritesTheInsideRowsThatClassifyGives) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     std::vector<std::uint64_t> inside(expected.inside.size(), sentinel);
-    contained_many(shafts, view, inside);
+    classify_many(shafts, view, {}, inside);
     EXPECT_EQ(inside, expected.inside);
   });
 }
@@ -128,40 +126,39 @@ TEST(Outputs, AnyManySetsABitForEachShaftThatKeepsAny) {
   });
 }
 
-TEST(Outputs, CountAtMostManyCountsTheBitsOfEachRowUpToTheMost) {
+TEST(Outputs, CountManyCountsTheBitsOfEachRowUpToTheLimit) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     const auto right = lists_of(expected, shafts.size());
-    for (const std::size_t most : {0U, 1U, 7U, 100U, 100000U}) {
+    for (const std::size_t limit : {0U, 1U, 7U, 100U, 100000U}) {
       std::vector<std::uint64_t> right_counts;
-      for (const auto& lists : right) right_counts.push_back(std::min(most, lists.kept.size()));
+      for (const auto& lists : right) right_counts.push_back(std::min(limit, lists.kept.size()));
       for (const Form form : forms) {
-        SCOPED_TRACE(std::to_string(most) + " at most, form " + std::to_string(static_cast<int>(form)));
+        SCOPED_TRACE("limit " + std::to_string(limit) + ", form " + std::to_string(static_cast<int>(form)));
         std::vector<std::uint64_t> counts(shafts.size(), sentinel);
-        count_at_most_many(in_form(shafts, form), view, most, counts);
+        count_many(in_form(shafts, form), view, counts, {.limit = limit});
         EXPECT_EQ(counts, right_counts);
       }
     }
   });
 }
 
-TEST(Outputs, ListAtMostManyListsTheFirstSetBitsOfEachRow) {
-  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
+TEST(Outputs, ListManyListsTheFirstSetBitsOfEachRowUpToTheLimit) {
+  IndexLists lists;  // used again and again
+  for_boxes_and_spheres([&lists](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     const auto right = lists_of(expected, shafts.size());
-    for (const std::size_t most : {0U, 1U, 7U, 100U, 3000U}) {
-      std::vector<std::uint64_t> right_counts;
-      std::vector<std::uint32_t> right_lists(shafts.size() * most, 12345);
-      for (std::size_t s = 0; s != shafts.size(); ++s) {
-        const auto listed = std::span(right[s].kept).first(std::min(most, right[s].kept.size()));
-        right_counts.push_back(listed.size());
-        std::copy(listed.begin(), listed.end(), right_lists.begin() + static_cast<std::ptrdiff_t>(s * most));
+    for (const std::size_t limit : {0U, 1U, 7U, 100U, 3000U}) {
+      std::vector<std::uint64_t> right_offsets = {0};
+      std::vector<std::uint32_t> right_indices;
+      for (const ExpectedLists& each : right) {
+        const auto listed = std::span(each.kept).first(std::min(limit, each.kept.size()));
+        right_indices.insert(right_indices.end(), listed.begin(), listed.end());
+        right_offsets.push_back(right_indices.size());
       }
       for (const Form form : forms) {
-        SCOPED_TRACE(std::to_string(most) + " at most, form " + std::to_string(static_cast<int>(form)));
-        std::vector<std::uint32_t> kept(right_lists.size(), 12345);
-        std::vector<std::uint64_t> counts(shafts.size(), sentinel);
-        list_at_most_many(in_form(shafts, form), view, most, kept, counts);
-        EXPECT_EQ(counts, right_counts);
-        EXPECT_EQ(kept, right_lists);
+        SCOPED_TRACE("limit " + std::to_string(limit) + ", form " + std::to_string(static_cast<int>(form)));
+        list_many(in_form(shafts, form), view, lists, {.limit = limit});
+        EXPECT_EQ(lists.offsets, right_offsets);
+        EXPECT_EQ(lists.indices, right_indices);
       }
     }
   });
@@ -279,66 +276,6 @@ TEST(Outputs, ListManyListsEverythingIfAllIsKept) {
   for (std::uint32_t i = 0; i != 15000; ++i) ASSERT_EQ(lists.indices[i], i % 5000);
 }
 
-/// Puts tiles back together into rows, and checks their order.
-class Collector {
- public:
-  Collector(std::size_t shafts, std::size_t bounds, bool classifies)
-      : shafts_(shafts),
-        bounds_(bounds),
-        classifies_(classifies),
-        kept_(shafts * words_for(bounds), sentinel),
-        inside_(kept_) {}
-
-  void operator()(const TileAnswers& tile) {
-    ASSERT_EQ(tile.shaft, next_shaft_);
-    ASSERT_EQ(tile.first, next_first_);
-    ASSERT_EQ(tile.first % 64, 0U);
-    ASSERT_GT(tile.size, 0U);
-    ASSERT_LE(tile.first + tile.size, bounds_);
-    ASSERT_EQ(tile.kept.size(), words_for(tile.size));
-    ASSERT_EQ(tile.inside.size(), classifies_ ? words_for(tile.size) : 0);
-    const std::size_t at = tile.shaft * words_for(bounds_) + tile.first / 64;
-    std::copy(tile.kept.begin(), tile.kept.end(), kept_.begin() + static_cast<std::ptrdiff_t>(at));
-    std::copy(tile.inside.begin(), tile.inside.end(), inside_.begin() + static_cast<std::ptrdiff_t>(at));
-    if (++next_shaft_ == shafts_) {
-      next_shaft_ = 0;
-      next_first_ += tile.size;
-    }
-  }
-  void expect(const ExpectedRows& expected) const {
-    EXPECT_EQ(next_first_, shafts_ == 0 ? 0 : bounds_) << "tiles are missing";
-    EXPECT_EQ(kept_, expected.kept);
-    if (classifies_) {
-      EXPECT_EQ(inside_, expected.inside);
-    }
-  }
-
- private:
-  std::size_t shafts_;
-  std::size_t bounds_;
-  bool classifies_;
-  std::size_t next_shaft_ = 0;
-  std::size_t next_first_ = 0;
-  std::vector<std::uint64_t> kept_;
-  std::vector<std::uint64_t> inside_;
-};
-
-TEST(Outputs, ForEachTileDeliversEveryTileOrderedByTileAndThenByShaft) {
-  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
-    Collector collector(shafts.size(), view.count, false);
-    for_each_tile(shafts, view, std::ref(collector));
-    collector.expect(expected);
-  });
-}
-
-TEST(Outputs, ForEachClassifiedTileDeliversEveryTileOrderedByTileAndThenByShaft) {
-  for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
-    Collector collector(shafts.size(), view.count, true);
-    for_each_classified_tile(shafts, view, std::ref(collector));
-    collector.expect(expected);
-  });
-}
-
 /// A whole tile, which many shafts test in ways of their own, and one that is not whole.
 template <class Columns>
 void expect_every_misalignment(const Columns& memory) {
@@ -401,9 +338,11 @@ TEST(Outputs, ManyTasksAgreeWithCull) {
         std::vector<std::uint64_t> rows(expected.kept.size(), sentinel);
         cull_many(shafts, memory.view(), rows);
         EXPECT_EQ(rows, expected.kept);
-        Collector collector(shafts.size(), memory.view().count, true);
-        for_each_classified_tile(shafts, memory.view(), std::ref(collector));
-        collector.expect(expected);
+        std::vector<std::uint64_t> inside(expected.inside.size(), sentinel);
+        std::fill(rows.begin(), rows.end(), sentinel);
+        classify_many(shafts, memory.view(), rows, inside);
+        EXPECT_EQ(rows, expected.kept);
+        EXPECT_EQ(inside, expected.inside);
         std::vector<std::uint64_t> counts(shafts.size());
         count_many(shafts, memory.view(), counts);
         IndexLists lists;

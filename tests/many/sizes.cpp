@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Every number of bounds and of shafts: bits, counts, lists and what is refined are the answers that the scalar
+/// Every number of bounds and of shafts: bits, counts and lists, of candidates too, are the answers that the scalar
 /// kernels give one bound at a time, and nothing is read past the last bound.
 #include <gtest/gtest.h>
 
@@ -20,7 +20,6 @@
 #include "oracle/random.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/refine.hpp"
 
 namespace shaftcull {
 namespace {
@@ -158,14 +157,14 @@ void expect_one(const CompiledShaft& shaft, const View& view, const Part& right)
     ASSERT_EQ(count_classified(in_form(shaft, form), view), right.classified[0]) << "count_classified";
     ASSERT_EQ(any(in_form(shaft, form), view), right.counts[0] != 0) << "any";
     std::vector<std::uint32_t> indices(right.counts[0]);
-    ASSERT_EQ(list(in_form(shaft, form), view, indices), right.counts[0]) << "list";
+    ASSERT_EQ(list(in_form(shaft, form), view, std::span(indices)), right.counts[0]) << "list";
     ASSERT_EQ(indices, right.indices) << "list";
-    const std::size_t most = right.counts[0] / 2 + 1;
-    indices.assign(most, 12345);
-    const auto listed = static_cast<std::ptrdiff_t>(std::min<std::size_t>(most, right.counts[0]));
-    ASSERT_EQ(count_at_most(in_form(shaft, form), view, most), listed) << "count_at_most";
-    ASSERT_EQ(list_at_most(in_form(shaft, form), view, indices), listed) << "list_at_most";
-    ASSERT_TRUE(std::equal(right.indices.begin(), right.indices.begin() + listed, indices.begin())) << "list_at_most";
+    const std::size_t limit = right.counts[0] / 2 + 1;
+    indices.assign(limit, 12345);
+    const auto listed = static_cast<std::ptrdiff_t>(std::min<std::size_t>(limit, right.counts[0]));
+    ASSERT_EQ(count(in_form(shaft, form), view, {.limit = limit}), listed) << "count, limited";
+    ASSERT_EQ(list(in_form(shaft, form), view, std::span(indices), {.limit = limit}), listed) << "list, limited";
+    ASSERT_TRUE(std::equal(right.indices.begin(), right.indices.begin() + listed, indices.begin())) << "list, limited";
     std::vector<std::uint32_t> overlap(right.classified[0].overlap);
     indices.resize(right.classified[0].inside);
     ASSERT_EQ(list_classified(in_form(shaft, form), view, overlap, indices), right.classified[0]) << "list_classified";
@@ -173,12 +172,12 @@ void expect_one(const CompiledShaft& shaft, const View& view, const Part& right)
     ASSERT_EQ(indices, right.insides) << "list_classified";
   }
   std::fill(inside.begin(), inside.end(), sentinel);
-  contained(shaft, view, inside);
-  ASSERT_EQ(inside, right.inside) << "contained";
+  classify(shaft, view, {}, inside);
+  ASSERT_EQ(inside, right.inside) << "classify, inside alone";
   std::vector<std::uint32_t> candidates(view.count);
   std::iota(candidates.begin(), candidates.end(), 0U);
-  candidates.resize(refine(shaft, view, candidates, candidates));
-  ASSERT_EQ(candidates, right.indices) << "refine";
+  candidates.resize(list(shaft, view, std::span(candidates), {.only = candidates}));
+  ASSERT_EQ(candidates, right.indices) << "list of candidates";
 }
 
 /// All that many are asked.
@@ -207,8 +206,8 @@ void expect_many(std::span<const CompiledShaft> shafts, const View& view, const 
     ASSERT_EQ(insides[s].size(), right.classified[s].inside) << "list_classified_many";
   }
   std::fill(inside.begin(), inside.end(), sentinel);
-  contained_many(shafts, view, inside);
-  ASSERT_EQ(inside, right.inside) << "contained_many";
+  classify_many(shafts, view, {}, inside);
+  ASSERT_EQ(inside, right.inside) << "classify_many, inside alone";
   std::vector<KeptCounts> classified(shafts.size(), untouched_counts);
   count_classified_many(shafts, view, classified);
   ASSERT_EQ(classified, right.classified) << "count_classified_many";
@@ -219,9 +218,9 @@ void expect_many(std::span<const CompiledShaft> shafts, const View& view, const 
   }
   std::vector<std::uint32_t> candidates(view.count);
   std::iota(candidates.begin(), candidates.end(), 0U);
-  refine_many(shafts, view, std::span<const std::uint32_t>(candidates), lists);
-  ASSERT_EQ(lists.offsets, right.offsets) << "refine_many";
-  ASSERT_EQ(lists.indices, right.indices) << "refine_many";
+  list_many(shafts, view, lists, {.only = candidates});
+  ASSERT_EQ(lists.offsets, right.offsets) << "list_many of candidates";
+  ASSERT_EQ(lists.indices, right.indices) << "list_many of candidates";
 }
 
 template <class Bound>

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "message_of.hpp"
@@ -66,7 +67,7 @@ TEST_F(Wide, ListsReachAsFarAsIndicesOfThirtyTwoBitsCan) {
   list_many({&shaft_, 1}, most, lists);
   EXPECT_EQ(lists.indices, right);
   std::vector<std::uint32_t> kept(5);
-  kept.resize(list(shaft_, most, kept));
+  kept.resize(list(shaft_, most, std::span(kept)));
   EXPECT_EQ(kept, right);
 }
 
@@ -77,21 +78,27 @@ TEST_F(Wide, ListsOfMoreBoundsAreRefused) {
   const auto refuses = testing::AllOf(testing::HasSubstr("got 4294967497 bounds"), testing::HasSubstr("ask slices"));
   EXPECT_THAT(message_of<InvalidArgument>([&] { list_many({&shaft_, 1}, boxes_, lists); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list(shaft_, boxes_, kept); }), refuses);
-  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list_at_most(shaft_, boxes_, kept); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list(shaft_, boxes_, std::span(kept), {.limit = 5}); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list_blocking(shaft_, boxes_, kept); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)first_contact(shaft_, boxes_); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { first_contact_many({&shaft_, 1}, boxes_, {&contact, 1}); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)BoxTree(boxes_); }), testing::HasSubstr("build several"));
 }
 
-TEST_F(Wide, RefiningReachesAllIndices) {
+TEST_F(Wide, CandidatesReachAllIndices) {
   const std::vector<std::uint32_t> candidates = {0xfffffffd, 0xfffffffe, 3, 0xffffffff, 7};
-  const std::vector<std::uint32_t> right = {0xfffffffe, 3, 0xffffffff};
-  std::vector<std::uint32_t> kept(candidates.size());
-  kept.resize(refine(shaft_, boxes_, candidates, kept));
+  EXPECT_EQ(shaftcull::count(shaft_, boxes_, {.only = candidates}), 3U);
+  std::uint64_t kept_count = 0;
+  count_many({&shaft_, 1}, boxes_, {&kept_count, 1}, {.only = candidates});
+  EXPECT_EQ(kept_count, 3U);
+  const BoxView most = boxes_.slice(0, (std::size_t{1} << 32U) - 1);
+  const std::vector<std::uint32_t> in_most = {0xfffffffd, 0xfffffffe, 3, 7};
+  const std::vector<std::uint32_t> right = {0xfffffffe, 3};
+  std::vector<std::uint32_t> kept(in_most.size());
+  kept.resize(list(shaft_, most, std::span(kept), {.only = in_most}));
   EXPECT_EQ(kept, right);
   IndexLists lists;
-  refine_many({&shaft_, 1}, boxes_, candidates, lists);
+  list_many({&shaft_, 1}, most, lists, {.only = in_most});
   EXPECT_EQ(lists.indices, right);
 }
 

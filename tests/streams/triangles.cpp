@@ -87,8 +87,8 @@ TEST(TriangleStreams, AreCopiedMovedAndUpdated) {
 TEST(TriangleStreams, OfACountHoldEmptyTrianglesThatNoShaftKeeps) {
   const TriangleStream stream(70);
   const CompiledShaft shaft = compile(Box{{-9, -9, -9}, {9, 9, 9}}, Box{{-9, -9, -9}, {99, 9, 9}});
-  EXPECT_EQ(count(shaft, stream, TriangleTest::vertices), 0U);
-  EXPECT_EQ(count(shaft, stream, TriangleTest::exact), 0U);
+  EXPECT_EQ(count(shaft, stream, {.triangle_test = TriangleTest::vertices}), 0U);
+  EXPECT_EQ(count(shaft, stream, {.triangle_test = TriangleTest::exact}), 0U);
 }
 
 TEST(TriangleStreams, AMeshIsReadAtAnyStrideAndAlignment) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sanitizers.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
@@ -30,7 +30,7 @@ void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>
   std::vector<std::uint64_t> others(kept_bits.size(), 0x5555);
   cull(shaft, tree, some);
   EXPECT_EQ(some, kept_bits);
-  contained(shaft, tree, others);
+  classify(shaft, tree, {}, others);
   EXPECT_EQ(others, inside_bits);
   classify(shaft, tree, others, some);
   EXPECT_EQ(others, kept_bits);
@@ -40,11 +40,6 @@ void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>
   indices.resize(list(shaft, tree, std::span(indices)));
   EXPECT_EQ(sorted(indices), kept);
 
-  std::vector<LeafRange> ranges(bounds.size());
-  ranges.resize(list(shaft, tree, std::span(ranges)));
-  EXPECT_EQ(sorted(ranges, tree.order()), kept);
-  EXPECT_TRUE(are_maximal(ranges));
-
   std::vector<std::uint32_t> overlap(bounds.size());
   std::vector<std::uint32_t> inside(bounds.size());
   const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside));
@@ -53,16 +48,6 @@ void expect_flat_answers(const BoundsTree<Bound>& tree, const std::vector<Bound>
   EXPECT_EQ(count_classified(shaft, tree), counts);
   EXPECT_EQ(sorted(overlap), flat.overlap);
   EXPECT_EQ(sorted(inside), flat.inside);
-
-  std::vector<LeafRange> overlap_ranges(bounds.size());
-  std::vector<LeafRange> inside_ranges(bounds.size());
-  const KeptCounts range_counts = list_classified(shaft, tree, std::span(overlap_ranges), std::span(inside_ranges));
-  overlap_ranges.resize(range_counts.overlap);
-  inside_ranges.resize(range_counts.inside);
-  EXPECT_EQ(sorted(overlap_ranges, tree.order()), flat.overlap);
-  EXPECT_EQ(sorted(inside_ranges, tree.order()), flat.inside);
-  EXPECT_TRUE(are_maximal(overlap_ranges));
-  EXPECT_TRUE(are_maximal(inside_ranges));
 }
 
 template <class Bound>
@@ -82,7 +67,7 @@ void expect_flat_answers(std::uint64_t seed, Shape shape, std::size_t count, std
 
 /// Shafts formed for inside alone answer what those formed for everything say of inside.
 template <class Bound>
-void expect_contained_as_flat(std::uint64_t seed, Shape shape) {
+void expect_inside_as_flat(std::uint64_t seed, Shape shape) {
   Random random(seed);
   const std::vector<Bound> bounds = scene<Bound>(random, shape, 700);
   const BoundsTree<Bound> tree{std::span<const Bound>(bounds)};
@@ -91,15 +76,15 @@ void expect_contained_as_flat(std::uint64_t seed, Shape shape) {
     const Box a = random.box(-4, 4, extent, extent);
     const Box b = random.box(-4, 4, extent, extent);
     std::vector<std::uint64_t> inside(words_for(bounds.size()), 0x5555);
-    contained(compile(Shaft(a, b, {.outside = false})), tree, inside);
+    classify(compile(Shaft(a, b, {.outside = false})), tree, {}, inside);
     EXPECT_EQ(inside, bits_of(FlatAnswers(compile(Shaft(a, b)), bounds).inside, bounds.size())) << text(shape);
   }
 }
 
 TEST(TreeAgreement, HoldsForShaftsFormedForInsideAlone) {
   for (const Shape shape : shapes) {
-    expect_contained_as_flat<Box>(600, shape);
-    expect_contained_as_flat<Sphere>(601, shape);
+    expect_inside_as_flat<Box>(600, shape);
+    expect_inside_as_flat<Sphere>(601, shape);
   }
 }
 

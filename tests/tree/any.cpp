@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "dispatch/active_kernels.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/access.hpp"
 #include "tree/flat.hpp"
@@ -67,17 +70,16 @@ TEST(TreeAny, LooksOnWhereWhatItFindsIsLeftOut) {
   const CompiledShaft shaft = compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}));
   std::vector<std::uint64_t> mask(words_for(boxes.size()), ~std::uint64_t{0});
   EXPECT_TRUE(any(shaft, tree));
-  EXPECT_FALSE(any(shaft, tree, {.mask = mask}));
+  EXPECT_FALSE(any(shaft, tree, {.exclude_mask = mask}));
   for (const std::uint32_t index : {0U, 63U, 64U, 4095U, 4999U}) {
     mask[index / 64] &= ~(std::uint64_t{1} << index % 64);
-    EXPECT_TRUE(any(shaft, tree, {.mask = mask}));
-    const std::vector<std::uint32_t> own = {index};
-    EXPECT_FALSE(any(shaft, tree, {.own = own, .mask = mask}));
+    EXPECT_TRUE(any(shaft, tree, {.exclude_mask = mask}));
+    EXPECT_FALSE(any(shaft, tree, {.exclude = {index}, .exclude_mask = mask}));
     mask[index / 64] = ~std::uint64_t{0};
   }
 }
 
-TEST(TreeAtMost, EndsSoonAfterItHasFoundEnough) {
+TEST(TreeLimit, EndsSoonAfterItHasFoundEnough) {
   Random random(92);
   const std::vector<Box> boxes = scene<Box>(random, Shape::uniform, 300000);
   const BoxTree tree{std::span<const Box>(boxes)};
@@ -91,34 +93,35 @@ TEST(TreeAtMost, EndsSoonAfterItHasFoundEnough) {
   }
 }
 
-TEST(TreeAtMost, CountsAndListsTheFirstOfWhatThereIs) {
+TEST(TreeLimit, CountsAndListsTheFirstOfWhatThereIs) {
   Random random(93);
   for (const Shape shape : shapes) {
     const std::vector<Box> boxes = scene<Box>(random, shape, 5000);
     const BoxTree tree{std::span<const Box>(boxes)};
     const std::vector<CompiledShaft> shafts = shafts_for(random, 20);
     std::vector<std::uint64_t> counts(shafts.size());
+    IndexLists lists;
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       std::vector<std::uint32_t> all(tree.size());
       all.resize(list(shafts[s], tree, std::span(all)));
-      for (const std::size_t most :
+      for (const std::size_t limit :
            {std::size_t{0}, std::size_t{1}, all.size() / 2, all.size(), all.size() + 1, std::size_t{100000}}) {
-        const std::size_t found = std::min(most, all.size());
-        EXPECT_EQ(count_at_most(shafts[s], tree, most), found);
-        count_at_most_many(shafts, tree, most, counts);
+        const std::size_t found = std::min(limit, all.size());
+        EXPECT_EQ(count(shafts[s], tree, {.limit = limit}), found);
+        count_many(shafts, tree, counts, {.limit = limit});
         EXPECT_EQ(counts[s], found);
-        std::vector<std::uint32_t> some(most + 1, 12345);
-        EXPECT_EQ(list_at_most(shafts[s], tree, std::span(some).first(most)), found);
+        std::vector<std::uint32_t> some(limit + 1, 12345);
+        EXPECT_EQ(list(shafts[s], tree, std::span(some).first(limit), {.limit = limit}), found);
         EXPECT_TRUE(std::equal(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(found), all.begin()));
         EXPECT_EQ(some.back(), 12345U) << "written past the room";
-        if (most > tree.size()) continue;
-        std::vector<std::uint32_t> of_all(shafts.size() * most + 1, 12345);
-        list_at_most_many(shafts, tree, most, std::span(of_all).first(shafts.size() * most), counts);
-        EXPECT_EQ(counts[s], found);
-        some.resize(most);
-        EXPECT_TRUE(std::equal(some.begin(), some.end(), of_all.begin() + static_cast<std::ptrdiff_t>(s * most)))
-            << "or written past the room of a shaft";
-        EXPECT_EQ(of_all.back(), 12345U);
+        const std::size_t room = limit / 2;
+        std::fill(some.begin(), some.end(), 12345);
+        EXPECT_EQ(list(shafts[s], tree, std::span(some).first(room), {.limit = limit}), found);
+        EXPECT_TRUE(
+            std::equal(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(std::min(room, found)), all.begin()));
+        EXPECT_EQ(some[room], 12345U) << "written past the room";
+        list_many(shafts, tree, lists, {.limit = limit});
+        EXPECT_TRUE(std::ranges::equal(lists[s], std::span(all).first(found)));
       }
     }
   }

@@ -117,7 +117,7 @@ TEST(TreeBlocked, FindsAFlatBoxInThePlaneOfAFlatShaft) {
   const BoxTree tree{std::span<const Box>(boxes)};
   const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 0}}, Box{{9, 0, 0}, {9, 1, 0}});
   EXPECT_TRUE(blocked(shaft, tree));
-  EXPECT_FALSE(blocked(shaft, tree, {.own = {77}}));
+  EXPECT_FALSE(blocked(shaft, tree, {.exclude = {77}}));
 }
 
 TEST(TreeBlocked, LooksIntoNodesOnlyThatEverySegmentPassesThrough) {
@@ -140,14 +140,17 @@ TEST(TreeBlocked, LeavesOutWhatIsExcluded) {
   const std::vector<CompiledShaft> shafts(3, compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}}));
   std::vector<std::uint64_t> mask(words_for(boxes.size()), ~std::uint64_t{0});
   EXPECT_TRUE(blocked(shafts[0], tree));
-  EXPECT_FALSE(blocked(shafts[0], tree, {.mask = mask}));
-  EXPECT_EQ(blocked_by(shafts[0], tree, {.mask = mask}), std::nullopt);
+  EXPECT_FALSE(blocked(shafts[0], tree, {.exclude_mask = mask}));
+  EXPECT_EQ(blocked_by(shafts[0], tree, {.exclude_mask = mask}), std::nullopt);
   mask[4999 / 64] &= ~(std::uint64_t{1} << 4999 % 64);
-  EXPECT_TRUE(blocked(shafts[0], tree, {.mask = mask}));
-  EXPECT_EQ(blocked_by(shafts[0], tree, {.mask = mask}), 4999U);
+  EXPECT_TRUE(blocked(shafts[0], tree, {.exclude_mask = mask}));
+  EXPECT_EQ(blocked_by(shafts[0], tree, {.exclude_mask = mask}), 4999U);
   std::vector<std::uint64_t> bits(1);
-  blocked_many(shafts, tree, bits, {.own = {1, 4999, 2}, .mask = mask});
+  const std::vector<std::uint32_t> last_walls = {1, 4999, 2};
+  blocked_many(shafts, tree, bits, {.exclude_each = last_walls, .exclude_mask = mask});
   EXPECT_EQ(bits[0], 0b101U) << "the second shaft leaves out the last wall";
+  blocked_many(shafts, tree, bits, {.exclude = {4999}, .exclude_mask = mask});
+  EXPECT_EQ(bits[0], 0U) << "all shafts leave it out";
 }
 
 TEST(TreeBlocked, NothingBlocksInAnEmptyTree) {
@@ -165,8 +168,8 @@ TEST(TreeBlocked, WhatDoesNotFitIsRefusedBeforeAnythingIsWritten) {
   std::vector<std::uint64_t> bits(5, 7);
   EXPECT_THAT(message_of([&] { blocked_many(shafts, tree, bits); }),
               testing::AllOf(HasSubstr("blocked has 5 words"), HasSubstr("3 shafts")));
-  EXPECT_THAT(message_of([&] { blocked_many(shafts, tree, std::span(bits).first(1), {.mask = bits}); }),
-              HasSubstr("blocked and excluding.mask share memory"));
+  EXPECT_THAT(message_of([&] { blocked_many(shafts, tree, std::span(bits).first(1), {.exclude_mask = bits}); }),
+              HasSubstr("blocked and query.exclude_mask share memory"));
   tree.update(std::vector<std::uint32_t>{1}, std::span<const Box>(boxes).first(1));
   EXPECT_THROW((void)blocked(shafts[0], tree), NeedsRefit);
   EXPECT_THROW(blocked_many(shafts, tree, std::span(bits).first(1)), NeedsRefit);

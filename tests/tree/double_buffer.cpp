@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "many/workload.hpp"
-#include "shaftcull/query.hpp"
-#include "shaftcull/refine.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
@@ -35,7 +35,7 @@ TEST(TreeDoubleBuffer, TheLastFrameIsAskedWhileTheNextIsUpdated) {
 }
 
 // The first of them looks up the leaf of every index, whichever that is.
-TEST(TreeDoubleBuffer, TheFirstRefinementsMayBeManyAtOnce) {
+TEST(TreeDoubleBuffer, TheFirstQueriesAboutCandidatesMayBeManyAtOnce) {
   Random random(93);
   const std::vector<Box> bounds = scene<Box>(random, Shape::uniform, 20000);
   const CompiledShaft shaft = shafts_for(random, 1).front();
@@ -44,7 +44,7 @@ TEST(TreeDoubleBuffer, TheFirstRefinementsMayBeManyAtOnce) {
     const BoxTree tree{std::span<const Box>(bounds)};
     std::vector<Indices> kept(4, Indices(candidates.size()));
     std::vector<std::thread> threads;
-    for (Indices& each : kept) threads.emplace_back([&] { each.resize(refine(shaft, tree, candidates, each)); });
+    for (Indices& each : kept) threads.emplace_back([&] { list(shaft, tree, each, {.only = candidates}); });
     for (std::thread& thread : threads) thread.join();
     for (const Indices& each : kept) EXPECT_EQ(each, candidates);
   }

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,8 @@
 #include "columns.hpp"
 #include "float_modes.hpp"
 #include "message_of.hpp"
-#include "shaftcull/query.hpp"
-#include "shaftcull/refine.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/scenes.hpp"
 
@@ -144,10 +143,10 @@ TEST(TreeErrors, ExclusionsAndCountsMustFit) {
   const std::vector<std::uint32_t> three = {1, 2, 3};
   const std::vector<std::uint64_t> one_word(1);
   std::vector<std::uint64_t> counts(2);
-  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = three}); }),
-              HasSubstr("3 indices, which is not a multiple of the 2 shafts"));
-  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.mask = one_word}); }),
-              HasSubstr("excluding.mask has 1 word; the bits of 100 bounds take 2"));
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.exclude_each = three}); }),
+              HasSubstr("query.exclude_each has 3 indices, which is not a multiple of the 2 shafts"));
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.exclude_mask = one_word}); }),
+              HasSubstr("query.exclude_mask has 1 word; the bits of 100 bounds take 2"));
   counts.resize(3);
   EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts); }), HasSubstr("kept_counts has room for 3; 2 shafts"));
   std::vector<KeptCounts> classified(1);
@@ -167,17 +166,17 @@ TEST(TreeErrors, BitsMustFit) {
               HasSubstr("inside has 3 words; the answers of 100 bounds take 2"));
   EXPECT_THAT(message_of([&] { classify(shaft(), tree, all.first(2), all.subspan(1, 2)); }),
               HasSubstr("classify: kept and inside share memory"));
-  EXPECT_THAT(message_of([&] { contained(shaft(), tree, all.first(1)); }), HasSubstr("inside has 1 word"));
+  EXPECT_THAT(message_of([&] { classify(shaft(), tree, {}, all.first(1)); }), HasSubstr("inside has 1 word"));
   EXPECT_THAT(message_of([&] { cull_many(shafts, tree, all.first(3)); }), HasSubstr("kept_rows has 3 words"));
   EXPECT_THAT(message_of([&] { classify_many(shafts, tree, all, all); }),
               HasSubstr("classify_many: kept_rows and inside_rows share memory"));
-  EXPECT_THAT(message_of([&] { contained_many(shafts, tree, all.first(3)); }), HasSubstr("inside_rows has 3 words"));
+  EXPECT_THAT(message_of([&] { classify_many(shafts, tree, {}, all.first(3)); }), HasSubstr("inside_rows has 3 words"));
   EXPECT_THAT(message_of([&] { any_many(shafts, tree, all.first(2)); }),
               HasSubstr("any has 2 words; one bit for each of 2 shafts takes 1"));
-  EXPECT_THAT(message_of([&] { cull(shaft(), tree, all.first(2), {.mask = all.subspan(1, 2)}); }),
-              HasSubstr("cull: kept and excluding.mask share memory"));
-  EXPECT_THAT(message_of([&] { any_many(shafts, tree, all.first(1), {.mask = all.first(2)}); }),
-              HasSubstr("any_many: any and excluding.mask share memory"));
+  EXPECT_THAT(message_of([&] { cull(shaft(), tree, all.first(2), {.exclude_mask = all.subspan(1, 2)}); }),
+              HasSubstr("cull: kept and query.exclude_mask share memory"));
+  EXPECT_THAT(message_of([&] { any_many(shafts, tree, all.first(1), {.exclude_mask = all.first(2)}); }),
+              HasSubstr("any_many: any and query.exclude_mask share memory"));
   const CompiledShaft no_outside = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}, {.outside = false}));
   EXPECT_THAT(message_of([&] { cull(no_outside, tree, all.first(2)); }), HasSubstr("formed without outside"));
   EXPECT_EQ(words, untouched);
@@ -186,37 +185,30 @@ TEST(TreeErrors, BitsMustFit) {
 TEST(TreeErrors, NoOutputsAreUnambiguous) {
   cull(shaft(), BoxTree(), {});
   classify(shaft(), BoxTree(), {}, {});
-  contained(shaft(), BoxTree(), {});
+  classify_many({}, BoxTree(), {}, {});
   cull_many({}, BoxTree(), {});
   any_many({}, BoxTree(), {});
-}
-
-TEST(TreeErrors, AnEmptyCallbackIsRefused) {
-  const BoxTree tree{std::span<const Box>(boxes(100))};
-  const std::function<void(const KeptRanges&)> empty;
-  EXPECT_THAT(message_of([&] { for_each_kept({&shaft(), 1}, tree, empty); }), HasSubstr("callback is empty"));
-  void (*const null)(const ClassifiedRanges&) = nullptr;
-  EXPECT_THAT(message_of([&] { for_each_classified({&shaft(), 1}, tree, null); }), HasSubstr("callback is empty"));
 }
 
 TEST(TreeErrors, CandidatesMustExistAndFit) {
   const auto memory = columns(boxes(100));
   std::vector<std::uint32_t> candidates = {4, 99, 100};
   std::vector<std::uint32_t> kept(3);
-  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shaft(), memory.view(), candidates, kept)); }),
-              HasSubstr("candidates[2] = 100"));
+  EXPECT_THAT(
+      message_of([&] { static_cast<void>(list(shaft(), memory.view(), std::span(kept), {.only = candidates})); }),
+      HasSubstr("query.only[2] = 100 is not below the number of bounds, 100"));
   IndexLists lists;
   EXPECT_THAT(message_of([&] {
-                refine_many({&shaft(), 1}, memory.view(), candidates, lists);
+                list_many({&shaft(), 1}, memory.view(), lists, {.only = candidates});
               }),
-              HasSubstr("candidates[2] = 100"));
+              HasSubstr("query.only[2] = 100 is not below the number of bounds, 100"));
   const BoxTree tree(memory.view());
-  EXPECT_THAT(message_of([&] { static_cast<void>(refine(shaft(), tree, candidates, kept)); }),
-              HasSubstr("candidates[2] = 100"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(list(shaft(), tree, std::span(kept), {.only = candidates})); }),
+              HasSubstr("query.only[2] = 100 is not below the number of bounds, 100"));
   EXPECT_THAT(message_of([&] {
-                refine_many({&shaft(), 1}, tree, candidates, lists);
+                list_many({&shaft(), 1}, tree, lists, {.only = candidates});
               }),
-              HasSubstr("candidates[2] = 100"));
+              HasSubstr("query.only[2] = 100 is not below the number of bounds, 100"));
 }
 
 }  // namespace

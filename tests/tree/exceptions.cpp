@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-/// Exceptions out of the middle of a call: from the user's callbacks, and from an update or refit that does not end.
+/// An exception out of the middle of a call: from an update or refit that does not end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <stdexcept>
+#include <span>
 #include <vector>
 
-#include "caught.hpp"
-#include "many/workload.hpp"
 #include "message_of.hpp"
-#include "parallel/parallel.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/access.hpp"
 #include "tree/flat.hpp"
@@ -33,57 +31,6 @@ class TreeExceptions : public testing::Test {
   }
 };
 TYPED_TEST_SUITE(TreeExceptions, TreeKinds);
-
-TYPED_TEST(TreeExceptions, OneFromACallbackEndsTheCallAndLeavesTheTree) {
-  using Bound = BoundOf<TypeParam>;
-  Random random(81);
-  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
-  const TypeParam tree{std::span<const Bound>(bounds)};
-  const std::vector<CompiledShaft> shafts = shafts_for(random, 200);
-  for (const int threads : thread_counts) {
-    for (const int last : {1, 2, 100, 200}) {
-      for (const bool classifies : {false, true}) {
-        int calls = 0;
-        const auto callback = [&](const auto& /*answers*/) {
-          if (++calls == last) throw std::domain_error("from the callback");
-        };
-        with_threads(threads, [&] {
-          try {
-            if (classifies) {
-              for_each_classified(shafts, tree, callback);
-            } else {
-              for_each_kept(shafts, tree, callback);
-            }
-            ADD_FAILURE() << "nothing was thrown";
-          } catch (const std::domain_error& error) {
-            EXPECT_STREQ(error.what(), "from the callback");
-          }
-        });
-        EXPECT_EQ(calls, last) << "called after the exception";
-      }
-    }
-    with_threads(threads, [&] { this->expect_flat_answers(tree, shafts, bounds); });
-  }
-}
-
-TYPED_TEST(TreeExceptions, OneFromACallbackPassesThroughTheCallersTasks) {
-  using Bound = BoundOf<TypeParam>;
-  Random random(83);
-  const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
-  const TypeParam tree{std::span<const Bound>(bounds)};
-  const std::vector<CompiledShaft> shafts = shafts_for(random, 50);
-  with_threads(4, [&] {
-    const auto ask_from_tasks = [&] {
-      kernel::parallel_for(16, 1, [&](std::size_t task, std::size_t) {
-        for_each_kept(shafts, tree, [&](const auto& answers) {
-          if (task == 7 && answers.shaft == 30) throw std::domain_error("from a task");
-        });
-      });
-    };
-    EXPECT_THROW(ask_from_tasks(), std::domain_error);
-    this->expect_flat_answers(tree, shafts, bounds);
-  });
-}
 
 /// A tree as update() of all bounds leaves it if it is ended by an exception: some leaves have their new value, and
 /// nodes were not fitted.

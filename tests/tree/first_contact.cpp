@@ -30,24 +30,24 @@ class TreeFirstContact : public testing::Test {
 
   /// The tree's answers for all shafts, one by one and together, are those of a scan of `bounds`.
   static void expect_flat(const Tree& tree, const std::vector<Bound>& bounds, const std::vector<CompiledShaft>& shafts,
-                          const Excluding& excluding = {}) {
+                          const Query& query = {}) {
     const auto memory = columns(bounds);
     std::vector<FirstContact> flat(shafts.size());
     std::vector<FirstContact> many(shafts.size());
     first_contact_many(shafts, memory.view(), flat);
-    first_contact_many(shafts, tree, many, excluding);
+    first_contact_many(shafts, tree, many, query);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       SCOPED_TRACE("shaft " + std::to_string(s) + " of " + std::to_string(bounds.size()) + " bounds");
       const FirstContact one = first_contact(shafts[s], memory.view());
       EXPECT_EQ(flat[s], one);
       EXPECT_EQ(many[s], one);
-      EXPECT_EQ(first_contact(shafts[s], tree, excluding), many[s]);
+      EXPECT_EQ(first_contact(shafts[s], tree, query), many[s]);
       if (testing::Test::HasFailure()) return;
     }
   }
 };
-using Bounds = testing::Types<Box, Sphere>;
-TYPED_TEST_SUITE(TreeFirstContact, Bounds);
+using BoundKinds = testing::Types<Box, Sphere>;
+TYPED_TEST_SUITE(TreeFirstContact, BoundKinds);
 
 /// What no shaft meets.
 template <class Bound>
@@ -119,14 +119,14 @@ TYPED_TEST(TreeFirstContact, LooksOnWhereTheFirstIsLeftOut) {
       if (is_masked || layers[i] == 5) rest[i] = empty_bound<Bound>();
     }
     tree.set_layers(layers);
-    this->expect_flat(tree, rest, shafts, {.mask = mask, .only_layers = {2}});
+    this->expect_flat(tree, rest, shafts, {.exclude_mask = mask, .layer_mask = {2}});
     for (const CompiledShaft& shaft : shafts) {
       std::vector<Bound> left = bounds;
       for (int i = 0; i != 5; ++i) {
         const auto first = first_contact(shaft, tree);
         if (!first) break;
         left[first.index] = empty_bound<Bound>();
-        this->expect_flat(tree, left, {shaft}, {.own = {first.index}});
+        this->expect_flat(tree, left, {shaft}, {.exclude = {first.index}});
         left = bounds;
       }
     }
@@ -165,7 +165,7 @@ TYPED_TEST(TreeFirstContact, TimesOfAListFitTheListAndTheTree) {
   tree.update(std::span(indices).first(1), std::span<const Bound>(bounds).first(1));
   EXPECT_THAT(
       message_of<NeedsRefit>([&] { entry_times(shaft, tree, std::span(indices).first(1), std::span(times).first(1)); }),
-      testing::HasSubstr("entry_times of a tree whose bounds were updated; call refit() first"));
+      testing::HasSubstr("a tree whose bounds were updated; call refit() first"));
 }
 
 TYPED_TEST(TreeFirstContact, IsRefusedForAConvexHullInWhichNothingMoves) {
@@ -212,7 +212,7 @@ Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
   kernels.listed_boxes = count_words<test_boxes>;
   kernels.listed_spheres = count_words<test_spheres>;
   words_tested = 0;
-  const kernel::Exclusion nothing({parts.order, false, kernels}, {}, {}, {});
+  const kernel::Exclusion nothing({parts.order, false, kernels}, {}, {});
   (void)kernel::FirstContactWalk<Bound>(parts, kernels, kernel::data_of(shaft), nothing).run();
   const std::size_t first = words_tested;
   words_tested = 0;
@@ -223,7 +223,6 @@ Tested words_tested_by(const CompiledShaft& shaft, const BoundsTree<Bound>& tree
 
 template <class Bound>
 class FirstContactWalk : public testing::Test {};
-using BoundKinds = testing::Types<Box, Sphere>;
 TYPED_TEST_SUITE(FirstContactWalk, BoundKinds);
 
 TYPED_TEST(FirstContactWalk, LooksAtLittleMoreThanWhatIsReachedFirst) {

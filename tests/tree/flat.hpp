@@ -3,13 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <iterator>
 #include <vector>
 
 #include "columns.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/query.hpp"
 
 namespace shaftcull {
 
@@ -51,27 +51,6 @@ Indices sorted(const List& indices) {
   Indices all(indices.begin(), indices.end());
   std::sort(all.begin(), all.end());
   return all;
-}
-
-/// The indices that leaf ranges stand for, ascending.
-template <class Ranges>
-Indices sorted(const Ranges& ranges, std::span<const std::uint32_t> order) {
-  Indices all;
-  for (const LeafRange& range : ranges) {
-    for (std::uint32_t p = range.first; p != range.first + range.size; ++p) all.push_back(order[p]);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-/// Whether leaf ranges ascend and no two of them could be one.
-template <class Ranges>
-bool are_maximal(const Ranges& ranges) {
-  for (std::size_t r = 0; r != ranges.size(); ++r) {
-    if (ranges[r].size == 0) return false;
-    if (r != 0 && ranges[r].first <= ranges[r - 1].first + ranges[r - 1].size) return false;
-  }
-  return true;
 }
 
 }  // namespace shaftcull

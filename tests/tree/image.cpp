@@ -25,10 +25,9 @@
 #include "message_of.hpp"
 #include "oracle/cases/triangles.hpp"
 #include "pages.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
-#include "shaftcull/query.hpp"
-#include "shaftcull/refine.hpp"
 #include "support/checksum.hpp"
 #include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
@@ -78,17 +77,23 @@ void expect_same(const Tree& one, const Tree& other, std::span<const CompiledSha
   }
 }
 
-/// A tree of triangles answers these questions only.
+/// The same for trees of triangles.
 void expect_same(const TriangleTree& one, const TriangleTree& other, std::span<const CompiledShaft> shafts) {
   ASSERT_EQ(one.size(), other.size());
   EXPECT_TRUE(std::ranges::equal(one.order(), other.order()));
   EXPECT_EQ(one.box(), other.box());
   std::vector<std::uint32_t> of_one(one.size());
   std::vector<std::uint32_t> of_other(one.size());
+  std::vector<std::uint64_t> bits(words_for(one.size()));
+  std::vector<std::uint64_t> other_bits(bits.size());
   for (const CompiledShaft& shaft : shafts) {
     const std::size_t kept = list(shaft, one, std::span(of_one));
     ASSERT_EQ(list(shaft, other, std::span(of_other)), kept);
     EXPECT_TRUE(std::equal(of_one.begin(), of_one.begin() + static_cast<std::ptrdiff_t>(kept), of_other.begin()));
+    classify(shaft, one, {}, bits);
+    classify(shaft, other, {}, other_bits);
+    EXPECT_EQ(bits, other_bits);
+    EXPECT_EQ(count_classified(shaft, one), count_classified(shaft, other));
   }
 }
 
@@ -151,17 +156,16 @@ TYPED_TEST(TreeImages, AnswerQuestionsAboutLayersAndCandidates) {
   const TreeInImage<TypeParam> image(pages.bytes());
   const CompiledShaft everything = compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-99, -99, -99}, {99, 99, 99}}));
   EXPECT_EQ(count(everything, image.tree()), 20000U);
-  EXPECT_EQ(count(everything, image.tree(), {.only_layers = {7}}), 19999U);
-  const std::uint32_t two_layers[] = {5};
-  const Excluding excluding{.only_layers = std::span(two_layers)};
+  EXPECT_EQ(count(everything, image.tree(), {.layer_mask = {7}}), 19999U);
+  const Query of_two_layers{.layer_mask = {5}};
   std::vector<std::uint32_t> candidates(1000);
   for (std::uint32_t& each : candidates) each = random.below(20000);
   for (const CompiledShaft& shaft : shafts_for(random, 50)) {
-    EXPECT_EQ(count(shaft, tree, excluding), count(shaft, image.tree(), excluding));
+    EXPECT_EQ(count(shaft, tree, of_two_layers), count(shaft, image.tree(), of_two_layers));
     std::vector<std::uint32_t> kept(candidates.size());
     std::vector<std::uint32_t> others(candidates.size());
-    const std::size_t size = refine(shaft, tree, std::span(std::as_const(candidates)), std::span(kept));
-    EXPECT_EQ(size, refine(shaft, image.tree(), std::span(std::as_const(candidates)), std::span(others)));
+    const std::size_t size = list(shaft, tree, std::span(kept), {.only = candidates});
+    EXPECT_EQ(size, list(shaft, image.tree(), std::span(others), {.only = candidates}));
     EXPECT_EQ(kept, others);
   }
 }

@@ -13,7 +13,8 @@
 #include "instruction_sets.hpp"
 #include "message_of.hpp"
 #include "sanitizers.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/access.hpp"
 #include "tree/flat.hpp"
@@ -51,37 +52,36 @@ FlatAnswers flat_answers(const CompiledShaft& shaft, const std::vector<Bound>& b
 /// Every verb of one shaft.
 template <class Bound>
 void expect_answers(const BoundsTree<Bound>& tree, const FlatAnswers& flat, const CompiledShaft& shaft,
-                    const Excluding& excluding) {
+                    const Query& query) {
   const Indices kept = flat.kept();
-  EXPECT_EQ(count(shaft, tree, excluding), kept.size());
-  EXPECT_EQ(any(shaft, tree, excluding), !kept.empty());
-  EXPECT_EQ(count_classified(shaft, tree, excluding), (KeptCounts{flat.overlap.size(), flat.inside.size()}));
-  EXPECT_EQ(count_at_most(shaft, tree, 3, excluding), std::min<std::size_t>(3, kept.size()));
+  EXPECT_EQ(count(shaft, tree, query), kept.size());
+  EXPECT_EQ(any(shaft, tree, query), !kept.empty());
+  EXPECT_EQ(count_classified(shaft, tree, query), (KeptCounts{flat.overlap.size(), flat.inside.size()}));
+  Query few = query;
+  few.limit = 3;
+  EXPECT_EQ(count(shaft, tree, few), std::min<std::size_t>(3, kept.size()));
 
   std::vector<std::uint64_t> some(words_for(tree.size()));
   std::vector<std::uint64_t> others(some.size());
-  cull(shaft, tree, some, excluding);
+  cull(shaft, tree, some, query);
   EXPECT_EQ(some, bits_of(kept, tree.size()));
-  contained(shaft, tree, some, excluding);
+  classify(shaft, tree, {}, some, query);
   EXPECT_EQ(some, bits_of(flat.inside, tree.size()));
-  classify(shaft, tree, some, others, excluding);
+  classify(shaft, tree, some, others, query);
   EXPECT_EQ(some, bits_of(kept, tree.size()));
   EXPECT_EQ(others, bits_of(flat.inside, tree.size()));
 
   std::vector<std::uint32_t> indices(tree.size());
-  indices.resize(list(shaft, tree, std::span(indices), excluding));
+  indices.resize(list(shaft, tree, std::span(indices), query));
   EXPECT_EQ(sorted(indices), kept);
   std::vector<std::uint32_t> first(indices.size() / 2);
-  EXPECT_EQ(list_at_most(shaft, tree, std::span(first), excluding), first.size());
+  few.limit = first.size();
+  EXPECT_EQ(list(shaft, tree, std::span(first), few), first.size());
   EXPECT_TRUE(std::equal(first.begin(), first.end(), indices.begin()));
-  std::vector<LeafRange> ranges(tree.size());
-  ranges.resize(list(shaft, tree, std::span(ranges), excluding));
-  EXPECT_EQ(sorted(ranges, tree.order()), kept);
-  EXPECT_TRUE(are_maximal(ranges));
 
   std::vector<std::uint32_t> overlap(tree.size());
   std::vector<std::uint32_t> inside(tree.size());
-  const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside), excluding);
+  const KeptCounts counts = list_classified(shaft, tree, std::span(overlap), std::span(inside), query);
   overlap.resize(counts.overlap);
   inside.resize(counts.inside);
   EXPECT_EQ(sorted(overlap), flat.overlap);
@@ -97,7 +97,7 @@ class TreeLayers : public testing::Test {
     for (const CompiledShaft& shaft : shafts) {
       for (const std::uint32_t mask : {0U, ~0U, 1U, 0x80000000U, 0x00ff00ffU}) {
         SCOPED_TRACE("layers " + std::to_string(mask) + " of " + std::to_string(tree.size()) + " bounds");
-        expect_answers<BoundOf<Tree>>(tree, flat_answers(shaft, bounds, layers, mask), shaft, {.only_layers = {mask}});
+        expect_answers<BoundOf<Tree>>(tree, flat_answers(shaft, bounds, layers, mask), shaft, {.layer_mask = {mask}});
         if (testing::Test::HasFailure()) return;
       }
     }
@@ -151,7 +151,8 @@ TYPED_TEST(TreeLayers, GoWithIndicesAndAMaskOfBits) {
     const auto is_out = [&](std::uint32_t i) { return i == own[0] || (mask[i / 64] >> i % 64 & 1) != 0; };
     std::erase_if(flat.overlap, is_out);
     std::erase_if(flat.inside, is_out);
-    expect_answers<BoundOf<TypeParam>>(tree, flat, shaft, {.own = own, .mask = mask, .only_layers = {0xffff}});
+    expect_answers<BoundOf<TypeParam>>(tree, flat, shaft,
+                                       {.exclude = own, .exclude_mask = mask, .layer_mask = {0xffff}});
   }
 }
 
@@ -166,11 +167,10 @@ TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
   for (std::size_t s = 0; s != shafts.size(); ++s) masks.push_back(s % 7 == 0 ? ~0U : 0x11U << s % 28);
   for (const bool has_one_for_all : {false, true}) {
     const Layers asked = has_one_for_all ? Layers{0xf0f0} : masks;
-    const Excluding excluding{.only_layers = asked};
+    const Query query{.layer_mask = asked};
     IndexLists kept;
     IndexLists overlap;
     IndexLists inside;
-    LeafRangeLists ranges;
     std::vector<std::uint64_t> counts(shafts.size());
     std::vector<std::uint64_t> few(shafts.size());
     std::vector<KeptCounts> classified(shafts.size());
@@ -178,27 +178,22 @@ TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
     std::vector<std::uint64_t> kept_bits(shafts.size() * row);
     std::vector<std::uint64_t> inside_bits(kept_bits.size());
     std::vector<std::uint64_t> found(1);
-    std::vector<Indices> called_back;
-    list_many(shafts, tree, kept, excluding);
-    list_many(shafts, tree, ranges, excluding);
-    list_classified_many(shafts, tree, overlap, inside, excluding);
-    count_many(shafts, tree, counts, excluding);
-    count_at_most_many(shafts, tree, 5, few, excluding);
-    count_classified_many(shafts, tree, classified, excluding);
-    any_many(shafts, tree, found, excluding);
-    cull_many(shafts, tree, kept_bits, excluding);
-    contained_many(shafts, tree, inside_bits, excluding);
-    for_each_kept(
-        shafts, tree, [&](const KeptRanges& answers) { called_back.push_back(sorted(answers.kept, tree.order())); },
-        excluding);
+    Query limited = query;
+    limited.limit = 5;
+    list_many(shafts, tree, kept, query);
+    list_classified_many(shafts, tree, overlap, inside, query);
+    count_many(shafts, tree, counts, query);
+    count_many(shafts, tree, few, limited);
+    count_classified_many(shafts, tree, classified, query);
+    any_many(shafts, tree, found, query);
+    cull_many(shafts, tree, kept_bits, query);
+    classify_many(shafts, tree, {}, inside_bits, query);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       SCOPED_TRACE("shaft " + std::to_string(s));
       const FlatAnswers flat = flat_answers(shafts[s], bounds, layers, asked[has_one_for_all ? 0 : s]);
       EXPECT_EQ(sorted(kept[s]), flat.kept());
       EXPECT_EQ(sorted(overlap[s]), flat.overlap);
       EXPECT_EQ(sorted(inside[s]), flat.inside);
-      EXPECT_EQ(sorted(ranges[s], tree.order()), flat.kept());
-      EXPECT_EQ(called_back[s], flat.kept());
       EXPECT_EQ(counts[s], flat.kept().size());
       EXPECT_EQ(few[s], std::min<std::size_t>(5, flat.kept().size()));
       EXPECT_EQ(classified[s], (KeptCounts{flat.overlap.size(), flat.inside.size()}));
@@ -243,7 +238,7 @@ TYPED_TEST(TreeLayers, StayThroughUpdatesRebuildsAndCopies) {
   this->expect_answers_with(moved, before, layers, shafts);
 }
 
-TYPED_TEST(TreeLayers, MoveWithTheirBoundsWhenTheseAreNumberedAnew) {
+TYPED_TEST(TreeLayers, MoveWithTheirBoundsWhenTheseGetOtherIndices) {
   using Bound = BoundOf<TypeParam>;
   Random random(705);
   const auto bounds = scene<Bound>(random, Shape::uniform, 1000);
@@ -320,8 +315,8 @@ TYPED_TEST(TreeLayers, AreRefusedWhereTheyDoNotFit) {
   const auto bounds = scene<Bound>(random, Shape::uniform, 100);
   TypeParam tree{std::span<const Bound>(bounds)};
   const std::vector<CompiledShaft> shafts = shafts_for(random, 3);
-  EXPECT_THAT(message_of([&] { static_cast<void>(count(shafts[0], tree, {.only_layers = {1}})); }),
-              AllOf(HasSubstr("excluding.only_layers"), HasSubstr("call set_layers()")));
+  EXPECT_THAT(message_of([&] { static_cast<void>(count(shafts[0], tree, {.layer_mask = {1}})); }),
+              AllOf(HasSubstr("query.layer_mask"), HasSubstr("call set_layers()")));
   for (const std::size_t wrong : {0U, 99U, 101U}) {
     EXPECT_THAT(message_of([&] { tree.set_layers(Layers(wrong)); }),
                 HasSubstr("set_layers() of a tree of 100 bounds got those of " + std::to_string(wrong)));
@@ -341,16 +336,16 @@ TYPED_TEST(TreeLayers, AreRefusedWhereTheyDoNotFit) {
   EXPECT_EQ(Layers(tree.layers().begin(), tree.layers().end()), Layers(100, 1));
   std::vector<std::uint64_t> counts(shafts.size(), 77);
   EXPECT_THAT(message_of([&] {
-                count_many(shafts, tree, counts, {.only_layers = {1, 2}});
+                count_many(shafts, tree, counts, {.layer_mask = {1, 2}});
               }),
-              HasSubstr("excluding.only_layers has 2 sets of layers for 3 shafts; give one for each, or one for all"));
-  EXPECT_THAT(
-      message_of([&] {
-        count_many(shafts, tree, counts, Excluding{.only_layers = {static_cast<const std::uint32_t*>(nullptr), 3}});
-      }),
-      HasSubstr("excluding.only_layers is null"));
+              HasSubstr("query.layer_mask has 2 sets of layers for 3 shafts; give one for each, or one for all"));
+  EXPECT_THAT(message_of([&] {
+                count_many(shafts, tree, counts,
+                           {.layer_mask = std::span(static_cast<const std::uint32_t*>(nullptr), 3)});
+              }),
+              HasSubstr("query.layer_mask is null"));
   EXPECT_EQ(counts, std::vector<std::uint64_t>(shafts.size(), 77));
-  EXPECT_EQ(count(shafts[0], TypeParam(), {.only_layers = {1}}), 0U) << "an empty tree needs no layers";
+  EXPECT_EQ(count(shafts[0], TypeParam(), {.layer_mask = {1}}), 0U) << "an empty tree needs no layers";
 }
 
 std::size_t words_tested = 0;

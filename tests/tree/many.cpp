@@ -2,15 +2,16 @@
 /// Many shafts, any number of threads: the same answers in the same order; and bounds left out.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "caught.hpp"
 #include "many/workload.hpp"
-#include "shaftcull/query.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 #include "tree/kinds.hpp"
@@ -45,14 +46,9 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
       IndexLists kept;
       IndexLists overlap;
       IndexLists inside;
-      LeafRangeLists kept_ranges;
-      LeafRangeLists overlap_ranges;
-      LeafRangeLists inside_ranges;
       for (int again = 0; again != 2; ++again) {  // into used memory
         list_many(this->shafts_, this->tree_, kept);
         list_classified_many(this->shafts_, this->tree_, overlap, inside);
-        list_many(this->shafts_, this->tree_, kept_ranges);
-        list_classified_many(this->shafts_, this->tree_, overlap_ranges, inside_ranges);
       }
       ASSERT_EQ(kept.size(), this->shafts_.size());
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
@@ -66,9 +62,6 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
         EXPECT_EQ(sorted(kept[s]), flat.kept());
         EXPECT_EQ(sorted(overlap[s]), flat.overlap);
         EXPECT_EQ(sorted(inside[s]), flat.inside);
-        EXPECT_EQ(sorted(kept_ranges[s], this->tree_.order()), flat.kept());
-        EXPECT_EQ(sorted(overlap_ranges[s], this->tree_.order()), flat.overlap);
-        EXPECT_EQ(sorted(inside_ranges[s], this->tree_.order()), flat.inside);
       }
     });
   }
@@ -88,15 +81,15 @@ TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
       std::vector<std::uint64_t> kept(shafts.size() * row, 99);
       std::vector<std::uint64_t> both(kept.size(), 99);
       std::vector<std::uint64_t> inside(kept.size(), 99);
-      std::vector<std::uint64_t> contained_alone(kept.size(), 99);
+      std::vector<std::uint64_t> inside_alone(kept.size(), 99);
       std::vector<std::uint64_t> found(3, 99);
       cull_many(shafts, this->tree_, kept);
       classify_many(shafts, this->tree_, both, inside);
-      contained_many(shafts, this->tree_, contained_alone);
+      classify_many(shafts, this->tree_, {}, inside_alone);
       any_many(shafts, this->tree_, found);
       EXPECT_EQ(found, expected_any);
       EXPECT_EQ(kept == both, true);
-      EXPECT_EQ(inside == contained_alone, true);
+      EXPECT_EQ(inside == inside_alone, true);
       for (std::size_t s = 0; s != shafts.size(); ++s) {
         const FlatAnswers flat(shafts[s], this->bounds_);
         const auto row_of = [&](const std::vector<std::uint64_t>& rows) {
@@ -109,46 +102,6 @@ TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
     });
   }
 }
-
-TYPED_TEST(TreeMany, CallbacksComeInOrderWithTheRangesOfEachShaft) {
-  LeafRangeLists kept;
-  LeafRangeLists overlap;
-  LeafRangeLists inside;
-  list_many(this->shafts_, this->tree_, kept);
-  list_classified_many(this->shafts_, this->tree_, overlap, inside);
-  using Ranges = std::vector<LeafRange>;
-  const auto vector_of = [](std::span<const LeafRange> ranges) { return Ranges(ranges.begin(), ranges.end()); };
-  for (const int threads : thread_counts) {
-    with_threads(threads, [&] {
-      std::size_t next = 0;
-      for_each_kept(this->shafts_, this->tree_, [&](const KeptRanges& answers) {
-        EXPECT_EQ(answers.shaft, next++);
-        EXPECT_EQ(vector_of(answers.kept), vector_of(kept[answers.shaft]));
-      });
-      EXPECT_EQ(next, this->shafts_.size());
-      next = 0;
-      for_each_classified(this->shafts_, this->tree_, [&](const ClassifiedRanges& answers) {
-        EXPECT_EQ(answers.shaft, next++);
-        EXPECT_EQ(vector_of(answers.overlap), vector_of(overlap[answers.shaft]));
-        EXPECT_EQ(vector_of(answers.inside), vector_of(inside[answers.shaft]));
-      });
-      EXPECT_EQ(next, this->shafts_.size());
-    });
-  }
-}
-
-#if defined(__cpp_exceptions)
-TYPED_TEST(TreeMany, AnExceptionOfACallbackEndsTheCall) {
-  std::size_t calls = 0;
-  EXPECT_THROW(for_each_kept(this->shafts_, this->tree_,
-                             [&](const KeptRanges& answers) {
-                               ++calls;
-                               if (answers.shaft == 7) throw std::domain_error("enough");
-                             }),
-               std::domain_error);
-  EXPECT_EQ(calls, 8U);
-}
-#endif
 
 TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   Random random(62);
@@ -165,26 +118,24 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   }
   for (const bool use_mask : {false, true}) {
     for (const bool use_own : {false, true}) {
-      Excluding excluding;
-      if (use_mask) excluding.mask = mask;
-      if (use_own) excluding.own = own;
+      Query query;
+      if (use_mask) query.exclude_mask = mask;
+      if (use_own) query.exclude_each = own;
       IndexLists kept;
       IndexLists overlap;
       IndexLists inside;
-      LeafRangeLists ranges;
       std::vector<std::uint64_t> counts(this->shafts_.size());
-      list_many(this->shafts_, this->tree_, kept, excluding);
-      list_classified_many(this->shafts_, this->tree_, overlap, inside, excluding);
-      list_many(this->shafts_, this->tree_, ranges, excluding);
-      count_many(this->shafts_, this->tree_, counts, excluding);
+      list_many(this->shafts_, this->tree_, kept, query);
+      list_classified_many(this->shafts_, this->tree_, overlap, inside, query);
+      count_many(this->shafts_, this->tree_, counts, query);
       std::vector<KeptCounts> classified(this->shafts_.size());
-      count_classified_many(this->shafts_, this->tree_, classified, excluding);
+      count_classified_many(this->shafts_, this->tree_, classified, query);
       const std::size_t row = words_for(this->bounds_.size());
       std::vector<std::uint64_t> kept_bits(this->shafts_.size() * row);
       std::vector<std::uint64_t> inside_bits(kept_bits.size());
       std::vector<std::uint64_t> found(1);
-      classify_many(this->shafts_, this->tree_, kept_bits, inside_bits, excluding);
-      any_many(this->shafts_, this->tree_, found, excluding);
+      classify_many(this->shafts_, this->tree_, kept_bits, inside_bits, query);
+      any_many(this->shafts_, this->tree_, found, query);
       for (std::size_t s = 0; s != this->shafts_.size(); ++s) {
         FlatAnswers flat(this->shafts_[s], this->bounds_);
         const std::span<const std::uint32_t> own_of_shaft = std::span(own).subspan(3 * s, 3);
@@ -197,8 +148,6 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
         EXPECT_EQ(sorted(kept[s]), flat.kept());
         EXPECT_EQ(sorted(overlap[s]), flat.overlap);
         EXPECT_EQ(sorted(inside[s]), flat.inside);
-        EXPECT_EQ(sorted(ranges[s], this->tree_.order()), flat.kept());
-        EXPECT_TRUE(are_maximal(ranges[s]));
         EXPECT_EQ(counts[s], flat.kept().size());
         EXPECT_EQ(classified[s], (KeptCounts{flat.overlap.size(), flat.inside.size()}));
         const auto first = static_cast<std::ptrdiff_t>(s * row);
@@ -233,19 +182,12 @@ TYPED_TEST(TreeMany, WhatDoesNotFitIsCountedAndNotWritten) {
   for (const CompiledShaft& shaft : this->shafts_) {
     std::vector<std::uint32_t> all(this->bounds_.size());
     all.resize(list(shaft, this->tree_, std::span(all)));
-    std::vector<LeafRange> all_ranges(this->bounds_.size());
-    all_ranges.resize(list(shaft, this->tree_, std::span(all_ranges)));
     for (const std::size_t room : {std::size_t{0}, all.size() / 2, all.size()}) {
       std::vector<std::uint32_t> some(room + 1, 12345);
       EXPECT_EQ(list(shaft, this->tree_, std::span(some).first(room)), all.size());
       EXPECT_EQ(some.back(), 12345U);
       EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all.begin()));
     }
-    const std::size_t room = all_ranges.size() / 2;
-    std::vector<LeafRange> some(room + 1, LeafRange{1, 0});
-    EXPECT_EQ(list(shaft, this->tree_, std::span(some).first(room)), all_ranges.size());
-    EXPECT_EQ(some.back(), (LeafRange{1, 0}));
-    EXPECT_TRUE(std::equal(some.begin(), some.end() - 1, all_ranges.begin()));
   }
 }
 

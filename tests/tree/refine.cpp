@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-/// Candidates of a parent shaft, tested against its children: what a scan of everything would keep.
+/// Queries about candidates (Query::only): of those of a parent shaft, its children keep the same as of all bounds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "caught.hpp"
 #include "columns.hpp"
-#include "shaftcull/query.hpp"
-#include "shaftcull/refine.hpp"
+#include "shaftcull/cull.hpp"
+#include "shaftcull/many.hpp"
 #include "tree/flat.hpp"
 #include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
@@ -53,16 +57,19 @@ TYPED_TEST(Refine, ChildrenKeepOfTheirParentsCandidatesWhatTheyKeepOfAll) {
     std::vector<CompiledShaft> children(a.size());
     compile_batch(BoxStream(std::span<const Box>(a)).view(), BoxStream(std::span<const Box>(b)).view(), children);
     IndexLists lists;
-    refine_many(children, memory.view(), candidates, lists);
+    list_many(children, memory.view(), lists, {.only = candidates});
     for (std::size_t s = 0; s != children.size(); ++s) {
       const Indices right = FlatAnswers(children[s], bounds).kept();
       EXPECT_EQ(Indices(lists[s].begin(), lists[s].end()), right) << "seed " << seed;
       Indices kept(candidates.size());
-      kept.resize(refine(children[s], memory.view(), candidates, kept));
+      kept.resize(list(children[s], memory.view(), std::span(kept), {.only = candidates}));
       EXPECT_EQ(kept, right) << "seed " << seed;
       Indices in_place = candidates;
-      in_place.resize(refine(children[s], memory.view(), in_place, in_place));
+      in_place.resize(list(children[s], memory.view(), std::span(in_place), {.only = in_place}));
       EXPECT_EQ(in_place, right) << "seed " << seed;
+      Indices vector = candidates;
+      EXPECT_EQ(list(children[s], memory.view(), vector, {.only = vector}), right.size());
+      EXPECT_EQ(vector, right) << "seed " << seed;
     }
   }
 }
@@ -73,7 +80,8 @@ TYPED_TEST(Refine, CandidatesKeepTheirOrderAndMayRepeat) {
   const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
   const Indices candidates = {70, 3, 3, 99, 0};
   Indices kept(5);
-  EXPECT_EQ(refine(everything, columns(bounds).view(), candidates, kept), 5U);
+  const auto memory = columns(bounds);
+  EXPECT_EQ(list(everything, memory.view(), std::span(kept), {.only = candidates}), 5U);
   EXPECT_EQ(kept, candidates);
 }
 
@@ -92,15 +100,15 @@ TYPED_TEST(TreeRefine, CandidatesAreTheUsersIndicesWhateverTheOrderOfTheTree) {
   const auto expect_flat_answers = [&](const char* when) {
     const auto memory = columns(bounds);
     IndexLists lists;
-    refine_many(shafts, tree, candidates, lists);
+    list_many(shafts, tree, lists, {.only = candidates});
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       std::vector<std::uint32_t> right(candidates.size());
-      right.resize(refine(shafts[s], memory.view(), candidates, right));
+      right.resize(list(shafts[s], memory.view(), std::span(right), {.only = candidates}));
       std::vector<std::uint32_t> kept(candidates.size());
-      kept.resize(refine(shafts[s], tree, candidates, kept));
+      kept.resize(list(shafts[s], tree, std::span(kept), {.only = candidates}));
       EXPECT_EQ(kept, right) << when;
       std::vector<std::uint32_t> in_place = candidates;
-      in_place.resize(refine(shafts[s], tree, in_place, in_place));
+      in_place.resize(list(shafts[s], tree, std::span(in_place), {.only = in_place}));
       EXPECT_EQ(in_place, right) << when;
       EXPECT_EQ(std::vector<std::uint32_t>(lists[s].begin(), lists[s].end()), right) << when;
     }
@@ -110,7 +118,7 @@ TYPED_TEST(TreeRefine, CandidatesAreTheUsersIndicesWhateverTheOrderOfTheTree) {
   const std::vector<Bound> values = scene<Bound>(random, Shape::clustered, moved.size());
   tree.update(moved, std::span<const Bound>(values));
   for (std::size_t i = 0; i != moved.size(); ++i) bounds[moved[i]] = values[i];
-  EXPECT_THROW(static_cast<void>(refine(shafts[0], tree, candidates, candidates)), NeedsRefit);
+  EXPECT_THROW(static_cast<void>(list(shafts[0], tree, std::span(candidates), {.only = candidates})), NeedsRefit);
   tree.refit();
   expect_flat_answers("updated by index");
   tree.rebuild();
@@ -128,9 +136,9 @@ TYPED_TEST(Refine, WhatDoesNotFitIsCountedAndNotWritten) {
     Indices kept(5, 12345);
     Indices right(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(room));
     right.resize(5, 12345);
-    EXPECT_EQ(refine(everything, memory.view(), candidates, std::span(kept).first(room)), 4U);
+    EXPECT_EQ(list(everything, memory.view(), std::span(kept).first(room), {.only = candidates}), 4U);
     EXPECT_EQ(kept, right);
-    EXPECT_EQ(refine(everything, tree, candidates, std::span(kept).first(room)), 4U);
+    EXPECT_EQ(list(everything, tree, std::span(kept).first(room), {.only = candidates}), 4U);
     EXPECT_EQ(kept, right);
   }
 }
@@ -138,12 +146,19 @@ TYPED_TEST(Refine, WhatDoesNotFitIsCountedAndNotWritten) {
 TYPED_TEST(Refine, NoCandidatesGiveNothing) {
   const auto bounds = std::vector<TypeParam>();
   const CompiledShaft shaft = compile(Shaft({{0, 0, 0}, {1, 1, 1}}, {{3, 3, 3}, {4, 4, 4}}));
+  const auto memory = columns(bounds);
   Indices none;
-  EXPECT_EQ(refine(shaft, columns(bounds).view(), none, none), 0U);
-  EXPECT_EQ(refine(shaft, BoundsTree<TypeParam>(), none, none), 0U);
+  EXPECT_EQ(list(shaft, memory.view(), none, {.only = none}), 0U);
+  EXPECT_EQ(list(shaft, BoundsTree<TypeParam>(), none, {.only = none}), 0U);
   IndexLists lists;
-  refine_many({&shaft, 1}, columns(bounds).view(), none, lists);
+  list_many({&shaft, 1}, memory.view(), lists, {.only = none});
   EXPECT_TRUE(lists[0].empty());
+  // Given and empty is not the same as not given.
+  const std::vector<TypeParam> some(9, TypeParam{});
+  const auto of_some = columns(some);
+  const CompiledShaft everything = compile(Shaft({{-9, -9, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}));
+  EXPECT_EQ(count(everything, of_some.view(), {.only = none}), 0U);
+  EXPECT_EQ(count(everything, of_some.view(), {.only = std::nullopt}), 9U);
 }
 
 }  // namespace

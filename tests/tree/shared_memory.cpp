@@ -11,9 +11,9 @@
 #include "caught.hpp"
 #include "columns.hpp"
 #include "message_of.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/query.hpp"
-#include "shaftcull/refine.hpp"
 #include "shaftcull/tree.hpp"
 #include "support/overlap.hpp"
 #include "tree/kinds.hpp"
@@ -106,25 +106,25 @@ TYPED_TEST(TreeSharedMemory, OutputsOfAQueryMustNotBeWhatItLeavesOutNorOneAnothe
   const auto shares = [](const char* one, const char* other) {
     return AllOf(HasSubstr(one), HasSubstr(other), HasSubstr("share memory"));
   };
-  EXPECT_THAT(message_of([&] { static_cast<void>(list(this->shaft_, tree, all, {.own = all.subspan(199, 1)})); }),
-              shares("list: kept", "excluding.own"));
+  EXPECT_THAT(message_of([&] { static_cast<void>(list(this->shaft_, tree, all, {.exclude = all.subspan(199, 1)})); }),
+              shares("list: kept", "query.exclude "));
   EXPECT_THAT(
       message_of([&] { static_cast<void>(list_classified(this->shaft_, tree, all.first(100), all.subspan(99))); }),
       shares("list_classified: overlap", "inside"));
   EXPECT_THAT(message_of([&] {
                 static_cast<void>(list_classified(this->shaft_, tree, all.first(100), all.subspan(100),
-                                                  {.own = all.subspan(100, 2)}));
+                                                  {.exclude_each = all.subspan(100, 2)}));
               }),
-              shares("list_classified: inside", "excluding.own"));
+              shares("list_classified: inside", "query.exclude_each"));
   EXPECT_EQ(memory, untouched);
   EXPECT_NO_THROW(static_cast<void>(
-      list_classified(this->shaft_, tree, all.first(90), all.subspan(90, 90), {.own = all.subspan(180)})));
+      list_classified(this->shaft_, tree, all.first(90), all.subspan(90, 90), {.exclude = all.subspan(180)})));
 
   std::vector<std::uint64_t> mask(words_for(this->count));
   EXPECT_THAT(message_of([&] {
-                count_many({&this->shaft_, 1}, tree, std::span(mask).first(1), {.mask = mask});
+                count_many({&this->shaft_, 1}, tree, std::span(mask).first(1), {.exclude_mask = mask});
               }),
-              shares("count_many: kept_counts", "excluding.mask"));
+              shares("count_many: kept_counts", "query.exclude_mask"));
   EXPECT_EQ(mask, std::vector<std::uint64_t>(words_for(this->count)));
 }
 
@@ -141,22 +141,21 @@ TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {
   EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, lists); }),
               HasSubstr("list_classified_many: overlap and inside share memory"));
   expect_unchanged();
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = lists.indices}); }),
-              HasSubstr("list_many: lists and excluding.own share memory"));
-  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, others, {.own = others.indices}); }),
-              HasSubstr("list_classified_many: inside and excluding.own share memory"));
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.exclude = lists.indices}); }),
+              HasSubstr("list_many: lists and query.exclude share memory"));
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.exclude_each = lists.indices}); }),
+              HasSubstr("list_many: lists and query.exclude_each share memory"));
+  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, lists, others, {.exclude = others.indices}); }),
+              HasSubstr("list_classified_many: inside and query.exclude share memory"));
   expect_unchanged();
-  LeafRangeLists ranges;
-  EXPECT_THAT(message_of([&] { list_classified_many(shafts, tree, ranges, ranges); }),
-              HasSubstr("list_classified_many: overlap and inside share memory"));
 }
 
-TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginningOnly) {
+TYPED_TEST(TreeSharedMemory, AListMayOverwriteItsCandidatesFromTheirBeginningOnly) {
   const TypeParam tree = this->random_tree();
   std::vector<std::uint32_t> candidates;
   for (std::uint32_t i = 0; i != 2000; ++i) candidates.push_back(i * 7 % 5000);
   std::vector<std::uint32_t> expected(candidates.size());
-  expected.resize(refine(this->shaft_, tree.leaves(), candidates, expected));
+  expected.resize(list(this->shaft_, tree.leaves(), std::span(expected), {.only = candidates}));
   ASSERT_GT(expected.size(), 10U);
 
   std::vector<std::uint32_t> memory(10, 0);
@@ -167,46 +166,49 @@ TYPED_TEST(TreeSharedMemory, RefiningMayOverwriteItsCandidatesFromTheirBeginning
   const std::span<const std::uint32_t> in = all.subspan(10, candidates.size());
   for (const std::size_t start :
        {std::size_t{0}, std::size_t{9}, std::size_t{11}, std::size_t{9 + candidates.size()}}) {
-    EXPECT_THAT(message_of([&] {
-                  static_cast<void>(refine(this->shaft_, tree.leaves(), in, all.subspan(start, candidates.size())));
-                }),
-                HasSubstr("refine: kept and candidates share memory"))
+    EXPECT_THAT(
+        message_of([&] {
+          static_cast<void>(list(this->shaft_, tree.leaves(), all.subspan(start, candidates.size()), {.only = in}));
+        }),
+        HasSubstr("list: kept and query.only share memory"))
         << start;
   }
   EXPECT_EQ(memory, before);
   const std::span<std::uint32_t> behind = all.subspan(10 + candidates.size());
-  ASSERT_EQ(refine(this->shaft_, tree.leaves(), in, behind), expected.size());
+  ASSERT_EQ(list(this->shaft_, tree.leaves(), behind, {.only = in}), expected.size());
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), behind.begin()));
   // What `kept` has room for past the number of candidates is never written.
-  ASSERT_EQ(refine(this->shaft_, tree.leaves(), behind.first(0), all), 0U);
-  ASSERT_EQ(refine(this->shaft_, tree.leaves(), in, all.subspan(10)), expected.size());
+  ASSERT_EQ(list(this->shaft_, tree.leaves(), all, {.only = behind.first(0)}), 0U);
+  ASSERT_EQ(list(this->shaft_, tree.leaves(), all.subspan(10), {.only = in}), expected.size());
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), all.begin() + 10));
 }
 
-TYPED_TEST(TreeSharedMemory, RefiningManyRefusesCandidatesThatAreItsLists) {
+TYPED_TEST(TreeSharedMemory, ListsOfManyRefuseCandidatesThatAreTheirMemory) {
   const TypeParam tree = this->random_tree();
   IndexLists lists{{0, 3}, {11, 12, 13}};
-  EXPECT_THAT(
-      message_of([&] {
-        refine_many({&this->shaft_, 1}, tree.leaves(), std::span<const std::uint32_t>(lists.indices).last(1), lists);
-      }),
-      HasSubstr("refine_many: lists and candidates share memory"));
+  EXPECT_THAT(message_of([&] {
+                list_many({&this->shaft_, 1}, tree.leaves(), lists,
+                          {.only = std::span<const std::uint32_t>(lists.indices).last(1)});
+              }),
+              HasSubstr("list_many: lists and query.only share memory"));
   EXPECT_EQ(lists.indices, (std::vector<std::uint32_t>{11, 12, 13}));
 }
 
 TYPED_TEST(TreeSharedMemory, IndicesLeftOutMustExist) {
   const TypeParam tree = this->random_tree();
   std::vector<std::uint32_t> own = {4999, 5000};
-  const auto refusal = HasSubstr("excluding.own[1] = 5000 is not below the number of bounds, 5000");
-  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(this->shaft_, tree, {.own = own})); }), refusal);
+  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(this->shaft_, tree, {.exclude = own})); }),
+              HasSubstr("query.exclude[1] = 5000 is not below the number of bounds, 5000"));
+  const auto refusal = HasSubstr("query.exclude_each[1] = 5000 is not below the number of bounds, 5000");
+  EXPECT_THAT(message_of([&] { static_cast<void>(shaftcull::count(this->shaft_, tree, {.exclude_each = own})); }),
+              refusal);
   IndexLists lists;
   const std::vector<CompiledShaft> shafts(2, this->shaft_);
-  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.own = own}); }), refusal);
+  EXPECT_THAT(message_of([&] { list_many(shafts, tree, lists, {.exclude_each = own}); }), refusal);
   std::vector<std::uint64_t> counts(2);
-  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.own = own}); }), refusal);
-  EXPECT_THAT(message_of([&] { for_each_kept(shafts, tree, [](const auto&) { FAIL(); }, {.own = own}); }), refusal);
+  EXPECT_THAT(message_of([&] { count_many(shafts, tree, counts, {.exclude_each = own}); }), refusal);
   own[1] = 0;
-  EXPECT_NO_THROW(list_many(shafts, tree, lists, {.own = own}));
+  EXPECT_NO_THROW(list_many(shafts, tree, lists, {.exclude_each = own}));
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "caught.hpp"
 #include "columns.hpp"
 #include "message_of.hpp"
-#include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/kinds.hpp"
 #include "tree/scenes.hpp"

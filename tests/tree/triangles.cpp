@@ -20,8 +20,10 @@
 #include "message_of.hpp"
 #include "oracle/cases/triangles.hpp"
 #include "sanitizers.hpp"
+#include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/kinds.hpp"
+#include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 
 namespace shaftcull {
@@ -102,33 +104,47 @@ TEST(TriangleTree, AnswersWhatAScanAnswers) {
       const UseIsa use(isa);
       for (const TriangleTest test : tests) {
         SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(count) + " triangles");
+        const Query query{.triangle_test = test};
         std::vector<std::uint64_t> rows(shafts.size() * words_for(count), 0x5555);
-        cull_many(shafts, tree, rows, test);
+        cull_many(shafts, tree, rows, query);
         std::vector<std::uint64_t> flat_rows(rows.size());
-        cull_many(shafts, memory.view(), flat_rows, test);
+        cull_many(shafts, memory.view(), flat_rows, query);
         EXPECT_EQ(rows, flat_rows);
+        std::vector<std::uint64_t> inside_rows(rows.size(), 0x5555);
+        std::vector<std::uint64_t> flat_inside_rows(rows.size());
+        classify_many(shafts, tree, flat_rows, inside_rows, query);
+        EXPECT_EQ(rows, flat_rows) << "classify_many() keeps other triangles";
+        classify_many(shafts, memory.view(), {}, flat_inside_rows, query);
+        EXPECT_EQ(inside_rows, flat_inside_rows);
+        std::vector<KeptCounts> classified(shafts.size());
+        count_classified_many(shafts, tree, classified, query);
         std::vector<std::uint64_t> counts(shafts.size(), 5);
-        count_many(shafts, tree, counts, test);
+        count_many(shafts, tree, counts, query);
         std::vector<std::uint64_t> any_bits(words_for(shafts.size()), 5);
-        any_many(shafts, tree, any_bits, test);
+        any_many(shafts, tree, any_bits, query);
         IndexLists lists;
-        list_many(shafts, tree, lists, test);
+        list_many(shafts, tree, lists, query);
         ASSERT_EQ(lists.size(), shafts.size());
         for (std::size_t s = 0; s != shafts.size(); ++s) {
           std::vector<std::uint32_t> expected(count);
-          expected.resize(list(shafts[s], memory.view(), expected, test));
+          expected.resize(list(shafts[s], memory.view(), std::span(expected), query));
           kept_in_all += expected.size();
           std::vector<std::uint32_t> listed(count);
-          listed.resize(list(shafts[s], tree, listed, test));
+          listed.resize(list(shafts[s], tree, std::span(listed), query));
           EXPECT_TRUE(std::equal(listed.begin(), listed.end(), lists[s].begin(), lists[s].end()));
           EXPECT_EQ(sorted(listed), expected);
-          EXPECT_EQ(shaftcull::count(shafts[s], tree, test), expected.size());
+          EXPECT_EQ(shaftcull::count(shafts[s], tree, query), expected.size());
           EXPECT_EQ(counts[s], expected.size());
-          EXPECT_EQ(any(shafts[s], tree, test), !expected.empty());
+          EXPECT_EQ(any(shafts[s], tree, query), !expected.empty());
           EXPECT_EQ((any_bits[s / 64] >> s % 64 & 1) != 0, !expected.empty());
           std::vector<std::uint64_t> kept(words_for(count), 0x5555);
-          cull(shafts[s], tree, kept, test);
+          cull(shafts[s], tree, kept, query);
           EXPECT_TRUE(std::equal(kept.begin(), kept.end(), rows.begin() + static_cast<int>(s * kept.size())));
+          classify(shafts[s], tree, {}, kept, query);
+          EXPECT_TRUE(std::equal(kept.begin(), kept.end(), inside_rows.begin() + static_cast<int>(s * kept.size())));
+          const std::size_t insides = BitView(kept).count();
+          EXPECT_EQ(classified[s], (KeptCounts{expected.size() - insides, insides}));
+          EXPECT_EQ(count_classified(shafts[s], tree, query), classified[s]);
         }
       }
     }
@@ -143,7 +159,7 @@ TEST(TriangleTree, ListsAreInTreeOrder) {
   for (std::size_t p = 0; p != tree.size(); ++p) place[tree.order()[p]] = p;
   for (const CompiledShaft& shaft : shafts_for(random)) {
     std::vector<std::uint32_t> listed(tree.size());
-    listed.resize(list(shaft, tree, listed));
+    listed.resize(list(shaft, tree, std::span(listed)));
     EXPECT_TRUE(std::is_sorted(listed.begin(), listed.end(), [&](auto i, auto j) { return place[i] < place[j]; }));
   }
 }
@@ -232,13 +248,13 @@ TEST(TriangleTree, RefusesWhatItCannotUse) {
   EXPECT_THAT(message_of<BadBound>([&] { (void)TriangleTree(std::span<const Triangle>(triangles)); }),
               testing::HasSubstr("triangle 33: vertex 2 has y = nan; vertices must be finite"));
   const ConvexHull hull(std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}});
-  EXPECT_EQ(count(hull, tree, TriangleTest::vertices), 40U);
+  EXPECT_EQ(count(hull, tree, {.triangle_test = TriangleTest::vertices}), 40U);
   EXPECT_THAT(message_of([&] { (void)count(hull, tree); }), testing::HasSubstr("shaft 0 is a convex hull"));
   std::vector<std::uint64_t> kept(2, 7);
   const CompiledShaft shaft = compile(Box{{0, 0, 0}, {1, 1, 1}}, Box{{5, 0, 0}, {6, 1, 1}});
   EXPECT_THAT(message_of([&] { cull(shaft, tree, kept); }), testing::HasSubstr("kept has 2 words"));
   EXPECT_THAT(message_of([&] { (void)any(CompiledShaft(), tree); }), testing::HasSubstr("never formed"));
-  EXPECT_THAT(message_of([&] { (void)any(shaft, tree, static_cast<TriangleTest>(2)); }),
+  EXPECT_THAT(message_of([&] { (void)any(shaft, tree, {.triangle_test = static_cast<TriangleTest>(2)}); }),
               testing::HasSubstr("test = 2 is neither"));
   EXPECT_EQ(kept, std::vector<std::uint64_t>(2, 7));
 }

@@ -4,6 +4,7 @@
 
 #include "compiled/shaft_data.hpp"
 #include "kernels/table.hpp"
+#include "query/question.hpp"
 #include "shaftcull/compiled.hpp"
 #include "tree/exclusion.hpp"
 #include "tree/visitors.hpp"
@@ -15,7 +16,7 @@ namespace shaftcull {
 template <class Bound, class Visitor>
 void walk(const kernel::TreeLevels<Bound>& tree, const kernel::Kernels& kernels, const CompiledShaft& shaft,
           kernel::Question question, Visitor& visitor, const kernel::LayerFilter& layers = {}) {
-  const kernel::Exclusion excluded(kernel::LeafIndices({}, false, kernels), {}, {}, layers);
+  const kernel::Exclusion excluded(kernel::LeafIndices({}, false, kernels), {}, layers);
   kernel::WordByWord words(visitor);
   kernel::Walk<Bound>(tree, kernels, kernel::data_of(shaft), question, excluded, words, words.traits).run();
 }
