@@ -55,7 +55,7 @@ struct ShaftOptions {
   Formation formation = Formation::table729;  ///< how it is formed
   PlaneOrder order = PlaneOrder::unsorted;    ///< how its planes are sorted
   bool outside = true;                        ///< cull() may be called
-  bool inside = true;                         ///< contained() and, with outside, classify() may be called
+  bool inside = true;                         ///< classify() may be called: without outside, for its inside bits alone
   bool spheres = true;                        ///< spheres may be tested; joining planes then get unit normals
   /// What becomes of bounds that only touch the shaft.
   Contact contact = Contact::closed;

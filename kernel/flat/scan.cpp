@@ -18,7 +18,7 @@ constexpr std::size_t chunk_bounds = 16384;
 /// The first chunk of a call that may end early; each has twice as many as the one before.
 constexpr std::size_t first_chunk_bounds = 512;
 /// Candidates in a chunk: their bounds are copied to the stack.
-constexpr std::size_t chunk_candidates = 1024;
+constexpr std::size_t chunk_candidates = 512;
 
 /// Chunks of a call that ends when it has found `limit` bounds.
 constexpr std::size_t chunk_for(std::size_t limit) noexcept {

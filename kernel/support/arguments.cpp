@@ -72,7 +72,7 @@ void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
 }
 
 void refuse_index_width(const char* call, std::size_t bounds) {
-  kernel::fail(InvalidArgument(std::string(call) + " got " + std::to_string(bounds) +
+  kernel::fail(InvalidArgument(std::string(call) + "() got " + std::to_string(bounds) +
                                " bounds, but 32-bit indices reach " +
                                std::to_string(std::numeric_limits<std::uint32_t>::max()) + "; ask slices of the view"));
 }

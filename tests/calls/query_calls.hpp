@@ -34,7 +34,9 @@ struct AskedBounds {
 
 /// A query with all options that leave bounds out.
 inline Query query_that_leaves_out(const CallTable& table, const AskedBounds& asked) {
-  Query query{.exclude = table.candidates, .exclude_mask = table.mask, .triangle_test = asked.triangle_test};
+  Query query{.exclude = std::span(table.candidates).first(8),
+              .exclude_mask = table.mask,
+              .triangle_test = asked.triangle_test};
   if (asked.have_layers) query.layer_mask = {0b01011};
   return query;
 }
