@@ -49,28 +49,30 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Whether any of the boxes blocks the shaft. A view is looked through from the first box on, and a tree in nodes that
 /// may hold a box that blocks; both stop soon after they find one. No allocation.
-[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const Bounds& solids, const Query& query = {});
+[[nodiscard]] SHAFTCULL_EXPORT bool blocked(const CompiledShaft& shaft, const Bounds& solids,
+                                            const Query& query = no_options);
 
 /// The index of the box that blocks the shaft: of several in a view the lowest, in a tree the first in tree order
 /// (BoundsTree::order()). Nothing if none does. Throws InvalidArgument for a view of more than 2³² − 1 boxes. Otherwise
 /// as blocked().
 [[nodiscard]] SHAFTCULL_EXPORT std::optional<std::uint32_t> blocked_by(const CompiledShaft& shaft, const Bounds& solids,
-                                                                       const Query& query = {});
+                                                                       const Query& query = no_options);
 
 /// Writes the indices of all boxes that block the shaft, ascending or in tree order, and returns how many there are;
 /// results.hpp says what happens if they do not fit. With Query::limit it lists the first that many. No allocation.
 /// Throws InvalidArgument as blocked_by().
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_blocking(const CompiledShaft& shaft, const Bounds& solids,
-                                                         std::span<std::uint32_t> blocking, const Query& query = {});
+                                                         std::span<std::uint32_t> blocking,
+                                                         const Query& query = no_options);
 
 /// Bit s % 64 of word s / 64 of `blocked` is set iff a box blocks shafts[s]; bits past the last shaft are zero. In
 /// parallel. `blocked` has exactly words_for(shafts.size()) words. Bits do not depend on the number of threads.
 /// O(shafts · boxes) for a view, though it ends for each shaft as blocked() does.
 SHAFTCULL_EXPORT void blocked_many(std::span<const CompiledShaft> shafts, const Bounds& solids,
-                                   std::span<std::uint64_t> blocked, const Query& query = {});
+                                   std::span<std::uint64_t> blocked, const Query& query = no_options);
 
 /// Lists for each shaft the boxes that list_blocking() lists, in parallel.
 SHAFTCULL_EXPORT void list_blocking_many(std::span<const CompiledShaft> shafts, const Bounds& solids, IndexLists& lists,
-                                         const Query& query = {});
+                                         const Query& query = no_options);
 
 }  // namespace shaftcull

@@ -53,12 +53,12 @@ struct FirstContact {
 /// bound found so far, so it mostly looks at bounds that touch the start, or at few more than the first. Throws
 /// InvalidArgument for a view of more than 2³² − 1 bounds.
 [[nodiscard]] SHAFTCULL_EXPORT FirstContact first_contact(const CompiledShaft& shaft, const Bounds& bounds,
-                                                          const Query& query = {});
+                                                          const Query& query = no_options);
 
 /// contacts[s] becomes first_contact(shafts[s], …). One for each shaft. Throws InvalidArgument if there are more or
 /// fewer.
 SHAFTCULL_EXPORT void first_contact_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
-                                         std::span<FirstContact> contacts, const Query& query = {});
+                                         std::span<FirstContact> contacts, const Query& query = no_options);
 
 /// Entry times of bounds that a list names: times[i] becomes that of bound indices[i], rounded down, or +∞ if the shaft
 /// does not keep it. O(indices.size()), about 50 ns for a box and 400 ns for a sphere. Throws InvalidArgument for an

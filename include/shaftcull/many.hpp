@@ -36,37 +36,37 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// Row s of `kept_rows` gets the bits that cull(shafts[s], …) writes. Rows have words_for(bounds.size()) words and lie
 /// one behind the other, exactly one for each shaft.
 SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
-                                std::span<std::uint64_t> kept_rows, const Query& query = {});
+                                std::span<std::uint64_t> kept_rows, const Query& query = no_options);
 
 /// Bits of both kinds, as classify() writes them, in rows as those of cull_many(). `kept_rows` may be empty: then only
 /// `inside_rows` is written.
 SHAFTCULL_EXPORT void classify_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
                                     std::span<std::uint64_t> kept_rows, std::span<std::uint64_t> inside_rows,
-                                    const Query& query = {});
+                                    const Query& query = no_options);
 
 /// kept_counts[s] becomes count(shafts[s], …). One count for each shaft. A shaft that has found Query::limit bounds is
 /// not tested with later ones.
 SHAFTCULL_EXPORT void count_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
-                                 std::span<std::uint64_t> kept_counts, const Query& query = {});
+                                 std::span<std::uint64_t> kept_counts, const Query& query = no_options);
 
 /// counts[s] becomes count_classified(shafts[s], …). One for each shaft.
 SHAFTCULL_EXPORT void count_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
-                                            std::span<KeptCounts> counts, const Query& query = {});
+                                            std::span<KeptCounts> counts, const Query& query = no_options);
 
 /// List s becomes the list of list(shafts[s], …). Throws InvalidArgument as list(), std::bad_alloc if memory runs out.
 SHAFTCULL_EXPORT void list_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& lists,
-                                const Query& query = {});
+                                const Query& query = no_options);
 
 /// Lists bounds that overlap and bounds inside apart, as list_classified(). Throws InvalidArgument if both are the same
 /// lists.
 SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
-                                           IndexLists& overlap, IndexLists& inside, const Query& query = {});
+                                           IndexLists& overlap, IndexLists& inside, const Query& query = no_options);
 
 /// Bit s of `any` (word s / 64, bit s % 64) is set iff shafts[s] keeps any bound; bits past the last shaft are zero.
 /// `any` has words_for(shafts.size()) words. A shaft that has kept one is not tested with later bounds, so time depends
 /// on where bounds are and, a little, on threads; bits do not.
 SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
-                               std::span<std::uint64_t> any, const Query& query = {});
+                               std::span<std::uint64_t> any, const Query& query = no_options);
 
 /// How many threads a call from here would use (1 in a build without oneTBB).
 [[nodiscard]] SHAFTCULL_EXPORT int concurrency() noexcept;

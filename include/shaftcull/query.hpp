@@ -148,4 +148,7 @@ struct Query {
   TriangleTest triangle_test = TriangleTest::exact;
 };
 
+/// The options of most queries: none. A default argument that is made once, not for each call.
+inline constexpr Query no_options{};
+
 }  // namespace shaftcull

@@ -131,7 +131,7 @@ void BatchJob::test_tile_in_floats(const BoundStreams& tile, std::size_t first, 
   if (tile.are_spheres() && tests_.question() != Question::inside && group.size >= fewest_for_boxes()) {
     return test_boxed_tile(tile, first, group, kept, inside);
   }
-  test_with(tests_.test(), tile.stream.data(), first, tile.count, group, kept, inside);
+  test_with(tests_.test(), tile.stream, first, tile.count, group, kept, inside);
 }
 
 template <class Kernel>
@@ -147,7 +147,7 @@ void BatchJob::test_with(const Kernel& kernel, const float* const* stream, std::
 SHAFTCULL_NOINLINE void BatchJob::test_boxed_tile(const BoundStreams& tile, std::size_t first, IndexRange group,
                                                   Rows kept, Rows inside) const noexcept {
   alignas(64) float box[6][float_tile_bounds];
-  tests_.kernels().boxes_around_spheres(tile.stream.data(), tile.count, rows_in(box).data());
+  tests_.kernels().boxes_around_spheres(tile.stream, tile.count, rows_in(box).data());
   const float* const stream[10] = {tile.stream[0], tile.stream[1], tile.stream[2], tile.stream[3], box[0],
                                    box[1],         box[2],         box[3],         box[4],         box[5]};
   test_with(*tests_.kernels().boxed_spheres, stream, first, tile.count, group, kept, inside);
@@ -170,7 +170,7 @@ SHAFTCULL_ALWAYS_INLINE inline void BatchJob::test_batch_on_grid(const GroupOnGr
     if (s + batch_shafts < group.size) prefetch_rows(kept.at(s + batch_shafts), inside.at(s + batch_shafts), words);
     const ShaftData& its_shaft = tests_.shafts()[group.first + s];
     if (!on_grid.shaft[s].exists || (on_grid.has_cuts && may_pass_cut(on_grid.shaft[s], extent))) {
-      tests_.test()(its_shaft, tile.stream.data(), tile.count, kept.at(s), inside.at(s));
+      tests_.test()(its_shaft, tile.stream, tile.count, kept.at(s), inside.at(s));
       continue;
     }
     shaft[tested] = &its_shaft;
@@ -180,13 +180,13 @@ SHAFTCULL_ALWAYS_INLINE inline void BatchJob::test_batch_on_grid(const GroupOnGr
     ++tested;
   }
   const bool are_spheres = tile.are_spheres();
-  if (!are_spheres) tests_.kernels().grid.resolve(shaft, tile.stream.data(), tile.count, undecided, listed, kept_row);
+  if (!are_spheres) tests_.kernels().grid.resolve(shaft, tile.stream, tile.count, undecided, listed, kept_row);
   GridKernels::Finish* const finish =
       are_spheres ? tests_.kernels().grid.finish_spheres : tests_.kernels().grid.finish_boxes;
   for (std::size_t i = 0; i != tested; ++i) {
     const bool is_tested = !are_spheres && shaft[i]->added_count == 0 && shaft[i]->still_faces == 0;
     if (is_tested && inside_row[i] == nullptr) continue;
-    finish(*shaft[i], tile.stream.data(), tile.count, kept_row[i], inside_row[i]);
+    finish(*shaft[i], tile.stream, tile.count, kept_row[i], inside_row[i]);
   }
 }
 
@@ -201,7 +201,7 @@ SHAFTCULL_NOINLINE void BatchJob::test_tile_on_grid(const GroupOnGrid& on_grid, 
   if (tile.are_spheres()) {
     snap_spheres(on_grid.frame, tile, grid);
   } else {
-    tests_.kernels().grid.snap_boxes(on_grid.frame, tile.stream.data(), tile.count, grid);
+    tests_.kernels().grid.snap_boxes(on_grid.frame, tile.stream, tile.count, grid);
   }
   TileExtent extent{};
   if (on_grid.has_cuts) extent = tests_.kernels().grid.extent(grid, words_for(tile.count));
@@ -218,9 +218,9 @@ SHAFTCULL_NOINLINE void BatchJob::snap_spheres(const GridFrame& frame, const Bou
   alignas(64) float box[6][some];
   const RowsOf<BoxView> boxes = rows_in(box);
   for (std::size_t i = 0; i < tile.count; i += some) {
-    const BoundStreams part = tile.slice(i, std::min(some, tile.count - i));
+    const BoundSlice part = tile.slice(i, std::min(some, tile.count - i));
     std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
-    tests_.kernels().boxes_around_spheres(part.stream.data(), part.count, boxes.data());
+    tests_.kernels().boxes_around_spheres(part.stream, part.count, boxes.data());
     tests_.kernels().grid.snap_boxes(frame, boxes.data(), words_for(part.count) * 64, out);
   }
 }

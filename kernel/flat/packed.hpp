@@ -2,6 +2,7 @@
 /// Candidates that many shafts are asked about, side by side in memory.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -15,6 +16,8 @@ namespace shaftcull::kernel {
 /// A copy of their bounds, made once for all shafts.
 class PackedCandidates {
  public:
+  PackedCandidates(const PackedCandidates&) = delete;
+  PackedCandidates& operator=(const PackedCandidates&) = delete;
   /// Of bounds that have candidates.
   explicit PackedCandidates(const ScannedBounds& from)
       : packed_(from), memory_(std::make_unique_for_overwrite<float[]>(from.streams.rows * row(from))) {
@@ -26,7 +29,8 @@ class PackedCandidates {
       for (std::size_t r = 0; r != from.streams.rows; ++r) rows[r] = memory_.get() + r * row(from) + task.first;
       gather(from.streams, candidates, from.position, task.first, task.size, rows);
     });
-    for (std::size_t r = 0; r != from.streams.rows; ++r) packed_.streams.stream[r] = memory_.get() + r * row(from);
+    for (std::size_t r = 0; r != from.streams.rows; ++r) stream_[r] = memory_.get() + r * row(from);
+    packed_.streams.stream = stream_.data();
     packed_.streams.count = candidates.size();
   }
 
@@ -40,6 +44,7 @@ class PackedCandidates {
 
   ScannedBounds packed_;
   std::unique_ptr<float[]> memory_;
+  std::array<const float*, 9> stream_{};  // into it
 };
 
 }  // namespace shaftcull::kernel

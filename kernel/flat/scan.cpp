@@ -50,7 +50,7 @@ Scan::Scan(const ShaftData& shaft, const ScannedBounds& bounds, Question questio
     : test_(kernels, question, bounds.streams.kind, options.triangle_test()),
       shaft_(shaft, test_.needs_planes(shaft)),
       bounds_(bounds),
-      left_out_(options, s, bounds.layers, bounds.candidates, bounds.position, kernels.keep_layers),
+      left_out_(options, s, bounds, kernels),
       kernels_(kernels),
       question_(question) {}
 
@@ -73,8 +73,8 @@ SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Vi
   std::uint64_t kept[words_for(chunk_bounds)];
   std::uint64_t inside[words_for(chunk_bounds)];
   for (std::size_t first = 0; first != bounds_.streams.count;) {
-    const BoundStreams part = bounds_.streams.slice(first, std::min(chunk, bounds_.streams.count - first));
-    test_(shaft_.shaft(), part.stream.data(), part.count, kept, both ? inside : nullptr);
+    const BoundSlice part = bounds_.streams.slice(first, std::min(chunk, bounds_.streams.count - first));
+    test_(shaft_.shaft(), part.stream, part.count, kept, both ? inside : nullptr);
     left_out_.clear(first, part.count, kept);
     if (both) left_out_.clear(first, part.count, inside);
     if (!visit(ScannedChunk{first, words_for(part.count), kept, inside})) return;
@@ -103,16 +103,20 @@ SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_candidates(const Visit& visit) c
   }
 }
 
+void write_bits_of_view(const ShaftData& shaft, const ScannedBounds& bounds, Question question, const Options& options,
+                        const Kernels& kernels, std::uint64_t* kept, std::uint64_t* inside) noexcept {
+  const std::size_t count = bounds.streams.count;
+  if (count == 0) return;
+  const FloatEnvironment environment;
+  const BoundTest test(kernels, question, bounds.streams.kind, options.triangle_test());
+  test(shaft, bounds.streams.stream, count, kept, inside);
+  if (!options.leave_out()) return;
+  const LeftOut left_out(options, 0, bounds, kernels);
+  left_out.clear(0, count, kept);
+  left_out.clear(0, count, inside);
+}
+
 void Scan::write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept {
-  const std::size_t count = bounds_.streams.count;
-  if (!bounds_.candidates) {
-    if (count == 0) return;
-    const FloatEnvironment environment;
-    test_(shaft_.shaft(), bounds_.streams.stream.data(), count, kept, inside);
-    left_out_.clear(0, count, kept);
-    left_out_.clear(0, count, inside);
-    return;
-  }
   const auto set = [this](std::uint64_t* row, const ScannedChunk& chunk, const std::uint64_t* bits) {
     if (row == nullptr) return;
     for_each_bit(bits, chunk.words, [&](std::size_t i) {
@@ -121,8 +125,9 @@ void Scan::write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept
       return true;
     });
   };
-  if (kept != nullptr) std::fill_n(kept, words_for(count), 0);
-  if (inside != nullptr) std::fill_n(inside, words_for(count), 0);
+  const std::size_t words = words_for(bounds_.streams.count);
+  if (kept != nullptr) std::fill_n(kept, words, 0);
+  if (inside != nullptr) std::fill_n(inside, words, 0);
   for_each_chunk(chunk_bounds, [&](const ScannedChunk& chunk) {
     set(kept, chunk, chunk.kept);
     set(inside, chunk, chunk.inside);
@@ -237,7 +242,7 @@ template <class View>
 FirstContact Scan::first_contact_of() const noexcept {
   return in_float_environment([this] {
     FirstEntry<View> first(shaft_.shaft());
-    const float* const* const stream = bounds_.streams.stream.data();
+    const float* const* const stream = bounds_.streams.stream;
     for_each_chunk(first_chunk_bounds, [&](const ScannedChunk& chunk) {
       for_each_bit(chunk.kept, chunk.words, [&](std::size_t i) {
         const std::uint32_t index = index_of(chunk.first + i);

@@ -8,8 +8,8 @@
 #include <span>
 
 #include "compiled/with_planes.hpp"
-#include "flat/candidates.hpp"
 #include "flat/left_out.hpp"
+#include "flat/scanned_bounds.hpp"
 #include "kernels/table.hpp"
 #include "query/bound_test.hpp"
 #include "query/options.hpp"
@@ -19,15 +19,7 @@
 
 namespace shaftcull::kernel {
 
-/// What a scan reads. Checked by who makes it.
-struct ScannedBounds {
-  BoundStreams streams;
-  const std::uint32_t* layers;                               ///< by position; null if there are none
-  std::optional<std::span<const std::uint32_t>> candidates;  ///< the bounds asked about, by index; all if not given
-  Positions position;                                        ///< of candidates in the streams
-};
-
-/// A checked question of one shaft. Its answers are those of shaftcull/cull.hpp.
+/// A checked question of one shaft. Refers to the bounds and the options. Its answers are those of shaftcull/cull.hpp.
 class Scan {
  public:
   /// `s` is the position of the shaft among those that `options` are of.
@@ -36,7 +28,7 @@ class Scan {
   Scan(const Scan&) = delete;
   Scan& operator=(const Scan&) = delete;
 
-  /// Writes bits of all bounds, by index. For Question::inside `kept` is null, for Question::kept `inside`.
+  /// Writes bits of candidates, by index. For Question::inside `kept` is null, for Question::kept `inside`.
   void write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept;
   [[nodiscard]] std::size_t count(std::size_t limit) const noexcept;
   [[nodiscard]] KeptCounts count_classified() const noexcept;
@@ -66,10 +58,14 @@ class Scan {
 
   BoundTest test_;
   WithPlanes shaft_;  // completed once, not chunk by chunk
-  ScannedBounds bounds_;
+  const ScannedBounds& bounds_;
   LeftOut left_out_;
   const Kernels& kernels_;
   Question question_;
 };
+
+/// Writes the bits of all bounds in streams, as Scan::write_bits().
+void write_bits_of_view(const ShaftData& shaft, const ScannedBounds& bounds, Question question, const Options& options,
+                        const Kernels& kernels, std::uint64_t* kept, std::uint64_t* inside) noexcept;
 
 }  // namespace shaftcull::kernel

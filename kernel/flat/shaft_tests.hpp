@@ -14,6 +14,7 @@
 
 namespace shaftcull::kernel {
 
+/// Refers to all that it is made of.
 class ShaftTests {
  public:
   /// Checked by who makes it. Of bounds with candidates, the streams hold the candidates themselves.
@@ -36,20 +37,18 @@ class ShaftTests {
   [[nodiscard]] const BoundTest& test() const noexcept { return test_; }
   [[nodiscard]] bool leaves_out() const noexcept { return options_.leave_out(); }
   /// The bounds that are left out for shaft s.
-  [[nodiscard]] LeftOut left_out(std::size_t s) const noexcept {
-    return {options_, s, scanned_.layers, scanned_.candidates, scanned_.position, kernels_.keep_layers};
-  }
+  [[nodiscard]] LeftOut left_out(std::size_t s) const noexcept { return {options_, s, scanned_, kernels_}; }
 
   /// Kept bits of shaft s, of `count` bounds from bound `first` on, a multiple of 64.
   void test_tile(std::size_t s, std::size_t first, std::size_t count, std::uint64_t* kept) const noexcept {
-    const BoundStreams tile = bounds().slice(first, count);
-    test_(shafts_[s], tile.stream.data(), count, kept, nullptr);
+    const BoundSlice tile = bounds().slice(first, count);
+    test_(shafts_[s], tile.stream, count, kept, nullptr);
     if (leaves_out()) left_out(s).clear(first, count, kept);
   }
 
  private:
   std::span<const ShaftData> shafts_;
-  ScannedBounds scanned_;
+  const ScannedBounds& scanned_;
   const Options& options_;
   const Kernels& kernels_;
   BoundTest test_;

@@ -2,11 +2,11 @@
 /// The bounds of a query as streams of floats, whatever their kind.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -16,6 +16,9 @@ namespace shaftcull {
 
 struct BoundsAccess {
   using From = std::variant<BoxView, SphereView, TriangleView, const BoxTree*, const SphereTree*, const TriangleTree*>;
+
+  static constexpr std::size_t first_tree = 3;  ///< of these alternatives
+  static_assert(std::is_same_v<std::variant_alternative_t<first_tree, From>, const BoxTree*>);
 
   [[nodiscard]] static const From& from(const Bounds& bounds) noexcept { return bounds.from_; }
   [[nodiscard]] static std::span<const std::uint32_t> layers(const Bounds& bounds) noexcept { return bounds.layers_; }
@@ -32,44 +35,48 @@ enum class BoundKind : std::uint8_t { boxes, spheres, triangles };
   return kind == BoundKind::boxes ? "boxes" : kind == BoundKind::spheres ? "spheres" : "triangles";
 }
 
-/// `count` bounds in separate streams: six of boxes, four of spheres, nine of triangles.
-struct BoundStreams {
-  std::array<const float*, 9> stream;
-  std::size_t count;
-  BoundKind kind;
-  std::uint8_t rows;
+struct BoundSlice;
 
-  // NOLINTBEGIN(google-explicit-constructor): views go where streams go
-  BoundStreams(const BoxView& boxes) noexcept : BoundStreams(boxes.stream, boxes.count, BoundKind::boxes) {}
-  BoundStreams(const SphereView& spheres) noexcept : BoundStreams(spheres.stream, spheres.count, BoundKind::spheres) {}
-  BoundStreams(const TriangleView& triangles) noexcept
+/// `count` bounds in separate streams: six of boxes, four of spheres, nine of triangles. Refers to the pointers of a
+/// view, which outlives it: copies of these would cost a small query as much as the query itself.
+struct BoundStreams {
+  const float* const* stream = nullptr;
+  std::size_t count = 0;
+  BoundKind kind = BoundKind::boxes;
+  std::uint8_t rows = 0;
+
+  BoundStreams() noexcept = default;
+  explicit BoundStreams(const BoxView& boxes) noexcept : BoundStreams(boxes.stream, boxes.count, BoundKind::boxes) {}
+  explicit BoundStreams(const SphereView& spheres) noexcept
+      : BoundStreams(spheres.stream, spheres.count, BoundKind::spheres) {}
+  explicit BoundStreams(const TriangleView& triangles) noexcept
       : BoundStreams(triangles.stream, triangles.count, BoundKind::triangles) {}
-  // NOLINTEND(google-explicit-constructor)
 
   /// The bounds [first, first + size).
-  [[nodiscard]] BoundStreams slice(std::size_t first, std::size_t size) const noexcept {
-    BoundStreams part(*this);
-    for (std::size_t r = 0; r != rows; ++r) part.stream[r] += first;
-    part.count = size;
-    return part;
-  }
+  [[nodiscard]] BoundSlice slice(std::size_t first, std::size_t size) const noexcept;
   [[nodiscard]] bool are_spheres() const noexcept { return kind == BoundKind::spheres; }
-
-  /// The view that these streams were made of.
-  template <class View>
-  [[nodiscard]] View as() const noexcept {
-    View view;
-    std::copy_n(stream.begin(), view.stream.size(), view.stream.begin());
-    view.count = count;
-    return view;
-  }
 
  private:
   template <std::size_t size>
   BoundStreams(const std::array<const float*, size>& streams, std::size_t bounds, BoundKind of_kind) noexcept
-      : count(bounds), kind(of_kind), rows(size) {
-    std::copy_n(streams.begin(), size, stream.begin());
-  }
+      : stream(streams.data()), count(bounds), kind(of_kind), rows(size) {}
 };
+
+/// A part of streams, with pointers of its own.
+struct BoundSlice : BoundStreams {
+  BoundSlice(const BoundStreams& of, std::size_t first, std::size_t size) noexcept : BoundStreams(of) {
+    for (std::size_t r = 0; r != rows; ++r) memory[r] = of.stream[r] + first;
+    stream = memory.data();
+    count = size;
+  }
+  BoundSlice(const BoundSlice&) = delete;
+  BoundSlice& operator=(const BoundSlice&) = delete;
+
+  std::array<const float*, 9> memory;
+};
+
+inline BoundSlice BoundStreams::slice(std::size_t first, std::size_t size) const noexcept {
+  return {*this, first, size};
+}
 
 }  // namespace shaftcull::kernel

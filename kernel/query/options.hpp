@@ -38,46 +38,66 @@ struct ExcludedIndices {
   }
 };
 
-/// Refers to the query, which outlives it.
+/// Refers to the query, which outlives it. Most queries have no options, and pay for a few comparisons.
 class Options {
  public:
   /// For a call of the name `call` about so many shafts and bounds. Throws InvalidArgument as shaftcull/query.hpp says.
   Options(const Query& query, const char* call, const Takes& takes, std::size_t shafts, std::size_t bounds,
-          BoundKind kind, bool have_layers);
+          BoundKind kind, bool have_layers)
+      : query_(query), call_(call) {
+    if (&query == &no_options) [[likely]]
+      return;
+    leave_out_ = leaves_out(query);
+    if (leave_out_ || asks_for_more(query)) {
+      check(takes, shafts, bounds, kind, have_layers);
+    }
+  }
+
+  /// Whether a query has options.
+  [[nodiscard]] static bool are_given(const Query& query) noexcept {
+    return &query != &no_options && (leaves_out(query) || asks_for_more(query));
+  }
 
   /// Throws InvalidArgument if `output`, called `name` in the message, shares memory with an option. The beginning of
   /// `output` may be that of the candidates where `may_begin_at_only` says so.
-  void require_apart(const char* name, std::span<const std::byte> output, bool may_begin_at_only = false) const;
+  void require_apart(const char* name, std::span<const std::byte> output, bool may_begin_at_only = false) const {
+    if (leave_out_ || query_.only) check_apart(name, output, may_begin_at_only);
+  }
 
   [[nodiscard]] const char* call() const noexcept { return call_; }
-  [[nodiscard]] std::size_t limit() const noexcept { return limit_; }
-  [[nodiscard]] bool has_limit() const noexcept { return limit_ != Query::no_limit; }
-  [[nodiscard]] const std::optional<std::span<const std::uint32_t>>& only() const noexcept { return only_; }
-  [[nodiscard]] TriangleTest triangle_test() const noexcept { return triangle_test_; }
+  [[nodiscard]] std::size_t limit() const noexcept { return query_.limit; }
+  [[nodiscard]] bool has_limit() const noexcept { return query_.limit != Query::no_limit; }
+  [[nodiscard]] const std::optional<std::span<const std::uint32_t>>& only() const noexcept { return query_.only; }
+  [[nodiscard]] TriangleTest triangle_test() const noexcept { return query_.triangle_test; }
 
   [[nodiscard]] ExcludedIndices excluded(std::size_t s) const noexcept {
-    return {exclude_, exclude_each_.subspan(s * each_, each_), mask_};
+    return {query_.exclude.span(), query_.exclude_each.subspan(s * each_, each_), query_.exclude_mask};
   }
   /// The layers that shaft s asks for. Nothing if bounds of all layers and of none are asked about.
   [[nodiscard]] std::optional<std::uint32_t> layers(std::size_t s) const noexcept {
-    if (layer_mask_.empty()) return {};
-    return layer_mask_[layer_mask_.size() == 1 ? 0 : s];
+    const std::span<const std::uint32_t> masks = query_.layer_mask.span();
+    if (masks.empty()) return {};
+    return masks[masks.size() == 1 ? 0 : s];
   }
   /// Whether any bound may be left out.
-  [[nodiscard]] bool leave_out() const noexcept {
-    return !exclude_.empty() || each_ != 0 || !mask_.empty() || !layer_mask_.empty();
-  }
+  [[nodiscard]] bool leave_out() const noexcept { return leave_out_; }
 
  private:
+  [[nodiscard]] static bool leaves_out(const Query& query) noexcept {
+    return !query.exclude.span().empty() || !query.exclude_each.empty() || !query.exclude_mask.empty() ||
+           !query.layer_mask.span().empty();
+  }
+  [[nodiscard]] static bool asks_for_more(const Query& query) noexcept {
+    return query.only || query.limit != Query::no_limit || query.triangle_test != TriangleTest::exact;
+  }
+
+  void check(const Takes& takes, std::size_t shafts, std::size_t bounds, BoundKind kind, bool have_layers);
+  void check_apart(const char* name, std::span<const std::byte> output, bool may_begin_at_only) const;
+
+  const Query& query_;
   const char* call_;
-  std::span<const std::uint32_t> exclude_;
-  std::span<const std::uint32_t> exclude_each_;
   std::size_t each_ = 0;  ///< indices of exclude_each for each shaft
-  std::span<const std::uint64_t> mask_;
-  std::span<const std::uint32_t> layer_mask_;
-  std::size_t limit_;
-  std::optional<std::span<const std::uint32_t>> only_;
-  TriangleTest triangle_test_;
+  bool leave_out_ = false;
 };
 
 }  // namespace shaftcull::kernel

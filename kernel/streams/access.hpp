@@ -48,6 +48,12 @@ struct StreamAccess {
     return row;
   }
 
+  /// The view of a stream where the stream holds it.
+  template <class Stream>
+  [[nodiscard]] static const auto& view(const Stream& stream) noexcept {
+    return stream.view_;
+  }
+
   /// All memory of a stream, padding included.
   template <class Stream>
   [[nodiscard]] static std::span<const std::byte> memory(const Stream& stream) noexcept {

@@ -7,50 +7,46 @@
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
+#include "streams/access.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 
 namespace shaftcull::kernel {
 namespace {
 
-/// The layers of bounds, by position.
-struct Layers {
-  const std::uint32_t* first;
-  bool exist;
-};
-
-/// What a query reads of its bounds, which are checked.
-struct Read {
-  BoundStreams streams;
-  Layers layers;
-};
-
+/// The streams and layers of bounds, which are checked.
 template <class View>
-Read read(const View& view, std::span<const std::uint32_t> layers) {
+ScannedBounds read(const View& view, std::span<const std::uint32_t> layers) {
   require_view(view);
+  if (layers.empty()) [[likely]]
+    return {BoundStreams(view), nullptr, {}, {}};
   require_memory("layers", layers, "layers");
-  if (!layers.empty() && layers.size() != view.count) {
-    fail(InvalidArgument("the view has " + std::to_string(view.count) + " bounds, and " +
-                         std::to_string(layers.size()) + " layers; give each bound its own, or none"));
-  }
-  return {view, {layers.data(), !layers.empty()}};
+  if (layers.size() == view.count) return {BoundStreams(view), layers.data(), {}, {}};
+  fail(InvalidArgument("the view has " + std::to_string(view.count) + " bounds, and " + std::to_string(layers.size()) +
+                       " layers; give each bound its own, or none"));
 }
 
 template <class Bound>
-Read read(const BoundsTree<Bound>* tree, std::span<const std::uint32_t> /*layers*/) {
+ScannedBounds read(const BoundsTree<Bound>* tree, std::span<const std::uint32_t> /*layers*/) {
   if (tree->needs_refit()) fail(NeedsRefit("query of a tree whose bounds were updated; call refit() first"));
+  static const ViewOf<Bound> nothing;
   const TreeParts<Bound>* const parts = TreeAccess::parts(*tree);
-  if (parts == nullptr) return {ViewOf<Bound>(), {nullptr, false}};
-  return {parts->leaves.view(), {parts->layers.leaves.data(), parts->layers.exist()}};
+  if (parts == nullptr) return {BoundStreams(nothing), nullptr, {}, {}};
+  return {BoundStreams(StreamAccess::view(parts->leaves)),
+          parts->layers.exist() ? parts->layers.leaves.data() : nullptr,
+          {},
+          {}};
 }
 
-Read read(const TriangleTree* tree, std::span<const std::uint32_t> /*layers*/) {
-  return {tree->triangles(), {nullptr, false}};
+ScannedBounds read(const TriangleTree* tree, std::span<const std::uint32_t> /*layers*/) {
+  return {BoundStreams(StreamAccess::view(TriangleTreeAccess::parts(*tree).triangles)), nullptr, {}, {}};
 }
 
-Read read(const Bounds& bounds) {
-  return std::visit([&](const auto& from) { return read(from, BoundsAccess::layers(bounds)); },
-                    BoundsAccess::from(bounds));
+ScannedBounds read(const Bounds& bounds) {
+  const auto& from = BoundsAccess::from(bounds);
+  const std::span<const std::uint32_t> layers = BoundsAccess::layers(bounds);
+  if (const auto* const boxes = std::get_if<BoxView>(&from)) return read(*boxes, layers);
+  return std::visit([&](const auto& each) { return read(each, layers); }, from);
 }
 
 /// Where the bounds of an index are in streams.
@@ -75,18 +71,17 @@ Asked::Asked(const char* call, std::span<const CompiledShaft> shafts, const Boun
     : shafts_(data_of(shafts)),
       kernels_(active_kernels()),
       question_(question),
-      scanned_([&]() -> ScannedBounds {
-        const Read its = read(bounds);
-        return {its.streams, its.layers.exist ? its.layers.first : nullptr, query.only, {}};
-      }()),
+      scanned_(read(bounds)),
       options_(query, call, takes, shafts.size(), scanned_.streams.count, scanned_.streams.kind,
                scanned_.layers != nullptr) {
   if (question == Question::blocking) require_boxes();
   require_answers_of(shafts_, question, kind(), options_.triangle_test());
   if (options_.only()) {
+    scanned_.candidates = options_.only();
     scanned_.position = std::visit([](const auto& from) { return positions_of(from); }, BoundsAccess::from(bounds));
     return;
   }
+  if (BoundsAccess::from(bounds).index() < BoundsAccess::first_tree) return;
   std::visit(
       [&]<class From>(const From& from) {
         if constexpr (std::is_pointer_v<From>) {

@@ -24,9 +24,9 @@ void write_times(const kernel::Asked& asked, std::span<const std::uint32_t> indi
   kernel::in_float_environment([&] {
     const kernel::EntryTimesOf<View> entry(shaft);
     for (std::size_t i = 0; i != indices.size(); ++i) {
-      const kernel::BoundStreams bound = bounds.streams.slice(bounds.position[indices[i]], 1);
-      times[i] = keeps(shaft, bound.stream.data()) ? entry.rounded_down(entry.exact(bound.stream.data(), 0))
-                                                   : std::numeric_limits<float>::infinity();
+      const kernel::BoundSlice bound = bounds.streams.slice(bounds.position[indices[i]], 1);
+      times[i] = keeps(shaft, bound.stream) ? entry.rounded_down(entry.exact(bound.stream, 0))
+                                            : std::numeric_limits<float>::infinity();
     }
   });
 }

@@ -43,7 +43,7 @@ void offer(kernel::FirstEntry<View>& first, const kernel::BoundStreams& bounds, 
     for (std::uint64_t left = kept[w]; left != 0; left &= left - 1) {
       const std::size_t i = from + w * 64 + static_cast<std::size_t>(std::countr_zero(left));
       if (first.is_before_all_above(i)) return;
-      first.offer(bounds.stream.data(), i, i);
+      first.offer(bounds.stream, i, i);
     }
   }
 }
@@ -56,8 +56,8 @@ void hand_over(const kernel::ShaftData& shaft, const kernel::BoundStreams& bound
   std::uint32_t other = best.load();
   for (;;) {
     kernel::FirstEntry<View> both(shaft);
-    both.offer(bounds.stream.data(), index, index);
-    if (other != FirstContact::none) both.offer(bounds.stream.data(), other, other);
+    both.offer(bounds.stream, index, index);
+    if (other != FirstContact::none) both.offer(bounds.stream, other, other);
     if (both.index() == other) return;
     if (best.exchange(other, index)) return;
   }
@@ -90,7 +90,7 @@ void write_contacts(const Asked& asked, std::span<FirstContact> contacts) {
     for (std::size_t s = 0; s != contacts.size(); ++s) {
       if (!contacts[s]) continue;
       kernel::FirstEntry<View> first(shafts[s]);
-      first.offer(bounds.stream.data(), contacts[s].index, contacts[s].index);
+      first.offer(bounds.stream, contacts[s].index, contacts[s].index);
       contacts[s] = first.contact();
     }
   });

@@ -50,9 +50,8 @@ void for_each_shaft(std::size_t shafts, std::size_t each, const Use& use) {
 class StreamTests {
  public:
   explicit StreamTests(const Asked& asked)
-      : packed_(asked.options().only() ? std::optional<kernel::PackedCandidates>(asked.scanned()) : std::nullopt),
-        tests_(asked.shafts(), packed_ ? packed_->bounds() : asked.scanned(), asked.question(), asked.options(),
-               asked.kernels()) {}
+      : tests_(asked.shafts(), asked.options().only() ? packed_.emplace(asked.scanned()).bounds() : asked.scanned(),
+               asked.question(), asked.options(), asked.kernels()) {}
 
   [[nodiscard]] const ShaftTests& get() const noexcept { return tests_; }
 

@@ -477,7 +477,8 @@ TEST(Kinds, ShaftsWithoutEndHaveAPlaceOnTheGrid) {
     if (kernels.frame == nullptr) continue;
     const auto data = kernel::data_of(std::span<const CompiledShaft>(input.shafts));
     kernel::GroupOnGrid group;
-    group.form(kernels, data, memory.view(), input.boxes.size());
+    const BoxView boxes = memory.view();
+    group.form(kernels, data, kernel::BoundStreams(boxes), input.boxes.size());
     ASSERT_TRUE(group.exists() && group.has_cuts);
     std::size_t endless = 0;
     for (std::size_t s = 0; s != data.size(); ++s) {

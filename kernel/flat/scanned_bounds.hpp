@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Bounds that a query names, and their positions in streams.
+/// Bounds that are scanned: all of some streams, or those that a query names.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "query/bounds.hpp"
@@ -27,6 +28,14 @@ class Positions {
 
  private:
   const std::uint32_t* place_ = nullptr;
+};
+
+/// The bounds that are scanned. Checked by who makes it.
+struct ScannedBounds {
+  BoundStreams streams;
+  const std::uint32_t* layers;                               ///< by position; null if there are none
+  std::optional<std::span<const std::uint32_t>> candidates;  ///< the bounds asked about, by index; all if not given
+  Positions position;                                        ///< of candidates in the streams
 };
 
 /// Copies bounds [first, first + size) of those named by `indices` to row[r][0 … size).
