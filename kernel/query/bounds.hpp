@@ -55,6 +55,10 @@ struct BoundStreams {
   /// The bounds [first, first + size).
   [[nodiscard]] BoundSlice slice(std::size_t first, std::size_t size) const noexcept;
   [[nodiscard]] bool are_spheres() const noexcept { return kind == BoundKind::spheres; }
+  // Whose pointers would be gone.
+  explicit BoundStreams(const BoxView&&) = delete;
+  explicit BoundStreams(const SphereView&&) = delete;
+  explicit BoundStreams(const TriangleView&&) = delete;
 
  private:
   template <std::size_t size>

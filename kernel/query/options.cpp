@@ -7,6 +7,7 @@
 #include "compiled/answers.hpp"
 #include "shaftcull/error.hpp"
 #include "support/arguments.hpp"
+#include "support/exact_floats.hpp"
 #include "support/fail.hpp"
 #include "support/text.hpp"
 

@@ -50,12 +50,11 @@ KeptCounts count_classified(const TreeQuery& query, std::size_t s) {
 std::size_t list(const TreeQuery& query, std::size_t s, std::span<std::uint32_t> kept, std::size_t limit) {
   if (limit == 0) return 0;
   SpanOutput<std::uint32_t> output(kept);
-  const SpanList indices(query.indices(), output);
   if (limit == Query::no_limit) {
-    KeptLister lister(indices);
+    KeptLister lister(SpanList(query.indices(), output));
     query.walk(s, lister);
   } else {
-    LimitedLister lister(indices, limit);
+    LimitedLister lister(SpanList(query.indices(), output), limit);
     query.walk(s, lister);
   }
   return output.count();

@@ -12,6 +12,7 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/tree.hpp"
 #include "streams/access.hpp"
+#include "support/exact_floats.hpp"
 #include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "tree/triangle_parts.hpp"

@@ -543,8 +543,9 @@ TEST(Kinds, ShadowsThatLeaveTheFrameHaveAPlaceOnTheGrid) {
     const kernel::GridKernels& kernels = kernel::active_kernels().grid;
     if (kernels.frame == nullptr) continue;
     const auto data = kernel::data_of(std::span<const CompiledShaft>(input.shafts));
-    for (const kernel::BoundStreams& near :
-         {kernel::BoundStreams(boxes.view()), kernel::BoundStreams(spheres.view())}) {
+    const BoxView box_view = boxes.view();
+    const SphereView sphere_view = spheres.view();
+    for (const kernel::BoundStreams& near : {kernel::BoundStreams(box_view), kernel::BoundStreams(sphere_view)}) {
       kernel::GroupOnGrid group;
       group.form(kernels, data, near, near.count);
       ASSERT_TRUE(group.exists());
