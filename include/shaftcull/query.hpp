@@ -68,7 +68,7 @@ class Bounds {
   // NOLINTEND(google-explicit-constructor)
 
   /// How many bounds there are.
-  [[nodiscard]] std::size_t size() const noexcept {
+  [[nodiscard]] std::size_t size() const noexcept {  // NOLINT(bugprone-exception-escape): the variant has a value
     return std::visit(
         [](const auto& from) {
           if constexpr (requires { from->size(); }) {
