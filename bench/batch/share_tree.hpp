@@ -56,7 +56,7 @@ class ShareTree {
   [[nodiscard]] std::span<const std::uint64_t> positions() const noexcept { return positions_; }
 
   /// The tree.
-  [[nodiscard]] Bounds bounds() const noexcept {
+  [[nodiscard]] Bounds bounds() const {
     return std::visit([](const auto* tree) { return Bounds(*tree); }, tree_);
   }
   [[nodiscard]] bool has_spheres() const noexcept { return std::holds_alternative<const SphereTree*>(tree_); }
