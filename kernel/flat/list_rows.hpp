@@ -40,7 +40,7 @@ inline void turn_into_positions(std::vector<std::uint64_t>& counts, std::size_t 
 /// 32 bits tell them apart.
 template <std::size_t kinds>
 void list_rows(const BatchJob& job, const std::array<IndexLists*, kinds>& lists) {
-  const Tiling tiling = Tiling::unordered(job.bounds().count, job.shafts());
+  const Tiling tiling(job.bounds().count, job.shafts());
   std::array<std::vector<TaskList>, kinds> task_lists;
   std::array<std::vector<std::uint64_t>, kinds> positions;  // counts at first
   for (std::size_t kind = 0; kind != kinds; ++kind) {

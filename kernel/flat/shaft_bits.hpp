@@ -19,7 +19,7 @@ namespace shaftcull::kernel {
 /// Sets bit s, one of words_for(shafts) words, iff shaft s keeps a bound.
 inline void find_by_shaft(const ShaftTests& tests, std::span<std::uint64_t> found_bits) {
   std::fill(found_bits.begin(), found_bits.end(), 0);
-  const Tiling tiling = Tiling::unordered(tests.bounds().count, tests.shafts().size());
+  const Tiling tiling(tests.bounds().count, tests.shafts().size());
   static_assert(group_shafts == std::numeric_limits<std::uint64_t>::digits, "a group's bits are one word");
   parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);

@@ -33,9 +33,6 @@ inline constexpr std::size_t task_tiles_times_shafts = 256;
 /// Most tiles in a task: so many take as long to come from memory.
 inline constexpr std::size_t most_task_tiles = 64;
 
-/// Most words of one kind of bits that a task produces.
-inline constexpr std::size_t task_words = task_tiles_times_shafts * tile_words;
-
 /// Bounds in each of a block's tiles, the last one shorter: at most `most`, and as even as whole words allow, since a
 /// tile of few bounds costs nearly as much as one of many.
 [[nodiscard]] constexpr std::size_t even_tile(std::size_t bounds, std::size_t most) noexcept {
@@ -46,15 +43,10 @@ inline constexpr std::size_t task_words = task_tiles_times_shafts * tile_words;
 /// Tasks in rows and columns, each a block of tiles × a group of shafts.
 class Tiling {
  public:
-  /// For results that may be made in any order.
-  [[nodiscard]] static constexpr Tiling unordered(std::size_t bounds, std::size_t shafts) noexcept {
-    constexpr std::size_t fewest = task_tiles_times_shafts / most_task_tiles;
-    return {bounds, shafts, task_tiles_times_shafts / std::clamp(shafts, fewest, group_shafts)};
-  }
-  /// For results ordered by tile and then by shaft: a block is one tile if there is more than one group.
-  [[nodiscard]] static constexpr Tiling ordered(std::size_t bounds, std::size_t shafts) noexcept {
-    return shafts > group_shafts ? Tiling{bounds, shafts, 1} : unordered(bounds, shafts);
-  }
+  constexpr Tiling(std::size_t bounds, std::size_t shafts) noexcept
+      : bounds_(bounds),
+        shafts_(shafts),
+        block_tiles_(task_tiles_times_shafts / std::clamp(shafts, fewest_task_shafts, group_shafts)) {}
 
   [[nodiscard]] constexpr std::size_t blocks() const noexcept { return chunk_count(bounds_, block_bounds()); }
   [[nodiscard]] constexpr std::size_t groups() const noexcept { return chunk_count(shafts_, group_shafts); }
@@ -68,8 +60,7 @@ class Tiling {
   [[nodiscard]] constexpr IndexRange group(std::size_t i) const noexcept { return chunk_at(shafts_, group_shafts, i); }
 
  private:
-  constexpr Tiling(std::size_t bounds, std::size_t shafts, std::size_t block_tiles) noexcept
-      : bounds_(bounds), shafts_(shafts), block_tiles_(block_tiles) {}
+  static constexpr std::size_t fewest_task_shafts = task_tiles_times_shafts / most_task_tiles;
 
   std::size_t bounds_;
   std::size_t shafts_;

@@ -208,9 +208,6 @@ struct GridKernels {
                       std::uint64_t* inside) noexcept;
   Finish* finish_boxes;
   Finish* finish_spheres;
-
-  [[nodiscard]] Finish* finish(const BoxView& /*boxes*/) const noexcept { return finish_boxes; }
-  [[nodiscard]] Finish* finish(const SphereView& /*spheres*/) const noexcept { return finish_spheres; }
 };
 
 struct Kernels {
@@ -244,8 +241,6 @@ struct Kernels {
   SplitKernels split;
   SetBits set_bits;
 
-  [[nodiscard]] Test* test(const BoxView& /*boxes*/) const noexcept { return boxes; }
-  [[nodiscard]] Test* test(const SphereView& /*spheres*/) const noexcept { return spheres; }
   [[nodiscard]] KeepsOne* keeps_one(const BoxView& /*box*/) const noexcept { return keeps_box; }
   [[nodiscard]] KeepsOne* keeps_one(const SphereView& /*sphere*/) const noexcept { return keeps_sphere; }
   [[nodiscard]] ClassifyOne* classify_one(const BoxView& /*box*/) const noexcept { return classify_box; }

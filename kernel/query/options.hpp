@@ -20,6 +20,9 @@ struct Takes {
   bool only = true;
 };
 
+inline constexpr Takes takes_candidates{};
+inline constexpr Takes takes_limit{.limit = true};
+
 /// Throws InvalidArgument unless all shafts answer the question for bounds of this kind, by position.
 void require_answers_of(std::span<const ShaftData> shafts, Question question, BoundKind kind, TriangleTest test);
 

@@ -14,7 +14,6 @@ namespace shaftcull::kernel {
 
 // All have the same interface:
 //   push(item)      adds one
-//   last()          the item added last, or null if it was not written
 //   count()         how many there are
 // and that in the caller's memory also:
 //   next()          where `most_added` items may be written, or null
@@ -38,7 +37,6 @@ class SpanOutput {
     ++count_;
   }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  [[nodiscard]] Item* last() noexcept { return count_ <= items_.size() ? items_.data() + count_ - 1 : nullptr; }
 
  private:
   std::span<Item> items_;
@@ -64,9 +62,7 @@ class GrowingOutput {
     items_[count_++] = item;
   }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  [[nodiscard]] Item* last() noexcept { return items_ + count_ - 1; }
   [[nodiscard]] const Item* data() const noexcept { return items_; }
-  void clear() noexcept { count_ = 0; }
 
  private:
   using Allocator = TaskAllocator<Item>;
@@ -99,7 +95,6 @@ class ChunkedOutput {
     ++count_;
   }
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  [[nodiscard]] Item* last() noexcept { return chunks_.back().end() - 1; }
 
   /// Calls use(items, count) for chunk after chunk.
   template <class Use>

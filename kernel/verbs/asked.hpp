@@ -51,8 +51,9 @@ class Asked {
 
   /// Throws InvalidArgument for a view of more bounds than indices tell apart.
   void require_index_width() const;
-  /// Throws InvalidArgument unless the bounds are of this kind, or not of that kind.
+  /// Throws InvalidArgument for spheres and triangles.
   void require_boxes() const;
+  /// Throws InvalidArgument for triangles.
   void require_no_triangles() const;
 
  private:

@@ -14,6 +14,7 @@
 #include "parallel/task_memory.hpp"
 #include "support/arguments.hpp"
 #include "verbs/asked.hpp"
+#include "verbs/each_shaft.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 namespace {
@@ -70,7 +71,7 @@ void write_contacts(const Asked& asked, std::span<FirstContact> contacts) {
   const kernel::ShaftTests tests(shafts, asked.scanned(), asked.question(), asked.options(), asked.kernels());
   const kernel::BatchJob job(tests);
   std::fill(contacts.begin(), contacts.end(), FirstContact());
-  const kernel::Tiling tiling = kernel::Tiling::unordered(bounds.count, shafts.size());
+  const kernel::Tiling tiling(bounds.count, shafts.size());
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
@@ -114,11 +115,8 @@ void first_contact_many(std::span<const CompiledShaft> shafts, const Bounds& bou
     return asked.kind() == kernel::BoundKind::spheres ? write_contacts<SphereView>(asked, contacts)
                                                       : write_contacts<BoxView>(asked, contacts);
   }
-  const std::size_t each = asked.walks() == nullptr ? 1 : 16;  // walks take some microseconds
-  kernel::parallel_for(kernel::chunk_count(shafts.size(), each), 1, [&](std::size_t t, std::size_t) {
-    const IndexRange task = kernel::chunk_at(shafts.size(), each, t);
-    for (std::size_t s = task.first; s != task.end(); ++s) contacts[s] = contact_of(asked, s);
-  });
+  kernel::for_each_shaft(shafts.size(), asked.walks() == nullptr ? 1 : kernel::task_walks,
+                         [&](std::size_t s) { contacts[s] = contact_of(asked, s); });
 }
 
 }  // namespace shaftcull

@@ -17,6 +17,7 @@
 #include "support/arguments.hpp"
 #include "tree/answers.hpp"
 #include "verbs/asked.hpp"
+#include "verbs/each_shaft.hpp"
 #include "verbs/task_lists.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
@@ -25,26 +26,13 @@ namespace {
 using kernel::Asked;
 using kernel::BatchJob;
 using kernel::bytes_of;
+using kernel::for_each_shaft;
 using kernel::IndexRange;
 using kernel::Question;
 using kernel::ShaftTests;
+using kernel::task_walks;
 using kernel::Tiling;
 using kernel::TreeQuery;
-
-constexpr kernel::Takes candidates{};
-constexpr kernel::Takes limit_and_candidates{.limit = true};
-
-/// Shafts in a task of walks: tens to hundreds of microseconds.
-constexpr std::size_t task_walks = 16;
-
-/// Calls use(s) for every shaft, in parallel, `each` of them in a task.
-template <class Use>
-void for_each_shaft(std::size_t shafts, std::size_t each, const Use& use) {
-  kernel::parallel_for(kernel::chunk_count(shafts, each), 1, [&](std::size_t t, std::size_t) {
-    const IndexRange task = kernel::chunk_at(shafts, each, t);
-    for (std::size_t s = task.first; s != task.end(); ++s) use(s);
-  });
-}
 
 /// The tests of all shafts against bounds in streams: those of a view, or a copy of the candidates.
 class StreamTests {
@@ -79,7 +67,7 @@ void require_lists(const Asked& asked, const char* name, const IndexLists& lists
 void write_rows_of_view(const Asked& asked, std::uint64_t* kept, std::uint64_t* inside) {
   const StreamTests tests(asked);
   const BatchJob job(tests.get());
-  const Tiling tiling = Tiling::unordered(asked.size(), asked.shafts().size());
+  const Tiling tiling(asked.size(), asked.shafts().size());
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
@@ -112,7 +100,7 @@ void for_each_block(const Asked& asked, const Use& use) {
   const StreamTests tests(asked);
   const BatchJob job(tests.get());
   const bool both = kernel::asks_for_inside(asked.question());
-  const Tiling tiling = Tiling::unordered(job.bounds().count, job.shafts());
+  const Tiling tiling(job.bounds().count, job.shafts());
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
@@ -196,7 +184,7 @@ void find_any(const Asked& asked, std::span<std::uint64_t> any) {
 
 void cull_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> kept_rows,
                const Query& query) {
-  const Asked asked("cull_many", shafts, bounds, Question::kept, query, candidates);
+  const Asked asked("cull_many", shafts, bounds, Question::kept, query, kernel::takes_candidates);
   require_rows(asked, "kept_rows", kept_rows);
   write_rows(asked, kept_rows.data(), nullptr);
 }
@@ -205,7 +193,7 @@ void classify_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, 
                    std::span<std::uint64_t> inside_rows, const Query& query) {
   const bool wants_kept = !kept_rows.empty();
   const Asked asked("classify_many", shafts, bounds, wants_kept ? Question::kept_and_inside : Question::inside, query,
-                    candidates);
+                    kernel::takes_candidates);
   if (wants_kept) require_rows(asked, "kept_rows", kept_rows);
   require_rows(asked, "inside_rows", inside_rows);
   kernel::require_apart("classify_many", "kept_rows", bytes_of(kept_rows), "inside_rows", bytes_of(inside_rows));
@@ -214,7 +202,7 @@ void classify_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, 
 
 void count_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> kept_counts,
                 const Query& query) {
-  const Asked asked("count_many", shafts, bounds, Question::kept, query, limit_and_candidates);
+  const Asked asked("count_many", shafts, bounds, Question::kept, query, kernel::takes_limit);
   require_counts(asked, "kept_counts", kept_counts);
   const std::size_t limit = asked.options().limit();
   if (const TreeQuery* const walks = asked.walks()) {
@@ -233,7 +221,8 @@ void count_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std
 
 void count_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<KeptCounts> counts,
                            const Query& query) {
-  const Asked asked("count_classified_many", shafts, bounds, Question::kept_and_inside, query, candidates);
+  const Asked asked("count_classified_many", shafts, bounds, Question::kept_and_inside, query,
+                    kernel::takes_candidates);
   require_counts(asked, "counts", counts);
   if (const TreeQuery* const walks = asked.walks()) {
     return for_each_shaft(shafts.size(), task_walks,
@@ -249,14 +238,14 @@ void count_classified_many(std::span<const CompiledShaft> shafts, const Bounds& 
 }
 
 void list_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& lists, const Query& query) {
-  const Asked asked("list_many", shafts, bounds, Question::kept, query, limit_and_candidates);
+  const Asked asked("list_many", shafts, bounds, Question::kept, query, kernel::takes_limit);
   require_lists(asked, "lists", lists);
   list_kept(asked, lists);
 }
 
 void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, IndexLists& overlap,
                           IndexLists& inside, const Query& query) {
-  const Asked asked("list_classified_many", shafts, bounds, Question::kept_and_inside, query, candidates);
+  const Asked asked("list_classified_many", shafts, bounds, Question::kept_and_inside, query, kernel::takes_candidates);
   if (&overlap == &inside) kernel::refuse_shared_memory("list_classified_many", "overlap", "inside");
   require_lists(asked, "overlap", overlap);
   require_lists(asked, "inside", inside);
@@ -282,7 +271,7 @@ void list_classified_many(std::span<const CompiledShaft> shafts, const Bounds& b
 
 void any_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::span<std::uint64_t> any,
               const Query& query) {
-  const Asked asked("any_many", shafts, bounds, Question::kept, query, candidates);
+  const Asked asked("any_many", shafts, bounds, Question::kept, query, kernel::takes_candidates);
   kernel::require_shaft_bits("any", any, shafts.size());
   asked.options().require_apart("any", bytes_of(any));
   find_any(asked, any);

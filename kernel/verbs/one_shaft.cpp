@@ -20,9 +20,6 @@ using kernel::bytes_of;
 using kernel::Question;
 using kernel::TreeQuery;
 
-constexpr kernel::Takes candidates{};
-constexpr kernel::Takes limit_and_candidates{.limit = true};
-
 /// Bits of bounds, called `name` in messages, have exactly the right size, and memory of their own.
 void require_bits(const Asked& asked, const char* name, std::span<const std::uint64_t> words) {
   kernel::require_words(name, words, asked.size());
@@ -72,7 +69,7 @@ void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint6
     kernel::require_words("kept", kept, boxes->count);
     return write_plain_bits(shaft, *boxes, kept.data(), nullptr);
   }
-  const Asked asked("cull", {&shaft, 1}, bounds, Question::kept, query, candidates);
+  const Asked asked("cull", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
   require_bits(asked, "kept", kept);
   write_bits(asked, kept.data(), nullptr);
 }
@@ -89,7 +86,7 @@ void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::u
     return write_plain_bits(shaft, *boxes, wants_kept ? kept.data() : nullptr, inside.data());
   }
   const Asked asked("classify", {&shaft, 1}, bounds, wants_kept ? Question::kept_and_inside : Question::inside, query,
-                    candidates);
+                    kernel::takes_candidates);
   if (wants_kept) require_bits(asked, "kept", kept);
   require_bits(asked, "inside", inside);
   kernel::require_apart("classify", "kept", bytes_of(kept), "inside", bytes_of(inside));
@@ -97,27 +94,28 @@ void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::u
 }
 
 std::size_t count(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("count", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
+  const Asked asked("count", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
   const std::size_t limit = asked.options().limit();
   if (const TreeQuery* const walks = asked.walks()) return kernel::count(*walks, 0, limit);
   return asked.scan(0).count(limit);
 }
 
 KeptCounts count_classified(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("count_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, candidates);
+  const Asked asked("count_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query,
+                    kernel::takes_candidates);
   if (const TreeQuery* const walks = asked.walks()) return kernel::count_classified(*walks, 0);
   return asked.scan(0).count_classified();
 }
 
 std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> kept, const Query& query) {
-  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
+  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
   require_indices(asked, "kept", kept, true);
   return list_kept(asked, kept);
 }
 
 std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<std::uint32_t>& kept,
                  const Query& query) {
-  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, limit_and_candidates);
+  const Asked asked("list", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_limit);
   require_indices(asked, "kept", kept, true);
   constexpr std::size_t least_room = 256;
   const bool holds_candidates =
@@ -132,7 +130,7 @@ std::size_t list(const CompiledShaft& shaft, const Bounds& bounds, std::vector<s
 
 KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint32_t> overlap,
                            std::span<std::uint32_t> inside, const Query& query) {
-  const Asked asked("list_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, candidates);
+  const Asked asked("list_classified", {&shaft, 1}, bounds, Question::kept_and_inside, query, kernel::takes_candidates);
   require_indices(asked, "overlap", overlap, false);
   require_indices(asked, "inside", inside, false);
   kernel::require_apart("list_classified", "overlap", bytes_of(overlap), "inside", bytes_of(inside));
@@ -141,7 +139,7 @@ KeptCounts list_classified(const CompiledShaft& shaft, const Bounds& bounds, std
 }
 
 bool any(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
-  const Asked asked("any", {&shaft, 1}, bounds, Question::kept, query, candidates);
+  const Asked asked("any", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
   if (const TreeQuery* const walks = asked.walks()) return kernel::any(*walks, 0);
   return asked.scan(0).any();
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+/// Loops over shafts, in parallel.
+#pragma once
+
+#include <cstddef>
+
+#include "parallel/parallel.hpp"
+#include "support/index_range.hpp"
+
+namespace shaftcull::kernel {
+
+/// Shafts in a task of walks: tens to hundreds of microseconds.
+inline constexpr std::size_t task_walks = 16;
+
+/// Calls use(s) for every shaft, in parallel, `each` of them in a task.
+template <class Use>
+void for_each_shaft(std::size_t shafts, std::size_t each, const Use& use) {
+  parallel_for(chunk_count(shafts, each), 1, [&](std::size_t t, std::size_t) {
+    const IndexRange task = chunk_at(shafts, each, t);
+    for (std::size_t s = task.first; s != task.end(); ++s) use(s);
+  });
+}
+
+}  // namespace shaftcull::kernel
