@@ -16,10 +16,11 @@ struct WatchedLanes : kernel::scalar::Floats {
   static void note_undecided(std::uint64_t lanes) noexcept { asked |= lanes; }
 };
 
+const kernel::Kernels& watched = kernel::kernels_for<WatchedLanes>;
+
 template <class View>
-void watch(const CompiledShaft& shaft, const View& bounds, std::span<std::uint64_t> asked,
+void watch(const CompiledShaft& shaft, const View& bounds, kernel::Test* test, std::span<std::uint64_t> asked,
            std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
-  const auto test = kernel::kernels_for<WatchedLanes>.test(bounds);
   for (std::size_t w = 0; w != asked.size(); ++w) {
     const std::size_t first = w * kernel::word_bits;
     const View word = bounds.slice(first, std::min<std::size_t>(kernel::word_bits, bounds.count - first));
@@ -33,12 +34,12 @@ void watch(const CompiledShaft& shaft, const View& bounds, std::span<std::uint64
 
 void undecided(const CompiledShaft& shaft, const BoxView& boxes, std::span<std::uint64_t> asked,
                std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
-  watch(shaft, boxes, asked, kept, inside);
+  watch(shaft, boxes, watched.boxes, asked, kept, inside);
 }
 
 void undecided(const CompiledShaft& shaft, const SphereView& spheres, std::span<std::uint64_t> asked,
                std::span<std::uint64_t> kept, std::span<std::uint64_t> inside) {
-  watch(shaft, spheres, asked, kept, inside);
+  watch(shaft, spheres, watched.spheres, asked, kept, inside);
 }
 
 }  // namespace shaftcull::cli
