@@ -46,9 +46,8 @@ template <class L, bool bounded, bool inside>
     const Vector centre = L::load(stream[k] + at);
     const Vector above_lo = L::subtract(centre, L::all(hull.box[k]));
     const Vector below_hi = L::subtract(L::all(hull.box[k + 3]), centre);
-    const Vector within[2] = {above_lo, below_hi};
-    for (unsigned side = 0; side < 2; ++side) {
-      const Vector distance = inside ? within[side] : L::subtract(zero, within[side]);
+    for (const Vector within : {above_lo, below_hi}) {
+      const Vector distance = inside ? within : L::subtract(zero, within);
       if constexpr (inside) {
         beyond = L::either(beyond, L::less(distance, radius));
         behind = L::both(behind, L::less(radius, distance));
