@@ -84,7 +84,7 @@ if(SHAFTCULL_BUILD_PROGRAM)
     message(STATUS "The subcommand `batch` of shaftcull runs in one process: MPI was not found (Debian: libopenmpi-dev).")
   endif()
 endif()
-# Rationals of the tests. For Windows and WebAssembly GMP is rare, so Boost's integers will do (tests/oracle/boost/gmpxx.h).
+# Rationals of the tests. For Windows and WebAssembly GMP is rare, so Boost's integers will do (conformance/oracle/boost/gmpxx.h).
 set(shaftcull_does_without_gmp FALSE)
 if(SHAFTCULL_BUILD_TESTS AND CMAKE_SYSTEM_NAME MATCHES "^(Windows|WASI)$")
   find_package(GMP QUIET)

@@ -29,7 +29,7 @@
 /// numbers allocate what oneTBB needs for tasks; if there is no memory for that, what they were to write holds
 /// anything. shaftcull_query says what candidates take.
 ///
-/// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_words_for(count) words hold them; the call wants
+/// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_bit_words(count) words hold them; the call wants
 /// exactly so many. Bits past the last bound are zero. Rows of many shafts are one behind the other. Lists: a call
 /// that lists into the caller's memory writes as many results as there is room for, and tells how many there are,
 /// whether they fit or not. Room for 0 is legal, and then the array may be NULL. Room behind the last result may be
@@ -81,7 +81,7 @@ enum {
   SHAFTCULL_INTERNAL_ERROR = 6    /* A fault of the library or of the system; the message says what is known. */
 };
 
-/// What shaftcull_error_position() and shaftcull_blocked_by() give where there is none.
+/// What shaftcull_error_position() and shaftcull_find_occluder() give where there is none.
 #define SHAFTCULL_NONE UINT64_MAX
 
 /// The version that this header belongs to, to compare with shaftcull_version(): major · 1,000,000 + minor · 1,000 +
@@ -213,7 +213,7 @@ enum {
 };
 
 /// The number of 64-bit words that hold one bit for each of `bounds` bounds. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_words_for(uint64_t bounds);
+SHAFTCULL_API uint64_t shaftcull_bit_words(uint64_t bounds);
 
 /* ---- Helpers for boxes and planes. None allocates more than it says. ---- */
 
@@ -491,7 +491,7 @@ SHAFTCULL_API shaftcull_status shaftcull_tree_create(const shaftcull_source* sou
 SHAFTCULL_API shaftcull_status shaftcull_tree_box(const shaftcull_bounds* tree, shaftcull_box* box);
 
 /// The order of a tree: (*order)[p] is the caller's index of leaf p, for each bound. Valid until the tree is freed,
-/// rebuilt or renumbered. NULL if it is empty. O(1); no allocation.
+/// rebuilt or reordered. NULL if it is empty. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_tree_order(const shaftcull_bounds* tree, const uint32_t** order);
 
 /// Gives every bound of a tree of boxes or spheres a new value, bound i that of the source at i, and refits: O(n), in
@@ -516,7 +516,7 @@ SHAFTCULL_API shaftcull_status shaftcull_tree_renumber(shaftcull_bounds* tree);
 
 /// How much larger the nodes of a tree of boxes or spheres have become since it was built, 1 at first; at 2 or 3 a
 /// rebuild pays. SHAFTCULL_NEEDS_REFIT if it does. O(n / 64); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_tree_growth(const shaftcull_bounds* tree, double* growth);
+SHAFTCULL_API shaftcull_status shaftcull_tree_sah_ratio(const shaftcull_bounds* tree, double* sah_ratio);
 
 /* ---- Arrays of shafts ---- */
 
@@ -581,11 +581,9 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shaf
 
 /// What a body sweeps over that moves without end in a direction of 3 floats, which is not 0. As
 /// shaftcull_shafts_set_swept().
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_without_end(shaftcull_shafts* shafts, uint64_t shaft,
-                                                                      const shaftcull_box* body,
-                                                                      const float direction[3],
-                                                                      const shaftcull_plane* planes,
-                                                                      uint64_t plane_count);
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t shaft,
+                                                                   const shaftcull_box* body, const float direction[3],
+                                                                   const shaftcull_plane* planes, uint64_t plane_count);
 
 /// All that an occluder can shadow from a light, which is apart from it; up to `*reach` times the distance of the
 /// occluder, 1 or more, or without end if `reach` is NULL. As shaftcull_shafts_set_swept().
@@ -623,11 +621,11 @@ SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_batch(shaftcull_shafts
                                                                 const shaftcull_plane* planes, uint64_t plane_count);
 
 /// The same without end, in directions of 3 floats each.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_without_end_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                                            const shaftcull_source* bodies,
-                                                                            const float* directions,
-                                                                            const shaftcull_plane* planes,
-                                                                            uint64_t plane_count);
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_infinite_batch(shaftcull_shafts* shafts, uint64_t first,
+                                                                         const shaftcull_source* bodies,
+                                                                         const float* directions,
+                                                                         const shaftcull_plane* planes,
+                                                                         uint64_t plane_count);
 
 /// What occluders shadow from lights, for pairs of a light and an occluder; `reach` is one for all, or NULL for no end.
 /// Pairs, planes, errors and allocation as shaftcull_shafts_set_between_batch(); some 0.5 µs a shaft.
@@ -663,7 +661,7 @@ typedef struct shaftcull_query {
   /// own two objects, say. The count is that of all rows together.
   const uint32_t* exclude_each;
   uint64_t exclude_each_count;
-  /// Bounds to leave out for all shafts: those whose bits are set. There are 0 words, or shaftcull_words_for(count of
+  /// Bounds to leave out for all shafts: those whose bits are set. There are 0 words, or shaftcull_bit_words(count of
   /// bounds).
   const uint64_t* exclude_mask;
   uint64_t exclude_mask_words;
@@ -678,7 +676,7 @@ typedef struct shaftcull_query {
   const uint32_t* only;
   uint64_t only_count;
   /// So many results for each shaft at most, those that come first: the question then stops. 0: no limit. For questions
-  /// that count or list what is kept, and for shaftcull_list_blocking() and its twin for many shafts.
+  /// that count or list what is kept, and for shaftcull_list_occluders() and its twin for many shafts.
   uint64_t limit;
   shaftcull_triangle_test triangle_test; /* of triangles; 0 for other bounds */
   uint32_t reserved_word;                /* 0 */
@@ -745,21 +743,21 @@ SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* sha
 
 /// Whether one of these solid boxes alone hides the one end of the shaft from the other, 1 or 0. For boxes, and shafts
 /// between two boxes.
-SHAFTCULL_API shaftcull_status shaftcull_blocked(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                 const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                 uint32_t* blocked);
+SHAFTCULL_API shaftcull_status shaftcull_occluded(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                  const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                  uint32_t* occluded);
 
 /// The index of a box that does, or SHAFTCULL_NONE: in a view or stream the lowest one, in a tree the first in its
-/// order. As shaftcull_blocked().
-SHAFTCULL_API shaftcull_status shaftcull_blocked_by(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                    const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                    uint64_t* index);
+/// order. As shaftcull_occluded().
+SHAFTCULL_API shaftcull_status shaftcull_find_occluder(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                       const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                       uint64_t* index);
 
 /// Indices of all boxes that do, into `blocking`, which has room for `room`, and how many there are into
-/// `blocking_count`. As shaftcull_blocked().
-SHAFTCULL_API shaftcull_status shaftcull_list_blocking(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                       const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                       uint32_t* blocking, uint64_t room, uint64_t* blocking_count);
+/// `blocking_count`. As shaftcull_occluded().
+SHAFTCULL_API shaftcull_status shaftcull_list_occluders(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                        const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                        uint32_t* blocking, uint64_t room, uint64_t* blocking_count);
 
 /* ---- One shaft, one bound ---- */
 
@@ -779,13 +777,13 @@ SHAFTCULL_API shaftcull_status shaftcull_ask_triangle(const shaftcull_shafts* sh
                                                       uint32_t* kept);
 
 /// Whether this one solid box hides the one end of the shaft from the other, 1 or 0. For shafts between two boxes.
-SHAFTCULL_API shaftcull_status shaftcull_blocked_by_box(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                        const shaftcull_box* solid, uint32_t* blocked);
+SHAFTCULL_API shaftcull_status shaftcull_occluded_by_box(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                         const shaftcull_box* solid, uint32_t* occluded);
 
 /// Whether a convex polygon does, a wall at any angle, say: `count` corners of 3 floats, three or more, in order,
 /// either way round. O(count), some microseconds; allocates a copy of the corners.
-SHAFTCULL_API shaftcull_status shaftcull_blocked_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                            const float* corners, uint64_t count, uint32_t* blocked);
+SHAFTCULL_API shaftcull_status shaftcull_occluded_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                             const float* corners, uint64_t count, uint32_t* occluded);
 
 /* ---- Many shafts, many bounds, in parallel. Results do not depend on the number of threads. ---- */
 
@@ -809,7 +807,7 @@ SHAFTCULL_API const uint64_t* shaftcull_lists_offsets(const shaftcull_lists* lis
 /// The elements of all lists, or NULL if there are none. Valid as offsets. Never fails. O(1).
 SHAFTCULL_API const uint32_t* shaftcull_lists_indices(const shaftcull_lists* lists);
 
-/// Row s of `kept_rows`, shaftcull_words_for(count of bounds) words, gets what shaftcull_cull() gives of shaft
+/// Row s of `kept_rows`, shaftcull_bit_words(count of bounds) words, gets what shaftcull_cull() gives of shaft
 /// first + s. `words` are those of all rows.
 SHAFTCULL_API shaftcull_status shaftcull_cull_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                    const shaftcull_bounds* bounds, const shaftcull_query* query,
@@ -832,7 +830,7 @@ SHAFTCULL_API shaftcull_status shaftcull_count_classified_many(const shaftcull_s
                                                                const shaftcull_query* query,
                                                                shaftcull_kept_counts* counts);
 
-/// Bit s of `any` is set if shaft first + s keeps any bound. `words` is shaftcull_words_for(count).
+/// Bit s of `any` is set if shaft first + s keeps any bound. `words` is shaftcull_bit_words(count).
 SHAFTCULL_API shaftcull_status shaftcull_any_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                   uint64_t* any, uint64_t words);
@@ -855,23 +853,23 @@ SHAFTCULL_API shaftcull_status shaftcull_first_contact_many(const shaftcull_shaf
                                                             const shaftcull_query* query,
                                                             shaftcull_contact_found* contacts);
 
-/// Bit s of `blocked` is set if a solid box blocks shaft first + s. `words` is shaftcull_words_for(count). As
-/// shaftcull_blocked().
-SHAFTCULL_API shaftcull_status shaftcull_blocked_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                      const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                      uint64_t* blocked, uint64_t words);
+/// Bit s of `occluded` is set if a solid box blocks shaft first + s. `words` is shaftcull_bit_words(count). As
+/// shaftcull_occluded().
+SHAFTCULL_API shaftcull_status shaftcull_occluded_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                       const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                       uint64_t* occluded, uint64_t words);
 
-/// Lists what blocks each shaft. If it fails, lists are as they were or empty. As shaftcull_blocked().
-SHAFTCULL_API shaftcull_status shaftcull_list_blocking_many(const shaftcull_shafts* shafts, uint64_t first,
-                                                            uint64_t count, const shaftcull_bounds* solids,
-                                                            const shaftcull_query* query, shaftcull_lists* lists);
+/// Lists what blocks each shaft. If it fails, lists are as they were or empty. As shaftcull_occluded().
+SHAFTCULL_API shaftcull_status shaftcull_list_occluders_many(const shaftcull_shafts* shafts, uint64_t first,
+                                                             uint64_t count, const shaftcull_bounds* solids,
+                                                             const shaftcull_query* query, shaftcull_lists* lists);
 
 /* ---- What sees what: of all pairs of patches ---- */
 
 /// What is said of a pair of patches (visibility.hpp).
 typedef uint32_t shaftcull_sight;
 enum {
-  SHAFTCULL_SIGHT_UNDECIDED = 0,  /* Some blockers stand between them, none of which hides all. */
+  SHAFTCULL_SIGHT_UNDECIDED = 0,  /* Some occluders stand between them, none of which hides all. */
   SHAFTCULL_SIGHT_CLEAR = 1,      /* Nothing stands between them. */
   SHAFTCULL_SIGHT_BLOCKED = 2,    /* One solid hides all. */
   SHAFTCULL_SIGHT_FACING_AWAY = 3 /* One is on or behind the plane of the other. */
@@ -880,8 +878,8 @@ enum {
 /// Patches, in a tree: boxes, each perhaps with a plane; the patch faces where its normal points. It never changes.
 typedef struct shaftcull_patches shaftcull_patches;
 
-/// What stands between patches. Blockers are numbered in the order in which they are added, from 0 on.
-typedef struct shaftcull_blockers shaftcull_blockers;
+/// What stands between patches. Occluders are numbered in the order in which they are added, from 0 on.
+typedef struct shaftcull_occluders shaftcull_occluders;
 
 /// All answers of a call, in the library's memory.
 typedef struct shaftcull_sights shaftcull_sights;
@@ -905,7 +903,7 @@ typedef struct shaftcull_undecided_pairs {
   const shaftcull_index_pair* pairs; /* of one set with itself, the one that is first in its order is a */
   uint64_t count;                    /* of pairs */
   const uint64_t* first_candidate;   /* count + 1 of them */
-  const uint32_t* candidates;        /* numbers of blockers */
+  const uint32_t* candidates;        /* numbers of occluders */
 } shaftcull_undecided_pairs;
 
 /// Some answers. Valid during the callback only.
@@ -919,7 +917,7 @@ typedef struct shaftcull_sight_batch {
 typedef struct shaftcull_sight_counts {
   uint64_t undecided;   /* SHAFTCULL_SIGHT_UNDECIDED */
   uint64_t clear;       /* SHAFTCULL_SIGHT_CLEAR */
-  uint64_t blocked;     /* SHAFTCULL_SIGHT_BLOCKED */
+  uint64_t occluded;    /* SHAFTCULL_SIGHT_BLOCKED */
   uint64_t facing_away; /* SHAFTCULL_SIGHT_FACING_AWAY */
 } shaftcull_sight_counts;
 
@@ -940,8 +938,8 @@ typedef int32_t (*shaftcull_progress_callback)(uint64_t done, uint64_t total, vo
 /// How it is done.
 typedef struct shaftcull_visibility_options {
   uint64_t memory;                      /* bytes that answers under way may take, 1 MB or more */
-  shaftcull_contact contact;            /* what becomes of blockers that only touch */
-  uint32_t solids_around_ends;          /* 0: a solid that an end reaches into makes no pair blocked */
+  shaftcull_contact contact;            /* what becomes of occluders that only touch */
+  uint32_t solids_around_ends;          /* 0: a solid that an end reaches into makes no pair occluded */
   uint32_t candidates;                  /* 1: undecided pairs come with candidates */
   uint32_t reserved;                    /* 0 */
   shaftcull_resolve_callback resolve;   /* or NULL */
@@ -952,8 +950,8 @@ typedef struct shaftcull_visibility_options {
 /// 256 MB, open contact, solids around ends, candidates, no callbacks. Never fails.
 SHAFTCULL_API shaftcull_visibility_options shaftcull_default_visibility_options(void);
 
-/// The name of what is said of a pair, "blocked" say; "unknown" for a number that is none. Valid for ever. Never fails.
-/// O(1).
+/// The name of what is said of a pair, "occluded" say; "unknown" for a number that is none. Valid for ever. Never
+/// fails. O(1).
 SHAFTCULL_API const char* shaftcull_sight_name(shaftcull_sight sight);
 
 /// Patches of a source of boxes, with `plane_count` planes: 0, or one for each patch, which faces where the normal
@@ -972,62 +970,62 @@ SHAFTCULL_API uint64_t shaftcull_patches_count(const shaftcull_patches* patches)
 /// are freed. NULL if there are none. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_patches_order(const shaftcull_patches* patches, const uint32_t** order);
 
-/// No blockers, to add some. Freed by shaftcull_blockers_free(). O(1).
-SHAFTCULL_API shaftcull_status shaftcull_blockers_create(shaftcull_blockers** blockers);
+/// No occluders, to add some. Freed by shaftcull_occluders_free(). O(1).
+SHAFTCULL_API shaftcull_status shaftcull_occluders_create(shaftcull_occluders** occluders);
 
-/// Frees blockers; does nothing for NULL.
-SHAFTCULL_API void shaftcull_blockers_free(shaftcull_blockers* blockers);
+/// Frees occluders; does nothing for NULL.
+SHAFTCULL_API void shaftcull_occluders_free(shaftcull_occluders* occluders);
 
-/// How many blockers there are; 0 for NULL. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_blockers_count(const shaftcull_blockers* blockers);
+/// How many occluders there are; 0 for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_occluders_count(const shaftcull_occluders* occluders);
 
-/// Adds boxes around things that may hide something, one blocker a box. `first` gets the number of the first of them,
+/// Adds boxes around things that may hide something, one occluder a box. `first` gets the number of the first of them,
 /// here and in those that follow, or may be NULL. SHAFTCULL_BAD_BOUND for what is not finite with lo ≤ hi. O(count).
-SHAFTCULL_API shaftcull_status shaftcull_blockers_add_boxes(shaftcull_blockers* blockers, const shaftcull_source* boxes,
-                                                            uint64_t* first);
-
-/// Adds boxes that are solid, one blocker a box. They make pairs blocked, also where several are one larger box
-/// together. Errors as shaftcull_blockers_add_boxes().
-SHAFTCULL_API shaftcull_status shaftcull_blockers_add_solids(shaftcull_blockers* blockers,
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_boxes(shaftcull_occluders* occluders,
                                                              const shaftcull_source* boxes, uint64_t* first);
 
-/// Adds convex hulls that are solid, one blocker a hull: hull i has the corners first_corner[i] to before
+/// Adds boxes that are solid, one occluder a box. They make pairs occluded, also where several are one larger box
+/// together. Errors as shaftcull_occluders_add_boxes().
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solids(shaftcull_occluders* occluders,
+                                                              const shaftcull_source* boxes, uint64_t* first);
+
+/// Adds convex hulls that are solid, one occluder a hull: hull i has the corners first_corner[i] to before
 /// first_corner[i + 1] of all `corner_count`, 3 floats each. Those are hull_count + 1 numbers, or `first_corner` may be
 /// NULL if there are no hulls; 4 to 32 corners a hull. SHAFTCULL_BAD_BOUND for a corner that is not finite.
-SHAFTCULL_API shaftcull_status shaftcull_blockers_add_solid_hulls(shaftcull_blockers* blockers, const float* corners,
-                                                                  uint64_t corner_count, const uint64_t* first_corner,
-                                                                  uint64_t hull_count, uint64_t* first);
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solid_hulls(shaftcull_occluders* occluders, const float* corners,
+                                                                   uint64_t corner_count, const uint64_t* first_corner,
+                                                                   uint64_t hull_count, uint64_t* first);
 
-/// Adds flat convex polygons by their corners in order, one blocker a polygon. They make pairs blocked. As
-/// shaftcull_blockers_add_solid_hulls(), with 3 corners or more a polygon. One whose corners are a little out of plane
+/// Adds flat convex polygons by their corners in order, one occluder a polygon. They make pairs occluded. As
+/// shaftcull_occluders_add_solid_hulls(), with 3 corners or more a polygon. One whose corners are a little out of plane
 /// is the triangles that its first corner makes with its other edges. That it is convex is not checked.
-SHAFTCULL_API shaftcull_status shaftcull_blockers_add_polygons(shaftcull_blockers* blockers, const float* corners,
-                                                               uint64_t corner_count, const uint64_t* first_corner,
-                                                               uint64_t polygon_count, uint64_t* first);
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_polygons(shaftcull_occluders* occluders, const float* corners,
+                                                                uint64_t corner_count, const uint64_t* first_corner,
+                                                                uint64_t polygon_count, uint64_t* first);
 
-/// Adds triangles in groups, one blocker a group: group i has the triangles first_triangle[i] to before
+/// Adds triangles in groups, one occluder a group: group i has the triangles first_triangle[i] to before
 /// first_triangle[i + 1], which are group_count + 1 numbers. With NULL and 0 the library makes groups of at most 32
 /// neighbours. SHAFTCULL_BAD_BOUND for a triangle that is not finite. Allocates a copy of 36 bytes a triangle on the
 /// way.
-SHAFTCULL_API shaftcull_status shaftcull_blockers_add_triangles(shaftcull_blockers* blockers,
-                                                                const shaftcull_source* triangles,
-                                                                const uint64_t* first_triangle, uint64_t group_count,
-                                                                uint64_t* first);
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluders,
+                                                                 const shaftcull_source* triangles,
+                                                                 const uint64_t* first_triangle, uint64_t group_count,
+                                                                 uint64_t* first);
 
-/// The box around one blocker. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_blockers_box(const shaftcull_blockers* blockers, uint64_t blocker,
-                                                      shaftcull_box* box);
+/// The box around one occluder. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_box(const shaftcull_occluders* occluders, uint64_t occluder,
+                                                       shaftcull_box* box);
 
-/// The triangles of one blocker, by their positions in the source that it was added from: `count` of them, which may be
-/// 0. Valid until the blockers are added to or freed. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_blockers_triangles(const shaftcull_blockers* blockers, uint64_t blocker,
-                                                            const uint32_t** triangles, uint64_t* count);
+/// The triangles of one occluder, by their positions in the source that it was added from: `count` of them, which may
+/// be 0. Valid until the occluders are added to or freed. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_triangles(const shaftcull_occluders* occluders, uint64_t occluder,
+                                                             const uint32_t** triangles, uint64_t* count);
 
 /// How many pairs of a patch of `a` and a patch of `b` there are of each kind; of `a` with itself, each two patches
 /// once, if `b` is NULL, here and in those that follow. `options` may be NULL: the default ones. Refuses less memory
 /// than 1 MB. SHAFTCULL_STOPPED if a callback says so.
 SHAFTCULL_API shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                                          const shaftcull_blockers* blockers,
+                                                          const shaftcull_occluders* occluders,
                                                           const shaftcull_visibility_options* options,
                                                           shaftcull_sight_counts* counts);
 
@@ -1035,7 +1033,7 @@ SHAFTCULL_API shaftcull_status shaftcull_count_visibility(const shaftcull_patche
 /// NULL. Batches come in an order that does not depend on the number of threads. Otherwise as
 /// shaftcull_count_visibility().
 SHAFTCULL_API shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                                    const shaftcull_blockers* blockers,
+                                                    const shaftcull_occluders* occluders,
                                                     const shaftcull_visibility_options* options,
                                                     shaftcull_sight_callback callback, void* user,
                                                     shaftcull_sight_counts* counts);
@@ -1043,7 +1041,7 @@ SHAFTCULL_API shaftcull_status shaftcull_visibility(const shaftcull_patches* a, 
 /// Collects all answers. It may take much memory: 20 bytes a product, and there are some 0.1 to 0.2 as many as pairs.
 /// Otherwise as shaftcull_count_visibility(). Freed by shaftcull_sights_free().
 SHAFTCULL_API shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                                            const shaftcull_blockers* blockers,
+                                                            const shaftcull_occluders* occluders,
                                                             const shaftcull_visibility_options* options,
                                                             shaftcull_sights** sights);
 
@@ -1055,12 +1053,12 @@ SHAFTCULL_API void shaftcull_sights_free(shaftcull_sights* sights);
 SHAFTCULL_API shaftcull_status shaftcull_sights_all(const shaftcull_sights* sights, shaftcull_sight_batch* batch,
                                                     shaftcull_sight_counts* counts);
 
-/// Writes a bit for every pair, rows of shaftcull_words_for(patches of b) words, one for each patch of `a`: bit j of
+/// Writes a bit for every pair, rows of shaftcull_bit_words(patches of b) words, one for each patch of `a`: bit j of
 /// row i says whether patches i and j are of the kind `sight`. `words` are those of all rows. Of one set with itself
 /// both bits of a pair are written, and the diagonal is 0. `counts` may be NULL. If it fails, bits hold anything.
 /// Otherwise as shaftcull_count_visibility().
 SHAFTCULL_API shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const shaftcull_patches* b,
-                                                         const shaftcull_blockers* blockers,
+                                                         const shaftcull_occluders* occluders,
                                                          const shaftcull_visibility_options* options,
                                                          shaftcull_sight sight, uint64_t* bits, uint64_t words,
                                                          shaftcull_sight_counts* counts);

@@ -55,7 +55,7 @@ class Allocation : public testing::Test {
 // Before all others: it chooses the instruction set.
 TEST_F(Allocation, TheFirstCallOfAProcessDoesNone) {
   const BoxColumns boxes(boxes_);
-  std::vector<std::uint64_t> kept(words_for(bound_count));
+  std::vector<std::uint64_t> kept(bit_words(bound_count));
   EXPECT_EQ(allocations_in([&] { cull(shafts_[0], boxes.view(), kept); }), 0U);
 }
 
@@ -67,7 +67,7 @@ TEST_F(Allocation, IsCountedHere) {
 TEST_F(Allocation, CullAndClassifyDoNone) {
   const BoxColumns boxes(boxes_);
   const SphereColumns spheres(spheres_);
-  std::vector<std::uint64_t> kept(words_for(bound_count));
+  std::vector<std::uint64_t> kept(bit_words(bound_count));
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint32_t> listed(bound_count);
   const std::vector<Vec3> corners = {{-9, -9, -9}, {9, -9, -8}, {9, 9, 8.5F}, {-9, 9, 8}};
@@ -76,7 +76,7 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
   for (const Box& box : boxes_) corners_of_boxes.push_back({{box.lo, {box.hi[0], box.lo[1], box.hi[2]}, box.hi}});
   const TriangleStream triangles(corners_of_boxes);
   const TriangleTree triangle_tree(triangles.view());
-  const std::vector<std::uint64_t> mask(words_for(bound_count), 0x0f0f);
+  const std::vector<std::uint64_t> mask(bit_words(bound_count), 0x0f0f);
   const std::vector<std::uint32_t> layers(bound_count, 2);
   const std::span<std::uint32_t> room(listed);
   std::vector<float> times(few.size());
@@ -115,11 +115,11 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                       (void)list(shaft, all, room, {.only = few, .triangle_test = test});
                     }
                   }
-                  (void)blocked(shaft, boxes_[0]);
-                  (void)blocked(shaft, boxes.view());
-                  (void)blocked(shaft, corners);
-                  (void)blocked_by(shaft, boxes.view());
-                  (void)list_blocking(shaft, boxes.view(), listed);
+                  (void)occluded(shaft, boxes_[0]);
+                  (void)occluded(shaft, boxes.view());
+                  (void)occluded(shaft, corners);
+                  (void)find_occluder(shaft, boxes.view());
+                  (void)list_occluders(shaft, boxes.view(), listed);
                   (void)count(shaft, boxes.view(), {.limit = 9});
                   (void)first_contact(shaft, boxes.view());
                   entry_times(shaft, boxes.view(), std::span<const std::uint32_t>(few), times);
@@ -134,7 +134,7 @@ TEST_F(Allocation, CullAndClassifyDoNone) {
                   classify(shaft, Bounds(boxes.view(), layers), kept, inside, leave_out);
                   (void)list(shaft, Bounds(spheres.view(), layers), room, leave_out);
                   (void)first_contact(shaft, Bounds(boxes.view(), layers), leave_out);
-                  (void)blocked(shaft, Bounds(boxes.view(), layers), leave_out);
+                  (void)occluded(shaft, Bounds(boxes.view(), layers), leave_out);
                 }
               }),
               0U)
@@ -180,12 +180,12 @@ TEST_F(Allocation, FormationAndCompilationDoNone) {
 
 TEST_F(Allocation, ShaftsOfMovingBoxesDoNone) {
   const SphereColumns spheres(spheres_);
-  std::vector<std::uint64_t> kept(words_for(bound_count));
+  std::vector<std::uint64_t> kept(bit_words(bound_count));
   std::vector<std::uint64_t> inside(kept.size());
   const std::vector<Plane> planes(3, Plane{{1, 2, 3}, 4});
   EXPECT_EQ(allocations_in([&] {
               for (const CompiledShaft& shaft :
-                   {swept(boxes_[0], {1, 2, 3}, planes), swept_without_end(boxes_[0], {1, 2, 3}),
+                   {swept(boxes_[0], {1, 2, 3}, planes), swept_infinite(boxes_[0], {1, 2, 3}),
                     shadow(Box{{9, 9, 9}, {9, 9, 9}}, boxes_[0]), shadow(Box{{9, 9, 9}, {9, 9, 9}}, boxes_[0], 4)}) {
                 classify(shaft, spheres.view(), kept, inside);
                 (void)classify(shaft, boxes_[0]);
@@ -226,7 +226,7 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
   const std::span<std::uint32_t> room(kept);
   const std::vector<std::uint32_t> few = {1, 2};
   std::vector<float> times(few.size());
-  std::vector<std::uint64_t> bits(words_for(bound_count));
+  std::vector<std::uint64_t> bits(bit_words(bound_count));
   std::vector<std::uint64_t> other_bits(bits.size());
   (void)list(shafts_[0], boxes, room, {.only = few});  // the first one looks up the leaves of indices
   (void)list(shafts_[0], spheres, room, {.only = few});
@@ -245,9 +245,9 @@ TEST_F(Allocation, QueriesOfATreeIntoTheCallersMemoryDoNone) {
                   classify(shaft, spheres, bits, other_bits, {.exclude = few});
                   classify(shaft, spheres, {}, bits);
                   (void)any(shaft, boxes);
-                  (void)blocked(shaft, boxes, {.exclude = few});
-                  (void)blocked_by(shaft, boxes);
-                  (void)list_blocking(shaft, boxes, room);
+                  (void)occluded(shaft, boxes, {.exclude = few});
+                  (void)find_occluder(shaft, boxes);
+                  (void)list_occluders(shaft, boxes, room);
                   (void)count(shaft, boxes, {.layer_mask = {4}});
                   (void)count(shaft, boxes, {.layer_mask = {1}});
                   (void)count(shaft, boxes, {.limit = 9});
@@ -283,7 +283,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
   // oneTBB's own task memory does not come from operator new.
   const BoxColumns boxes(boxes_);
   const SphereColumns spheres(spheres_);
-  std::vector<std::uint64_t> kept(shafts_.size() * words_for(bound_count));
+  std::vector<std::uint64_t> kept(shafts_.size() * bit_words(bound_count));
   std::vector<std::uint64_t> inside(kept.size());
   std::vector<std::uint64_t> counts(shafts_.size());
   std::vector<KeptCounts> classified(shafts_.size());
@@ -307,7 +307,7 @@ TEST_F(Allocation, CallsForManyIntoTheCallersMemoryDoNone) {
       };
       ask(boxes.view());
       ask(spheres.view());
-      blocked_many(shafts_, boxes.view(), std::span(counts).first(1));
+      occluded_many(shafts_, boxes.view(), std::span(counts).first(1));
     }
   };
   calls();  // threads are started once

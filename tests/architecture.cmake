@@ -78,7 +78,7 @@ set(binding_includes 0)
 set(foreign_c "none")  # libraries of other languages, by their folders
 set(foreign_python "pybind11")
 set(foreign_web "none")
-set(shared_web "hashes/hashes.hpp")  # what a binding has of bench/
+set(shared_web "hashes/hashes.hpp")  # what a binding has of conformance/
 foreach(binding IN LISTS bindings)
   if(NOT page MATCHES "\n\\| `bindings/${binding}/` \\|")
     message(SEND_ERROR "bindings/${binding} has no row in ${PAGE}")

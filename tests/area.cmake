@@ -4,7 +4,7 @@
 # What all test executables, and what they are made of, are compiled with.
 function(shaftcull_test_options target)
   target_link_libraries(${target} PRIVATE shaftcull_internals GTest::gmock)
-  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/kernel)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/conformance ${PROJECT_SOURCE_DIR}/kernel)
   target_compile_definitions(${target} PRIVATE SHAFTCULL_GOLDEN_DIR="${CMAKE_CURRENT_SOURCE_DIR}/golden")
   if(SHAFTCULL_WITH_TBB)
     target_link_libraries(${target} PRIVATE TBB::tbb)

@@ -11,7 +11,8 @@ set(known kernel/support/compiler.hpp include/shaftcull/export.hpp include/shaft
   bench/families/roofline_lanes.hpp)  # which measures instructions that a compiler would leave out
 
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/include/*.h ${ROOT}/include/*.hpp ${ROOT}/kernel/*.hpp ${ROOT}/kernel/*.cpp
-  ${ROOT}/bench/*.hpp ${ROOT}/bench/*.cpp ${ROOT}/bindings/c/*.hpp ${ROOT}/bindings/c/*.cpp)
+  ${ROOT}/bench/*.hpp ${ROOT}/bench/*.cpp ${ROOT}/programs/*.hpp ${ROOT}/programs/*.cpp ${ROOT}/conformance/*.hpp
+  ${ROOT}/conformance/*.cpp ${ROOT}/bindings/c/*.hpp ${ROOT}/bindings/c/*.cpp)
 list(LENGTH sources count)
 if(count LESS 300)
   message(FATAL_ERROR "only ${count} sources were found below ${ROOT}")

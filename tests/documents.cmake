@@ -13,7 +13,7 @@ foreach(page IN LISTS pages more)
   file(READ ${page} text)
   string(REGEX REPLACE "[][;]" " " text "${text}")  # they have a meaning in lists
   string(REGEX MATCHALL "\\([A-Za-z0-9_./-]+\\.(md|hpp|svg)[)#]" links "${text}")
-  string(REGEX MATCHALL "`(kernel|include|bindings|bench|tests|docs|cmake)/[A-Za-z0-9_./-]+`" paths "${text}")
+  string(REGEX MATCHALL "`(kernel|include|bindings|programs|conformance|bench|tests|docs|cmake)/[A-Za-z0-9_./-]+`" paths "${text}")
   foreach(reference IN LISTS links paths)
     string(REGEX REPLACE "^[(`]|[)#`]$" "" path "${reference}")
     math(EXPR references "${references} + 1")

@@ -30,11 +30,11 @@ endfunction()
 # software: answers on record (same_bits) stand in for them.
 set(slow Oracle.* QuickHull.* FloatEnvironment.Answers* GoldenAnswers.EverySphere* *.EveryMagnitude* *.EveryColouring* *.*FarFrom*
   ExactSpheres.*Huge* ExactSpheres.*Touch* ExactSpheres.Radii* ExactSpheres.Random* ExactSpheres.*OnAGridOf* ExactSpheres.*Joining*
-  ExactBoxes.SweepsThatEnd* AddedPlanes.SpheresAt* AddedPlanes.Huge* Kinds.*Exactly Kinds.*Away Kinds.ShadowsThatLeave* Blocked.*Exactly FirstContact*.*ExactArithmetic*
+  ExactBoxes.SweepsThatEnd* AddedPlanes.SpheresAt* AddedPlanes.Huge* Kinds.*Exactly Kinds.*Away Kinds.ShadowsThatLeave* Occluded.*Exactly FirstContact*.*ExactArithmetic*
   OpenContact.*Exactly OpenContactVerbs.* Triangles.*Exactly Triangles.AddedPlanes* Triangles.Counts*)
 list(JOIN slow ":" slow)
 # Guard pages are left to real processors: qemu 7.2 reads all lanes of a masked load, also those that are masked out.
-set(guarded Views.EveryCountOf* Blocked.NothingBehind* Views.NothingBehind* Triangles.EveryCount*)
+set(guarded Views.EveryCountOf* Occluded.NothingBehind* Views.NothingBehind* Triangles.EveryCount*)
 list(JOIN guarded ":" guarded)
 shaftcull_emulated_test(core2duo portable128 isa)
 shaftcull_emulated_test(core2duo portable128 simd)

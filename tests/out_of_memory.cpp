@@ -19,8 +19,8 @@
 #include "many/workload.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -83,7 +83,7 @@ TEST(OutOfMemory, StreamsKeepTheirBounds) {
   expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) { stream = BoxStream(1000); });
   expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) { stream = BoxStream(more_boxes); });
   expect_kept_by<BoxStream>(boxes, [&](BoxStream& stream) {
-    stream = BoxStream(CentreExtentRecords{&unit_boxes[0].lo, &unit_boxes[0].hi, sizeof(Box), unit_boxes.size()});
+    stream = BoxStream(StridedCentreExtents{&unit_boxes[0].lo, &unit_boxes[0].hi, sizeof(Box), unit_boxes.size()});
   });
 
   const std::vector<Sphere> spheres = random_spheres(3, 100);
@@ -127,11 +127,11 @@ class TreeOutOfMemory : public testing::Test {
     std::vector<BoundOf<Tree>> leaves;
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t> found;
-    double growth;
+    double sah_ratio;
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
   };
   [[nodiscard]] Snapshot snapshot(const Tree& tree) const {
-    Snapshot now{bounds_of(tree.leaves()), {tree.order().begin(), tree.order().end()}, {}, tree.growth()};
+    Snapshot now{bounds_of(tree.leaves()), {tree.order().begin(), tree.order().end()}, {}, tree.sah_ratio()};
     for (const CompiledShaft& shaft : shafts_) {
       std::vector<std::uint32_t> kept(tree.size());
       kept.resize(list(shaft, tree, std::span(kept)));
@@ -383,8 +383,8 @@ TEST(ListsOutOfMemory, ListsOfWhatBlocksAreAsTheyWereOrEmpty) {
   const BoxColumns memory(boxes);
   const BoundsTree<Box> tree{std::span<const Box>(boxes)};
   const IndexLists before{{0, 1}, {5}};
-  expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, memory.view(), lists); });
-  expect_lists_or_none(before, [&](auto& lists) { list_blocking_many(shafts, tree, lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_occluders_many(shafts, memory.view(), lists); });
+  expect_lists_or_none(before, [&](auto& lists) { list_occluders_many(shafts, tree, lists); });
 }
 
 std::vector<Triangle> random_triangles(std::uint64_t seed, std::size_t count) {
@@ -433,7 +433,7 @@ TEST(TrianglesOutOfMemory, ListsAreAsTheyWereOrEmpty) {
 
 TYPED_TEST(TreeOutOfMemory, BitsAndNumbersOfCandidatesAreRightTheNextTime) {
   const Query query{.only = this->some_};
-  const std::size_t words = this->shafts_.size() * words_for(this->count);
+  const std::size_t words = this->shafts_.size() * bit_words(this->count);
   std::vector<std::uint64_t> right(words);
   cull_many(this->shafts_, TypeParam(this->tree_), right, query);
   std::vector<std::uint64_t> right_counts(this->shafts_.size());

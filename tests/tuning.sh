@@ -6,12 +6,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # listed TITLE: the first column of the table below this heading.
 listed() { sed -n "/^## $1/,/^## /s/^| \`\([A-Z0-9_]*\)\` .*/\1/p" docs/tuning.md | sort; }
-read_by_sources() { grep -rhoE 'getenv\("[A-Z0-9_]+"' kernel bindings bench include | cut -d '"' -f 2 | sort -u; }
+read_by_sources() { grep -rhoE 'getenv\("[A-Z0-9_]+"' kernel bindings bench programs include | cut -d '"' -f 2 | sort -u; }
 # Whatever is cached for the user to set: a string or a path, too, but no file that CMake looks for.
 options() { { grep -hoE '^ *option\([A-Z0-9_]+' "${lists[@]}" && tr '\n' ' ' <<<"$(cat "${lists[@]}")" |
   grep -oE 'set\(SHAFTCULL_[A-Z0-9_]+ +[^ )]+ +CACHE (STRING|PATH) '; } | sed 's/ *[a-z]*(//; s/ .*//' | sort -u; }
 
-lists=(CMakeLists.txt cmake/*.cmake kernel/CMakeLists.txt bindings/*/CMakeLists.txt bench/CMakeLists.txt)
+lists=(CMakeLists.txt cmake/*.cmake kernel/CMakeLists.txt bindings/*/CMakeLists.txt bench/CMakeLists.txt programs/CMakeLists.txt)
 
 result=0
 compare() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Shadow rays against the few blockers that visibility() leaves for a pair.
+/// Shadow rays against the few occluders that visibility() leaves for a pair.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace shaftcull::bench {
 
-/// A blocker as rays are tested with it: a box in a frame that is turned about the vertical.
+/// An occluder as rays are tested with it: a box in a frame that is turned about the vertical.
 struct RayBox {
   float cosine;
   float sine;  ///< 0 if it is not turned
@@ -22,7 +22,7 @@ struct RayBox {
   bool solid;
 };
 
-/// A scene's objects, in their order, which is that of the blockers that are made of them.
+/// A scene's objects, in their order, which is that of the occluders that are made of them.
 [[nodiscard]] std::vector<RayBox> ray_boxes_of(const PatchScene& scene);
 
 /// Patches of a pair, with their planes.

@@ -41,7 +41,7 @@ struct Bench {
 void add(Suite& suite, const std::string& name, const std::shared_ptr<Bench>& bench, const BoxView& boxes, Isa isa) {
   suite.add(name, "", [=](benchmark::State& state) {
     select_isa(isa);
-    bench->kept.resize(bench->shafts.size() * words_for(boxes.count));
+    bench->kept.resize(bench->shafts.size() * bit_words(boxes.count));
     for (auto _ : state) {
       cull_many(bench->shafts, boxes, bench->kept);
       benchmark::ClobberMemory();

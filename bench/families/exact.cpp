@@ -29,7 +29,7 @@ constexpr std::size_t tile = 1024;
 struct Setting {
   BoxStream boxes;
   std::vector<CompiledShaft> compiled;
-  std::vector<std::uint64_t> kept = std::vector<std::uint64_t>(shafts * words_for(bounds));
+  std::vector<std::uint64_t> kept = std::vector<std::uint64_t>(shafts * bit_words(bounds));
 };
 
 /// `bound` and `pair` make one box and one pair of object boxes.
@@ -91,7 +91,7 @@ void declare_setting(Suite& suite, const std::string& name, const std::shared_pt
         const BoxView part = setting->boxes.view().slice(first, tile);
         for (std::size_t s = 0; s < shafts; ++s) {
           cull_unfiltered_avx2(setting->compiled[s], part, tile / 64,
-                               &setting->kept[s * words_for(bounds) + first / 64]);
+                               &setting->kept[s * bit_words(bounds) + first / 64]);
         }
       }
       benchmark::ClobberMemory();

@@ -62,7 +62,7 @@ struct Cameras {
   std::vector<CentreExtent> records;
   std::vector<std::uint64_t> kept;
 
-  explicit Cameras(const BoxView& boxes) : kept(words_for(boxes.count)) {
+  explicit Cameras(const BoxView& boxes) : kept(bit_words(boxes.count)) {
     Random random(3200);
     for (std::size_t i = 0; i != cameras; ++i) {
       const std::array<float, 16> matrix = camera(random);
@@ -114,7 +114,7 @@ void declare_hull(Suite& suite, const Workload& workload) {
   const BoxView boxes = workload.boxes.view().slice(0, 2048);
   const auto all = std::make_shared<Cameras>(workload.boxes.view());
   all->records.resize(boxes.count);
-  all->kept.resize(words_for(boxes.count));
+  all->kept.resize(bit_words(boxes.count));
   suite.add("hull/array_of_structs/boxes", "", [=](benchmark::State& state) {
     run(state, *all, boxes.count,
         [&](std::size_t c) { cull_by_six_planes(all->planes[c], all->records, all->kept.data()); });

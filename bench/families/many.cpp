@@ -19,7 +19,7 @@ struct Bench {
   explicit Bench(const Workload& workload) {
     for (std::size_t i = 0; i < Workload::test_shafts; ++i)
       shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
-    const std::size_t words = Workload::test_shafts * words_for(workload.boxes.size());
+    const std::size_t words = Workload::test_shafts * bit_words(workload.boxes.size());
     kept.resize(words);
     inside.resize(words);
   }

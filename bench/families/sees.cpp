@@ -6,11 +6,11 @@
 /// visibility() first, then Embree's rays for what is undecided. sees/SCENE/PAIRS/S/embree traces the same rays for all
 /// of them. Pairs are those of a cluster of up to 64 patches with up to 32 others: `near` in the same room or closer
 /// than 60 m, or `anywhere`. Sets of patches are formed anew for each cluster. An item is such a pair. Answers are
-/// compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is blocked every
+/// compared before anything is timed: of a pair that is clear no ray may meet anything, of one that is occluded every
 /// ray must.
 ///
-/// sees/SCENE/blockers prepares what may hide something, as the peer's tree is prepared; an item is a blocker. It is in
-/// no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `finer` does so for four
+/// sees/SCENE/occluders prepares what may hide something, as the peer's tree is prepared; an item is an occluder. It is
+/// in no other row. sees/SCENE/all counts answers for all pairs of a scene, sets formed anew; `finer` does so for four
 /// times the patches on the same surfaces. sees/SCENE/all/deliver has them delivered, with candidates, to a callback
 /// that reads them all. An item is a pair.
 #include <algorithm>
@@ -62,35 +62,35 @@ Isa measured_isa() {
 
 /// Everything of a scene that may hide something: what is solid as such, meshes object by object. Ready for use: the
 /// first call finds which solids are one.
-Blockers blockers_of(const PatchScene& scene) {
-  Blockers blockers;
-  blockers.add_solids(scene.boxes);
+Occluders occluders_of(const PatchScene& scene) {
+  Occluders occluders;
+  occluders.add_solids(scene.boxes);
   std::vector<Vec3> corners;
   std::vector<std::size_t> first_corner{0};
   for (const TurnedBox& box : scene.turned) {
     corners.insert(corners.end(), box.begin(), box.end());
     first_corner.push_back(corners.size());
   }
-  blockers.add_solid_hulls(corners, first_corner);
+  occluders.add_solid_hulls(corners, first_corner);
   const std::size_t first = scene.objects[scene.first_mesh()];
   const TriangleStream meshes(std::span(scene.triangles).subspan(first));
   std::vector<std::size_t> first_triangle;
   for (std::size_t i = scene.first_mesh(); i != scene.objects.size(); ++i) {
     first_triangle.push_back(scene.objects[i] - first);
   }
-  blockers.add_triangles(meshes, first_triangle);
+  occluders.add_triangles(meshes, first_triangle);
   const Box somewhere{};
-  benchmark::DoNotOptimize(count_visibility(PatchSet(std::span(&somewhere, 1)), blockers));
-  return blockers;
+  benchmark::DoNotOptimize(count_visibility(PatchSet(std::span(&somewhere, 1)), occluders));
+  return occluders;
 }
 
-/// "4.8 % clear, 86.0 % blocked, …"
+/// "4.8 % clear, 86.0 % occluded, …"
 std::string shares_text(const SightCounts& counts) {
   const auto percent = [total = static_cast<double>(counts.total())](std::uint64_t part) {
     return 100 * static_cast<double>(part) / total;
   };
-  return fmt::format("{:.1f} % clear, {:.1f} % blocked, {:.1f} % facing away, {:.1f} % undecided",
-                     percent(counts.clear), percent(counts.blocked), percent(counts.facing_away),
+  return fmt::format("{:.1f} % clear, {:.1f} % occluded, {:.1f} % facing away, {:.1f} % undecided",
+                     percent(counts.clear), percent(counts.occluded), percent(counts.facing_away),
                      percent(counts.undecided));
 }
 
@@ -126,8 +126,8 @@ class SeesScene {
   const PatchScene& finer() {
     return finer_.get([&] { return make_(2); });
   }
-  const Blockers& blockers() {
-    return blockers_.get([&] { return blockers_of(scene()); });
+  const Occluders& occluders() {
+    return occluders_.get([&] { return occluders_of(scene()); });
   }
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   const std::vector<RayBox>& ray_boxes() {
@@ -161,7 +161,7 @@ class SeesScene {
   Make* make_;
   Lazy<PatchScene> scene_;
   Lazy<PatchScene> finer_;
-  Lazy<Blockers> blockers_;
+  Lazy<Occluders> occluders_;
 #ifdef SHAFTCULL_BENCH_WITH_EMBREE
   Lazy<std::vector<RayBox>> ray_boxes_;
   std::unique_ptr<EmbreeScene> embree_;
@@ -192,14 +192,14 @@ PatchSet set_of(const PatchScene& scene, std::span<const std::uint32_t> patches)
 /// Asks for all pairs of a product, and calls decided(i, j, sight) or undecided(i, j, candidates) for each, by
 /// positions in the product's lists.
 template <class Decided, class Undecided>
-void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& product, const Decided& decided,
+void ask(const PatchScene& scene, const Occluders& occluders, const PatchProduct& product, const Decided& decided,
          const Undecided& undecided) {
   const PatchSet a = set_of(scene, product.a);
   const PatchSet b = set_of(scene, product.b);
   const std::span<const std::uint32_t> order_a = a.order();
   const std::span<const std::uint32_t> order_b = b.order();
-  visibility(a, b, blockers, [&](const SightBatch& batch) {
-    for (const SightProduct& part : batch.products) {
+  visibility(a, b, occluders, [&](const SightBatch& batch) {
+    for (const PairBlock& part : batch.products) {
       decided(order_a.subspan(part.a.first, part.a.count), order_b.subspan(part.b.first, part.b.count), part.sight);
     }
     const UndecidedPairs& open = batch.undecided;
@@ -211,7 +211,7 @@ void ask(const PatchScene& scene, const Blockers& blockers, const PatchProduct& 
   });
 }
 
-/// The part of its rays that is clear, of a pair of which these are all the blockers that they may meet. Solids are
+/// The part of its rays that is clear, of a pair of which these are all the occluders that they may meet. Solids are
 /// boxes to be tested with: Embree traces those rays only that meet none of them but the box around a mesh.
 float share_past(SeesScene& sees, const FacingPair& pair, const ShadowRays& rays,
                  std::span<const std::uint32_t> candidates) {
@@ -232,7 +232,7 @@ void answer(SeesScene& sees, const ShadowRays& rays, const PatchProduct& product
   const std::size_t columns = product.b.size();
   shares.assign(product.a.size() * columns, 0.0F);
   ask(
-      sees.scene(), sees.blockers(), product,
+      sees.scene(), sees.occluders(), product,
       [&](std::span<const std::uint32_t> of_a, std::span<const std::uint32_t> of_b, Sight sight) {
         if (sight != Sight::clear) return;
         for (const std::uint32_t i : of_a) {
@@ -271,7 +271,7 @@ Check check(SeesScene& sees, std::span<const Product> products, const ShadowRays
         for (const std::uint32_t j_of_b : of_b) note(i_of_a, j_of_b, sight);
       }
     };
-    ask(sees.scene(), sees.blockers(), product.patches, note_all,
+    ask(sees.scene(), sees.occluders(), product.patches, note_all,
         [&](std::uint32_t i, std::uint32_t j, std::span<const std::uint32_t> candidates) {
           note(i, j, Sight::undecided);
           result.candidates += candidates.size();
@@ -416,7 +416,7 @@ struct DeliveredSum {
   std::uint64_t numbers = 0;  ///< sum of the candidates' numbers and of the pairs' patches
 
   void add(const SightBatch& batch) {
-    for (const SightProduct& product : batch.products) pairs += std::uint64_t{product.a.count} * product.b.count;
+    for (const PairBlock& product : batch.products) pairs += std::uint64_t{product.a.count} * product.b.count;
     for (const PatchPair& pair : batch.undecided.pairs) numbers += std::uint64_t{pair.a} + pair.b;
     for (const std::uint32_t candidate : batch.undecided.candidates) numbers += candidate;
     products += batch.products.size();
@@ -435,14 +435,14 @@ void declare_delivery(Suite& suite, const std::shared_ptr<SeesScene>& sees, cons
       [=, &suite, noted = std::make_shared<bool>(false)](benchmark::State& state) {
         select_isa(measured_isa());
         const PatchScene& scene = sees->scene();
-        const Blockers& blockers = sees->blockers();
+        const Occluders& occluders = sees->occluders();
         DeliveredSum sum;
         forget_peak_of_process();
         const std::size_t before = status_bytes("VmRSS:");
         for (auto _ : state) {
           sum = {};
           const PatchSet patches(scene.patch_boxes, scene.patch_planes);
-          visibility(patches, blockers, [&](const SightBatch& batch) { sum.add(batch); });
+          visibility(patches, occluders, [&](const SightBatch& batch) { sum.add(batch); });
           benchmark::DoNotOptimize(sum.numbers);
         }
         const std::uint64_t pairs = scene.patches.size() * (scene.patches.size() - 1) / 2;
@@ -474,11 +474,11 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
         [=, &suite, noted = std::make_shared<bool>(options.threads != 1)](benchmark::State& state) {
           select_isa(measured_isa());
           const PatchScene& scene = finer ? sees->finer() : sees->scene();
-          const Blockers& blockers = sees->blockers();  // whatever the patches, surfaces are the same
+          const Occluders& occluders = sees->occluders();  // whatever the patches, surfaces are the same
           SightCounts counts;
           for (auto _ : state) {
             const PatchSet patches(scene.patch_boxes, scene.patch_planes);
-            counts = count_visibility(patches, blockers, {.candidates = false});
+            counts = count_visibility(patches, occluders, {.candidates = false});
           }
           const std::uint64_t pairs = scene.patches.size() * (scene.patches.size() - 1) / 2;
           if (counts.total() != pairs) {
@@ -493,11 +493,11 @@ void declare_all(Suite& suite, const std::shared_ptr<SeesScene>& sees, double pa
         },
         options);
   };
-  suite.add(fmt::format("sees/{}/blockers", sees->name), "",
+  suite.add(fmt::format("sees/{}/occluders", sees->name), "",
             [=](benchmark::State& state) {
               select_isa(measured_isa());
               const PatchScene& scene = sees->scene();
-              for (auto _ : state) benchmark::DoNotOptimize(blockers_of(scene).size());
+              for (auto _ : state) benchmark::DoNotOptimize(occluders_of(scene).size());
               state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.objects.size() - 1));
             },
             {.brief = !suite.quick(), .once = suite.quick()});

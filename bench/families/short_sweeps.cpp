@@ -96,13 +96,13 @@ struct Scene {
       }
       level = std::move(nodes);
       const BoxStream stream(level);
-      std::vector<std::uint64_t> kept(words_for(level.size()));
+      std::vector<std::uint64_t> kept(bit_words(level.size()));
       for (std::size_t s = 0; s < sweeps; ++s) {
         cull(compile(from[s], to[s]), stream, kept);
         words[s] += BitView(kept).count();
       }
     }
-    for (std::size_t& of_sweep : words) of_sweep += words_for(level.size());
+    for (std::size_t& of_sweep : words) of_sweep += bit_words(level.size());
   }
 };
 

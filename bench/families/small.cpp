@@ -43,11 +43,11 @@ struct Small {
 };
 
 void run_cull(benchmark::State& state, const Small& small, std::size_t count) {
-  std::uint64_t kept[words_for(most_boxes)] = {};
+  std::uint64_t kept[bit_words(most_boxes)] = {};
   for (auto _ : state) {
     for (const CompiledShaft& shaft : small.shafts) {
       for (std::size_t p = 0; p < slices; ++p) {
-        cull(shaft, small.boxes.slice(p * word_boxes, count), std::span(kept).first(words_for(count)));
+        cull(shaft, small.boxes.slice(p * word_boxes, count), std::span(kept).first(bit_words(count)));
         benchmark::DoNotOptimize(kept);
       }
     }

@@ -54,8 +54,8 @@ class Curves {
         few_(std::max<std::size_t>(boxes_.count / 4, 1)) {
     for (std::size_t i = 0; i < most_shafts; ++i)
       sweep_->shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
-    sweep_->kept.resize(std::max(most_shafts * words_for(few_), Workload::test_shafts * words_for(boxes_.count)));
-    sweep_->inside.resize(Workload::test_shafts * words_for(two_tiles));
+    sweep_->kept.resize(std::max(most_shafts * bit_words(few_), Workload::test_shafts * bit_words(boxes_.count)));
+    sweep_->inside.resize(Workload::test_shafts * bit_words(two_tiles));
   }
 
   /// From 1,000 boxes to all of them.
@@ -130,7 +130,7 @@ class Curves {
                 RunOptions options) const {
     const auto body = [sweep = sweep_, bounds, isa, shafts, classify](benchmark::State& state) {
       select_isa(isa);
-      const std::span<std::uint64_t> kept(sweep->kept.data(), shafts * words_for(bounds.size()));
+      const std::span<std::uint64_t> kept(sweep->kept.data(), shafts * bit_words(bounds.size()));
       const std::span<std::uint64_t> inside(sweep->inside.data(), classify ? kept.size() : 0);
       std::size_t next = 0;  // one shaft after the other where one is tested at a time: they differ in speed
       for (auto _ : state) {

@@ -73,7 +73,7 @@ struct Moving {
 /// Bits of the bounds that a shaft keeps.
 template <class Stream, class Bound>
 std::vector<std::uint64_t> kept_of(const CompiledShaft& shaft, const std::vector<Bound>& of) {
-  std::vector<std::uint64_t> kept(words_for(of.size()));
+  std::vector<std::uint64_t> kept(bit_words(of.size()));
   cull(shaft, Stream(std::span<const Bound>(of)).view(), kept);
   return kept;
 }
@@ -120,7 +120,7 @@ void declare_scene(Suite& suite, const std::string& name, std::uint32_t seed, Ma
     suite.add(name + "/" + std::string(shaftcull::name(isa)), "", [=](benchmark::State& state) {
       select_isa(isa);
       if (!*scene) *scene = std::make_unique<const Scene<Stream>>(seed, make);
-      std::array<std::uint64_t, words_for(bounds)> kept{};
+      std::array<std::uint64_t, bit_words(bounds)> kept{};
       for (auto _ : state) {
         for (std::size_t s = 0; s < shafts; ++s) {
           cull((*scene)->compiled[s], (*scene)->touching[s].view(), kept);

@@ -145,10 +145,10 @@ void declare_triangles(Suite& suite, const Workload& workload) {
         if (!*survivors) *survivors = survivors_of(workload);
         const Survivors& all = **survivors;
         const auto& compiled = test == TriangleTest::vertices ? all.with_planes : all.plain;
-        std::vector<std::uint64_t> kept(words_for(most_kept));
+        std::vector<std::uint64_t> kept(bit_words(most_kept));
         for (auto _ : state) {
           for (std::size_t s = 0; s != shafts; ++s) {
-            cull(compiled[s], all.triangles[s], std::span(kept).first(words_for(all.triangles[s].size())),
+            cull(compiled[s], all.triangles[s], std::span(kept).first(bit_words(all.triangles[s].size())),
                  {.triangle_test = test});
           }
           benchmark::ClobberMemory();

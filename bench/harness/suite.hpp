@@ -91,16 +91,16 @@ void declare_paper(Suite& suite, const Workload& workload);
 void declare_form(Suite& suite, const Workload& workload);
 /// test/…: many shafts × many bounds
 void declare_many(Suite& suite, const Workload& workload);
-/// kinds/…: shafts of moving boxes × many boxes
-void declare_kinds(Suite& suite, const Workload& workload);
+/// volumes/…: shafts of moving boxes × many boxes
+void declare_volumes(Suite& suite, const Workload& workload);
 /// contact/…: open contact, against closed
 void declare_contact(Suite& suite, const Workload& workload);
 /// hull/…: convex hulls × many boxes
 void declare_hull(Suite& suite, const Workload& workload);
 /// outputs/…: counts and index lists instead of bits
 void declare_outputs(Suite& suite, const Workload& workload);
-/// blocked/…: which solid boxes block shafts
-void declare_blocked(Suite& suite, const Workload& workload);
+/// occluded/…: which solid boxes block shafts
+void declare_occluded(Suite& suite, const Workload& workload);
 /// triangles/…: triangles by vertices and exactly, and meshes
 void declare_triangles(Suite& suite, const Workload& workload);
 /// memory/…: one shaft × all bounds, and reading them

@@ -19,7 +19,7 @@ void cull_by_six_planes(const SixPlanes& planes, std::span<const CentreExtent> b
     }
     return true;
   };
-  std::fill_n(kept, words_for(boxes.size()), std::uint64_t{0});
+  std::fill_n(kept, bit_words(boxes.size()), std::uint64_t{0});
   for (std::size_t i = 0; i != boxes.size(); ++i) {
     kept[i / 64] |= static_cast<std::uint64_t>(is_kept(boxes[i])) << i % 64;
   }

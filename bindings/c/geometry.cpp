@@ -11,7 +11,7 @@ using shaftcull::ViewPlanes;
 
 extern "C" {
 
-uint64_t shaftcull_words_for(uint64_t bounds) { return bounds / 64 + (bounds % 64 != 0); }
+uint64_t shaftcull_bit_words(uint64_t bounds) { return bounds / 64 + (bounds % 64 != 0); }
 
 shaftcull_status shaftcull_box_around(const float* points, uint64_t count, shaftcull_box* box) {
   return guarded([&] {

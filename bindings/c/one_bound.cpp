@@ -48,21 +48,21 @@ shaftcull_status shaftcull_ask_triangle(const shaftcull_shafts* shafts, uint64_t
   });
 }
 
-shaftcull_status shaftcull_blocked_by_box(const shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_box* solid,
-                                          uint32_t* blocked) {
+shaftcull_status shaftcull_occluded_by_box(const shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_box* solid,
+                                           uint32_t* occluded) {
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
-    uint32_t& out = given(blocked, "blocked");
-    out = shaftcull::blocked(asked, as_box(solid, "solid")) ? 1 : 0;
+    uint32_t& out = given(occluded, "occluded");
+    out = shaftcull::occluded(asked, as_box(solid, "solid")) ? 1 : 0;
   });
 }
 
-shaftcull_status shaftcull_blocked_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft, const float* corners,
-                                              uint64_t count, uint32_t* blocked) {
+shaftcull_status shaftcull_occluded_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft, const float* corners,
+                                               uint64_t count, uint32_t* occluded) {
   return guarded([&] {
     const CompiledShaft& asked = shaft_at(shafts, shaft);
-    uint32_t& out = given(blocked, "blocked");
-    out = shaftcull::blocked(asked, as_vectors(corners, count, "corners")) ? 1 : 0;
+    uint32_t& out = given(occluded, "occluded");
+    out = shaftcull::occluded(asked, as_vectors(corners, count, "corners")) ? 1 : 0;
   });
 }
 

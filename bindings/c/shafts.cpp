@@ -144,12 +144,12 @@ shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t s
   });
 }
 
-shaftcull_status shaftcull_shafts_set_swept_without_end(shaftcull_shafts* shafts, uint64_t shaft,
-                                                        const shaftcull_box* body, const float direction[3],
-                                                        const shaftcull_plane* planes, uint64_t plane_count) {
+shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t shaft,
+                                                     const shaftcull_box* body, const float direction[3],
+                                                     const shaftcull_plane* planes, uint64_t plane_count) {
   return set_one(shafts, shaft, [&] {
-    return shaftcull::swept_without_end(as_box(body, "body"), as_vector(direction, "direction"),
-                                        as_planes(planes, plane_count, "planes"));
+    return shaftcull::swept_infinite(as_box(body, "body"), as_vector(direction, "direction"),
+                                     as_planes(planes, plane_count, "planes"));
   });
 }
 
@@ -201,12 +201,12 @@ shaftcull_status shaftcull_shafts_set_swept_batch(shaftcull_shafts* shafts, uint
   });
 }
 
-shaftcull_status shaftcull_shafts_set_swept_without_end_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                              const shaftcull_source* bodies, const float* directions,
-                                                              const shaftcull_plane* planes, uint64_t plane_count) {
+shaftcull_status shaftcull_shafts_set_swept_infinite_batch(shaftcull_shafts* shafts, uint64_t first,
+                                                           const shaftcull_source* bodies, const float* directions,
+                                                           const shaftcull_plane* planes, uint64_t plane_count) {
   return guarded([&] {
     set_moving(shafts, first, bodies, directions, "directions", planes, plane_count,
-               [](auto&&... arguments) { shaftcull::swept_without_end_batch(arguments...); });
+               [](auto&&... arguments) { shaftcull::swept_infinite_batch(arguments...); });
   });
 }
 

@@ -67,11 +67,11 @@ Source as_source(const shaftcull_source* source, const char* name) {
   const std::size_t stride = as_size(s.stride, "stride");
   switch (s.kind) {
     case SHAFTCULL_SOURCE_BOXES:
-      return MinMaxRecords{s.first, s.second, stride, count};
+      return StridedBoxes{s.first, s.second, stride, count};
     case SHAFTCULL_SOURCE_CENTRES:
-      return CentreExtentRecords{s.first, s.second, stride, count};
+      return StridedCentreExtents{s.first, s.second, stride, count};
     case SHAFTCULL_SOURCE_SPHERES:
-      return SphereRecords{s.first, s.second, stride, count};
+      return StridedSpheres{s.first, s.second, stride, count};
     case SHAFTCULL_SOURCE_TRIANGLES:
       return copied_triangles(s, name);
     default:
@@ -97,7 +97,7 @@ BatchBoxes::BatchBoxes(const shaftcull_source* source, const char* name) {
     if (!are_boxes) refuse(std::string(name) + " is a source of other bounds; this call takes boxes");
   };
   // Of which array, for a call takes two. Streams also take the empty box, which can be no end of a shaft, no patch and
-  // no blocker.
+  // no occluder.
   const auto in_array = [name](const BadBound& bad) {
     const std::string what = bad.what();
     return BadBound(bad.index(), std::string(name) + ": " + what.substr(0, what.find(", or the box empty")));

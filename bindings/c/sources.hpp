@@ -13,8 +13,8 @@
 namespace shaftcull::binding {
 
 /// What a source names. Triangles have been copied.
-using Source = std::variant<MinMaxRecords, CentreExtentRecords, SphereRecords, std::vector<Triangle>, MeshView, BoxView,
-                            SphereView, TriangleView>;
+using Source = std::variant<StridedBoxes, StridedCentreExtents, StridedSpheres, std::vector<Triangle>, MeshView,
+                            BoxView, SphereView, TriangleView>;
 
 /// Throws InvalidArgument for a kind that there is not, for fields that it does not have, and for NULL.
 [[nodiscard]] Source as_source(const shaftcull_source* source, const char* name);

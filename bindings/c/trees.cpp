@@ -102,13 +102,13 @@ shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree) {
 }
 
 shaftcull_status shaftcull_tree_renumber(shaftcull_bounds* tree) {
-  return guarded([&] { use_tree(tree, of_bounds, [](Tree auto& bounds) { bounds.renumber(); }); });
+  return guarded([&] { use_tree(tree, of_bounds, [](Tree auto& bounds) { bounds.reorder(); }); });
 }
 
-shaftcull_status shaftcull_tree_growth(const shaftcull_bounds* tree, double* growth) {
+shaftcull_status shaftcull_tree_sah_ratio(const shaftcull_bounds* tree, double* sah_ratio) {
   return guarded([&] {
-    double& out = given(growth, "growth");
-    use_tree(tree, of_bounds, [&](const Tree auto& bounds) { out = bounds.growth(); });
+    double& out = given(sah_ratio, "sah_ratio");
+    use_tree(tree, of_bounds, [&](const Tree auto& bounds) { out = bounds.sah_ratio(); });
   });
 }
 

@@ -15,14 +15,14 @@
 #include "status.hpp"
 
 using namespace shaftcull::binding;
-using shaftcull::Blockers;
 using shaftcull::Box;
+using shaftcull::Occluders;
+using shaftcull::PairBlock;
 using shaftcull::PatchPair;
 using shaftcull::PatchSet;
 using shaftcull::Sight;
 using shaftcull::SightBatch;
 using shaftcull::SightCounts;
-using shaftcull::SightProduct;
 using shaftcull::UndecidedPairs;
 using shaftcull::VisibilityOptions;
 using shaftcull::VisibilityProgress;
@@ -31,8 +31,8 @@ struct shaftcull_patches {
   PatchSet set;
 };
 
-struct shaftcull_blockers {
-  Blockers all;
+struct shaftcull_occluders {
+  Occluders all;
 };
 
 struct shaftcull_sights {
@@ -47,10 +47,10 @@ struct shaftcull_sights {
 namespace {
 
 shaftcull_sight_counts from_sights(const SightCounts& counts) noexcept {
-  return {counts.undecided, counts.clear, counts.blocked, counts.facing_away};
+  return {counts.undecided, counts.clear, counts.occluded, counts.facing_away};
 }
 
-shaftcull_sight_product from_product(const SightProduct& product) noexcept {
+shaftcull_sight_product from_product(const PairBlock& product) noexcept {
   return {{product.a.first, product.a.count},
           {product.b.first, product.b.count},
           static_cast<shaftcull_sight>(product.sight)};
@@ -139,12 +139,12 @@ auto of_one_or_two(const shaftcull_patches* a, const shaftcull_patches* b, One&&
 }
 
 template <class Deliver>
-SightCounts deliver_all(const shaftcull_patches* a, const shaftcull_patches* b, const Blockers& blockers,
+SightCounts deliver_all(const shaftcull_patches* a, const shaftcull_patches* b, const Occluders& occluders,
                         const VisibilityOptions& options, const Deliver& deliver) {
   return of_one_or_two(
-      a, b, [&](const PatchSet& set) { return shaftcull::visibility(set, blockers, deliver, options); },
+      a, b, [&](const PatchSet& set) { return shaftcull::visibility(set, occluders, deliver, options); },
       [&](const PatchSet& set, const PatchSet& other) {
-        return shaftcull::visibility(set, other, blockers, deliver, options);
+        return shaftcull::visibility(set, other, occluders, deliver, options);
       });
 }
 
@@ -167,11 +167,11 @@ std::vector<std::size_t> as_offsets(const std::uint64_t* offsets, std::uint64_t 
 }
 
 template <class Add>
-shaftcull_status add_corners(shaftcull_blockers* blockers, const float* corners, std::uint64_t corner_count,
+shaftcull_status add_corners(shaftcull_occluders* occluders, const float* corners, std::uint64_t corner_count,
                              const std::uint64_t* first_corner, std::uint64_t count, std::uint64_t* first,
                              Add&& add) noexcept {
   return guarded([&] {
-    Blockers& all = given(blockers, "blockers").all;
+    Occluders& all = given(occluders, "occluders").all;
     const auto points = as_vectors(corners, corner_count, "corners");
     const auto offsets = as_offsets(first_corner, count, "first_corner");
     if (offsets.empty() && !points.empty()) refuse("first_corner is NULL; it must say which corners belong together");
@@ -180,10 +180,10 @@ shaftcull_status add_corners(shaftcull_blockers* blockers, const float* corners,
   });
 }
 
-const Blockers& blocker_of(const shaftcull_blockers* blockers, std::uint64_t blocker) {
-  const Blockers& all = given(blockers, "blockers").all;
-  if (blocker >= all.size()) {
-    refuse("blocker = " + std::to_string(blocker) + " is not below the number of blockers, " +
+const Occluders& occluder_of(const shaftcull_occluders* occluders, std::uint64_t occluder) {
+  const Occluders& all = given(occluders, "occluders").all;
+  if (occluder >= all.size()) {
+    refuse("occluder = " + std::to_string(occluder) + " is not below the number of occluders, " +
            std::to_string(all.size()));
   }
   return all;
@@ -229,56 +229,56 @@ shaftcull_status shaftcull_patches_order(const shaftcull_patches* patches, const
   });
 }
 
-shaftcull_status shaftcull_blockers_create(shaftcull_blockers** blockers) {
+shaftcull_status shaftcull_occluders_create(shaftcull_occluders** occluders) {
   return guarded([&] {
-    shaftcull_blockers*& out = given(blockers, "blockers");
-    out = new shaftcull_blockers{};
+    shaftcull_occluders*& out = given(occluders, "occluders");
+    out = new shaftcull_occluders{};
   });
 }
 
-void shaftcull_blockers_free(shaftcull_blockers* blockers) { delete blockers; }
+void shaftcull_occluders_free(shaftcull_occluders* occluders) { delete occluders; }
 
-uint64_t shaftcull_blockers_count(const shaftcull_blockers* blockers) {
-  return blockers == nullptr ? 0 : blockers->all.size();
+uint64_t shaftcull_occluders_count(const shaftcull_occluders* occluders) {
+  return occluders == nullptr ? 0 : occluders->all.size();
 }
 
-shaftcull_status shaftcull_blockers_add_boxes(shaftcull_blockers* blockers, const shaftcull_source* boxes,
-                                              uint64_t* first) {
+shaftcull_status shaftcull_occluders_add_boxes(shaftcull_occluders* occluders, const shaftcull_source* boxes,
+                                               uint64_t* first) {
   return guarded([&] {
-    Blockers& all = given(blockers, "blockers").all;
+    Occluders& all = given(occluders, "occluders").all;
     add_from(boxes, first, [&](const shaftcull::BoxView& view) { return all.add_boxes(view); });
   });
 }
 
-shaftcull_status shaftcull_blockers_add_solids(shaftcull_blockers* blockers, const shaftcull_source* boxes,
-                                               uint64_t* first) {
+shaftcull_status shaftcull_occluders_add_solids(shaftcull_occluders* occluders, const shaftcull_source* boxes,
+                                                uint64_t* first) {
   return guarded([&] {
-    Blockers& all = given(blockers, "blockers").all;
+    Occluders& all = given(occluders, "occluders").all;
     add_from(boxes, first, [&](const shaftcull::BoxView& view) { return all.add_solids(view); });
   });
 }
 
-shaftcull_status shaftcull_blockers_add_solid_hulls(shaftcull_blockers* blockers, const float* corners,
-                                                    uint64_t corner_count, const uint64_t* first_corner,
-                                                    uint64_t hull_count, uint64_t* first) {
+shaftcull_status shaftcull_occluders_add_solid_hulls(shaftcull_occluders* occluders, const float* corners,
+                                                     uint64_t corner_count, const uint64_t* first_corner,
+                                                     uint64_t hull_count, uint64_t* first) {
   return add_corners(
-      blockers, corners, corner_count, first_corner, hull_count, first,
-      [](Blockers& all, const auto& points, const auto& offsets) { return all.add_solid_hulls(points, offsets); });
+      occluders, corners, corner_count, first_corner, hull_count, first,
+      [](Occluders& all, const auto& points, const auto& offsets) { return all.add_solid_hulls(points, offsets); });
 }
 
-shaftcull_status shaftcull_blockers_add_polygons(shaftcull_blockers* blockers, const float* corners,
-                                                 uint64_t corner_count, const uint64_t* first_corner,
-                                                 uint64_t polygon_count, uint64_t* first) {
+shaftcull_status shaftcull_occluders_add_polygons(shaftcull_occluders* occluders, const float* corners,
+                                                  uint64_t corner_count, const uint64_t* first_corner,
+                                                  uint64_t polygon_count, uint64_t* first) {
   return add_corners(
-      blockers, corners, corner_count, first_corner, polygon_count, first,
-      [](Blockers& all, const auto& points, const auto& offsets) { return all.add_polygons(points, offsets); });
+      occluders, corners, corner_count, first_corner, polygon_count, first,
+      [](Occluders& all, const auto& points, const auto& offsets) { return all.add_polygons(points, offsets); });
 }
 
-shaftcull_status shaftcull_blockers_add_triangles(shaftcull_blockers* blockers, const shaftcull_source* triangles,
-                                                  const uint64_t* first_triangle, uint64_t group_count,
-                                                  uint64_t* first) {
+shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluders, const shaftcull_source* triangles,
+                                                   const uint64_t* first_triangle, uint64_t group_count,
+                                                   uint64_t* first) {
   return guarded([&] {
-    Blockers& all = given(blockers, "blockers").all;
+    Occluders& all = given(occluders, "occluders").all;
     const Source source = as_source(triangles, "triangles");
     const std::vector<std::size_t> groups = as_offsets(first_triangle, group_count, "first_triangle");
     const auto add = [&](const shaftcull::TriangleView& view) {
@@ -300,31 +300,31 @@ shaftcull_status shaftcull_blockers_add_triangles(shaftcull_blockers* blockers, 
   });
 }
 
-shaftcull_status shaftcull_blockers_box(const shaftcull_blockers* blockers, uint64_t blocker, shaftcull_box* box) {
+shaftcull_status shaftcull_occluders_box(const shaftcull_occluders* occluders, uint64_t occluder, shaftcull_box* box) {
   return guarded([&] {
-    const Blockers& all = blocker_of(blockers, blocker);
-    given(box, "box") = converted<shaftcull_box>(all.box(static_cast<std::size_t>(blocker)));
+    const Occluders& all = occluder_of(occluders, occluder);
+    given(box, "box") = converted<shaftcull_box>(all.box(static_cast<std::size_t>(occluder)));
   });
 }
 
-shaftcull_status shaftcull_blockers_triangles(const shaftcull_blockers* blockers, uint64_t blocker,
-                                              const uint32_t** triangles, uint64_t* count) {
+shaftcull_status shaftcull_occluders_triangles(const shaftcull_occluders* occluders, uint64_t occluder,
+                                               const uint32_t** triangles, uint64_t* count) {
   return guarded([&] {
-    const Blockers& all = blocker_of(blockers, blocker);
+    const Occluders& all = occluder_of(occluders, occluder);
     const uint32_t*& out = given(triangles, "triangles");
     uint64_t& number = given(count, "count");
-    const std::span<const uint32_t> found = all.triangles(static_cast<std::size_t>(blocker));
+    const std::span<const uint32_t> found = all.triangles(static_cast<std::size_t>(occluder));
     out = found.empty() ? nullptr : found.data();
     number = found.size();
   });
 }
 
 shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                            const shaftcull_blockers* blockers,
+                                            const shaftcull_occluders* occluders,
                                             const shaftcull_visibility_options* options,
                                             shaftcull_sight_counts* counts) {
   return guarded([&] {
-    const Blockers& all = given(blockers, "blockers").all;
+    const Occluders& all = given(occluders, "occluders").all;
     const VisibilityOptions with = as_options(options);
     shaftcull_sight_counts& out = given(counts, "counts");
     out = from_sights(of_one_or_two(
@@ -336,10 +336,10 @@ shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const sh
 }
 
 shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                      const shaftcull_blockers* blockers, const shaftcull_visibility_options* options,
+                                      const shaftcull_occluders* occluders, const shaftcull_visibility_options* options,
                                       shaftcull_sight_callback callback, void* user, shaftcull_sight_counts* counts) {
   return guarded([&] {
-    const Blockers& all = given(blockers, "blockers").all;
+    const Occluders& all = given(occluders, "occluders").all;
     const VisibilityOptions with = as_options(options);
     if (callback == nullptr) refuse("callback is NULL");
     std::vector<shaftcull_sight_product> products;
@@ -358,10 +358,10 @@ shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcul
 }
 
 shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                              const shaftcull_blockers* blockers,
+                                              const shaftcull_occluders* occluders,
                                               const shaftcull_visibility_options* options, shaftcull_sights** sights) {
   return guarded([&] {
-    const Blockers& all = given(blockers, "blockers").all;
+    const Occluders& all = given(occluders, "occluders").all;
     const VisibilityOptions with = as_options(options);
     shaftcull_sights*& out = given(sights, "sights");
     auto collected = std::make_unique<shaftcull_sights>();
@@ -403,11 +403,11 @@ shaftcull_status shaftcull_sights_all(const shaftcull_sights* sights, shaftcull_
 }
 
 shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const shaftcull_patches* b,
-                                           const shaftcull_blockers* blockers,
+                                           const shaftcull_occluders* occluders,
                                            const shaftcull_visibility_options* options, shaftcull_sight sight,
                                            uint64_t* bits, uint64_t words, shaftcull_sight_counts* counts) {
   return guarded([&] {
-    const Blockers& all = given(blockers, "blockers").all;
+    const Occluders& all = given(occluders, "occluders").all;
     const VisibilityOptions with = as_options(options);
     const Sight kind = as_enumerator(sight, Sight::facing_away, "sight", sight_enumerators);
     const std::span<uint64_t> out = as_span(bits, words, "bits");

@@ -5,7 +5,7 @@
 # Sources of examples stay as they are, for pages show them whole, to be copied.
 licence() {
   local source line lacking
-  mapfile -t lacking < <(cd "$root" && find .ci/run CMakeLists.txt bench bindings cmake docs include kernel tests -type f \
+  mapfile -t lacking < <(cd "$root" && find .ci/run CMakeLists.txt bench bindings cmake conformance docs include kernel programs tests -type f \
     ! -path '*/examples/*.c*' ! -path '*/examples/*.py' ! -path '*/build/*' \( -name '*.[ch]pp' -o -name '*.[ch]' \
     -o -name '*.cmake' -o -name CMakeLists.txt -o -name '*.sh' -o -name '*.py' -o -name '*.pyi' -o -name run \) \
     -exec grep -LE '^(//|#) SPDX-License-Identifier: MIT$' {} + | sort)
@@ -39,7 +39,7 @@ format_sources() {
     stop "cmake/run: format takes --check or nothing, not \"$1\""
   fi
   licence "${how[0]}"
-  find "$root/include" "$root/kernel" "$root/bindings" "$root/bench" "$root/tests" "$root/docs/examples" \( -name '*.[ch]pp' -o -name '*.[ch]' \) -print0 |
+  find "$root/include" "$root/kernel" "$root/bindings" "$root/programs" "$root/conformance" "$root/bench" "$root/tests" "$root/docs/examples" \( -name '*.[ch]pp' -o -name '*.[ch]' \) -print0 |
     xargs -0 -P "$jobs" -n 64 clang-format-14 "${how[@]}" ||
     stop "" "cmake/run: not all sources are formatted. ./cmake/run format does it."
 }

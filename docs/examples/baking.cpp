@@ -116,8 +116,8 @@ struct Scene {
   std::vector<sc::Box> boxes;      // around each triangle
   std::vector<sc::Plane> planes;   // of each triangle
   sc::PatchSet patches;
-  sc::Blockers blockers;
-  std::vector<std::vector<sc::Triangle>> shape;  // what rays meet of each blocker
+  sc::Occluders occluders;
+  std::vector<std::vector<sc::Triangle>> shape;  // what rays meet of each occluder
 };
 
 // [[scene]]
@@ -179,16 +179,16 @@ void add_patches(Scene& scene) {
 }
 // [[end]]
 
-// [[blockers]]
-// Each thing is one blocker, or some; `shape` has what rays meet of each of them. Whatever is
+// [[occluders]]
+// Each thing is one occluder, or some; `shape` has what rays meet of each of them. Whatever is
 // known to be solid is added as such, and not as triangles, too.
-void add_blockers(Scene& scene) {
+void add_occluders(Scene& scene) {
   constexpr float whole = 10;  // faces need not be cut for rays
-  scene.blockers.add_solids(wall);
+  scene.occluders.add_solids(wall);
   for (const sc::Box& box : wall)
     scene.shape.push_back(triangles_of(std::span(&box, 1), whole));
 
-  scene.blockers.add_solids(std::span(&sideboard, 1));
+  scene.occluders.add_solids(std::span(&sideboard, 1));
   scene.shape.push_back(triangles_of(std::span(&sideboard, 1), whole));
 
   // A hull has up to 32 corners. Those of the twelve triangles are the eight corners of the
@@ -199,12 +199,12 @@ void add_blockers(Scene& scene) {
     corners.insert(corners.end(), t.vertex.begin(), t.vertex.end());
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  scene.blockers.add_solid_hulls(corners, std::vector<std::size_t>{0, corners.size()});
+  scene.occluders.add_solid_hulls(corners, std::vector<std::size_t>{0, corners.size()});
 
   // A shelf is not solid, but three boards with air between them: one group of triangles.
   scene.shape.push_back(triangles_of(shelf, whole));
   const sc::TriangleStream stream{std::span<const sc::Triangle>(scene.shape.back())};
-  scene.blockers.add_triangles(stream.view(), std::vector<std::size_t>{0, stream.size()});
+  scene.occluders.add_triangles(stream.view(), std::vector<std::size_t>{0, stream.size()});
 }
 // [[end]]
 
@@ -246,9 +246,9 @@ double share(const Scene& scene, std::size_t from, std::size_t to,
     const Point way = end - start;
     const double light = std::max(0.0, dot(way, normal)) * std::max(0.0, -dot(way, opposite)) /
                          std::pow(dot(way, way), 2);
-    const auto is_in_the_way = [&](std::uint32_t blocker) {
+    const auto is_in_the_way = [&](std::uint32_t occluder) {
       const auto is_met = [&](const sc::Triangle& t) { return meets(start, end, t); };
-      return std::any_of(scene.shape[blocker].begin(), scene.shape[blocker].end(), is_met);
+      return std::any_of(scene.shape[occluder].begin(), scene.shape[occluder].end(), is_met);
     };
     all += light;
     if (light > 0 && std::none_of(candidates.begin(), candidates.end(), is_in_the_way))
@@ -273,7 +273,7 @@ class Bake {
     add_one_way(j, i, from_j);
   }
   // All pairs of a product.
-  void add(const sc::SightProduct& product) {
+  void add(const sc::PairBlock& product) {
     const auto order = scene_.patches.order();
     for (std::size_t p = 0; p != product.a.count; ++p) {
       for (std::size_t q = 0; q != product.b.count; ++q)
@@ -306,7 +306,7 @@ class Bake {
 
 std::vector<double> bake(const Scene& scene, const sc::Visibility& sees) {
   Bake bake(scene);
-  for (const sc::SightProduct& product : sees.products) {
+  for (const sc::PairBlock& product : sees.products) {
     if (product.sight == sc::Sight::clear) bake.add(product);  // without a ray
   }
   for (std::size_t p = 0; p != sees.undecided.size(); ++p) {  // the others by rays
@@ -337,16 +337,16 @@ std::vector<double> bake_in_passing(const Scene& scene, sc::SightCounts& counts)
       if (from_i == 1 && from_j == 1) {
         verdict[p] = sc::Sight::clear;  // comes in a product
       } else if (from_i == 0 && from_j == 0) {
-        verdict[p] = sc::Sight::blocked;
+        verdict[p] = sc::Sight::occluded;
       } else {
         bake.add(i, j, from_i, from_j);  // stays undecided
       }
     }
   };
   counts = sc::visibility(
-      scene.patches, scene.blockers,
+      scene.patches, scene.occluders,
       [&](const sc::SightBatch& batch) {
-        for (const sc::SightProduct& product : batch.products) {
+        for (const sc::PairBlock& product : batch.products) {
           if (product.sight == sc::Sight::clear) bake.add(product);
         }
       },
@@ -367,7 +367,7 @@ struct Answers {
 // The bit of a pair, whichever is named first.
 struct Bit {
   Bit(const Scene& scene, Answers& answers, std::uint32_t i, std::uint32_t j)
-      : word(answers.clear[std::min(i, j) * sc::words_for(scene.patches.size()) +
+      : word(answers.clear[std::min(i, j) * sc::bit_words(scene.patches.size()) +
                            std::max(i, j) / 64]),
         mask(std::uint64_t{1} << std::max(i, j) % 64) {}
   std::uint64_t& word;
@@ -375,7 +375,7 @@ struct Bit {
 };
 
 template <class Visit>
-void for_each_pair(const Scene& scene, const sc::SightProduct& product, const Visit& visit) {
+void for_each_pair(const Scene& scene, const sc::PairBlock& product, const Visit& visit) {
   const auto order = scene.patches.order();
   for (std::size_t p = 0; p != product.a.count; ++p) {
     for (std::size_t q = 0; q != product.b.count; ++q)
@@ -383,11 +383,11 @@ void for_each_pair(const Scene& scene, const sc::SightProduct& product, const Vi
   }
 }
 
-Answers all_answers(const Scene& scene, const sc::Blockers& blockers) {
+Answers all_answers(const Scene& scene, const sc::Occluders& occluders) {
   Answers answers;
-  answers.clear.resize(scene.patches.size() * sc::words_for(scene.patches.size()));
-  sc::visibility(scene.patches, blockers, [&](const sc::SightBatch& batch) {
-    for (const sc::SightProduct& product : batch.products) {
+  answers.clear.resize(scene.patches.size() * sc::bit_words(scene.patches.size()));
+  sc::visibility(scene.patches, occluders, [&](const sc::SightBatch& batch) {
+    for (const sc::PairBlock& product : batch.products) {
       if (product.sight != sc::Sight::clear) continue;
       for_each_pair(scene, product, [&](auto i, auto j) {
         const Bit bit(scene, answers, i, j);
@@ -407,10 +407,10 @@ Answers all_answers(const Scene& scene, const sc::Blockers& blockers) {
 // [[end]]
 
 // [[comes]]
-// A thing comes, which is blocker `number` from now on, and is alone in `thing`. Returns the
+// A thing comes, which is occluder `number` from now on, and is alone in `thing`. Returns the
 // pairs whose rays have to be traced anew.
 std::vector<sc::PatchPair> comes(const Scene& scene, Answers& answers,
-                                 const sc::Blockers& thing, std::uint32_t number) {
+                                 const sc::Occluders& thing, std::uint32_t number) {
   std::vector<sc::PatchPair> changed;
   sc::VisibilityOptions options;
   options.candidates = false;  // it is the thing
@@ -430,8 +430,8 @@ std::vector<sc::PatchPair> comes(const Scene& scene, Answers& answers,
           }
           changed.push_back(pair);
         }
-        for (const sc::SightProduct& product : batch.products) {
-          if (product.sight != sc::Sight::blocked) continue;  // it hides these, if it is solid
+        for (const sc::PairBlock& product : batch.products) {
+          if (product.sight != sc::Sight::occluded) continue;  // it hides these, if it is solid
           for_each_pair(scene, product, [&](auto i, auto j) {
             const Bit bit(scene, answers, i, j);
             bit.word &= ~bit.mask;
@@ -460,11 +460,11 @@ void leaves(const Scene& scene, Answers& answers, std::span<const sc::PatchPair>
 // [[end]]
 
 // Asks all anew, and compares. Times go to the error output.
-bool check(const Scene& scene, const Answers& answers, const sc::Blockers& blockers,
+bool check(const Scene& scene, const Answers& answers, const sc::Occluders& occluders,
            const char* what, std::size_t changed, Clock::time_point begin) {
   const double took = milliseconds_since(begin);
   begin = Clock::now();
-  const Answers anew = all_answers(scene, blockers);
+  const Answers anew = all_answers(scene, occluders);
   std::fprintf(stderr, "%s: %.1f ms; all anew: %.1f ms\n", what, took,
                milliseconds_since(begin));
   std::printf("%s: rays of %zu pairs are traced anew, %zu are undecided now\n", what, changed,
@@ -477,34 +477,34 @@ bool move_things(const Scene& scene) {
   const sc::Box chair{{3, 2, 0}, {3.5F, 2.5F, 1}};
   const sc::Box elsewhere{{2.5F, 2, 0}, {3, 2.5F, 1}};
   const sc::Box partition{{5, 1.5F, 0.25F}, {5.25F, 3.5F, 2.5F}};
-  const auto number = static_cast<std::uint32_t>(scene.blockers.size());
-  const auto with = [&](const sc::Box& box, bool is_solid, sc::Blockers blockers) {
-    is_solid ? blockers.add_solids(std::span(&box, 1)) : blockers.add_boxes(std::span(&box, 1));
-    return blockers;
+  const auto number = static_cast<std::uint32_t>(scene.occluders.size());
+  const auto with = [&](const sc::Box& box, bool is_solid, sc::Occluders occluders) {
+    is_solid ? occluders.add_solids(std::span(&box, 1)) : occluders.add_boxes(std::span(&box, 1));
+    return occluders;
   };
   const auto alone = [&](const sc::Box& box, bool is_solid) { return with(box, is_solid, {}); };
-  Answers answers = all_answers(scene, scene.blockers);
+  Answers answers = all_answers(scene, scene.occluders);
 
   auto begin = Clock::now();
   auto changed = comes(scene, answers, alone(chair, false), number);
-  if (!check(scene, answers, with(chair, false, scene.blockers), "a chair comes",
+  if (!check(scene, answers, with(chair, false, scene.occluders), "a chair comes",
              changed.size(), begin))
     return false;
 
   begin = Clock::now();
   leaves(scene, answers, changed, number);
   changed = comes(scene, answers, alone(elsewhere, false), number);
-  if (!check(scene, answers, with(elsewhere, false, scene.blockers), "it moves", changed.size(),
+  if (!check(scene, answers, with(elsewhere, false, scene.occluders), "it moves", changed.size(),
              begin))
     return false;
 
   begin = Clock::now();
   leaves(scene, answers, changed, number);
-  if (!check(scene, answers, scene.blockers, "it leaves", changed.size(), begin)) return false;
+  if (!check(scene, answers, scene.occluders, "it leaves", changed.size(), begin)) return false;
 
   begin = Clock::now();
   changed = comes(scene, answers, alone(partition, true), number);
-  return check(scene, answers, with(partition, true, scene.blockers), "a partition comes",
+  return check(scene, answers, with(partition, true, scene.occluders), "a partition comes",
                changed.size(), begin);
 }
 
@@ -518,18 +518,18 @@ int main(int argc, char** argv) {
   Scene scene;
   add_mesh(scene, size);
   add_patches(scene);
-  add_blockers(scene);
+  add_occluders(scene);
 
   // [[call]]
-  const sc::Visibility sees = sc::collect_visibility(scene.patches, scene.blockers);
+  const sc::Visibility sees = sc::collect_visibility(scene.patches, scene.occluders);
   // [[end]]
   const sc::SightCounts& counts = sees.counts;
   const std::uint64_t facing = counts.total() - counts.facing_away;
   std::printf("%zu patches, %llu pairs, of which %llu face each other:\n", scene.mesh.size(),
               static_cast<unsigned long long>(counts.total()),
               static_cast<unsigned long long>(facing));
-  std::printf("%.1f %% of these are clear, %.1f %% blocked, %.1f %% undecided\n",
-              percent(counts.clear, facing), percent(counts.blocked, facing),
+  std::printf("%.1f %% of these are clear, %.1f %% occluded, %.1f %% undecided\n",
+              percent(counts.clear, facing), percent(counts.occluded, facing),
               percent(counts.undecided, facing));
 
   if (size >= 0.5F) {
@@ -546,7 +546,7 @@ int main(int argc, char** argv) {
     if (bake_in_passing(scene, resolved) != rows) return 1;
     std::printf("by rays %.1f %% of the undecided pairs are clear, %.1f %% hidden\n",
                 percent(resolved.clear - counts.clear, counts.undecided),
-                percent(resolved.blocked - counts.blocked, counts.undecided));
+                percent(resolved.occluded - counts.occluded, counts.undecided));
   }
   return move_things(scene) ? 0 : 1;
 }

@@ -42,12 +42,12 @@ void make_more(const ConvexHull& view) {
 
 void ask_of_all_pairs() {
   const PatchSet patches(boxes);
-  Blockers blockers;
-  blockers.add_solids(std::vector<Box>{{{2, -1, -1}, {3, 2, 2}}});
+  Occluders occluders;
+  occluders.add_solids(std::vector<Box>{{{2, -1, -1}, {3, 2, 2}}});
   std::size_t batches = 0;
   const auto deliver = [&](const SightBatch&) { ++batches; };
-  const SightCounts counts = visibility(patches, blockers, deliver);
-  expect(counts.blocked == 1 && counts.total() == 3 && batches != 0, "visibility");
+  const SightCounts counts = visibility(patches, occluders, deliver);
+  expect(counts.occluded == 1 && counts.total() == 3 && batches != 0, "visibility");
 }
 
 void make_volumes() {
@@ -68,7 +68,7 @@ void make_volumes() {
   expect(!keeps(compile(shaft), boxes[1]), "cut by a plane");
   expect(compile(a, b, Contact::open).contact() == Contact::open, "open contact");
   expect(keeps(swept(body, travel), boxes[1]), "swept");
-  expect(keeps(swept_without_end(body, direction), boxes[1]), "swept without end");
+  expect(keeps(swept_infinite(body, direction), boxes[1]), "swept without end");
   expect(!keeps(shadow(light, occluder), light), "shadow");
   expect(keeps(casters_towards(view, sun), Box{{0, 99, 9}, {1, 99, 9}}), "casters of a sun");
   expect(ConvexHull(points).points().size() == 3, "hull");
@@ -81,20 +81,20 @@ void ask() {
   const std::vector<Object> objects = {{{4, 0, 0}, {5, 1, 1}}};
   const BoxStream walls(std::vector<Box>{{{2, -9, -9}, {3, 9, 9}}});
   const TriangleTree triangles = TriangleTree(mesh_view(vertices, indices));
-  expect(BoxStream(records(objects, &Object::lo, &Object::hi)).size() == 1, "records");
+  expect(BoxStream(strided(objects, &Object::lo, &Object::hi)).size() == 1, "records");
   expect(keeps(shaft, box), "one box");
   expect(classify(shaft, box) == Answer::inside, "the answer of one box");
   expect(any(shaft, triangles), "triangles");
   expect(any(shaft, triangles, {.triangle_test = TriangleTest::vertices}), "by vertices");
   expect(!any(compile(box, box), triangles), "triangles in a box");
-  expect(blocked(shaft, walls), "blocked");
+  expect(occluded(shaft, walls), "occluded");
 
   BoxTree tree = BoxTree(boxes);
   tree.set_layers(std::vector<std::uint32_t>{1, 2, 4});
   tree.update(indices, boxes);
   tree.refit();
   tree.update(boxes);
-  if (tree.growth() > 2) tree.rebuild();
+  if (tree.sah_ratio() > 2) tree.rebuild();
   std::vector<std::uint32_t> kept;
   const std::vector<Vec3>& corners = vertices;
   const Vec3 from{-1, 0.5F, 0.5F};

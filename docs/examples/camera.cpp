@@ -24,7 +24,7 @@ int main() {
   const sc::ConvexHull view = sc::frustum(matrix, sc::ClipDepth::minus_one_to_one);
   const sc::ConvexHull casters = sc::casters_towards(view, {0, 1, 0});  // sun at the zenith
 
-  std::vector<std::uint64_t> seen(sc::words_for(tree.size()));
+  std::vector<std::uint64_t> seen(sc::bit_words(tree.size()));
   cull(view, tree, seen);
   for (const std::size_t i : sc::BitView(seen)) std::printf("box %zu is in view\n", i);
 

@@ -28,7 +28,7 @@ int main() {
   const sc::BoxTree tree(scene);
 
   const sc::Vec3 towards_sun{1, 0, 1};
-  print("sun", sc::swept_without_end(receiver, towards_sun), tree);
+  print("sun", sc::swept_infinite(receiver, towards_sun), tree);
 
   const sc::Vec3 bulb{2, 2, 10};
   print("point light", sc::compile(sc::Box{bulb, bulb}, receiver), tree);
@@ -42,5 +42,5 @@ int main() {
 
   // Only solid boxes may be asked: the ceiling is one, the box around a tree is none.
   std::printf("the ceiling alone takes all light: %s\n",
-              sc::blocked(lit, scene[4]) ? "yes" : "no");
+              sc::occluded(lit, scene[4]) ? "yes" : "no");
 }

@@ -37,9 +37,9 @@ int main() {
   sc::compile_batch(stream, stream, pairs, shafts, {}, sc::Contact::open);
 
   // Bits: which pairs one solid box hides, and for which anything at all is in the way.
-  std::vector<std::uint64_t> hidden(sc::words_for(pairs.size()));
-  std::vector<std::uint64_t> obstructed(sc::words_for(pairs.size()));
-  sc::blocked_many(shafts, solids, hidden);
+  std::vector<std::uint64_t> hidden(sc::bit_words(pairs.size()));
+  std::vector<std::uint64_t> obstructed(sc::bit_words(pairs.size()));
+  sc::occluded_many(shafts, solids, hidden);
   sc::any_many(shafts, occluders, obstructed);
 
   int dark = 0;

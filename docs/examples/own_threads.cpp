@@ -23,7 +23,7 @@ int main() {
 
   // A row of words for each shaft. Chunks begin at multiples of 64 bounds, so that no two
   // threads write the same word.
-  const std::size_t row = sc::words_for(boxes.size());
+  const std::size_t row = sc::bit_words(boxes.size());
   std::vector<std::uint64_t> kept(shafts.size() * row);
   const std::size_t threads = 4;
   const std::size_t chunk = (row + threads - 1) / threads * 64;
@@ -33,7 +33,7 @@ int main() {
       const sc::BoxView part = boxes.view().slice(first, std::min(chunk, boxes.size() - first));
       for (std::size_t s = 0; s != shafts.size(); ++s) {
         cull(shafts[s], part,
-             std::span(kept).subspan(s * row + first / 64, sc::words_for(part.count)));
+             std::span(kept).subspan(s * row + first / 64, sc::bit_words(part.count)));
       }
     });
   }

@@ -15,14 +15,14 @@ static shaftcull_status count_rays(const shaftcull_box* patches, const shaftcull
   const shaftcull_source patch_boxes = shaftcull_boxes(patches, count);
   const shaftcull_source solids = shaftcull_boxes(walls, wall_count);
   shaftcull_patches* set = NULL;
-  shaftcull_blockers* blockers = NULL;
+  shaftcull_occluders* occluders = NULL;
   *rays = 0;
   shaftcull_status status = shaftcull_patches_create(&patch_boxes, planes, count, &set);
-  if (status == SHAFTCULL_OK) status = shaftcull_blockers_create(&blockers);
-  if (status == SHAFTCULL_OK) status = shaftcull_blockers_add_solids(blockers, &solids, NULL);
+  if (status == SHAFTCULL_OK) status = shaftcull_occluders_create(&occluders);
+  if (status == SHAFTCULL_OK) status = shaftcull_occluders_add_solids(occluders, &solids, NULL);
   if (status == SHAFTCULL_OK)
-    status = shaftcull_visibility(set, NULL, blockers, NULL, on_batch, rays, NULL);
-  shaftcull_blockers_free(blockers);
+    status = shaftcull_visibility(set, NULL, occluders, NULL, on_batch, rays, NULL);
+  shaftcull_occluders_free(occluders);
   shaftcull_patches_free(set);
   return status;
 }

@@ -72,9 +72,9 @@ int main(void) {
     must(shaftcull_count(shaft, 0, tree, NULL, &count));
     printf("frame %d: %u\n", frame, (unsigned)count);
   }
-  double growth = 1;
-  must(shaftcull_tree_growth(tree, &growth));
-  if (growth > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
+  double sah_ratio = 1;
+  must(shaftcull_tree_sah_ratio(tree, &sah_ratio));
+  if (sah_ratio > 2) must(shaftcull_tree_rebuild(tree)); /* when much has moved far */
   /* [[end]] */
 
   /* [[kinds]] */
@@ -85,7 +85,7 @@ int main(void) {
   const float towards_sun[3] = {-1, 2, -1};
   const float corners[12] = {0, 0, 0, 4, 0, 0, 0, 9, 0, 5, 5, 5};
   must(shaftcull_shafts_set_swept(kinds, 0, &crate, travel, NULL, 0));
-  must(shaftcull_shafts_set_swept_without_end(kinds, 1, &table, towards_sun, NULL, 0));
+  must(shaftcull_shafts_set_swept_infinite(kinds, 1, &table, towards_sun, NULL, 0));
   must(shaftcull_shafts_set_shadow(kinds, 2, &lamp, &scene[0], NULL, NULL, 0));
   shaftcull_hull* hull = NULL;
   must(shaftcull_hull_create(corners, 4, NULL, 0, &hull));
@@ -113,11 +113,11 @@ int main(void) {
   printf("closed: %d, open: %d\n", closed != SHAFTCULL_OUTSIDE, open != SHAFTCULL_OUTSIDE);
   /* [[end]] */
 
-  /* [[blocked]] */
+  /* [[occluded]] */
   const shaftcull_box wall = {{-9, 5, -9}, {9, 6, 9}}; /* solid: it fills its box */
-  uint32_t blocked = 0;
-  must(shaftcull_blocked_by_box(shaft, 0, &wall, &blocked));
-  printf("%s\n", blocked ? "the lamp does not light the table" : "it may");
+  uint32_t occluded = 0;
+  must(shaftcull_occluded_by_box(shaft, 0, &wall, &occluded));
+  printf("%s\n", occluded ? "the lamp does not light the table" : "it may");
   /* [[end]] */
 
   /* [[errors]] */

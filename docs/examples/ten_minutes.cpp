@@ -16,7 +16,7 @@ int main() {
 
   sc::BoxStream boxes(scene);  // checked, aligned, one stream a coordinate
   const sc::CompiledShaft shaft = sc::compile(lamp, table);
-  std::vector<std::uint64_t> kept(sc::words_for(boxes.size()));
+  std::vector<std::uint64_t> kept(sc::bit_words(boxes.size()));
   cull(shaft, boxes, kept);  // bit i: box i may stand between
   for (std::size_t i = 0; i != scene.size(); ++i) {
     std::printf("box %zu %s\n", i, sc::BitView(kept)[i] ? "may" : "cannot");
@@ -51,13 +51,13 @@ int main() {
     const sc::CompiledShaft now = sc::compile(lamp, table);  // form shafts again: nanoseconds
     std::printf("frame %d: %zu\n", frame, count(now, tree));
   }
-  if (tree.growth() > 2) tree.rebuild();  // when much has moved far
+  if (tree.sah_ratio() > 2) tree.rebuild();  // when much has moved far
   // [[end]]
 
   // [[kinds]]
   const sc::Box crate{{3, 8, 2}, {4, 9, 3}};
   const sc::CompiledShaft sweep = sc::swept(crate, {0, -6, 0});
-  const sc::CompiledShaft sunlit = sc::swept_without_end(table, {-1, 2, -1});
+  const sc::CompiledShaft sunlit = sc::swept_infinite(table, {-1, 2, -1});
   const sc::CompiledShaft hidden = sc::shadow(lamp, scene[0]);
   const std::array<sc::Vec3, 4> corners = {{{0, 0, 0}, {4, 0, 0}, {0, 9, 0}, {5, 5, 5}}};
   const sc::ConvexHull hull(corners);  // keep it while it is asked
@@ -75,9 +75,9 @@ int main() {
               keeps(sc::compile(lamp, table, sc::Contact::open), floor));
   // [[end]]
 
-  // [[blocked]]
+  // [[occluded]]
   const sc::Box wall{{-9, 5, -9}, {9, 6, 9}};  // solid: it fills its box
-  std::printf("%s\n", blocked(shaft, wall) ? "the lamp does not light the table" : "it may");
+  std::printf("%s\n", occluded(shaft, wall) ? "the lamp does not light the table" : "it may");
   // [[end]]
 
   // [[errors]]

@@ -33,13 +33,13 @@ for frame in range(3):
     tree.update(scene)  # nothing is sorted
     now = sc.Shafts.between(lamp, table)  # form shafts again: it takes microseconds
     print(f"frame {frame}: {tree.count(now)}")
-if tree.growth() > 2:  # when much has moved far
+if tree.sah_ratio() > 2:  # when much has moved far
     tree.rebuild()
 # [[end]]
 
 # [[kinds]]
 sweep = sc.Shafts.swept([3, 8, 2, 4, 9, 3], [0, -6, 0])  # a crate falls
-sunlit = sc.Shafts.swept_without_end(table, [-1, 2, -1])
+sunlit = sc.Shafts.swept_infinite(table, [-1, 2, -1])
 hidden = sc.Shafts.shadow(lamp, scene[0])
 hull = sc.ConvexHull([[0, 0, 0], [4, 0, 0], [0, 9, 0], [5, 5, 5]])
 print(tree.count(sweep), tree.count(sunlit), tree.count(hidden), tree.count(hull))
@@ -54,9 +54,9 @@ floor = sc.BoxStream([[-9, -1, -9, 9, 0, 9]])  # the table stands on it
 print(f"closed: {floor.any(shaft):d}, open: {floor.any(shaft.with_contact('open')):d}")
 # [[end]]
 
-# [[blocked]]
+# [[occluded]]
 walls = sc.BoxStream([[-9, 5, -9, 9, 6, 9]])  # solid: it fills its box
-print("the lamp does not light the table" if walls.blocked(shaft) else "it may")
+print("the lamp does not light the table" if walls.occluded(shaft) else "it may")
 # [[end]]
 
 # [[errors]]

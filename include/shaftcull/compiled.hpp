@@ -34,7 +34,7 @@ class SHAFTCULL_EXPORT CompiledShaft {
   [[nodiscard]] bool formed() const noexcept;
 
   /// The boxes that the shaft is between, as they were given; empty boxes, lo = +∞ and hi = −∞, if it was never formed.
-  /// Of a moving box (kinds.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If
+  /// Of a moving box (volumes.hpp) where it starts, the body or the occluder, and where it ends, rounded to nearest. If
   /// it moves without end, b is somewhere on its way. A shadow does not tell its light. Of a convex hull both are the
   /// box around it.
   [[nodiscard]] Box a() const noexcept;
@@ -120,7 +120,7 @@ SHAFTCULL_EXPORT void compile_batch(const BoxView& a, const BoxView& b, std::spa
 /// allocation. It writes to the shaft, so no other thread may use that shaft meanwhile.
 SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 
-/// Chooses what becomes of bounds that only touch a shaft, between two boxes or of a moving box (kinds.hpp). All
+/// Chooses what becomes of bounds that only touch a shaft, between two boxes or of a moving box (volumes.hpp). All
 /// questions follow it, in both forms, of views and of trees: bits, counts, lists, callbacks, refining. Answers are
 /// exact, as ever.
 ///
@@ -132,7 +132,7 @@ SHAFTCULL_EXPORT void complete(CompiledShaft& shaft) noexcept;
 /// * a bound is beyond an added plane iff none of its points is on the inner side, off the plane;
 /// * the same bounds are inside as with Contact::closed, but for flat ones in the shaft's surface, which are outside;
 /// * first_contact() and entry_times() tell of the bounds that are kept, and their times stay the same.
-/// blocked() is the same for both: there, touching never counts.
+/// occluded() is the same for both: there, touching never counts.
 ///
 /// Some 10 ns a shaft; may be done at any time, and again. Throws InvalidArgument, and writes nothing, for a shaft that
 /// was never formed and for a convex hull (hull.hpp), which has closed contact only, by its position; and if `contact`

@@ -30,14 +30,14 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Culls: sets bit i of `kept` (word i / 64, bit i % 64) iff bound i is *not* outside the shaft, and clears it
-/// otherwise. Bits past the last bound are zero. `kept` has exactly words_for(bounds.size()) words. A scan of a view
+/// otherwise. Bits past the last bound are zero. `kept` has exactly bit_words(bounds.size()) words. A scan of a view
 /// writes the bits of a shaft that keeps much of the scene faster than a tree.
 SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
                            const Query& query = no_options);
 
 /// Classifies: `kept` as cull() writes it, and bit i of `inside` set iff bound i is entirely inside the shaft and on
 /// the inner side of every added plane. So outside is not kept, and overlap is kept and not inside. Inside is always
-/// decided by planes. Both spans have words_for(bounds.size()) words. `kept` may be empty: then only `inside` is
+/// decided by planes. Both spans have bit_words(bounds.size()) words. `kept` may be empty: then only `inside` is
 /// written, which is the only question that a shaft formed for inside alone answers.
 SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
                                std::span<std::uint64_t> inside, const Query& query = no_options);

@@ -28,7 +28,7 @@ class SHAFTCULL_EXPORT InvalidArgument : public std::invalid_argument {
 };
 
 /// A bound or point in the user's memory cannot be used: NaN, lo > hi, a negative radius or half extent, or a value
-/// that is not finite where the call needs finite ones. Of a batch of shafts (kinds.hpp): the first that cannot be
+/// that is not finite where the call needs finite ones. Of a batch of shafts (volumes.hpp): the first that cannot be
 /// formed.
 class SHAFTCULL_EXPORT BadBound : public InvalidArgument {
  public:

@@ -2,7 +2,7 @@
 /// First contact: which bound the moving box of a shaft reaches first, and when.
 ///
 /// A shaft between boxes a and b is what a box sweeps over that moves from a, at time 0, to b, at time 1; each of its
-/// six faces has a speed of its own. Of a body that is swept (kinds.hpp) time is the share of the displacement, or a
+/// six faces has a speed of its own. Of a body that is swept (volumes.hpp) time is the share of the displacement, or a
 /// multiple of the direction if there is no end; of a shadow it is 0 at the occluder, 1 where things are twice as far
 /// from the light, and goes up to `reach` − 1. The *entry time* of a box or sphere that the shaft keeps is the first
 /// time at which the moving box touches it: 0 if it touches where that starts. First contact is the bound with the

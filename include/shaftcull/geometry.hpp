@@ -25,7 +25,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite. Coordinates must not be NaN. A face
 /// that would pass the largest float becomes infinite, which no Shaft takes.
 ///
-/// What a box sweeps over is swept() (kinds.hpp), which rounds nothing.
+/// What a box sweeps over is swept() (volumes.hpp), which rounds nothing.
 [[nodiscard]] SHAFTCULL_EXPORT Box translated(const Box& box, const Vec3& by);
 
 /// The box with every face moved out by a distance, rounded outwards as in translated(). The empty box stays empty.

@@ -2,8 +2,8 @@
 /// Convex hulls in the place of shafts: view frusta, what casts shadows into view, volumes between polygons.
 ///
 /// A hull goes where a compiled shaft goes, alone or among shafts, on views, streams and trees. Refused with
-/// InvalidArgument are set_contact(), calls for times (first_contact.hpp), calls for what blocks (blocked.hpp), and the
-/// exact test of triangles, which is the default there: pass TriangleTest::vertices.
+/// InvalidArgument are set_contact(), calls for times (first_contact.hpp), calls for what blocks (occluded.hpp), and
+/// the exact test of triangles, which is the default there: pass TriangleTest::vertices.
 ///
 /// A *box* is outside a hull iff the two have no point in common, and inside iff all of it lies in the hull: exactly,
 /// for the floats that were given, whatever way the points lie. The usual test of a frustum by its six planes keeps

@@ -33,7 +33,7 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Row s of `kept_rows` gets the bits that cull(shafts[s], …) writes. Rows have words_for(bounds.size()) words and lie
+/// Row s of `kept_rows` gets the bits that cull(shafts[s], …) writes. Rows have bit_words(bounds.size()) words and lie
 /// one behind the other, exactly one for each shaft.
 SHAFTCULL_EXPORT void cull_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
                                 std::span<std::uint64_t> kept_rows, const Query& query = no_options);
@@ -63,7 +63,7 @@ SHAFTCULL_EXPORT void list_classified_many(std::span<const CompiledShaft> shafts
                                            IndexLists& overlap, IndexLists& inside, const Query& query = no_options);
 
 /// Bit s of `any` (word s / 64, bit s % 64) is set iff shafts[s] keeps any bound; bits past the last shaft are zero.
-/// `any` has words_for(shafts.size()) words. A shaft that has kept one is not tested with later bounds, so time depends
+/// `any` has bit_words(shafts.size()) words. A shaft that has kept one is not tested with later bounds, so time depends
 /// on where bounds are and, a little, on threads; bits do not.
 SHAFTCULL_EXPORT void any_many(std::span<const CompiledShaft> shafts, const Bounds& bounds,
                                std::span<std::uint64_t> any, const Query& query = no_options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which bounds a query is about, and its options. Every verb (cull.hpp, many.hpp, first_contact.hpp, blocked.hpp)
+/// Which bounds a query is about, and its options. Every verb (cull.hpp, many.hpp, first_contact.hpp, occluded.hpp)
 /// takes both:
 ///
 ///     list(shaft, tree, kept, {.exclude = {me, target}, .limit = 10});
@@ -128,7 +128,7 @@ struct Query {
   /// Leaves out bounds of its own for each shaft: a row of indices a shaft, rows of equal length, one behind the other.
   /// A shaft's own two objects, say.
   std::span<const std::uint32_t> exclude_each{};
-  /// Leaves bound i out for all shafts if bit i % 64 of word i / 64 is set. Empty, or words_for(number of bounds)
+  /// Leaves bound i out for all shafts if bit i % 64 of word i / 64 is set. Empty, or bit_words(number of bounds)
   /// words.
   std::span<const std::uint64_t> exclude_mask{};
   /// Leaves out every bound that is in none of these layers: layers & layer_mask == 0. One mask for all shafts or one
@@ -136,11 +136,11 @@ struct Query {
   /// (BoundsTree::set_layers(), or the second argument of Bounds). A tree passes over whole nodes.
   Numbers layer_mask{};
   /// Stops at so many results for each shaft, those that come first. Calls that count or list kept bounds, and
-  /// list_blocking(), take it.
+  /// list_occluders(), take it.
   std::size_t limit = no_limit;
   /// Asks only about these bounds, by index: the candidates that a larger shaft kept, say. Lists keep their order. Not
-  /// given: all bounds are asked about. All verbs take it, except those of blocked.hpp. O(candidates) for each shaft. A
-  /// tree that was never updated by index looks up the leaf of every index at the first such query, O(size()), and
+  /// given: all bounds are asked about. All verbs take it, except those of occluded.hpp. O(candidates) for each shaft.
+  /// A tree that was never updated by index looks up the leaf of every index at the first such query, O(size()), and
   /// keeps that: 4 bytes a bound, so that call may throw std::bad_alloc. Calls for many shafts allocate a copy of the
   /// candidates' bounds.
   std::optional<std::span<const std::uint32_t>> only{};

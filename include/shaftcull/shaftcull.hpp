@@ -3,7 +3,6 @@
 /// both; what sees what.
 #pragma once
 
-#include "shaftcull/blocked.hpp"
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
@@ -14,16 +13,17 @@
 #include "shaftcull/geometry.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/kinds.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/occluded.hpp"
 #include "shaftcull/query.hpp"
-#include "shaftcull/records.hpp"
 #include "shaftcull/results.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/streams.hpp"
+#include "shaftcull/strided.hpp"
 #include "shaftcull/tree.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "shaftcull/triangles.hpp"
 #include "shaftcull/version.hpp"
 #include "shaftcull/visibility.hpp"
+#include "shaftcull/volumes.hpp"

@@ -15,7 +15,7 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// Number of 64-bit words that hold one bit for each of `bounds` bounds: word w, bit i is bound 64 w + i.
-[[nodiscard]] constexpr std::size_t words_for(std::size_t bounds) noexcept { return bounds / 64 + (bounds % 64 != 0); }
+[[nodiscard]] constexpr std::size_t bit_words(std::size_t bounds) noexcept { return bounds / 64 + (bounds % 64 != 0); }
 
 /// `count` boxes in the user's memory as six separate streams of floats: lo x, lo y, lo z, hi x, hi y, hi z.
 ///
@@ -61,24 +61,24 @@ struct SphereView {
 
 /// Boxes as min and max corners in an array of structs: record i has its three floats of lo at byte
 /// `lo + i * stride` and its three floats of hi at `hi + i * stride`. Any stride, any alignment.
-struct MinMaxRecords {
+struct StridedBoxes {
   const void* lo = nullptr;          ///< of the first record
   const void* hi = nullptr;          ///< of the first record
   std::size_t stride = sizeof(Box);  ///< bytes from one record to the next
   std::size_t count = 0;             ///< of records
 };
 
-/// Boxes as centre and half extent, laid out as MinMaxRecords. Corners that are not floats are rounded
+/// Boxes as centre and half extent, laid out as StridedBoxes. Corners that are not floats are rounded
 /// outwards, so that the packed box always contains the given one.
-struct CentreExtentRecords {
+struct StridedCentreExtents {
   const void* centre = nullptr;            ///< of the first record
   const void* half_extent = nullptr;       ///< of the first record
   std::size_t stride = 6 * sizeof(float);  ///< bytes from one record to the next
   std::size_t count = 0;                   ///< of records
 };
 
-/// Spheres as three floats of centre and one of radius, laid out as MinMaxRecords.
-struct SphereRecords {
+/// Spheres as three floats of centre and one of radius, laid out as StridedBoxes.
+struct StridedSpheres {
   const void* centre = nullptr;         ///< of the first record
   const void* radius = nullptr;         ///< of the first record
   std::size_t stride = sizeof(Sphere);  ///< bytes from one record to the next
@@ -86,8 +86,8 @@ struct SphereRecords {
 };
 
 /// Records of an array of Box or Sphere.
-[[nodiscard]] SHAFTCULL_EXPORT MinMaxRecords records(std::span<const Box> boxes) noexcept;
-[[nodiscard]] SHAFTCULL_EXPORT SphereRecords records(std::span<const Sphere> spheres) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT StridedBoxes strided(std::span<const Box> boxes) noexcept;
+[[nodiscard]] SHAFTCULL_EXPORT StridedSpheres strided(std::span<const Sphere> spheres) noexcept;
 
 /// Boxes in memory of its own: six streams, each aligned to a cache line; 24 bytes a box, and at most 63 boxes of
 /// padding so that streams end with a whole word of answers, 64 more if streams would be a multiple of 1 MiB apart.
@@ -107,8 +107,8 @@ class SHAFTCULL_EXPORT BoxStream {
   /// `count` empty boxes.
   explicit BoxStream(std::size_t count);
   explicit BoxStream(std::span<const Box> boxes);
-  explicit BoxStream(const MinMaxRecords& boxes);
-  explicit BoxStream(const CentreExtentRecords& boxes);
+  explicit BoxStream(const StridedBoxes& boxes);
+  explicit BoxStream(const StridedCentreExtents& boxes);
   explicit BoxStream(const BoxView& boxes);
   BoxStream(const BoxStream& other);
   BoxStream(BoxStream&& other) noexcept;
@@ -119,8 +119,8 @@ class SHAFTCULL_EXPORT BoxStream {
   /// Throws InvalidArgument if that range does not lie within size(), if what is given is null or lies in the stream's
   /// own memory, BadBound as above.
   void update(std::size_t first, std::span<const Box> boxes);
-  void update(std::size_t first, const MinMaxRecords& boxes);
-  void update(std::size_t first, const CentreExtentRecords& boxes);
+  void update(std::size_t first, const StridedBoxes& boxes);
+  void update(std::size_t first, const StridedCentreExtents& boxes);
   void update(std::size_t first, const BoxView& boxes);
 
   /// How many boxes it holds.
@@ -159,7 +159,7 @@ class SHAFTCULL_EXPORT SphereStream {
   /// `count` empty spheres: of radius −1, which no shaft keeps.
   explicit SphereStream(std::size_t count);
   explicit SphereStream(std::span<const Sphere> spheres);
-  explicit SphereStream(const SphereRecords& spheres);
+  explicit SphereStream(const StridedSpheres& spheres);
   explicit SphereStream(const SphereView& spheres);
   SphereStream(const SphereStream& other);
   SphereStream(SphereStream&& other) noexcept;
@@ -168,7 +168,7 @@ class SHAFTCULL_EXPORT SphereStream {
 
   /// As BoxStream::update.
   void update(std::size_t first, std::span<const Sphere> spheres);
-  void update(std::size_t first, const SphereRecords& spheres);
+  void update(std::size_t first, const StridedSpheres& spheres);
   void update(std::size_t first, const SphereView& spheres);
 
   /// How many spheres it holds.

@@ -18,7 +18,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 template <class Bound>
 using ViewOf = std::conditional_t<std::is_same_v<Bound, Box>, BoxView, SphereView>;
 template <class Bound>
-using RecordsOf = std::conditional_t<std::is_same_v<Bound, Box>, MinMaxRecords, SphereRecords>;
+using StridedOf = std::conditional_t<std::is_same_v<Bound, Box>, StridedBoxes, StridedSpheres>;
 
 /// A tree of nodes with 64 children each over bounds in memory of its own, which are sorted so that neighbours in
 /// space are neighbours in memory: the *tree order*. There are no pointers: entry i of a level is the box around
@@ -53,7 +53,7 @@ class BoundsTree {
  public:
   /// What bounds are read from: streams, and the user's own records.
   using View = ViewOf<Bound>;
-  using Records = RecordsOf<Bound>;
+  using Records = StridedOf<Bound>;
 
   BoundsTree() noexcept;
   /// Copies and sorts the bounds; O(n log n). Bounds much larger than their share of space, and empty boxes, are kept
@@ -63,7 +63,7 @@ class BoundsTree {
   explicit BoundsTree(const Records& bounds);
   explicit BoundsTree(std::span<const Bound> bounds);
   /// Trees of boxes only. Corners that are not floats are rounded outwards.
-  explicit BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>;
+  explicit BoundsTree(const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box>;
   BoundsTree(const BoundsTree& other);
   BoundsTree& operator=(const BoundsTree& other);
   BoundsTree(BoundsTree&& other) noexcept;
@@ -88,7 +88,7 @@ class BoundsTree {
   void update(const View& all);
   void update(const Records& all);
   void update(std::span<const Bound> all);
-  void update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box>;
+  void update(const StridedCentreExtents& all) requires std::is_same_v<Bound, Box>;
 
   /// Gives bound indices[i] the value at i; if an index comes twice, the last value counts. Queries throw NeedsRefit
   /// until refit() is called. O(indices.size()), but for the first call, which is O(size()). Throws InvalidArgument for
@@ -98,7 +98,7 @@ class BoundsTree {
   void update(std::span<const std::uint32_t> indices, const Records& bounds);
   void update(std::span<const std::uint32_t> indices, std::span<const Bound> bounds);
   void update(std::span<const std::uint32_t> indices,
-              const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box>;
+              const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box>;
 
   /// Fits the nodes to bounds updated since the last refit: those above them if they are few, else all in one pass.
   void refit();
@@ -107,7 +107,7 @@ class BoundsTree {
 
   /// Puts bounds into layers, 32 of them, by which queries can pick (Query::layer_mask): bit l of layers[i] says
   /// that bound i is in layer l. A bound may be in several or in none. Layers belong to bounds as indices do: they stay
-  /// through updates, refit(), rebuild() and copies, and move with their bounds when renumber() gives these other
+  /// through updates, refit(), rebuild() and copies, and move with their bounds when reorder() gives these other
   /// indices. Replaces the layers that there were. Throws InvalidArgument unless there are size() of them. O(size()).
   void set_layers(std::span<const std::uint32_t> layers);
   /// Puts bound indices[i] into layers[i] instead of those that it was in; if an index comes twice, the last counts.
@@ -125,7 +125,7 @@ class BoundsTree {
   /// surfaces over what it was then. Queries slow down somewhat less than it grows; at 2 or 3 a rebuild() pays.
   /// Infinite nodes are left out. +∞ if the sum was 0 and is not now. O(size() / 64); throws NeedsRefit if
   /// needs_refit().
-  [[nodiscard]] double growth() const;
+  [[nodiscard]] double sah_ratio() const;
 
   /// Sorts the bounds anew as they are now, and refits: the tree becomes the one that would be built of the same bounds
   /// with the same indices, whatever it went through before, so rebuilding it once more moves nothing. Indices stay;
@@ -136,7 +136,7 @@ class BoundsTree {
   /// Numbers the bounds anew, in tree order: the index of leaf p becomes p. For users who have sorted their own objects
   /// by order(), as they should if all of them move: update() then reads their memory from front to back, twice as
   /// fast. With other indices, a rebuild() may find another order.
-  void renumber() noexcept;
+  void reorder() noexcept;
 
  private:
   friend struct TreeAccess;  // queries read the parts

@@ -14,7 +14,7 @@
 ///   planes left out, or all three vertices are beyond one added plane. Touching is not outside.
 ///
 /// Triangles may be degenerate: segments and points, with vertices repeated or in one line. Shafts may be flat, and of
-/// all kinds that boxes are tested with (kinds.hpp). A convex hull (hull.hpp) answers by vertices only.
+/// all kinds that boxes are tested with (volumes.hpp). A convex hull (hull.hpp) answers by vertices only.
 ///
 /// With open contact (set_contact() in compiled.hpp) a triangle that only touches the shaft is outside: by
 /// `vertices` if the box around it is, and by `exact` if the relative interiors of shaft and triangle have no point in
@@ -129,7 +129,7 @@ class SHAFTCULL_EXPORT TriangleStream {
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
   /// Bytes of triangles that the stream holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept {
-    return size() == 0 ? 0 : (words_for(size()) | 1U) * 64 * sizeof(Triangle);
+    return size() == 0 ? 0 : (bit_words(size()) | 1U) * 64 * sizeof(Triangle);
   }
   /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
   [[nodiscard]] TriangleView view() const noexcept { return view_; }

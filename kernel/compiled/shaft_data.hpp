@@ -48,7 +48,7 @@ struct alignas(64) ShaftData {
   enum class Kind : std::uint8_t {
     between,             ///< from box a to box b, to t = 1
     swept,               ///< box a by a displacement, motion, to t = 1
-    swept_without_end,   ///< likewise, but t has no end
+    swept_infinite,      ///< likewise, but t has no end
     shadow,              ///< away from the corners of a light, motion, to t = reach − 1; a is the occluder
     shadow_without_end,  ///< likewise, but t has no end
     hull,                ///< nothing: a convex hull, and slab_form says so, too
@@ -113,7 +113,7 @@ struct alignas(64) ShaftData {
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool has_planes() const noexcept { return joining_count != planes_pending; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_endless() const noexcept {
-    return kind == Kind::swept_without_end || kind == Kind::shadow_without_end;
+    return kind == Kind::swept_infinite || kind == Kind::shadow_without_end;
   }
 };
 

@@ -7,7 +7,7 @@
 namespace shaftcull::kernel {
 
 /// Whether the box with the corners of `bound` (order of a BoxView's streams) blocks every segment between boxes a and
-/// b of the shaft, as shaftcull/blocked.hpp says. It starts again from the floats that the user gave. A box that is
+/// b of the shaft, as shaftcull/occluded.hpp says. It starts again from the floats that the user gave. A box that is
 /// empty or has a NaN blocks nothing; an infinite one is an unbounded box.
 [[nodiscard]] bool box_blocks(const ShaftData& shaft, const float (&bound)[6]) noexcept;
 

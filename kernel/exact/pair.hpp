@@ -13,7 +13,7 @@ namespace shaftcull::kernel {
 [[nodiscard]] bool is_outside_between(const float (&a)[6], const float (&b)[6], Contact contact,
                                       const float (&bound)[6]) noexcept;
 
-/// Whether it blocks every segment between them, as shaftcull/blocked.hpp says.
+/// Whether it blocks every segment between them, as shaftcull/occluded.hpp says.
 [[nodiscard]] bool blocks_between(const float (&a)[6], const float (&b)[6], const float (&bound)[6]) noexcept;
 
 /// Likewise for a flat convex polygon: three points or more, all finite.

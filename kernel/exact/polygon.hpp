@@ -9,7 +9,7 @@
 
 namespace shaftcull::kernel {
 
-/// Whether every segment between boxes a and b of the shaft passes through the polygon, as shaftcull/blocked.hpp says.
+/// Whether every segment between boxes a and b of the shaft passes through the polygon, as shaftcull/occluded.hpp says.
 /// At least three points, all finite.
 [[nodiscard]] bool polygon_blocks(const ShaftData& shaft, std::span<const Vec3> polygon) noexcept;
 

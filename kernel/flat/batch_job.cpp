@@ -118,7 +118,7 @@ SHAFTCULL_NOINLINE void BatchJob::test_on_grid(const GroupOnGrid& on_grid, Index
                                                Rows kept, Rows inside) const {
   const std::size_t size = even_tile(block.size, block.size <= most_tile_bounds ? most_tile_bounds : tile_bounds);
   // Coordinates on the grid are made once for all shafts.
-  TaskScratch<CacheLine, 64> scratch(words_for(size) * lines_a_word);
+  TaskScratch<CacheLine, 64> scratch(bit_words(size) * lines_a_word);
   for (std::size_t first = block.first; first < block.end(); first += size) {
     const std::size_t word = (first - block.first) / 64;
     test_tile_on_grid(on_grid, bounds().slice(first, std::min(size, block.end() - first)), first, group,
@@ -162,7 +162,7 @@ SHAFTCULL_ALWAYS_INLINE inline void BatchJob::test_batch_on_grid(const GroupOnGr
   const ShaftData* shaft[batch_shafts];
   std::uint64_t* kept_row[batch_shafts];
   std::uint64_t* inside_row[batch_shafts];
-  const std::size_t words = words_for(tile.count);
+  const std::size_t words = bit_words(tile.count);
   std::uint32_t tested = 0;
   std::size_t listed = 0;
   for (std::size_t s = batch.first; s != batch.end(); ++s) {
@@ -193,7 +193,7 @@ SHAFTCULL_ALWAYS_INLINE inline void BatchJob::test_batch_on_grid(const GroupOnGr
 SHAFTCULL_NOINLINE void BatchJob::test_tile_on_grid(const GroupOnGrid& on_grid, const BoundStreams& tile,
                                                     std::size_t first, IndexRange group, Rows kept, Rows inside,
                                                     CacheLine* scratch) const noexcept {
-  const std::size_t row = words_for(tile.count) * 64;
+  const std::size_t row = bit_words(tile.count) * 64;
   auto* const snapped = reinterpret_cast<std::int16_t*>(scratch);
   auto* const undecided = reinterpret_cast<UndecidedWord*>(snapped + 6 * row);
   std::int16_t* const grid[6] = {snapped,           snapped + row,     snapped + 2 * row,
@@ -204,7 +204,7 @@ SHAFTCULL_NOINLINE void BatchJob::test_tile_on_grid(const GroupOnGrid& on_grid, 
     tests_.kernels().grid.snap_boxes(on_grid.frame, tile.stream, tile.count, grid);
   }
   TileExtent extent{};
-  if (on_grid.has_cuts) extent = tests_.kernels().grid.extent(grid, words_for(tile.count));
+  if (on_grid.has_cuts) extent = tests_.kernels().grid.extent(grid, bit_words(tile.count));
   for (std::size_t b = 0; b != chunk_count(group.size, batch_shafts); ++b) {
     test_batch_on_grid(on_grid, chunk_at(group.size, batch_shafts, b), extent, tile, grid, undecided, first, group,
                        kept, inside);
@@ -221,7 +221,7 @@ SHAFTCULL_NOINLINE void BatchJob::snap_spheres(const GridFrame& frame, const Bou
     const BoundSlice part = tile.slice(i, std::min(some, tile.count - i));
     std::int16_t* const out[6] = {grid[0] + i, grid[1] + i, grid[2] + i, grid[3] + i, grid[4] + i, grid[5] + i};
     tests_.kernels().boxes_around_spheres(part.stream, part.count, boxes.data());
-    tests_.kernels().grid.snap_boxes(frame, boxes.data(), words_for(part.count) * 64, out);
+    tests_.kernels().grid.snap_boxes(frame, boxes.data(), bit_words(part.count) * 64, out);
   }
 }
 

@@ -35,7 +35,7 @@ class LeftOut {
     const std::optional<std::uint32_t> layer_mask = options_.layers(shaft_);
     if (bounds_.candidates) return clear_candidates(excluded, layer_mask, first, count, words);
     if (!excluded.mask.empty()) {
-      for (std::size_t w = 0; w != words_for(count); ++w) words[w] &= ~excluded.mask[first / 64 + w];
+      for (std::size_t w = 0; w != bit_words(count); ++w) words[w] &= ~excluded.mask[first / 64 + w];
     }
     clear_indices(excluded.of_all, first, count, words);
     clear_indices(excluded.of_shaft, first, count, words);
@@ -60,7 +60,7 @@ class LeftOut {
 
   void clear_candidates(const ExcludedIndices& excluded, const std::optional<std::uint32_t>& layer_mask,
                         std::size_t first, std::size_t count, std::uint64_t* words) const noexcept {
-    for (std::size_t w = 0; w != words_for(count); ++w) {
+    for (std::size_t w = 0; w != bit_words(count); ++w) {
       for (std::uint64_t left = words[w]; left != 0; left &= left - 1) {
         const std::uint32_t index =
             (*bounds_.candidates)[first + 64 * w + static_cast<std::size_t>(std::countr_zero(left))];

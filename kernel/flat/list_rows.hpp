@@ -51,7 +51,7 @@ void list_rows(const BatchJob& job, const std::array<IndexLists*, kinds>& lists)
   parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
-    const std::size_t words = words_for(block.size);
+    const std::size_t words = bit_words(block.size);
     const std::size_t kind_words = group.size * words;
     TaskScratch<std::uint64_t, 4 * tile_words> scratch(kinds * kind_words);
     std::uint64_t* const kept = scratch.get();

@@ -70,14 +70,14 @@ void Scan::for_each_chunk(std::size_t chunk, const Visit& visit) const {
 template <class Visit>
 SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const {
   const bool both = asks_for_inside(question_);
-  std::uint64_t kept[words_for(chunk_bounds)];
-  std::uint64_t inside[words_for(chunk_bounds)];
+  std::uint64_t kept[bit_words(chunk_bounds)];
+  std::uint64_t inside[bit_words(chunk_bounds)];
   for (std::size_t first = 0; first != bounds_.streams.count;) {
     const BoundSlice part = bounds_.streams.slice(first, std::min(chunk, bounds_.streams.count - first));
     test_(shaft_.shaft(), part.stream, part.count, kept, both ? inside : nullptr);
     left_out_.clear(first, part.count, kept);
     if (both) left_out_.clear(first, part.count, inside);
-    if (!visit(ScannedChunk{first, words_for(part.count), kept, inside})) return;
+    if (!visit(ScannedChunk{first, bit_words(part.count), kept, inside})) return;
     first += part.count;
     chunk = std::min(2 * chunk, chunk_bounds);
   }
@@ -91,15 +91,15 @@ SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_candidates(const Visit& visit) c
   const std::array<float*, 9> row = rows_in(memory);
   const float* stream[9];
   std::copy(row.begin(), row.end(), stream);
-  std::uint64_t kept[words_for(chunk_candidates)];
-  std::uint64_t inside[words_for(chunk_candidates)];
+  std::uint64_t kept[bit_words(chunk_candidates)];
+  std::uint64_t inside[bit_words(chunk_candidates)];
   for (std::size_t first = 0; first < candidates.size(); first += chunk_candidates) {
     const std::size_t size = std::min(chunk_candidates, candidates.size() - first);
     gather(bounds_.streams, candidates, bounds_.position, first, size, row.data());
     test_(shaft_.shaft(), stream, size, kept, both ? inside : nullptr);
     left_out_.clear(first, size, kept);
     if (both) left_out_.clear(first, size, inside);
-    if (!visit(ScannedChunk{first, words_for(size), kept, inside})) return;
+    if (!visit(ScannedChunk{first, bit_words(size), kept, inside})) return;
   }
 }
 
@@ -125,7 +125,7 @@ void Scan::write_bits(std::uint64_t* kept, std::uint64_t* inside) const noexcept
       return true;
     });
   };
-  const std::size_t words = words_for(bounds_.streams.count);
+  const std::size_t words = bit_words(bounds_.streams.count);
   if (kept != nullptr) std::fill_n(kept, words, 0);
   if (inside != nullptr) std::fill_n(inside, words, 0);
   for_each_chunk(chunk_bounds, [&](const ScannedChunk& chunk) {

@@ -16,7 +16,7 @@
 
 namespace shaftcull::kernel {
 
-/// Sets bit s, one of words_for(shafts) words, iff shaft s keeps a bound.
+/// Sets bit s, one of bit_words(shafts) words, iff shaft s keeps a bound.
 inline void find_by_shaft(const ShaftTests& tests, std::span<std::uint64_t> found_bits) {
   std::fill(found_bits.begin(), found_bits.end(), 0);
   const Tiling tiling(tests.bounds().count, tests.shafts().size());
@@ -33,9 +33,9 @@ inline void find_by_shaft(const ShaftTests& tests, std::span<std::uint64_t> foun
       if (left == 0) return;
       for (; left != 0; left &= left - 1) {
         const auto s = static_cast<std::size_t>(std::countr_zero(left));
-        std::uint64_t bits[words_for(float_tile_bounds)];
+        std::uint64_t bits[bit_words(float_tile_bounds)];
         tests.test_tile(group.first + s, first, size, bits);
-        const bool is_any = std::any_of(bits, bits + words_for(size), [](std::uint64_t word) { return word != 0; });
+        const bool is_any = std::any_of(bits, bits + bit_words(size), [](std::uint64_t word) { return word != 0; });
         found_here |= std::uint64_t{is_any} << s;
       }
       found.set_bits(found_here);

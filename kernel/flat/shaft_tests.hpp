@@ -29,7 +29,7 @@ class ShaftTests {
 
   [[nodiscard]] std::span<const ShaftData> shafts() const noexcept { return shafts_; }
   [[nodiscard]] const BoundStreams& bounds() const noexcept { return scanned_.streams; }
-  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(bounds().count); }
+  [[nodiscard]] std::size_t row_words() const noexcept { return bit_words(bounds().count); }
   [[nodiscard]] const Kernels& kernels() const noexcept { return kernels_; }
   [[nodiscard]] Question question() const noexcept { return question_; }
 

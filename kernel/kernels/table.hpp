@@ -13,7 +13,7 @@
 
 namespace shaftcull::kernel {
 
-/// Tests `count` bounds, any count, in separate streams (6 for boxes, 4 for spheres). Writes words_for(count)
+/// Tests `count` bounds, any count, in separate streams (6 for boxes, 4 for spheres). Writes bit_words(count)
 /// words of kept bits and as many of inside bits, each unless it is null; bits past count are zero.
 /// The shaft must answer what is asked; pending planes are completed on the fly.
 using Test = void(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* kept,
@@ -58,9 +58,9 @@ using TestListedWords = void(const ShaftData& shaft, const float* const* stream,
                              std::size_t words, std::uint64_t* kept, std::uint64_t* inside,
                              unsigned least_kept) noexcept;
 
-/// Boxes that block a shaft: those that every segment between its two boxes passes through (shaftcull/blocked.hpp).
+/// Boxes that block a shaft: those that every segment between its two boxes passes through (shaftcull/occluded.hpp).
 /// Added planes are left out. The shaft must have been formed.
-struct BlockingKernels {
+struct OcclusionKernels {
   /// Writes as kept bits those of boxes that block the shaft. `inside` is null.
   Test* boxes;
   /// Likewise for words of a list; `least_kept` says nothing.
@@ -229,7 +229,7 @@ struct Kernels {
   AddPlanes* add_planes;
   TestListedWords* listed_boxes;
   TestListedWords* listed_spheres;
-  BlockingKernels blocking;
+  OcclusionKernels blocking;
   SiblingKernels siblings;
   /// Triangles, in nine streams, as shaftcull/triangles.hpp says; `inside` is null. Not exactly for a hull.
   Test* triangles_by_vertices;

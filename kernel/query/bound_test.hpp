@@ -50,7 +50,7 @@ class BoundTest {
     const WithClosedContact closed(shaft);  // a vertex may lie in the surface
     for (std::size_t first = 0; first < count; first += some) {
       const std::size_t size = std::min(some, count - first);
-      const std::size_t words = words_for(size);
+      const std::size_t words = bit_words(size);
       const float* part[9];
       for (std::size_t r = 0; r != 9; ++r) part[r] = stream[r] + first;
       std::uint64_t both_here[some / 64];

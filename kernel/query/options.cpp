@@ -55,9 +55,9 @@ void Options::check(const Takes& takes, std::size_t shafts, std::size_t bounds, 
   }
   require_below("query.exclude_each", exclude_each, bounds);
   require_memory("query.exclude_mask", mask, "words");
-  if (!mask.empty() && mask.size() != words_for(bounds)) {
+  if (!mask.empty() && mask.size() != bit_words(bounds)) {
     refuse_option("exclude_mask", " has " + counted(mask.size(), "word") + "; the bits of " + counted(bounds, "bound") +
-                                      " take " + std::to_string(words_for(bounds)));
+                                      " take " + std::to_string(bit_words(bounds)));
   }
   if (query_.only) require_below("query.only", *query_.only, bounds);
   require_memory("query.layer_mask", layer_mask, "sets of layers");

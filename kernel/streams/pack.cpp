@@ -5,7 +5,7 @@
 #include <string>
 
 #include "streams/access.hpp"
-#include "streams/records.hpp"
+#include "streams/strided_reader.hpp"
 #include "streams/view_reader.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
@@ -35,10 +35,10 @@ std::string nan_fault(const char* name, const float (&values)[3]) {
 
 }  // namespace
 
-MinMaxReader::MinMaxReader(const MinMaxRecords& records)
+MinMaxReader::MinMaxReader(const StridedBoxes& records)
     : lo_(records.lo, records.stride), hi_(records.hi, records.stride), count_(records.count) {
-  require_records(records.lo, records.count, "MinMaxRecords::lo");
-  require_records(records.hi, records.count, "MinMaxRecords::hi");
+  require_records(records.lo, records.count, "StridedBoxes::lo");
+  require_records(records.hi, records.count, "StridedBoxes::hi");
 }
 
 std::string MinMaxReader::fault(std::size_t i) const {
@@ -54,10 +54,10 @@ std::string MinMaxReader::fault(std::size_t i) const {
          "; lo must be at most hi, or the box empty: lo = inf and hi = -inf on all axes";
 }
 
-CentreExtentReader::CentreExtentReader(const CentreExtentRecords& records)
+CentreExtentReader::CentreExtentReader(const StridedCentreExtents& records)
     : centre_(records.centre, records.stride), half_(records.half_extent, records.stride), count_(records.count) {
-  require_records(records.centre, records.count, "CentreExtentRecords::centre");
-  require_records(records.half_extent, records.count, "CentreExtentRecords::half_extent");
+  require_records(records.centre, records.count, "StridedCentreExtents::centre");
+  require_records(records.half_extent, records.count, "StridedCentreExtents::half_extent");
 }
 
 std::string CentreExtentReader::fault(std::size_t i) const {
@@ -76,10 +76,10 @@ std::string CentreExtentReader::fault(std::size_t i) const {
          text(half[k]) + " leave the corners undefined; one of them must be finite";
 }
 
-SphereReader::SphereReader(const SphereRecords& records)
+SphereReader::SphereReader(const StridedSpheres& records)
     : centre_(records.centre, records.stride), radius_(records.radius, records.stride), count_(records.count) {
-  require_records(records.centre, records.count, "SphereRecords::centre");
-  require_records(records.radius, records.count, "SphereRecords::radius");
+  require_records(records.centre, records.count, "StridedSpheres::centre");
+  require_records(records.radius, records.count, "StridedSpheres::radius");
 }
 
 std::string SphereReader::fault(std::size_t i) const {
@@ -136,28 +136,28 @@ void pack(const SphereView& spheres, std::size_t first, SphereStream& stream) {
   pack_all(ViewReader<SphereView>(spheres), first, stream);
 }
 
-void pack(const MinMaxRecords& records, std::size_t first, BoxStream& stream) {
+void pack(const StridedBoxes& records, std::size_t first, BoxStream& stream) {
   pack_all(MinMaxReader(records), first, stream);
 }
 
-void pack(const CentreExtentRecords& records, std::size_t first, BoxStream& stream) {
+void pack(const StridedCentreExtents& records, std::size_t first, BoxStream& stream) {
   pack_all(CentreExtentReader(records), first, stream);
 }
 
-void pack(const SphereRecords& records, std::size_t first, SphereStream& stream) {
+void pack(const StridedSpheres& records, std::size_t first, SphereStream& stream) {
   pack_all(SphereReader(records), first, stream);
 }
 
 }  // namespace kernel
 
-MinMaxRecords records(std::span<const Box> boxes) noexcept {
+StridedBoxes strided(std::span<const Box> boxes) noexcept {
   // The address of a member of the first box, without touching a box that is not there.
   const auto* const start = reinterpret_cast<const std::byte*>(boxes.data());
   if (start == nullptr) return {nullptr, nullptr, sizeof(Box), boxes.size()};  // refused unless it is empty
   return {start + offsetof(Box, lo), start + offsetof(Box, hi), sizeof(Box), boxes.size()};
 }
 
-SphereRecords records(std::span<const Sphere> spheres) noexcept {
+StridedSpheres strided(std::span<const Sphere> spheres) noexcept {
   const auto* const start = reinterpret_cast<const std::byte*>(spheres.data());
   if (start == nullptr) return {nullptr, nullptr, sizeof(Sphere), spheres.size()};
   return {start + offsetof(Sphere, centre), start + offsetof(Sphere, radius), sizeof(Sphere), spheres.size()};

@@ -16,9 +16,9 @@ namespace shaftcull::kernel {
 /// illegal record.
 void pack(const BoxView& boxes, std::size_t first, BoxStream& stream);
 void pack(const SphereView& spheres, std::size_t first, SphereStream& stream);
-void pack(const MinMaxRecords& records, std::size_t first, BoxStream& stream);
-void pack(const CentreExtentRecords& records, std::size_t first, BoxStream& stream);
-void pack(const SphereRecords& records, std::size_t first, SphereStream& stream);
+void pack(const StridedBoxes& records, std::size_t first, BoxStream& stream);
+void pack(const StridedCentreExtents& records, std::size_t first, BoxStream& stream);
+void pack(const StridedSpheres& records, std::size_t first, SphereStream& stream);
 
 // Likewise for triangles, whose coordinates must be finite. InvalidArgument also for a mesh whose indices are not three
 // a triangle, or not below the number of vertices.

@@ -9,7 +9,7 @@
 #include "shaftcull/error.hpp"
 #include "streams/access.hpp"
 #include "streams/pack.hpp"
-#include "streams/records.hpp"
+#include "streams/strided_reader.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/overlap.hpp"

@@ -35,7 +35,7 @@ inline constexpr std::size_t far_apart_words = 4096;
 /// Floats in each of `rows` rows of `count` floats and their padding. Rows that are a page apart would have to share a
 /// set of the level 1 cache, which has eight places: nine are an odd number of words long.
 [[nodiscard]] constexpr std::size_t row_floats(std::size_t rows, std::size_t count) noexcept {
-  const std::size_t words = words_for(count);
+  const std::size_t words = bit_words(count);
   return ((rows > 8 || words % far_apart_words == 0) && count != 0 ? words | 1U : words) * 64;
 }
 

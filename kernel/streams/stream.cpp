@@ -47,9 +47,9 @@ BoxStream::BoxStream(std::size_t count) : BoxStream(NotWritten(), count) { fill_
 
 BoxStream::BoxStream(std::span<const Box> boxes) : BoxStream(kernel::required_records(boxes, "boxes")) {}
 
-BoxStream::BoxStream(const MinMaxRecords& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
+BoxStream::BoxStream(const StridedBoxes& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
 
-BoxStream::BoxStream(const CentreExtentRecords& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
+BoxStream::BoxStream(const StridedCentreExtents& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
 
 BoxStream::BoxStream(const BoxView& boxes) : BoxStream(NotWritten(), boxes.count) { update(0, boxes); }
 
@@ -70,9 +70,9 @@ void BoxStream::update(std::size_t first, std::span<const Box> boxes) {
   update(first, kernel::required_records(boxes, "boxes"));
 }
 
-void BoxStream::update(std::size_t first, const MinMaxRecords& boxes) { kernel::pack(boxes, first, *this); }
+void BoxStream::update(std::size_t first, const StridedBoxes& boxes) { kernel::pack(boxes, first, *this); }
 
-void BoxStream::update(std::size_t first, const CentreExtentRecords& boxes) { kernel::pack(boxes, first, *this); }
+void BoxStream::update(std::size_t first, const StridedCentreExtents& boxes) { kernel::pack(boxes, first, *this); }
 
 void BoxStream::update(std::size_t first, const BoxView& boxes) { kernel::pack(boxes, first, *this); }
 
@@ -90,7 +90,7 @@ SphereStream::SphereStream(std::size_t count) : SphereStream(NotWritten(), count
 SphereStream::SphereStream(std::span<const Sphere> spheres)
     : SphereStream(kernel::required_records(spheres, "spheres")) {}
 
-SphereStream::SphereStream(const SphereRecords& spheres) : SphereStream(NotWritten(), spheres.count) {
+SphereStream::SphereStream(const StridedSpheres& spheres) : SphereStream(NotWritten(), spheres.count) {
   update(0, spheres);
 }
 
@@ -115,7 +115,7 @@ void SphereStream::update(std::size_t first, std::span<const Sphere> spheres) {
   update(first, kernel::required_records(spheres, "spheres"));
 }
 
-void SphereStream::update(std::size_t first, const SphereRecords& spheres) { kernel::pack(spheres, first, *this); }
+void SphereStream::update(std::size_t first, const StridedSpheres& spheres) { kernel::pack(spheres, first, *this); }
 
 void SphereStream::update(std::size_t first, const SphereView& spheres) { kernel::pack(spheres, first, *this); }
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "shaftcull/streams.hpp"
-#include "streams/records.hpp"
+#include "streams/strided_reader.hpp"
 #include "support/arguments.hpp"
 #include "support/compiler.hpp"
 #include "support/overlap.hpp"
@@ -65,7 +65,7 @@ class ViewReader {
   }
   [[nodiscard]] std::string fault(std::size_t i) const {
     const auto bound = view_[i];
-    return Records(records({&bound, 1})).fault(0);
+    return Records(strided({&bound, 1})).fault(0);
   }
 
  private:

@@ -51,13 +51,13 @@ void refuse_triangle_test(const char* what, TriangleTest test) {
 
 void refuse_words(const char* what, std::size_t size, std::size_t bounds) {
   kernel::fail(InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; the answers of " +
-                               counted(bounds, "bound") + " take " + std::to_string(words_for(bounds))));
+                               counted(bounds, "bound") + " take " + std::to_string(bit_words(bounds))));
 }
 
 void refuse_rows(const char* what, std::size_t size, std::size_t shafts, std::size_t row_words) {
   const bool overflows = row_words != 0 && shafts > std::numeric_limits<std::size_t>::max() / row_words;
   kernel::fail(InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; " + counted(shafts, "shaft") +
-                               " times words_for(bounds.count) = " + counted(row_words, "word") + " need " +
+                               " times bit_words(bounds.count) = " + counted(row_words, "word") + " need " +
                                (overflows ? "more than memory can hold" : std::to_string(shafts * row_words))));
 }
 
@@ -68,7 +68,7 @@ void refuse_counts(const char* what, std::size_t size, std::size_t shafts) {
 
 void refuse_shaft_bits(const char* what, std::size_t size, std::size_t shafts) {
   kernel::fail(InvalidArgument(std::string(what) + " has " + counted(size, "word") + "; one bit for each of " +
-                               counted(shafts, "shaft") + " takes " + std::to_string(words_for(shafts))));
+                               counted(shafts, "shaft") + " takes " + std::to_string(bit_words(shafts))));
 }
 
 void refuse_index_width(const char* call, std::size_t bounds) {

@@ -52,7 +52,7 @@ void require_memory(const char* what, std::span<T> span, const char* noun) {
 template <class Bound>
 auto required_records(std::span<const Bound> bounds, const char* noun) {
   require_memory(noun, bounds, noun);
-  return records(bounds);
+  return strided(bounds);
 }
 
 /// What messages call the bounds of a view, by how many streams it has.
@@ -99,7 +99,7 @@ inline void require_contact(Contact contact) {
 
 /// The span called `what` holds exactly the answers of so many bounds.
 inline void require_words(const char* what, std::span<const std::uint64_t> words, std::size_t bounds) {
-  if (words.size() != words_for(bounds)) [[unlikely]]
+  if (words.size() != bit_words(bounds)) [[unlikely]]
     refuse_words(what, words.size(), bounds);
   require_memory(what, words, "words");
 }
@@ -124,7 +124,7 @@ void require_counts(const char* what, std::span<Count> counts, std::size_t shaft
 
 /// The span called `what` has exactly the words of one bit a shaft.
 inline void require_shaft_bits(const char* what, std::span<const std::uint64_t> words, std::size_t shafts) {
-  if (words.size() != words_for(shafts)) [[unlikely]]
+  if (words.size() != bit_words(shafts)) [[unlikely]]
     refuse_shaft_bits(what, words.size(), shafts);
   require_memory(what, words, "words");
 }

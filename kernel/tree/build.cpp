@@ -57,7 +57,7 @@ TreeParts<Bound> build_in(const BuildScratch<Bound>& scratch, const Source& sour
   TreeParts<Bound> parts;
   lay_out(parts, source.count());
   parts.order = TreeArray<std::uint32_t>(parts.size);
-  parts.least_index = TreeArray<std::uint32_t>(words_for(parts.size));
+  parts.least_index = TreeArray<std::uint32_t>(bit_words(parts.size));
   write_tree_order(scratch.entries(), scratch.spare(), class_first, kernels, parts.order.data());
   const RecordSource<Bound> all(records_in<Bound>(scratch.records(), parts.size));
   parallel_for(chunk_count(parts.size, source_block), 1, [&](std::size_t b, std::size_t) {

@@ -42,7 +42,7 @@ struct EntryPlace {
 
 /// Records of bounds as streams have them, one after the other.
 template <class Bound>
-[[nodiscard]] RecordsOf<Bound> records_in(const float* first, std::size_t count) noexcept {
+[[nodiscard]] StridedOf<Bound> records_in(const float* first, std::size_t count) noexcept {
   if (count == 0) return {};
   return {first, first + 3, rows_of<Bound> * sizeof(float), count};
 }
@@ -53,7 +53,7 @@ template <class Bound>
 class BuildScratch {
  public:
   explicit BuildScratch(std::size_t count)
-      : stride_(words_for(count) * 64 + apart),
+      : stride_(bit_words(count) * 64 + apart),
         entries_(2 * entry_streams * stride_),
         records_(rows_of<Bound> * count) {}
 

@@ -160,7 +160,7 @@ std::uint64_t section_bytes(const ImageHeader& header, const BoundsTree<Bound>& 
   TreeLevels<Bound> levels;
   const std::size_t size = static_cast<std::size_t>(header.size);
   const std::size_t nodes = lay_out_levels(levels, size);
-  const std::size_t words = words_for(size);
+  const std::size_t words = bit_words(size);
   std::uint64_t bytes = rows_of<Bound> * row_floats(rows_of<Bound>, size) * sizeof(float) +
                         6 * row_floats(6, nodes) * sizeof(float) + in_lines(nodes / 64 * sizeof(std::uint64_t)) +
                         in_lines(size * sizeof(std::uint32_t)) + in_lines(words * sizeof(std::uint32_t));
@@ -240,9 +240,9 @@ BoundsTree<Bound> tree_in(const ImageHeader& header, std::span<const std::byte> 
   parts.nodes = reader.stream<BoxStream>(nodes);
   parts.gaps = reader.array<std::uint64_t>(nodes / 64);
   parts.order = reader.array<std::uint32_t>(size);
-  parts.least_index = reader.array<std::uint32_t>(words_for(size));
+  parts.least_index = reader.array<std::uint32_t>(bit_words(size));
   if (header.has_layers != 0) {
-    parts.layers.leaves = reader.array<std::uint32_t>(words_for(size) * fanout);
+    parts.layers.leaves = reader.array<std::uint32_t>(bit_words(size) * fanout);
     parts.layers.nodes = reader.array<std::uint32_t>(nodes);
     parts.layers.of_any = header.layers_of_any;
     parts.layers.of_all = header.layers_of_all;

@@ -25,7 +25,7 @@ template <class Bound>
 TreeLayers layers_of(const TreeLevels<Bound>& parts, std::span<const std::uint32_t> order,
                      std::span<const std::uint32_t> layers) {
   TreeLayers result;
-  result.leaves = {words_for(parts.size) * fanout, 0U};
+  result.leaves = {bit_words(parts.size) * fanout, 0U};
   result.nodes = {parts.nodes.size(), 0U};
   parallel_for(chunk_count(parts.size, task_leaves), 1, [&](std::size_t b, std::size_t) {
     const IndexRange block = chunk_at(parts.size, task_leaves, b);

@@ -37,7 +37,7 @@ class LeafPlaces {
     return place.release()->data();
   }
   /// What belongs to an order in which leaf i has index i.
-  void renumber() noexcept {
+  void reorder() noexcept {
     if (std::vector<std::uint32_t>* const place = made()) std::iota(place->begin(), place->end(), std::uint32_t{0});
   }
   [[nodiscard]] std::size_t bytes() const noexcept {

@@ -33,7 +33,7 @@ struct TreeLevel {
   std::size_t entries = 0;
   std::size_t first = 0;  ///< where its entries begin in the streams of nodes: a multiple of 64. Not for level 0
 
-  [[nodiscard]] std::size_t words() const noexcept { return words_for(entries); }
+  [[nodiscard]] std::size_t words() const noexcept { return bit_words(entries); }
 };
 
 /// Number of streams of a bound.
@@ -62,11 +62,11 @@ struct TreeLevels {
 
   /// Counts every word of leaves as dirty, whatever the bits say, until fit_upper(). Who writes leaves in parallel does
   /// this first: an exception on the way then leaves a tree that asks for a refit.
-  void mark_all_dirty() noexcept { dirty_words = words_for(size); }
+  void mark_all_dirty() noexcept { dirty_words = bit_words(size); }
 
   /// Whether fitting all nodes in one pass is cheaper than fitting dirty ones entry by entry: from about one word in
   /// eight on.
-  [[nodiscard]] bool are_many_dirty() const noexcept { return dirty_words > words_for(size) / 8; }
+  [[nodiscard]] bool are_many_dirty() const noexcept { return dirty_words > bit_words(size) / 8; }
 
   /// Whether the leaves are more than a second-level cache holds.
   [[nodiscard]] bool is_worth_prefetching() const noexcept { return leaves.memory_bytes() > second_level_bytes; }

@@ -26,7 +26,7 @@ class TreeQuery {
   TreeQuery& operator=(const TreeQuery&) = delete;
 
   [[nodiscard]] std::size_t shafts() const noexcept { return shafts_.size(); }
-  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(order_.size()); }
+  [[nodiscard]] std::size_t row_words() const noexcept { return bit_words(order_.size()); }
   [[nodiscard]] const Kernels& kernels() const noexcept { return kernels_; }
   [[nodiscard]] Question question() const noexcept { return question_; }
   [[nodiscard]] LeafIndices indices() const noexcept { return {order_, prefetches_, kernels_}; }

@@ -134,7 +134,7 @@ template <class Bound>
 class RegionScratch {
  public:
   explicit RegionScratch(std::size_t most)
-      : stride_(words_for(most) * fanout + apart),
+      : stride_(bit_words(most) * fanout + apart),
         entries_(2 * entry_streams * stride_),
         records_(most * rows_of<Bound>),
         indices_(2 * most) {}
@@ -234,13 +234,13 @@ TreeParts<Bound> build_by_regions(const Source& source, const RegionSizes& sizes
   const RowsOf<ViewOf<Bound>> row = parts.leaf_rows();
   ask_for_huge_pages(row[0], parts.leaves.memory_bytes());
   parts.order = TreeArray<std::uint32_t>(size);
-  parts.least_index = TreeArray<std::uint32_t>(words_for(size));
+  parts.least_index = TreeArray<std::uint32_t>(bit_words(size));
 
   std::vector<IndexRange> regions;
   std::uint32_t* const index = parts.order.data();  // those in regions are where tree order will be
   {
     // Entries are where leaves will be. Spheres have two streams too few for that.
-    const std::size_t stride = words_for(size) * fanout;
+    const std::size_t stride = bit_words(size) * fanout;
     const LargeMemory<float> more((6 - rows_of<Bound>)*stride);
     std::array<float*, 6> centre{};
     for (std::size_t k = 0; k != 6; ++k)

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
-#include "streams/records.hpp"
+#include "streams/strided_reader.hpp"
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {

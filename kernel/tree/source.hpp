@@ -10,7 +10,7 @@
 
 #include "parallel/parallel.hpp"
 #include "shaftcull/streams.hpp"
-#include "streams/records.hpp"
+#include "streams/strided_reader.hpp"
 #include "streams/view_reader.hpp"
 #include "support/compiler.hpp"
 #include "support/fail.hpp"
@@ -29,7 +29,7 @@ template <class Bound>
 using ViewSource = ViewReader<ViewOf<Bound>>;
 
 /// Records, as their reader reads them.
-template <class Bound, class Records = RecordsOf<Bound>, class Reader = ReaderOf<Bound>>
+template <class Bound, class Records = StridedOf<Bound>, class Reader = ReaderOf<Bound>>
 class RecordSource {
  public:
   static constexpr std::size_t rows = rows_of<Bound>;
@@ -55,11 +55,11 @@ class RecordSource {
   [[nodiscard]] std::string fault(std::size_t i) const { return reader_.fault(i); }
 
  private:
-  static const char* start_of(const MinMaxRecords& records) noexcept { return static_cast<const char*>(records.lo); }
-  static const char* start_of(const SphereRecords& records) noexcept {
+  static const char* start_of(const StridedBoxes& records) noexcept { return static_cast<const char*>(records.lo); }
+  static const char* start_of(const StridedSpheres& records) noexcept {
     return static_cast<const char*>(records.centre);
   }
-  static const char* start_of(const CentreExtentRecords& records) noexcept {
+  static const char* start_of(const StridedCentreExtents& records) noexcept {
     return static_cast<const char*>(records.centre);
   }
 
@@ -67,7 +67,7 @@ class RecordSource {
   const char* start_;
   std::size_t stride_;
 };
-using CentreExtentSource = RecordSource<Box, CentreExtentRecords, CentreExtentReader>;
+using CentreExtentSource = RecordSource<Box, StridedCentreExtents, CentreExtentReader>;
 
 /// Whether a source's bound is legal if, and only if, it is legal as it is packed. A box with a small negative half
 /// extent is packed as a point.

@@ -68,7 +68,7 @@ BoundsTree<Bound>::BoundsTree(const Records& bounds)
 template <class Bound>
 BoundsTree<Bound>::BoundsTree(std::span<const Bound> bounds) : BoundsTree(kernel::required_records(bounds, "bounds")) {}
 template <class Bound>
-BoundsTree<Bound>::BoundsTree(const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> : parts_([&] {
+BoundsTree<Bound>::BoundsTree(const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box> : parts_([&] {
   if constexpr (std::is_same_v<Bound, Box>) {  // clang 14 instantiates this for spheres, too
     return built_from<Parts, Bound>(kernel::CentreExtentSource(within_capacity(bounds)));
   } else {
@@ -129,7 +129,7 @@ void BoundsTree<Bound>::update(std::span<const Bound> all) {
 }
 
 template <class Bound>
-void BoundsTree<Bound>::update(const CentreExtentRecords& all) requires std::is_same_v<Bound, Box> {
+void BoundsTree<Bound>::update(const StridedCentreExtents& all) requires std::is_same_v<Bound, Box> {
   if constexpr (std::is_same_v<Bound, Box>) {  // as above
     kernel::in_float_environment([&] { kernel::update_all(of(parts_), kernel::CentreExtentSource(all)); });
   }
@@ -150,7 +150,7 @@ void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices, std::span
 
 template <class Bound>
 void BoundsTree<Bound>::update(std::span<const std::uint32_t> indices,
-                               const CentreExtentRecords& bounds) requires std::is_same_v<Bound, Box> {
+                               const StridedCentreExtents& bounds) requires std::is_same_v<Bound, Box> {
   if constexpr (std::is_same_v<Bound, Box>) {  // as above
     kernel::in_float_environment([&] { kernel::update_some(of(parts_), indices, kernel::CentreExtentSource(bounds)); });
   }
@@ -220,9 +220,9 @@ std::span<const std::uint32_t> BoundsTree<Bound>::layers() const noexcept {
 }
 
 template <class Bound>
-double BoundsTree<Bound>::growth() const {
+double BoundsTree<Bound>::sah_ratio() const {
   if (!parts_) return 1;
-  if (needs_refit()) kernel::fail(NeedsRefit("growth() of a tree whose bounds were updated; call refit() first"));
+  if (needs_refit()) kernel::fail(NeedsRefit("sah_ratio() of a tree whose bounds were updated; call refit() first"));
   return kernel::in_float_environment([&] {
     const double now = kernel::surface(*parts_);
     return now == parts_->surface_when_built ? 1 : now / parts_->surface_when_built;
@@ -236,13 +236,13 @@ void BoundsTree<Bound>::rebuild() {
 }
 
 template <class Bound>
-void BoundsTree<Bound>::renumber() noexcept {
+void BoundsTree<Bound>::reorder() noexcept {
   if (!parts_) return;
   std::iota(parts_->order.begin(), parts_->order.end(), std::uint32_t{0});
   for (std::size_t w = 0; w != parts_->least_index.size(); ++w) {
     parts_->least_index[w] = static_cast<std::uint32_t>(w * kernel::fanout);
   }
-  parts_->places.renumber();
+  parts_->places.reorder();
 }
 
 template class BoundsTree<Box>;

@@ -42,7 +42,7 @@ class ChunkVisitor {
     for (std::size_t leaf = first; leaf < first + size && !is_done_; leaf += fanout) {
       const IndexRange range = parts_.triangles_of(leaf, fanout);
       std::uint64_t bits[most_words];
-      std::fill_n(bits, words_for(range.size), ~std::uint64_t{0});
+      std::fill_n(bits, bit_words(range.size), ~std::uint64_t{0});
       if (range.size % 64 != 0) bits[range.size / 64] = (std::uint64_t{1} << range.size % 64) - 1;
       deliver(range, bits, bits);
     }
@@ -54,7 +54,7 @@ class ChunkVisitor {
 
   /// Gives the visitor the triangles of a range. `inside` is null if it does not ask.
   void deliver(const IndexRange& range, const std::uint64_t* bits, const std::uint64_t* inside) {
-    for (std::size_t w = 0; w != words_for(range.size) && !is_done_; ++w) {
+    for (std::size_t w = 0; w != bit_words(range.size) && !is_done_; ++w) {
       const std::size_t first = range.first + 64 * w;
       const std::uint64_t kept = excluded_.is_on() ? not_left_out(first, bits[w]) : bits[w];
       if (kept != 0) is_done_ = !visitor_.word(first, kept, inside == nullptr ? 0 : inside[w] & kept);

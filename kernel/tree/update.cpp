@@ -58,7 +58,7 @@ void update_some(TreeParts<Bound>& parts, std::span<const std::uint32_t> indices
   require_legal<Bound>(source);
   if (indices.empty()) return;
   const std::uint32_t* const place = parts.places.of(parts.order);
-  parts.dirty.resize(words_for(words_for(parts.size)));
+  parts.dirty.resize(bit_words(bit_words(parts.size)));
   // Nothing from here on throws.
   const auto row = parts.leaf_rows();
   for (std::size_t i = 0; i != indices.size(); ++i) {

@@ -31,7 +31,7 @@ class Asked {
   [[nodiscard]] const Kernels& kernels() const noexcept { return kernels_; }
   /// How many bounds there are, and words of their bits.
   [[nodiscard]] std::size_t size() const noexcept { return scanned_.streams.count; }
-  [[nodiscard]] std::size_t row_words() const noexcept { return words_for(size()); }
+  [[nodiscard]] std::size_t row_words() const noexcept { return bit_words(size()); }
   [[nodiscard]] BoundKind kind() const noexcept { return scanned_.streams.kind; }
 
   /// The walks, if the bounds are a tree and all of them are asked about; otherwise null.

@@ -75,7 +75,7 @@ void write_contacts(const Asked& asked, std::span<FirstContact> contacts) {
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
-    const std::size_t words = words_for(block.size);
+    const std::size_t words = bit_words(block.size);
     kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> bits(group.size * words);
     std::uint64_t* const kept = bits.get();
     job.test(block, group, {kept, words});

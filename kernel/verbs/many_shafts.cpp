@@ -12,8 +12,8 @@
 #include "parallel/parallel.hpp"
 #include "parallel/shared_number.hpp"
 #include "parallel/task_memory.hpp"
-#include "shaftcull/blocked.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/occluded.hpp"
 #include "support/arguments.hpp"
 #include "tree/answers.hpp"
 #include "verbs/asked.hpp"
@@ -104,7 +104,7 @@ void for_each_block(const Asked& asked, const Use& use) {
   kernel::parallel_for(tiling.blocks(), tiling.groups(), [&](std::size_t b, std::size_t g) {
     const IndexRange block = tiling.block(b);
     const IndexRange group = tiling.group(g);
-    const std::size_t words = words_for(block.size);
+    const std::size_t words = bit_words(block.size);
     kernel::TaskScratch<std::uint64_t, 4 * kernel::tile_words> bits((both ? 2 : 1) * group.size * words);
     std::uint64_t* const kept = bits.get();
     std::uint64_t* const inside = both ? kept + group.size * words : nullptr;
@@ -277,17 +277,17 @@ void any_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, std::
   find_any(asked, any);
 }
 
-void blocked_many(std::span<const CompiledShaft> shafts, const Bounds& solids, std::span<std::uint64_t> blocked,
-                  const Query& query) {
-  const Asked asked("blocked_many", shafts, solids, Question::blocking, query, {.only = false});
-  kernel::require_shaft_bits("blocked", blocked, shafts.size());
-  asked.options().require_apart("blocked", bytes_of(blocked));
-  find_any(asked, blocked);
+void occluded_many(std::span<const CompiledShaft> shafts, const Bounds& solids, std::span<std::uint64_t> occluded,
+                   const Query& query) {
+  const Asked asked("occluded_many", shafts, solids, Question::blocking, query, {.only = false});
+  kernel::require_shaft_bits("occluded", occluded, shafts.size());
+  asked.options().require_apart("occluded", bytes_of(occluded));
+  find_any(asked, occluded);
 }
 
-void list_blocking_many(std::span<const CompiledShaft> shafts, const Bounds& solids, IndexLists& lists,
-                        const Query& query) {
-  const Asked asked("list_blocking_many", shafts, solids, Question::blocking, query, {.limit = true, .only = false});
+void list_occluders_many(std::span<const CompiledShaft> shafts, const Bounds& solids, IndexLists& lists,
+                         const Query& query) {
+  const Asked asked("list_occluders_many", shafts, solids, Question::blocking, query, {.limit = true, .only = false});
   require_lists(asked, "lists", lists);
   list_kept(asked, lists);
 }

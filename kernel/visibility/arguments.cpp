@@ -14,7 +14,7 @@ constexpr std::size_t least_memory = std::size_t{1} << 20;
 
 void refuse_sight(const std::string& what, Sight sight, const std::string& whose) {
   kernel::fail(InvalidArgument(what + " = " + std::to_string(static_cast<unsigned>(sight)) + whose +
-                               " is none of Sight::undecided, Sight::clear, Sight::blocked and Sight::facing_away"));
+                               " is none of Sight::undecided, Sight::clear, Sight::occluded and Sight::facing_away"));
 }
 
 void require_options(const VisibilityOptions& options) {
@@ -26,12 +26,12 @@ void require_options(const VisibilityOptions& options) {
 }
 
 void require_rows(std::span<const std::uint64_t> bits, std::size_t a, std::size_t b) {
-  const std::size_t words = words_for(b);
+  const std::size_t words = bit_words(b);
   // No product of such numbers overflows where there are 64-bit sizes; elsewhere no span has so many words.
   const std::uint64_t needed = std::uint64_t{a} * words;
   if (bits.size() != needed) {
     kernel::fail(InvalidArgument("bits has " + counted(bits.size(), "word") + "; " + counted(a, "row") +
-                                 ", one for each patch of a, of words_for(" + std::to_string(b) +
+                                 ", one for each patch of a, of bit_words(" + std::to_string(b) +
                                  ") = " + counted(words, "word") + ", a bit for each patch of b, take " +
                                  std::to_string(needed)));
   }

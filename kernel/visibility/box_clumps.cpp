@@ -12,7 +12,7 @@ BoxClumps box_clumps(std::span<const BoxRow> boxes) {
   BoxClumps clumps;
   if (boxes.size() < BoxClumps::fewest_boxes) return clumps;
   const float* const face = boxes[0].face;
-  const BoxTree tree(MinMaxRecords{face, face + 3, sizeof(BoxRow), boxes.size()});
+  const BoxTree tree(StridedBoxes{face, face + 3, sizeof(BoxRow), boxes.size()});
   clumps.members.assign(tree.order().begin(), tree.order().end());
   clumps.around.reserve((boxes.size() + BoxClumps::size - 1) / BoxClumps::size);
   for (std::size_t first = 0; first < boxes.size(); first += BoxClumps::size) {

@@ -39,18 +39,18 @@ Ladder::Level& Ladder::level(std::size_t depth) {
   return *levels_[depth];
 }
 
-void Ladder::enter(const SightProductTask& task, const To& to) {
+void Ladder::enter(const PairBlockTask& task, const To& to) {
   to_ = &to;
   level(0).lists = task.lists;
   descend(task.a, task.b, 0);
 }
 
-void Ladder::answer(const SightProductTask& task, const To& to) {
+void Ladder::answer(const PairBlockTask& task, const To& to) {
   leave_ = nullptr;
   enter(task, to);
 }
 
-void Ladder::split(const SightProductTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to) {
+void Ladder::split(const PairBlockTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to) {
   leave_ = &leave;
   most_pairs_ = &most_pairs;
   enter(task, to);
@@ -59,19 +59,19 @@ void Ladder::split(const SightProductTask& task, const std::uint64_t& most_pairs
 /// Answers a product whose lists are those of a level, or leaves it.
 void Ladder::descend(std::uint32_t a, std::uint32_t b, std::size_t depth) {
   if (leave_ != nullptr && job_.pairs(a, b) <= *most_pairs_) {
-    return (*leave_)(SightProductTask{a, b, level(depth).lists});
+    return (*leave_)(PairBlockTask{a, b, level(depth).lists});
   }
   walk(a, b, depth);
 }
 
-/// Where lists are of all blockers, leaves out those that no lane's shafts with a group come near.
+/// Where lists are of all occluders, leaves out those that no lane's shafts with a group come near.
 void Ladder::leave_out_far(SightLists& lists, const Side& lanes, const Side& group) {
-  const BoxClumps& clumps = job_.blocker_clumps;
-  if (clumps.around.empty() || lists.candidates.size() != job_.blockers.size()) return;
+  const BoxClumps& clumps = job_.occluder_clumps;
+  if (clumps.around.empty() || lists.candidates.size() != job_.occluders.size()) return;
   const std::uint64_t asked = first_lanes(lanes.count);
   form(group, 0, lanes, asked);
   siblings_.contact = Contact::closed;  // a bound may touch them in a face of its clump
-  leave_out_far(lists.candidates, job_.blockers.size(), clumps, asked);
+  leave_out_far(lists.candidates, job_.occluders.size(), clumps, asked);
   std::erase_if(lists.polygons, [&](std::uint32_t i) { return (near_[i / 64] & bit(i % 64)) == 0; });
   leave_out_far(lists.solids, job_.solids.size(), job_.solid_clumps, asked);
 }
@@ -83,7 +83,7 @@ void Ladder::leave_out_far(std::vector<std::uint32_t>& list, std::size_t all, co
   clump_lanes_.resize(clumps.around.size());
   job_.kernels.keep(siblings_, clumps.around.data(), clumps.numbers.data(), clumps.numbers.size(), nullptr, asked,
                     clump_lanes_.data());
-  near_.assign(words_for(clumps.members.size()), 0);
+  near_.assign(bit_words(clumps.members.size()), 0);
   for (std::size_t c = 0; c != clump_lanes_.size(); ++c) {
     if (clump_lanes_[c] == 0) continue;
     const std::size_t end = std::min(clumps.members.size(), BoxClumps::size * (c + 1));
@@ -119,7 +119,7 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   answer(lanes.with_behind(fixed_, left, kernels) | lanes.behind_plane_of(group, 0, kernels), Sight::facing_away);
   if (left == 0) return 0;
   const SightLists& lists = level.lists;
-  const BlockerData& blockers = job_.blockers;
+  const OccluderData& occluders = job_.occluders;
   std::vector<std::uint64_t>& may = lanes_are_rows ? level.row_solids : level.column_solids;
   may.resize(lists.solids.size());
   if (!lists.solids.empty()) {
@@ -129,8 +129,8 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
   }
   form(group, 0, lanes, left);
   answer(kernels.block(siblings_, job_.solids.data(), lists.solids.data(), lists.solids.size(), may.data(), left),
-         Sight::blocked);
-  answer(blocked_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::blocked);
+         Sight::occluded);
+  answer(occluded_by_polygons(lists.polygons.data(), lists.polygons.size(), nullptr, left), Sight::occluded);
   if (left == 0) return 0;
 
   const auto keep = [&](const std::vector<BoxRow>& boxes, const std::vector<std::uint32_t>& list,
@@ -139,11 +139,11 @@ std::uint64_t Ladder::compare_with_group(Level& level, const Side& lanes, const 
     return kernels.keep(siblings_, boxes.data(), list.data(), list.size(), nullptr, left, kept.data());
   };
   std::vector<std::uint64_t>& kept = lanes_are_rows ? level.row_candidates : level.column_candidates;
-  std::uint64_t any = keep(blockers.boxes, lists.candidates, kept);
+  std::uint64_t any = keep(occluders.boxes, lists.candidates, kept);
   if (lanes.has_planes()) any = drop_behind(level, lanes, kept);
   if (!has_planes()) answer(left & ~any & ~any_of(may.data(), may.size()), Sight::clear);
   if (left == 0) return 0;
-  keep(blockers.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
+  keep(occluders.boxes, lists.polygons, lanes_are_rows ? level.row_polygons : level.column_polygons);
   return left;
 }
 
@@ -228,8 +228,8 @@ void Ladder::go_into_itself(std::size_t depth, const Side& rows, unsigned row) {
     copy_of_lane(list.data(), kept.data(), list.size(), row, to);
   };
   form(rows, row, rows, bit(row));
-  pass_on(job_.blockers.boxes, lists.candidates, below.candidates, false);
-  pass_on(job_.blockers.boxes, lists.polygons, below.polygons, false);
+  pass_on(job_.occluders.boxes, lists.candidates, below.candidates, false);
+  pass_on(job_.occluders.boxes, lists.polygons, below.polygons, false);
   form_exchanged(rows, row, rows, bit(row));
   pass_on(job_.solids, lists.solids, below.solids, true);
   descend(rows.first + row, rows.first + row, depth + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The ladder: groups of patches are compared before the patches in them.
 ///
-/// A product is two groups, with the blockers that may stand between some of their patches. Their children are
+/// A product is two groups, with the occluders that may stand between some of their patches. Their children are
 /// compared: each child of the one with all of the other, each child of the other with all of the one, and then each
 /// two that are left. Each time first what faces away, then what a solid blocks, then what nothing reaches into. What
 /// is left is a product of its own, or a pair that is undecided.
@@ -15,7 +15,7 @@
 #include "kernels/table.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/visibility.hpp"
-#include "visibility/blockers.hpp"
+#include "visibility/occluders.hpp"
 #include "visibility/patch_tree.hpp"
 #include "visibility/sight_job.hpp"
 
@@ -25,7 +25,7 @@ namespace shaftcull::kernel {
 class Ladder {
  public:
   /// What is done with a product that is left to others; it may take its lists.
-  using Leave = FunctionRef<void(SightProductTask&&)>;
+  using Leave = FunctionRef<void(PairBlockTask&&)>;
   /// What is done when there are answers enough; it may take and clear them, or end the walk by an exception.
   using Full = FunctionRef<void()>;
   /// Where answers go to. full() is called whenever they take `most_bytes` or more.
@@ -41,27 +41,27 @@ class Ladder {
   ~Ladder();
 
   /// Answers all pairs of a product.
-  void answer(const SightProductTask& task, const To& to);
+  void answer(const PairBlockTask& task, const To& to);
   /// Compares groups while a product has more than `most_pairs` pairs. Smaller ones that are not answered by then are
   /// passed to leave(), in order: all answers before one are written when it is passed. leave() may change
   /// `most_pairs`.
-  void split(const SightProductTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to);
+  void split(const PairBlockTask& task, const std::uint64_t& most_pairs, const Leave& leave, const To& to);
 
  private:
   struct Side;
   struct Level;
   struct Selection;
-  /// A group of patches and a blocker that has points. Bit i of `lanes` says that all points lie on or behind the plane
-  /// of patch i of the group.
+  /// A group of patches and an occluder that has points. Bit i of `lanes` says that all points lie on or behind the
+  /// plane of patch i of the group.
   struct PointsBehind {
     const PatchTree* tree = nullptr;
     std::uint32_t first = 0;  ///< position of the first patch of the group
-    std::uint32_t blocker = 0;
+    std::uint32_t occluder = 0;
     std::uint64_t lanes = 0;
   };
 
   Level& level(std::size_t depth);
-  void enter(const SightProductTask& task, const To& to);
+  void enter(const PairBlockTask& task, const To& to);
   void descend(std::uint32_t a, std::uint32_t b, std::size_t depth);
   void walk(std::uint32_t a, std::uint32_t b, std::size_t depth);
   void leave_out_far(SightLists& lists, const Side& lanes, const Side& group);
@@ -80,9 +80,9 @@ class Ladder {
   void form(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
   void form(const Side& fixed, unsigned lane, const float* const* boxes, unsigned count, std::uint64_t asked);
   void form_exchanged(const Side& fixed, unsigned lane, const Side& lanes, std::uint64_t asked);
-  [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked);
-  [[nodiscard]] std::uint64_t blocked_by_polygons(const std::uint32_t* polygons, std::size_t count,
-                                                  const std::uint64_t* may_block, std::uint64_t asked) const;
+  [[nodiscard]] std::uint64_t behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked);
+  [[nodiscard]] std::uint64_t occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
+                                                   const std::uint64_t* may_block, std::uint64_t asked) const;
   void decide_rows(const Side& rows, std::uint64_t which, const Side& columns, unsigned column, Sight sight);
   void decide(const Side& rows, unsigned row, const Side& columns, std::uint64_t which, Sight sight);
   [[nodiscard]] bool has_planes() const noexcept;
@@ -99,7 +99,7 @@ class Ladder {
   float exchanged_[6] = {};  // likewise of form_exchanged()
   std::vector<PointsBehind> points_behind_;
   std::vector<std::uint64_t> clump_lanes_;  // of each clump, the lanes that come near it
-  std::vector<std::uint64_t> near_;         // a bit a blocker, or a solid: whether one comes near its clump
+  std::vector<std::uint64_t> near_;         // a bit an occluder, or a solid: whether one comes near its clump
   const Side* rows_ = nullptr;              // of the product at hand
   const std::uint64_t* most_pairs_ = nullptr;
   const Leave* leave_ = nullptr;

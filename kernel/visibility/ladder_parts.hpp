@@ -73,7 +73,7 @@ struct Ladder::Side {
   }
 };
 
-/// Of a row of pairs: the blockers of a list that it may have to do with, with which of its lanes, and what is found.
+/// Of a row of pairs: the occluders of a list that it may have to do with, with which of its lanes, and what is found.
 /// Only the first `count` mean anything.
 struct Ladder::Selection {
   std::size_t count = 0;

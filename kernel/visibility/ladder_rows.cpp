@@ -43,7 +43,7 @@ void Ladder::decide_rows(const Side& rows, std::uint64_t which, const Side& colu
 /// Answers one row of pairs.
 void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const Side& columns, std::uint64_t lanes) {
   const SiblingKernels& kernels = job_.kernels;
-  const BlockerData& blockers = job_.blockers;
+  const OccluderData& occluders = job_.occluders;
   Level& here = level(depth);
   rows.copy_box(row, fixed_);
   const std::uint64_t away =
@@ -60,14 +60,14 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
   Selection& candidates = here.candidates_of_row;
   select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, false, solids);
   select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, false, polygons);
-  const std::uint64_t blocked = block(solids, polygons, lanes);
-  decide(rows, row, columns, blocked, Sight::blocked);
-  lanes &= ~blocked;
+  const std::uint64_t occluded = block(solids, polygons, lanes);
+  decide(rows, row, columns, occluded, Sight::occluded);
+  lanes &= ~occluded;
   if (lanes == 0) return;
 
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, false, candidates);
   const auto keep = [&](Selection& selection) {
-    return kernels.keep(siblings_, blockers.boxes.data(), selection.list.data(), selection.count, selection.may.data(),
+    return kernels.keep(siblings_, occluders.boxes.data(), selection.list.data(), selection.count, selection.may.data(),
                         lanes, selection.kept.data());
   };
   const std::uint64_t undecided = keep(candidates);
@@ -100,9 +100,9 @@ void Ladder::answer_row(std::size_t depth, const Side& rows, unsigned row, const
 
 /// Siblings of `asked` that a solid or a polygon blocks.
 std::uint64_t Ladder::block(const Selection& solids, const Selection& polygons, std::uint64_t asked) {
-  const std::uint64_t blocked =
+  const std::uint64_t occluded =
       job_.kernels.block(siblings_, job_.solids.data(), solids.list.data(), solids.count, solids.may.data(), asked);
-  return blocked | blocked_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~blocked);
+  return occluded | occluded_by_polygons(polygons.list.data(), polygons.count, polygons.may.data(), asked & ~occluded);
 }
 
 /// Selects what one row and some column of `lanes` may have to do with.
@@ -124,7 +124,7 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
     return decide(rows, row, columns, lanes, Sight::clear);
   }
   const SiblingKernels& kernels = job_.kernels;
-  const BlockerData& blockers = job_.blockers;
+  const OccluderData& occluders = job_.occluders;
   // Side by side, fewer vectors hold those that are left.
   const auto count = static_cast<unsigned>(std::popcount(lanes));
   const bool packs = kernels.pack != nullptr && count + most_siblings / 4 <= columns.count;
@@ -138,22 +138,22 @@ void Ladder::answer_patches(Level& here, const Side& rows, unsigned row, const S
   }
   select(here.lists.solids, here.row_solids, here.column_solids, row, lanes, packs, here.solids_of_row);
   select(here.lists.polygons, here.row_polygons, here.column_polygons, row, lanes, packs, here.polygons_of_row);
-  const std::uint64_t blocked = block(here.solids_of_row, here.polygons_of_row, left);
-  decide(rows, row, columns, spread(blocked), Sight::blocked);
-  left &= ~blocked;
+  const std::uint64_t occluded = block(here.solids_of_row, here.polygons_of_row, left);
+  decide(rows, row, columns, spread(occluded), Sight::occluded);
+  left &= ~occluded;
   if (left == 0) return;
 
   Selection& candidates = here.candidates_of_row;
   select(here.lists.candidates, here.row_candidates, here.column_candidates, row, lanes, packs, candidates);
   std::uint64_t undecided = 0;
   if (job_.wants_candidates) {
-    undecided = kernels.keep(siblings_, blockers.boxes.data(), candidates.list.data(), candidates.count,
+    undecided = kernels.keep(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                              candidates.may.data(), left, candidates.kept.data());
     for (std::size_t i = 0; packs && i != candidates.count; ++i) {
       candidates.kept[i] = kernels.spread(candidates.kept[i], lanes);
     }
   } else {
-    undecided = kernels.keep_any(siblings_, blockers.boxes.data(), candidates.list.data(), candidates.count,
+    undecided = kernels.keep_any(siblings_, occluders.boxes.data(), candidates.list.data(), candidates.count,
                                  candidates.may.data(), left);
   }
   decide(rows, row, columns, spread(left & ~undecided), Sight::clear);

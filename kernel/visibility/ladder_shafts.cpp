@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The ladder's shafts, from a group or patch to those of the other side, and which blockers concern them.
+/// The ladder's shafts, from a group or patch to those of the other side, and which occluders concern them.
 #include <span>
 
 #include "exact/pair.hpp"
@@ -9,7 +9,7 @@
 namespace shaftcull::kernel {
 namespace {
 
-/// Blockers with more points are looked up rather than tested again.
+/// Occluders with more points are looked up rather than tested again.
 constexpr std::size_t few_points = 64;
 
 }  // namespace
@@ -39,11 +39,11 @@ void Ladder::form_exchanged(const Side& fixed, unsigned lane, const Side& lanes,
   job_.kernels.form(exchanged_, other, lanes.count, asked, siblings_);
 }
 
-/// Lanes of `asked` on or behind all of whose planes a blocker lies.
-std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint64_t asked) {
+/// Lanes of `asked` on or behind all of whose planes an occluder lies.
+std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t occluder, std::uint64_t asked) {
   if (!lanes.has_planes() || asked == 0) return 0;
-  std::uint64_t behind = asked & lanes.with_behind(job_.blockers.boxes[blocker].face, asked, job_.kernels);
-  const std::span<const Vec3> points = job_.blockers.points_of(blocker);
+  std::uint64_t behind = asked & lanes.with_behind(job_.occluders.boxes[occluder].face, asked, job_.kernels);
+  const std::span<const Vec3> points = job_.occluders.points_of(occluder);
   if (!lanes.are_patches || points.empty() || behind == asked) return behind;
   // The box may stick out where the points do not.
   const auto points_behind = [&](std::uint64_t of) {
@@ -53,30 +53,30 @@ std::uint64_t Ladder::behind(const Side& lanes, std::uint32_t blocker, std::uint
   // Many points, and the same groups again and again: what was found is kept.
   constexpr std::size_t kept = std::size_t{1} << 16;
   if (points_behind_.empty()) points_behind_.resize(kept);
-  PointsBehind& known = points_behind_[(lanes.first * 0x9e3779b1U ^ blocker * 0x85ebca6bU) >> 16U];
-  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.blocker != blocker) {
+  PointsBehind& known = points_behind_[(lanes.first * 0x9e3779b1U ^ occluder * 0x85ebca6bU) >> 16U];
+  if (known.tree != &lanes.set.tree || known.first != lanes.first || known.occluder != occluder) {
     const std::uint64_t all = first_lanes(lanes.count);
-    const std::uint64_t of_box = lanes.with_behind(job_.blockers.boxes[blocker].face, all, job_.kernels);
-    known = {&lanes.set.tree, lanes.first, blocker, of_box | points_behind(all & ~of_box)};
+    const std::uint64_t of_box = lanes.with_behind(job_.occluders.boxes[occluder].face, all, job_.kernels);
+    known = {&lanes.set.tree, lanes.first, occluder, of_box | points_behind(all & ~of_box)};
   }
   return asked & (behind | known.lanes);
 }
 
 /// Siblings of `asked` that a polygon of a list blocks; may_block[i], unless null, are those that polygon i may.
-std::uint64_t Ladder::blocked_by_polygons(const std::uint32_t* polygons, std::size_t count,
-                                          const std::uint64_t* may_block, std::uint64_t asked) const {
-  std::uint64_t blocked = 0;
-  for (std::size_t i = 0; i != count && (asked & ~blocked) != 0; ++i) {
-    const std::uint64_t may = asked & ~blocked & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
+std::uint64_t Ladder::occluded_by_polygons(const std::uint32_t* polygons, std::size_t count,
+                                           const std::uint64_t* may_block, std::uint64_t asked) const {
+  std::uint64_t occluded = 0;
+  for (std::size_t i = 0; i != count && (asked & ~occluded) != 0; ++i) {
+    const std::uint64_t may = asked & ~occluded & (may_block == nullptr ? ~std::uint64_t{0} : may_block[i]);
     std::uint64_t met = 0;
-    job_.kernels.keep(siblings_, job_.blockers.boxes.data(), &polygons[i], 1, nullptr, may, &met);
+    job_.kernels.keep(siblings_, job_.occluders.boxes.data(), &polygons[i], 1, nullptr, may, &met);
     for_each_lane(met, [&](unsigned lane) {
       float other[6];
       for (unsigned f = 0; f != 6; ++f) other[f] = siblings_.other[f][lane];
-      if (polygon_blocks_between(fixed_, other, job_.blockers.points_of(polygons[i]))) blocked |= bit(lane);
+      if (polygon_blocks_between(fixed_, other, job_.occluders.points_of(polygons[i]))) occluded |= bit(lane);
     });
   }
-  return blocked;
+  return occluded;
 }
 
 }  // namespace shaftcull::kernel

@@ -76,7 +76,7 @@ class ProgressTeller {
 SightCounts& operator+=(SightCounts& to, const SightCounts& more) noexcept {
   to.undecided += more.undecided;
   to.clear += more.clear;
-  to.blocked += more.blocked;
+  to.occluded += more.occluded;
   to.facing_away += more.facing_away;
   return to;
 }
@@ -86,16 +86,16 @@ class Run {
  public:
   using Deliver = FunctionRef<void(const SightBatch&)>;
 
-  Run(const PatchTree& a, const PatchTree& b, bool is_of_one_set, const BlockerData& blockers,
+  Run(const PatchTree& a, const PatchTree& b, bool is_of_one_set, const OccluderData& occluders,
       const VisibilityOptions& options, const Deliver* deliver)
       : options_(options),
         deliver_(deliver),
-        solids_(solid_rows_of(blockers)),
-        clumps_(clumps_of(blockers)),
-        job_{sight_set(a, largest_coordinate(a, b, blockers)),
-             sight_set(b, largest_coordinate(a, b, blockers)),
+        solids_(solid_rows_of(occluders)),
+        clumps_(clumps_of(occluders)),
+        job_{sight_set(a, largest_coordinate(a, b, occluders)),
+             sight_set(b, largest_coordinate(a, b, occluders)),
              is_of_one_set,
-             blockers,
+             occluders,
              std::span(solids_->rows).first(options.solids_around_ends ? solids_->largest : solids_->rows.size()),
              *clumps_,
              solids_->clumps,
@@ -120,16 +120,16 @@ class Run {
   SightCounts run() {
     if (job_.a.tree.groups().empty() || job_.b.tree.groups().empty()) return {};
     teller_.tell(0, true);
-    SightProductTask all{0, 0, {}};
+    PairBlockTask all{0, 0, {}};
     const auto number = [](std::vector<std::uint32_t>& list, std::size_t count) {
       list.resize(count);
       for (std::size_t i = 0; i != count; ++i) list[i] = static_cast<std::uint32_t>(i);
     };
-    number(all.lists.candidates, job_.blockers.size());
+    number(all.lists.candidates, job_.occluders.size());
     number(all.lists.solids, job_.solids.size());
-    for (const PolygonBlocker& polygon : job_.blockers.polygons) all.lists.polygons.push_back(polygon.blocker);
+    for (const PolygonOccluder& polygon : job_.occluders.polygons) all.lists.polygons.push_back(polygon.occluder);
 
-    const auto leave = [&](SightProductTask&& task) { add(std::move(task)); };
+    const auto leave = [&](PairBlockTask&& task) { add(std::move(task)); };
     const auto is_full = [&] {
       flush();
       hand_over(before_);
@@ -147,7 +147,7 @@ class Run {
   /// A product that is to be answered, with what was answered before it.
   struct Item {
     SightAnswers before;
-    SightProductTask task;
+    PairBlockTask task;
   };
 
   /// Where in the order of a tree each patch is.
@@ -192,8 +192,8 @@ class Run {
     std::unique_ptr<Ladder> ladder_;
   };
 
-  static float largest_coordinate(const PatchTree& a, const PatchTree& b, const BlockerData& blockers) noexcept {
-    return std::max({a.largest_coordinate(), b.largest_coordinate(), blockers.largest_coordinate});
+  static float largest_coordinate(const PatchTree& a, const PatchTree& b, const OccluderData& occluders) noexcept {
+    return std::max({a.largest_coordinate(), b.largest_coordinate(), occluders.largest_coordinate});
   }
 
   [[nodiscard]] std::uint64_t total_pairs() const noexcept {
@@ -212,7 +212,7 @@ class Run {
   /// The most products that wait: so few that progress is told.
   [[nodiscard]] std::size_t most_items() const noexcept { return 64 * slots(); }
 
-  void add(SightProductTask&& task) {
+  void add(PairBlockTask&& task) {
     waiting_bytes_ += sizeof(Item) + task.lists.held_bytes() + before_.held_bytes();
     SightAnswers before;
     std::swap(before, before_);
@@ -256,7 +256,7 @@ class Run {
   }
 
   /// Answers a product, or gives up when there are too many answers.
-  void answer(const SightProductTask& task, Slot& slot) {
+  void answer(const PairBlockTask& task, Slot& slot) {
     SightAnswers& answers = slot.answers;
     answers.clear();
     // What is kept of earlier ones must leave room for these, which grow by doubling.
@@ -278,7 +278,7 @@ class Run {
   }
 
   /// Answers a product whatever there is to say, and hands all over but the last part.
-  void answer_in_parts(const SightProductTask& task, SightAnswers& answers) {
+  void answer_in_parts(const PairBlockTask& task, SightAnswers& answers) {
     answers.clear();
     const auto hand_over_part = [&] {
       resolve(answers);
@@ -317,7 +317,7 @@ class Run {
   /// Makes products of pairs that have an answer now: where they were found, so that it does not matter where a part
   /// of the answers ends.
   void apply(std::span<const Sight> verdict, SightAnswers& answers) const {
-    std::vector<SightProduct> products;
+    std::vector<PairBlock> products;
     if (job_.wants_products) products.reserve(answers.products.size() + verdict.size());
     std::size_t taken = 0;
     const auto take = [&](std::size_t end) {
@@ -385,9 +385,9 @@ class Run {
 
 }  // namespace
 
-SightCounts run_visibility(const PatchTree& a, const PatchTree& b, bool is_of_one_set, const BlockerData& blockers,
+SightCounts run_visibility(const PatchTree& a, const PatchTree& b, bool is_of_one_set, const OccluderData& occluders,
                            const VisibilityOptions& options, const FunctionRef<void(const SightBatch&)>* deliver) {
-  return Run(a, b, is_of_one_set, blockers, options, deliver).run();
+  return Run(a, b, is_of_one_set, occluders, options, deliver).run();
 }
 
 }  // namespace shaftcull::kernel

@@ -9,7 +9,7 @@
 
 #include "kernels/table.hpp"
 #include "shaftcull/visibility.hpp"
-#include "visibility/blockers.hpp"
+#include "visibility/occluders.hpp"
 #include "visibility/sight_set.hpp"
 
 namespace shaftcull::kernel {
@@ -19,10 +19,10 @@ struct SightJob {
   SightSet a;
   SightSet b;
   bool is_of_one_set;
-  const BlockerData& blockers;
+  const OccluderData& occluders;
   std::span<const BoxRow> solids;
-  const BoxClumps& blocker_clumps;  ///< of all blockers
-  const BoxClumps& solid_clumps;    ///< of all solids, and of more
+  const BoxClumps& occluder_clumps;  ///< of all occluders
+  const BoxClumps& solid_clumps;     ///< of all solids, and of more
   const SiblingKernels& kernels;
   Contact contact;
   bool solids_around_ends;
@@ -35,7 +35,7 @@ struct SightJob {
   [[nodiscard]] std::uint64_t pairs(std::uint32_t a_group, std::uint32_t b_group) const noexcept;
 };
 
-/// What may stand between two groups, by numbers that ascend: of blockers, or of merged solids.
+/// What may stand between two groups, by numbers that ascend: of occluders, or of merged solids.
 struct SightLists {
   std::vector<std::uint32_t> candidates;
   std::vector<std::uint32_t> solids;
@@ -45,7 +45,7 @@ struct SightLists {
 };
 
 /// Two groups, and what may stand between them.
-struct SightProductTask {
+struct PairBlockTask {
   std::uint32_t a;
   std::uint32_t b;
   SightLists lists;
@@ -54,7 +54,7 @@ struct SightProductTask {
 /// Answers as they are found.
 struct SightAnswers {
   SightCounts counts;
-  std::vector<SightProduct> products;
+  std::vector<PairBlock> products;
   std::vector<PatchPair> undecided;
   std::vector<std::size_t> first_candidate{0};
   std::vector<std::uint32_t> candidates;

@@ -10,13 +10,13 @@ namespace shaftcull {
 namespace {
 
 /// Runs a call of two sets, or of one with itself.
-SightCounts run(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers,
+SightCounts run(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Occluders& occluders,
                 const VisibilityOptions& options, const FunctionRef<void(const SightBatch&)>* deliver) {
   kernel::require_options(options);
-  return kernel::run_visibility(a.tree(), b.tree(), is_of_one_set, blockers.data(), options, deliver);
+  return kernel::run_visibility(a.tree(), b.tree(), is_of_one_set, occluders.data(), options, deliver);
 }
 
-Visibility collect(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers,
+Visibility collect(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Occluders& occluders,
                    const VisibilityOptions& options) {
   Visibility all;
   all.first_candidate.push_back(0);
@@ -31,15 +31,15 @@ Visibility collect(const PatchSet& a, const PatchSet& b, bool is_of_one_set, con
     }
   };
   const FunctionRef<void(const SightBatch&)> deliver = append;
-  all.counts = run(a, b, is_of_one_set, blockers, options, &deliver);
+  all.counts = run(a, b, is_of_one_set, occluders, options, &deliver);
   if (!options.candidates) all.first_candidate.clear();
   return all;
 }
 
-SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Blockers& blockers, Sight sight,
-                       std::span<std::uint64_t> bits, const VisibilityOptions& options) {
+SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set, const Occluders& occluders,
+                       Sight sight, std::span<std::uint64_t> bits, const VisibilityOptions& options) {
   if (sight > Sight::facing_away) kernel::refuse_sight("sight", sight);
-  const std::size_t words = words_for(b.size());
+  const std::size_t words = bit_words(b.size());
   kernel::require_rows(bits, a.size(), b.size());
   std::fill(bits.begin(), bits.end(), 0);
   const auto set = [&](std::size_t i, std::size_t j) { bits[i * words + j / 64] |= std::uint64_t{1} << j % 64; };
@@ -48,7 +48,7 @@ SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set,
     if (is_of_one_set) set(j, i);
   };
   const auto write = [&](const SightBatch& batch) {
-    for (const SightProduct& product : batch.products) {
+    for (const PairBlock& product : batch.products) {
       if (product.sight != sight) continue;
       for (const std::uint32_t i : a.order().subspan(product.a.first, product.a.count)) {
         for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count)) set_pair(i, j);
@@ -60,7 +60,7 @@ SightCounts write_bits(const PatchSet& a, const PatchSet& b, bool is_of_one_set,
   VisibilityOptions without_candidates = options;
   without_candidates.candidates = options.candidates && options.resolve;
   const FunctionRef<void(const SightBatch&)> deliver = write;
-  return run(a, b, is_of_one_set, blockers, without_candidates, &deliver);
+  return run(a, b, is_of_one_set, occluders, without_candidates, &deliver);
 }
 
 }  // namespace
@@ -71,8 +71,8 @@ const char* name(Sight sight) noexcept {
       return "undecided";
     case Sight::clear:
       return "clear";
-    case Sight::blocked:
-      return "blocked";
+    case Sight::occluded:
+      return "occluded";
     case Sight::facing_away:
       return "facing_away";
   }
@@ -81,40 +81,40 @@ const char* name(Sight sight) noexcept {
 
 Cancelled::~Cancelled() = default;
 
-SightCounts count_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+SightCounts count_visibility(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                              const VisibilityOptions& options) {
-  return run(a, b, false, blockers, options, nullptr);
+  return run(a, b, false, occluders, options, nullptr);
 }
-SightCounts count_visibility(const PatchSet& patches, const Blockers& blockers, const VisibilityOptions& options) {
-  return run(patches, patches, true, blockers, options, nullptr);
+SightCounts count_visibility(const PatchSet& patches, const Occluders& occluders, const VisibilityOptions& options) {
+  return run(patches, patches, true, occluders, options, nullptr);
 }
 
-SightCounts visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+SightCounts visibility(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                        FunctionRef<void(const SightBatch&)> deliver, const VisibilityOptions& options) {
   kernel::require_callback(deliver);
-  return run(a, b, false, blockers, options, &deliver);
+  return run(a, b, false, occluders, options, &deliver);
 }
-SightCounts visibility(const PatchSet& patches, const Blockers& blockers, FunctionRef<void(const SightBatch&)> deliver,
-                       const VisibilityOptions& options) {
+SightCounts visibility(const PatchSet& patches, const Occluders& occluders,
+                       FunctionRef<void(const SightBatch&)> deliver, const VisibilityOptions& options) {
   kernel::require_callback(deliver);
-  return run(patches, patches, true, blockers, options, &deliver);
+  return run(patches, patches, true, occluders, options, &deliver);
 }
 
-Visibility collect_visibility(const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+Visibility collect_visibility(const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                               const VisibilityOptions& options) {
-  return collect(a, b, false, blockers, options);
+  return collect(a, b, false, occluders, options);
 }
-Visibility collect_visibility(const PatchSet& patches, const Blockers& blockers, const VisibilityOptions& options) {
-  return collect(patches, patches, true, blockers, options);
+Visibility collect_visibility(const PatchSet& patches, const Occluders& occluders, const VisibilityOptions& options) {
+  return collect(patches, patches, true, occluders, options);
 }
 
-SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Blockers& blockers, Sight sight,
+SightCounts visibility_bits(const PatchSet& a, const PatchSet& b, const Occluders& occluders, Sight sight,
                             std::span<std::uint64_t> bits, const VisibilityOptions& options) {
-  return write_bits(a, b, false, blockers, sight, bits, options);
+  return write_bits(a, b, false, occluders, sight, bits, options);
 }
-SightCounts visibility_bits(const PatchSet& patches, const Blockers& blockers, Sight sight,
+SightCounts visibility_bits(const PatchSet& patches, const Occluders& occluders, Sight sight,
                             std::span<std::uint64_t> bits, const VisibilityOptions& options) {
-  return write_bits(patches, patches, true, blockers, sight, bits, options);
+  return write_bits(patches, patches, true, occluders, sight, bits, options);
 }
 
 }  // namespace shaftcull

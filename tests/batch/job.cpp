@@ -113,7 +113,7 @@ std::vector<CompiledShaft> form_shafts(ShaftKind kind, Contact contact, const st
         formed.push_back(swept(box, vector));
         break;
       case ShaftKind::sun:
-        formed.push_back(swept_without_end(box, vector));
+        formed.push_back(swept_infinite(box, vector));
         break;
     }
   }
@@ -176,15 +176,15 @@ void expect_answers(const std::string& path, Answer answer, const std::vector<Co
     }
   }
   if constexpr (std::is_same_v<View, BoxView>) {
-    if (answer == Answer::blocked) {
-      std::vector<std::uint64_t> bits(words_for(asked.size()));
-      blocked_many(std::span(asked), view, std::span(bits));
+    if (answer == Answer::occluded) {
+      std::vector<std::uint64_t> bits(bit_words(asked.size()));
+      occluded_many(std::span(asked), view, std::span(bits));
       std::size_t found = 0;
-      const auto blocked = dataset<std::uint8_t>(path, "blocked", H5T_NATIVE_UINT8);
-      ASSERT_EQ(blocked.size(), asked.size());
+      const auto occluded = dataset<std::uint8_t>(path, "occluded", H5T_NATIVE_UINT8);
+      ASSERT_EQ(occluded.size(), asked.size());
       for (std::size_t s = 0; s != asked.size(); ++s) {
-        EXPECT_EQ(blocked[s], bits[s / 64] >> (s % 64) & 1) << "shaft " << s;
-        found += blocked[s];
+        EXPECT_EQ(occluded[s], bits[s / 64] >> (s % 64) & 1) << "shaft " << s;
+        found += occluded[s];
       }
       EXPECT_GT(found, 0);
     }
@@ -194,10 +194,10 @@ void expect_answers(const std::string& path, Answer answer, const std::vector<Co
 void expect_answers_of(const std::string& path, Answer answer, const std::vector<CompiledShaft>& asked, BoundKind kind,
                        const std::vector<float>& floats) {
   if (kind == BoundKind::box) {
-    const BoxStream stream(MinMaxRecords{floats.data(), floats.data() + 3, 24, bounds});
+    const BoxStream stream(StridedBoxes{floats.data(), floats.data() + 3, 24, bounds});
     expect_answers(path, answer, asked, stream.view());
   } else if (kind == BoundKind::sphere) {
-    const SphereStream stream(SphereRecords{floats.data(), floats.data() + 3, 16, bounds});
+    const SphereStream stream(StridedSpheres{floats.data(), floats.data() + 3, 16, bounds});
     expect_answers(path, answer, asked, stream.view());
   } else {
     std::vector<Triangle> triangles(bounds);
@@ -232,7 +232,7 @@ class BatchJob : public testing::Test {
 
 TEST_F(BatchJob, AnswersAreThoseOfFlatScans) {
   constexpr std::array kinds{ShaftKind::between, ShaftKind::shadow, ShaftKind::swept, ShaftKind::sun};
-  constexpr std::array answers{Answer::count, Answer::list, Answer::classify, Answer::first, Answer::blocked};
+  constexpr std::array answers{Answer::count, Answer::list, Answer::classify, Answer::first, Answer::occluded};
   job.block = 120;
   for (const BoundKind bound : {BoundKind::box, BoundKind::sphere, BoundKind::triangle}) {
     const std::vector<float> bound_floats = random_bounds(bound);
@@ -244,7 +244,7 @@ TEST_F(BatchJob, AnswersAreThoseOfFlatScans) {
         const std::vector<CompiledShaft> asked = form_shafts(kind, contact, shaft_floats);
         for (const Answer answer : answers) {
           if (bound == BoundKind::triangle && answer != Answer::count && answer != Answer::list) continue;
-          if (answer == Answer::blocked && (bound != BoundKind::box || kind != ShaftKind::between)) continue;
+          if (answer == Answer::occluded && (bound != BoundKind::box || kind != ShaftKind::between)) continue;
           SCOPED_TRACE(std::string(name_of(bound)) + ", " + name_of(kind) + ", " + name_of(answer) +
                        (contact == Contact::open ? ", open" : ", closed"));
           job.question = {kind, answer, contact};
@@ -485,8 +485,8 @@ TEST_F(BatchJob, QuestionsThatBoundsCannotAnswerAreRefused) {
   job.question.answer = Answer::first;
   EXPECT_THAT(refusal(), HasSubstr("--answer first: "));
   write_floats(job.bounds, 4, random_bounds(BoundKind::sphere));
-  job.question.answer = Answer::blocked;
-  EXPECT_THAT(refusal(), HasSubstr("--answer blocked: only boxes block"));
+  job.question.answer = Answer::occluded;
+  EXPECT_THAT(refusal(), HasSubstr("--answer occluded: only boxes block"));
 }
 
 TEST_F(BatchJob, TheFirstBadRowIsNamedByItsPlaceInTheFile) {
@@ -508,7 +508,7 @@ TEST_F(BatchJob, TheFirstBadRowIsNamedByItsPlaceInTheFile) {
 }
 
 TEST_F(BatchJob, NothingToAskAndNothingToAskAboutHaveEmptyAnswers) {
-  for (const Answer answer : {Answer::count, Answer::list, Answer::classify, Answer::first, Answer::blocked}) {
+  for (const Answer answer : {Answer::count, Answer::list, Answer::classify, Answer::first, Answer::occluded}) {
     job.question.answer = answer;
     write_floats(job.bounds, 6, {});
     write_floats(job.shafts, 12, random_shafts(ShaftKind::between));

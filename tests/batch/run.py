@@ -130,7 +130,7 @@ def against_numpy():
 def on_ranks():
     """The file of 1, 2, 3 and 5 ranks is that of one process, in shares too."""
     options = scene(4, 600, 20_000)
-    for answer in ("count", "list", "classify", "first", "blocked"):
+    for answer in ("count", "list", "classify", "first", "occluded"):
         ask = [*options, "--answer", answer, "--block", 50]
         run(0, *ask)
         whole = content("out.h5")
@@ -325,8 +325,8 @@ def errors():
         "wrong.npy: row 321: ": ["--bounds", "bounds.npy", "--shafts", "wrong.npy", *out, "--block", "20"],
         "pairs.npy: row 1: 500 is no position of the 500 boxes": [
             "--bounds", "bounds.npy", "--boxes", "bounds.npy", "--shafts", "pairs.npy", *out],
-        "--answer blocked: only boxes block": [
-            "--bounds", "spheres.npy", "--shafts", "shafts.npy", "--answer", "blocked", *out],
+        "--answer occluded: only boxes block": [
+            "--bounds", "spheres.npy", "--shafts", "shafts.npy", "--answer", "occluded", *out],
         "folder: cannot be written: it is a directory": [
             "--bounds", "bounds.npy", "--shafts", "shafts.npy", "--out", "folder"],
         "file/no/folder.h5.parts: cannot be made": [
@@ -375,7 +375,7 @@ def errors():
 
 def model():
     """What model.py says of logs, and of dealing worked out by hand."""
-    sys.path.insert(0, os.path.join(os.path.dirname(script), "../../bench/batch"))
+    sys.path.insert(0, os.path.join(os.path.dirname(script), "../../programs/batch"))
     import model as tool
 
     assert tool.deal([1.0] * 8, 4) == (2.0, [2.0] * 4)

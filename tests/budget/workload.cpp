@@ -57,8 +57,8 @@ void run() {
   const BoxStream b_stream{std::span<const Box>(b)};
   std::vector<CompiledShaft> compiled;
   for (std::size_t s = 0; s != shafts; ++s) compiled.push_back(compile(Shaft(a[s], b[s])));
-  std::vector<std::uint64_t> kept(words_for(bounds));
-  std::vector<std::uint64_t> inside(words_for(bounds));
+  std::vector<std::uint64_t> kept(bit_words(bounds));
+  std::vector<std::uint64_t> inside(bit_words(bounds));
   std::vector<std::uint64_t> counts(shafts);
   IndexLists lists;
 
@@ -80,7 +80,7 @@ void run() {
         [&] { each_shaft([&](const CompiledShaft& shaft) { classify(shaft, spheres.view(), kept, inside); }); });
   count("boxes_cull_64", shafts * small_bounds, [&] {
     each_shaft([&](const CompiledShaft& shaft) {
-      cull(shaft, boxes.view().slice(0, small_bounds), std::span(kept).first(words_for(small_bounds)));
+      cull(shaft, boxes.view().slice(0, small_bounds), std::span(kept).first(bit_words(small_bounds)));
     });
   });
   count("boxes_cull_63", shafts, [&] {
@@ -143,7 +143,7 @@ void run() {
   count("pack_boxes", leaves, [&] { packed.update(0, std::span<const Box>(records)); });
   count("pack_spheres", leaves, [&] { packed_spheres.update(0, std::span<const Sphere>(sphere_records)); });
   count("pack_centre_extents", leaves, [&] {
-    packed.update(0, CentreExtentRecords{extents[0].data(), extents[0].data() + 3, sizeof extents[0], leaves});
+    packed.update(0, StridedCentreExtents{extents[0].data(), extents[0].data() + 3, sizeof extents[0], leaves});
   });
   std::vector<CompiledShaft> formed(pairs);
   count("form_batch", pairs, [&] { compile_batch(a_stream.view(), b_stream.view(), formed); });

@@ -75,11 +75,11 @@ class Arguments : public testing::Test {
     ask([&] { list_many(shafts_, view, lists, {.only = candidates}); });
     ask([&] { list_classified_many(shafts_, view, lists, insides); });
     if constexpr (std::is_same_v<View, BoxView>) {
-      ask([&] { (void)blocked(shafts_[0], view); });
-      ask([&] { (void)blocked_by(shafts_[0], view); });
-      ask([&] { (void)list_blocking(shafts_[0], view, kept); });
-      ask([&] { blocked_many(shafts_, view, std::span(kept_).first(1)); });
-      ask([&] { list_blocking_many(shafts_, view, lists); });
+      ask([&] { (void)occluded(shafts_[0], view); });
+      ask([&] { (void)find_occluder(shafts_[0], view); });
+      ask([&] { (void)list_occluders(shafts_[0], view, kept); });
+      ask([&] { occluded_many(shafts_, view, std::span(kept_).first(1)); });
+      ask([&] { list_occluders_many(shafts_, view, lists); });
     }
     if constexpr (are_triangles) {
       ask([&] { TriangleStream{view}; });
@@ -155,7 +155,7 @@ TEST_F(Arguments, RowsTimesWordsThatWrapAreRefused) {
   BoxView boxes;
   boxes.stream.fill(nothing);
   boxes.count = SIZE_MAX / 8;
-  ASSERT_EQ(512 * words_for(boxes.count), 0U);
+  ASSERT_EQ(512 * bit_words(boxes.count), 0U);
   EXPECT_THAT(
       message_of([&] { cull_many(shafts, boxes, {}); }),
       AllOf(HasSubstr("kept_rows has 0 words"), HasSubstr("512 shafts"), HasSubstr("more than memory can hold")));
@@ -211,8 +211,9 @@ TEST_F(Arguments, NullOutputsAreRefused) {
     EXPECT_THAT(message_of([&] { first_contact_many(shafts_, bounds, null_contacts); }), HasSubstr("contacts is null"));
   }
   for (const Bounds& bounds : {Bounds(boxes_), Bounds(box_tree)}) {
-    EXPECT_THAT(message_of([&] { blocked_many(shafts_, bounds, null_bits); }), HasSubstr("blocked is null"));
-    EXPECT_THAT(message_of([&] { (void)list_blocking(shafts_[0], bounds, null_list); }), HasSubstr("blocking is null"));
+    EXPECT_THAT(message_of([&] { occluded_many(shafts_, bounds, null_bits); }), HasSubstr("occluded is null"));
+    EXPECT_THAT(message_of([&] { (void)list_occluders(shafts_[0], bounds, null_list); }),
+                HasSubstr("blocking is null"));
   }
   EXPECT_EQ(list_of_two, (std::vector<std::uint32_t>{7, 7}));
   EXPECT_EQ(kept_, untouched_);
@@ -228,7 +229,7 @@ TEST_F(Arguments, NullInputsAreRefused) {
   const BoxTree tree(boxes_.view());
   std::vector<std::uint64_t> counts(4);
   EXPECT_THAT(message_of([&] { count_many(null_shafts, tree, counts); }), HasSubstr("shafts is null"));
-  const std::span<const std::uint64_t> null_mask(static_cast<const std::uint64_t*>(nullptr), words_for(tree.size()));
+  const std::span<const std::uint64_t> null_mask(static_cast<const std::uint64_t*>(nullptr), bit_words(tree.size()));
   const std::span<const std::uint32_t> null_indices(static_cast<const std::uint32_t*>(nullptr), 4);
   const std::vector<std::uint32_t> layers(count, 1);
   std::vector<std::uint32_t> kept(4, 7);
@@ -255,9 +256,9 @@ TEST_F(Arguments, NullInputsAreRefused) {
   EXPECT_EQ(kept, std::vector<std::uint32_t>(4, 7));
   EXPECT_EQ(kept_, untouched_);
   EXPECT_THAT(message_of([&] {
-                BoxTree{CentreExtentRecords{nullptr, nullptr, sizeof(Box), 5}};
+                BoxTree{StridedCentreExtents{nullptr, nullptr, sizeof(Box), 5}};
               }),
-              AllOf(HasSubstr("CentreExtentRecords::centre is null"), HasSubstr("5 records")));
+              AllOf(HasSubstr("StridedCentreExtents::centre is null"), HasSubstr("5 records")));
   EXPECT_THAT(message_of([&] { BoxStream{std::span<const Box>(static_cast<const Box*>(nullptr), 5)}; }),
               HasSubstr("boxes is null; it must point to the first of 5 boxes"));
   EXPECT_THAT(message_of([&] { SphereStream{std::span<const Sphere>(static_cast<const Sphere*>(nullptr), 5)}; }),

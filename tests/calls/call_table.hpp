@@ -48,7 +48,7 @@ void note(AnswerWords& words, const T& value) {
 
 /// Notes what a shaft holds by its answers for a few boxes: members that are not in use may hold anything.
 inline void note_shaft(AnswerWords& words, const CompiledShaft& shaft, const BoxView& boxes) {
-  std::vector<std::uint64_t> kept(words_for(boxes.count));
+  std::vector<std::uint64_t> kept(bit_words(boxes.count));
   std::vector<std::uint64_t> inside(kept.size());
   classify(in_form(shaft, Form::slab), boxes, kept, inside);
   note(words, kept);

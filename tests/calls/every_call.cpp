@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "calls/blocked_calls.hpp"
 #include "calls/forming_calls.hpp"
+#include "calls/occluded_calls.hpp"
 #include "calls/query_calls.hpp"
 #include "calls/stream_calls.hpp"
 #include "calls/tree_calls.hpp"
@@ -33,7 +33,7 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
     table_.spheres.push_back({table_.boxes.back().lo, i % 5 == 0 ? random.integer(0, 3) : random.uniform(0.01F, 0.5F)});
     if (i % 7 == 0) table_.candidates.push_back(static_cast<std::uint32_t>(i));
   }
-  table_.mask.resize(words_for(bounds));
+  table_.mask.resize(bit_words(bounds));
   for (std::size_t i = 0; i != bounds; ++i) {
     table_.layers.push_back(1U << i % 5);
     if (i % 11 == 0) table_.mask[i / 64] |= std::uint64_t{1} << i % 64;
@@ -69,7 +69,7 @@ EveryCall::EveryCall(std::vector<CompiledShaft> shafts, std::size_t bounds) {
   add_triangle_query_calls(table_, " of triangles in a tree", table_.triangle_tree, false);
   add_calls_about_one(table_, " of boxes", table_.boxes);
   add_calls_about_one(table_, " of spheres", table_.spheres);
-  add_blocked_calls(table_, table_.box_stream, table_.boxes, table_.box_tree);
+  add_occluded_calls(table_, table_.box_stream, table_.boxes, table_.box_tree);
 }
 
 std::vector<CompiledShaft> EveryCall::shafts(std::size_t count) {
@@ -82,9 +82,7 @@ std::vector<CompiledShaft> EveryCall::shafts(std::size_t count) {
       const Box& body = shaft.a();
       const Vec3 way{1, 0.25F, s % 2 == 0 ? 0.0F : -3.0F};
       const Vec3 light{body.hi[0] + 2, body.lo[1], body.lo[2]};
-      shafts[s] = s % 3 == 0   ? swept(body, way)
-                  : s % 3 == 1 ? swept_without_end(body, way)
-                               : shadow({light, light}, body);
+      shafts[s] = s % 3 == 0 ? swept(body, way) : s % 3 == 1 ? swept_infinite(body, way) : shadow({light, light}, body);
     } else if (s % 3 != 0 || s % 4 == 0) {
       shafts[s] = compile(shaft);
     } else {

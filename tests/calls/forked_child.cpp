@@ -41,12 +41,12 @@ TEST(ForkedChild, AChildOfForkMayMakeCallsThatNeedNoOtherThread) {
   const BoxStream boxes(random_boxes(5, 5000));
   const BoxTree tree(boxes.view());
   const auto answers = [&] {
-    AnswerWords words(words_for(boxes.size()));
+    AnswerWords words(bit_words(boxes.size()));
     for (const CompiledShaft& shaft : shafts) cull(shaft, boxes.view(), words);
     for (const CompiledShaft& shaft : shafts) words.push_back(count(shaft, tree));
     BoxStream moved(boxes);
     moved.update(7, std::vector<Box>(9, boxes[0]));
-    cull(compile(boxes[0], boxes[1]), moved.view(), std::span(words).first(words_for(boxes.size())));
+    cull(compile(boxes[0], boxes[1]), moved.view(), std::span(words).first(bit_words(boxes.size())));
     return words;
   };
   std::vector<std::uint64_t> counts(shafts.size());

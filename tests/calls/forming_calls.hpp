@@ -44,18 +44,18 @@ inline void add_forming_calls(CallTable& table) {
       note_shaft(words, hull, table.box_stream.view().slice(0, 64));
     }
   });
-  table.add("swept, swept_without_end, shadow", false, [&table](AnswerWords& words) {
+  table.add("swept, swept_infinite, shadow", false, [&table](AnswerWords& words) {
     const std::vector<Plane> planes(2, Plane{{1, 2, 3}, 4});
     const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
     for (const CompiledShaft& shaft :
          {swept(table.boxes[1], {0.1F, 2, 1e-30F}), swept(table.boxes[1], {0.1F, 2, 1e-30F}, planes),
-          swept_without_end(table.boxes[1], {0.3F, -1, 1e-40F}), swept_without_end(table.boxes[1], {0, -1, 0}, planes),
+          swept_infinite(table.boxes[1], {0.3F, -1, 1e-40F}), swept_infinite(table.boxes[1], {0, -1, 0}, planes),
           shadow(light, table.boxes[1]), shadow(light, table.boxes[1], 3.3F),
           shadow(light, table.boxes[1], 1.1F, planes)}) {
       note_shaft(words, shaft, table.box_stream.view().slice(0, 64));
     }
   });
-  table.add("swept_batch, swept_without_end_batch, shadow_batch", false, [&table](AnswerWords& words) {
+  table.add("swept_batch, swept_infinite_batch, shadow_batch", false, [&table](AnswerWords& words) {
     const Box body{{0, 0, 0}, {1, 1.5F, 2}};
     const Box light{{9, 9, 9}, {9.5F, 9, 9.25F}};
     const BoxStream bodies(std::span(&body, 1));
@@ -68,7 +68,7 @@ inline void add_forming_calls(CallTable& table) {
     const BoxView some = table.box_stream.view().slice(0, 64);
     swept_batch(bodies.view(), std::span(&way, 1), out, std::span(&plane, 1));
     note_shaft(words, shaft, some);
-    swept_without_end_batch(bodies.view(), std::span(&way, 1), out);
+    swept_infinite_batch(bodies.view(), std::span(&way, 1), out);
     note_shaft(words, shaft, some);
     shadow_batch(lights.view(), bodies.view(), out, {.a = std::span(&plane, 1)});
     note_shaft(words, shaft, some);

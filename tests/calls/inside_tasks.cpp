@@ -24,17 +24,17 @@ namespace {
 
 constexpr int threads = 4;
 
-/// Patches and blockers, whose sights are delivered in many batches.
+/// Patches and occluders, whose sights are delivered in many batches.
 struct Patches {
   PatchSet some{std::span<const Box>(random_boxes(3, 700))};
   PatchSet others{std::span<const Box>(random_boxes(4, 700))};
-  Blockers blockers;
+  Occluders occluders;
 
-  Patches() { blockers.add_boxes(std::span<const Box>(random_boxes(5, 100))); }
+  Patches() { occluders.add_boxes(std::span<const Box>(random_boxes(5, 100))); }
   void deliver(FunctionRef<void(const SightBatch&)> to) const {
     VisibilityOptions options;
     options.memory = std::size_t{1} << 20;
-    visibility(some, others, blockers, to, options);
+    visibility(some, others, occluders, to, options);
   }
 };
 

@@ -25,7 +25,7 @@ struct AskedBounds {
   bool have_layers = true;
   TriangleTest triangle_test = TriangleTest::exact;
 
-  [[nodiscard]] std::size_t words() const { return words_for(bounds.size()); }
+  [[nodiscard]] std::size_t words() const { return bit_words(bounds.size()); }
   [[nodiscard]] CompiledShaft shaft(const CompiledShaft& given) const { return form ? in_form(given, *form) : given; }
   [[nodiscard]] std::vector<CompiledShaft> shafts(std::span<const CompiledShaft> given) const {
     return form ? in_form(given, *form) : std::vector<CompiledShaft>(given.begin(), given.end());
@@ -154,7 +154,7 @@ inline void add_calls_for_many_shafts(CallTable& table, const AskedBounds& asked
     note(words, counts);
   });
   table.add("any_many" + of, true, [=](AnswerWords& words) {
-    std::vector<std::uint64_t> bits(words_for(count));
+    std::vector<std::uint64_t> bits(bit_words(count));
     any_many(shafts(), asked.bounds, bits, plain);
     note(words, bits);
   });
@@ -214,7 +214,7 @@ inline void add_calls_with_options(CallTable& table, const AskedBounds& asked) {
     std::vector<KeptCounts> counts(shafts.size());
     count_classified_many(shafts, asked.bounds, counts, query);
     note(words, counts);
-    std::vector<std::uint64_t> bits(words_for(shafts.size()));
+    std::vector<std::uint64_t> bits(bit_words(shafts.size()));
     any_many(shafts, asked.bounds, bits, query);
     note(words, bits);
     IndexLists lists;

@@ -21,10 +21,10 @@ inline void add_stream_calls(CallTable& table) {
     for (const float x : {0.1F, 0.3F, 1e-40F, 0.7F, 1e-30F, 3.3F}) table.centres.push_back(x * static_cast<float>(i));
   }
   table.add("BoxStream and BoxTree of centres", false, [&table](AnswerWords& words) {
-    const BoxStream stream(CentreExtentRecords{table.centres.data(), table.centres.data() + 3, 6 * sizeof(float), 70});
+    const BoxStream stream(StridedCentreExtents{table.centres.data(), table.centres.data() + 3, 6 * sizeof(float), 70});
     for (std::size_t i = 0; i != stream.size(); ++i) note(words, stream[i]);
-    BoxTree tree(CentreExtentRecords{table.centres.data(), table.centres.data() + 3, 6 * sizeof(float), 70});
-    tree.update(CentreExtentRecords{table.centres.data(), table.centres.data() + 3, 6 * sizeof(float), 70});
+    BoxTree tree(StridedCentreExtents{table.centres.data(), table.centres.data() + 3, 6 * sizeof(float), 70});
+    tree.update(StridedCentreExtents{table.centres.data(), table.centres.data() + 3, 6 * sizeof(float), 70});
     for (std::size_t i = 0; i != tree.size(); ++i) note(words, tree.leaves()[i]);
   });
   table.add("SphereStream", false, [&table](AnswerWords& words) {

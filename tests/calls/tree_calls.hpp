@@ -18,7 +18,7 @@ void add_tree_calls(CallTable& table, const std::string& of, const ViewOf<Bound>
                     const std::vector<Bound>& bounds, BoundsTree<Bound>& tree) {
   const auto note_tree = [](AnswerWords& words, const BoundsTree<Bound>& built) {
     note(words, built.order());
-    note(words, built.growth());
+    note(words, built.sah_ratio());
     for (std::size_t i = 0; i < built.size(); i += 9) note(words, built.leaves()[i]);
   };
   table.add("tree" + of, false, [=](AnswerWords& words) { note_tree(words, BoundsTree<Bound>(view)); });
@@ -27,7 +27,7 @@ void add_tree_calls(CallTable& table, const std::string& of, const ViewOf<Bound>
     built.update(std::span<const Bound>(bounds));
     note_tree(words, built);
   });
-  table.add("update, refit, rebuild, renumber of a tree" + of, false, [=, &table, &bounds, &tree](AnswerWords& words) {
+  table.add("update, refit, rebuild, reorder of a tree" + of, false, [=, &table, &bounds, &tree](AnswerWords& words) {
     BoundsTree<Bound> moved(tree);
     moved.update(std::span<const std::uint32_t>(table.candidates), view.slice(0, table.candidates.size()));
     moved.refit();
@@ -37,7 +37,7 @@ void add_tree_calls(CallTable& table, const std::string& of, const ViewOf<Bound>
     moved.update(view);
     note_tree(words, moved);
     moved.rebuild();
-    moved.renumber();
+    moved.reorder();
     note_tree(words, moved);
   });
   table.add("layers of a tree" + of, true, [=, &table, &tree](AnswerWords& words) {

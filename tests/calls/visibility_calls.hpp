@@ -22,12 +22,12 @@ struct SightWorkload {
   std::vector<Vec3> hull;
   PatchSet patches;
   PatchSet others;
-  Blockers blockers;
+  Occluders occluders;
 };
 
 /// Notes all answers to pairs.
 inline void note_visibility(AnswerWords& words, const Visibility& all) {
-  for (const SightProduct& product : all.products) {
+  for (const PairBlock& product : all.products) {
     for (const PatchRun& run : {product.a, product.b}) {
       note(words, run.first);
       note(words, run.count);
@@ -43,7 +43,7 @@ inline void note_visibility(AnswerWords& words, const Visibility& all) {
   note(words, all.counts.total());
 }
 
-/// Patches and blockers are the first boxes of the table, and the triangles.
+/// Patches and occluders are the first boxes of the table, and the triangles.
 inline void add_visibility_calls(CallTable& table) {
   const auto all = std::make_shared<SightWorkload>();
   const std::size_t count = std::min<std::size_t>(table.boxes.size(), 300);
@@ -57,7 +57,7 @@ inline void add_visibility_calls(CallTable& table) {
   all->hull = {{0, 0, 0}, {2, 1, 0}, {1, 3, 0}, {0, 0, 4}, {2, 1, 4}, {1, 3, 4}};
   all->patches = PatchSet(std::span<const Box>(all->boxes), all->planes);
   all->others = PatchSet(std::span<const Box>(all->boxes).subspan(0, count / 2));
-  const auto add_blockers = [all, &triangles = table.triangle_stream](Blockers& to) {
+  const auto add_occluders = [all, &triangles = table.triangle_stream](Occluders& to) {
     to.add_boxes(std::span<const Box>(all->boxes).subspan(0, std::min<std::size_t>(all->boxes.size(), 20)));
     to.add_solids(std::span<const Box>(all->solids));
     to.add_solid_hulls(all->hull, std::vector<std::size_t>{0, all->hull.size()});
@@ -66,37 +66,37 @@ inline void add_visibility_calls(CallTable& table) {
     few.count = std::min<std::size_t>(few.count, 100);
     to.add_triangles(few);
   };
-  add_blockers(all->blockers);
+  add_occluders(all->occluders);
 
   table.add("PatchSet", false, [all](AnswerWords& words) {
     const PatchSet set(std::span<const Box>(all->boxes), all->planes);
     note(words, set.order());
   });
-  table.add("Blockers", false, [all, add_blockers](AnswerWords& words) {
-    Blockers blockers;
-    add_blockers(blockers);
-    for (std::size_t i = 0; i != blockers.size(); ++i) note(words, blockers.box(i));
+  table.add("Occluders", false, [all, add_occluders](AnswerWords& words) {
+    Occluders occluders;
+    add_occluders(occluders);
+    for (std::size_t i = 0; i != occluders.size(); ++i) note(words, occluders.box(i));
   });
   table.add("merged_boxes", false, [all](AnswerWords& words) {
     for (const Box& box : merged_boxes(all->boxes)) note(words, box);
   });
   table.add("inscribed_box", false, [all](AnswerWords& words) { note(words, inscribed_box(all->hull)); });
   table.add("count_visibility", false, [all](AnswerWords& words) {
-    const SightCounts counts = count_visibility(all->patches, all->blockers);
-    for (const std::uint64_t n : {counts.undecided, counts.clear, counts.blocked, counts.facing_away})
+    const SightCounts counts = count_visibility(all->patches, all->occluders);
+    for (const std::uint64_t n : {counts.undecided, counts.clear, counts.occluded, counts.facing_away})
       words.push_back(n);
-    words.push_back(count_visibility(all->patches, all->others, all->blockers).undecided);
+    words.push_back(count_visibility(all->patches, all->others, all->occluders).undecided);
   });
   table.add("collect_visibility", false, [all](AnswerWords& words) {
-    note_visibility(words, collect_visibility(all->patches, all->blockers));
+    note_visibility(words, collect_visibility(all->patches, all->occluders));
     VisibilityOptions closed;
     closed.contact = Contact::closed;
     closed.solids_around_ends = false;
-    note_visibility(words, collect_visibility(all->others, all->patches, all->blockers, closed));
+    note_visibility(words, collect_visibility(all->others, all->patches, all->occluders, closed));
   });
   table.add("visibility_bits", false, [all](AnswerWords& words) {
-    std::vector<std::uint64_t> bits(all->patches.size() * words_for(all->others.size()));
-    visibility_bits(all->patches, all->others, all->blockers, Sight::clear, bits);
+    std::vector<std::uint64_t> bits(all->patches.size() * bit_words(all->others.size()));
+    visibility_bits(all->patches, all->others, all->occluders, Sight::clear, bits);
     note(words, bits);
   });
 }

@@ -82,7 +82,7 @@ TEST_F(CliCull, SaysWhatBlocksIfBoundsAreSolid) {
   const Outcome json = cull({"--from", "left", "--to", "right", "--solid", "--tree", "--format", "json"});
   ASSERT_EQ(json.exit_code, 0) << json.error;
   const auto pair = nlohmann::json::parse(json.out)["pairs"][0];
-  EXPECT_EQ(pair["blocked"], true);
+  EXPECT_EQ(pair["occluded"], true);
   EXPECT_EQ(pair["candidates"][0]["answer"], "blocks");
   EXPECT_EQ(pair["candidates"][1]["answer"], "inside");
   const Outcome csv = cull({"--from", "left", "--to", "right", "--solid", "--format", "csv"});

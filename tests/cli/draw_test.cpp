@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What `draw` shows beside the shaft: triangles, and boxes that are flat, from outside; and the pictures of
-/// docs/kinds.md.
+/// docs/volumes.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -203,12 +203,12 @@ std::vector<PictureCommand> picture_commands(const std::string& page) {
 
 TEST(KindsPage, HasThePicturesThatItsCommandsMake) {
   const std::string docs = SHAFTCULL_DOCS;
-  const std::string page = file_content(docs + "/kinds.md");
+  const std::string page = file_content(docs + "/volumes.md");
   const std::vector<PictureCommand> commands = picture_commands(page);
   EXPECT_THAT(commands, SizeIs(9));
   for (const PictureCommand& command : commands) {
     SCOPED_TRACE(command.file);
-    ASSERT_THAT(command.file, testing::StartsWith("docs/kinds/"));
+    ASSERT_THAT(command.file, testing::StartsWith("docs/volumes/"));
     const std::string name = command.file.substr(std::string("docs/").size());
     EXPECT_THAT(page, HasSubstr("](" + name + ")"));
     EXPECT_EQ(output_of(command.arguments), file_content(docs + "/" + name));

@@ -83,14 +83,14 @@ TEST_F(CliSeesMesh, RaysPassBesideAPost) {
 }
 
 TEST_F(CliSeesMesh, ASolidWallBlocks) {
-  EXPECT_THAT(across(upright_wall(), {"--solid", "wall"}), Each("blocked"));
-  EXPECT_THAT(across(upright_wall(), {"--solid", "w*"}), Each("blocked"));
+  EXPECT_THAT(across(upright_wall(), {"--solid", "wall"}), Each("occluded"));
+  EXPECT_THAT(across(upright_wall(), {"--solid", "w*"}), Each("occluded"));
 }
 
 TEST_F(CliSeesMesh, ASolidAroundAPatchBlocksUnlessThereAreRays) {
   const std::string around_left =
       hexahedron("wall", {"-1 -5 -5", "1 -5 -5", "1 5 -5", "-1 5 -5", "-1 -5 5", "1 -5 5", "1 5 5", "-1 5 5"});
-  EXPECT_THAT(across(around_left, {"--solid", "wall"}), Each("blocked"));
+  EXPECT_THAT(across(around_left, {"--solid", "wall"}), Each("occluded"));
   EXPECT_THAT(across(around_left, {"--solid", "wall", "--rays", "4"}), Each(testing::StartsWith("undecided,")));
 }
 
@@ -98,7 +98,7 @@ TEST_F(CliSeesMesh, ATurnedSolidWallIsTaken) {
   const std::string out = output_of({"sees", file(turned_wall()), "--solid", "wall", "--format", "json"});
   EXPECT_EQ(nlohmann::json::parse(out)["solids"], 1);
   EXPECT_THAT(across(turned_wall(), {"--rays", "16", "--solid", "wall"}),
-              Each(testing::AnyOf("undecided,0", "blocked,")));
+              Each(testing::AnyOf("undecided,0", "occluded,")));
 }
 
 TEST_F(CliSeesMesh, FacetsThatTurnAwayFaceAwayUnlessTheyHaveTwoSides) {

@@ -36,7 +36,7 @@ assert zipfile.ZipFile(sys.argv[1]).testzip() is None
 z = numpy.load(sys.argv[1])
 order, products, undecided = z['order'], z['products'], z['undecided']
 first, candidates, seen, rays = z['first_candidate'], z['candidates'], z['seen'], z['rays'][0]
-patches, blockers = len(z['patch_boxes']), len(z['blocker_boxes'])
+patches, occluders = len(z['patch_boxes']), len(z['occluder_boxes'])
 assert sorted(order) == list(range(patches))
 dense = numpy.zeros((patches, patches), int)
 answer = numpy.zeros((patches, patches), int)
@@ -55,12 +55,12 @@ assert (dense == 1).all()
 numpy.fill_diagonal(answer, 9)
 assert first[0] == 0 and first[-1] == len(candidates) and (first[1:] > first[:-1]).all()
 assert len(first) == len(undecided) + 1 and len(seen) == len(undecided)
-assert candidates.max() < blockers and seen.max() <= rays
-assert z['patch_planes'].shape == (patches, 4) and z['patch_objects'].max() == z['blocker_objects'].max()
+assert candidates.max() < occluders and seen.max() <= rays
+assert z['patch_planes'].shape == (patches, 4) and z['patch_objects'].max() == z['occluder_objects'].max()
 corners, boxes = z['patch_corners'], z['patch_boxes']
 assert (corners.min(axis=1) >= boxes[:, 0]).all() and (corners.max(axis=1) <= boxes[:, 1]).all()
 print(json.dumps({'all': patches * (patches - 1) // 2, 'clear': int((answer == 1).sum() // 2),
-                  'blocked': int((answer == 2).sum() // 2), 'facing_away': int((answer == 3).sum() // 2),
+                  'occluded': int((answer == 2).sum() // 2), 'facing_away': int((answer == 3).sum() // 2),
                   'undecided': len(undecided), 'rays_visible': int((seen == rays).sum()),
                   'rays_partly': int(((seen > 0) & (seen < rays)).sum()), 'rays_hidden': int((seen == 0).sum())}))
 )";

@@ -42,7 +42,7 @@ TEST(CliSees, KindsOfPairsAddUpToAll) {
   const std::uint64_t patches = report["patches"];
   EXPECT_EQ(pairs["all"], patches * (patches - 1) / 2);
   std::uint64_t sum = 0;
-  for (const char* kind : {"clear", "blocked", "facing_away", "undecided"}) {
+  for (const char* kind : {"clear", "occluded", "facing_away", "undecided"}) {
     EXPECT_GT(pairs[kind], 0) << kind;
     sum += pairs[kind].get<std::uint64_t>();
   }
@@ -55,7 +55,7 @@ TEST(CliSees, KindsOfPairsAddUpToAll) {
 TEST(CliSees, RaysTellOfUndecidedPairsHowMuchIsSeen) {
   const Json without = Json::parse(output_of(one_room))["pairs"];
   const Json pairs = Json::parse(output_of(with(one_room, {"--rays", "9"})))["pairs"];
-  for (const char* kind : {"clear", "blocked", "facing_away", "undecided"}) EXPECT_EQ(pairs[kind], without[kind]);
+  for (const char* kind : {"clear", "occluded", "facing_away", "undecided"}) EXPECT_EQ(pairs[kind], without[kind]);
   std::uint64_t sum = 0;
   for (const char* kind : {"rays_visible", "rays_partly", "rays_hidden"}) {
     EXPECT_GT(pairs[kind], 0) << kind;
@@ -78,7 +78,7 @@ TEST(CliSees, TableAndCsvHaveTheNumbersOfJson) {
   arguments[9] = "text";
   std::string table = output_of(arguments);
   std::erase(table, ',');
-  EXPECT_EQ(words_after(table, "blocked").at(0), std::to_string(pairs["blocked"].get<std::uint64_t>()));
+  EXPECT_EQ(words_after(table, "occluded").at(0), std::to_string(pairs["occluded"].get<std::uint64_t>()));
   EXPECT_EQ(words_after(table, "  by rays partly").at(0), std::to_string(pairs["rays_partly"].get<std::uint64_t>()));
   EXPECT_THAT(table, AllOf(HasSubstr("1 room: 8 objects"), HasSubstr("pairs/s"), HasSubstr("MB of memory")));
 }

@@ -125,7 +125,7 @@ TEST(CliStats, CountTrianglesThatOnlyTouchIfContactIsOpen) {
   }
 }
 
-/// What the table of --solid says: of cubes that block, then of shafts that are blocked, the number and percentage by
+/// What the table of --solid says: of cubes that block, then of shafts that are occluded, the number and percentage by
 /// any cube, and by cubes around no end alone.
 struct Blocking {
   std::vector<double> cubes;
@@ -135,7 +135,7 @@ struct Blocking {
 Blocking blocking_in(const std::vector<std::string>& options) {
   std::string text = output_of(with({"stats", "--shafts", "200", "--solid"}, options));
   std::erase(text, ',');
-  return {shares_in(text, "cubes that block"), shares_in(text, "shafts that are blocked")};
+  return {shares_in(text, "cubes that block"), shares_in(text, "shafts that are occluded")};
 }
 
 TEST(CliStats, CountHowOftenCubesBlock) {
@@ -144,7 +144,7 @@ TEST(CliStats, CountHowOftenCubesBlock) {
   for (const Blocking& blocking : {small, large}) {
     ASSERT_THAT(blocking.cubes, SizeIs(4));
     ASSERT_THAT(blocking.shafts, SizeIs(4));
-    EXPECT_GE(blocking.cubes[0], blocking.shafts[0]) << "a shaft is blocked by one cube at least";
+    EXPECT_GE(blocking.cubes[0], blocking.shafts[0]) << "a shaft is occluded by one cube at least";
     EXPECT_GT(blocking.cubes[0], blocking.cubes[2]);
     EXPECT_GE(blocking.shafts[0], blocking.shafts[2]);
     EXPECT_GT(blocking.shafts[2], 0);

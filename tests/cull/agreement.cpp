@@ -39,7 +39,7 @@ std::vector<Answer> all_answers(const ShaftInput& input, const std::vector<Bound
   const auto memory = columns(bounds);
   const CompiledShaft shaft = compiled(input);
   // Words that the calls must overwrite entirely.
-  std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
+  std::vector<std::uint64_t> culled(bit_words(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
   std::vector<std::uint64_t> inside = culled;
   cull(in_form(shaft, form), memory.view(), culled);

@@ -300,8 +300,8 @@ TEST(CompileBatch, PendingPlanesAreFoundByTheTestsThatNeedThem) {
       std::vector<std::uint64_t> kept[2];
       std::vector<std::uint64_t> inside[2];
       for (std::size_t i = 0; i != 2; ++i) {
-        kept[i].resize(words_for(boxes.size()));
-        inside[i].resize(words_for(boxes.size()));
+        kept[i].resize(bit_words(boxes.size()));
+        inside[i].resize(bit_words(boxes.size()));
         classify(in_form(i == 0 ? pending[0] : single, form), memory.view(), kept[i], inside[i]);
       }
       EXPECT_EQ(kept[0], kept[1]);

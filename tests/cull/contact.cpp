@@ -218,7 +218,7 @@ TEST(OpenContact, WhatIsInsideIsKept) {
       std::vector<Box> boxes;
       for (int k = 0; k != 200; ++k) boxes.push_back(lattice_box(random, 3));
       const auto memory = columns(boxes);
-      std::vector<std::uint64_t> kept(words_for(boxes.size()));
+      std::vector<std::uint64_t> kept(bit_words(boxes.size()));
       std::vector<std::uint64_t> inside(kept.size());
       std::vector<std::uint64_t> alone(kept.size());
       const CompiledShaft shaft = compile(input.a, input.b, Contact::open);
@@ -248,7 +248,7 @@ TEST(OpenContact, CanBeTakenBack) {
       for (int k = 0; k != 100; ++k) boxes.push_back(lattice_box(random, 4));
       const auto memory = columns(boxes);
       const auto bits = [&](const CompiledShaft& shaft) {
-        std::vector<std::uint64_t> kept(words_for(boxes.size()));
+        std::vector<std::uint64_t> kept(bit_words(boxes.size()));
         cull(shaft, memory.view(), kept);
         return kept;
       };
@@ -309,7 +309,7 @@ class OpenContactVerbs : public testing::Test {
     std::vector<std::uint32_t> list_of_one;
     std::vector<std::uint32_t> candidates;
     for (std::uint32_t i = 0; i < boxes_.size(); i += 3) candidates.push_back(i);
-    std::vector<std::uint64_t> any_bits(words_for(shafts_.size()));
+    std::vector<std::uint64_t> any_bits(bit_words(shafts_.size()));
     any_many(shafts_, bounds, any_bits);
     std::vector<std::uint64_t> counts(shafts_.size());
     count_many(shafts_, bounds, counts);

@@ -26,7 +26,7 @@
 #include "oracle/quick_hull.hpp"
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
-#include "shaftcull/kinds.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -185,7 +185,7 @@ TYPED_TEST(FirstContactOfBounds, IsThatOfExactArithmeticForSweepsAndShadows) {
 
 TEST(FirstContact, IsToldHoweverLateItIs) {
   on_each_instruction_set([] {
-    const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
+    const CompiledShaft shaft = swept_infinite({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
     const std::vector<Box> boxes = {{{0x1p100F, 0, 0}, {0x1.8p100F, 1, 1}}, {{0x1p99F, 0, 0}, {0x1.8p99F, 1, 1}}};
     const FirstContact contact = first_contact(shaft, BoxColumns(boxes).view());
     EXPECT_EQ(contact.index, 1U);

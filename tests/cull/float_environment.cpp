@@ -36,7 +36,7 @@ std::vector<std::uint64_t> all_words(const ShaftInput& input, const View& bounds
   compile_batch(from.view(), to.view(), batch);
 
   std::vector<std::uint64_t> words;
-  std::vector<std::uint64_t> kept(words_for(bounds.count));
+  std::vector<std::uint64_t> kept(bit_words(bounds.count));
   std::vector<std::uint64_t> inside(kept);
   const auto note = [&](const std::vector<std::uint64_t>& row) { words.insert(words.end(), row.begin(), row.end()); };
   for (const CompiledShaft& each : {shaft, compile(input.a, input.b), batch[0], batch[8]}) {

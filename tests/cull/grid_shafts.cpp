@@ -17,7 +17,7 @@
 #include "oracle/cases/shafts.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/random.hpp"
-#include "shaftcull/kinds.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -145,7 +145,7 @@ TEST(GridShafts, BoundsOnTAreOffByLessThanTheirSlackWhereAShaftLeavesTheFrame) {
         const float along = random.uniform(-6, 6);
         const Box b{{along, a.lo[1] - beyond, a.lo[2] - random.uniform(0.1F, 1) * beyond},
                     {along + 0.5F, a.hi[1] + random.uniform(0.1F, 1) * beyond, a.hi[2] + beyond}};
-        shafts.push_back(swept_without_end(a, {1, 0, 0}));  // its end is what counts here
+        shafts.push_back(swept_infinite(a, {1, 0, 0}));  // its end is what counts here
         ends.push_back({a, b});
         kernel::ClippedEnd end{};
         for (unsigned k = 0; k != 3; ++k) {

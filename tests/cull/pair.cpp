@@ -109,8 +109,8 @@ TEST(CompilePair, AnswersWhatShaftAnswers) {
   for (int i = 0; i != 300; ++i) boxes.push_back(random.box(-5, 5, 0.05F, 1.0F));
   const BoxColumns memory(boxes);
   const auto answers = [&](const CompiledShaft& shaft, Form form) {
-    std::vector<std::uint64_t> kept(words_for(boxes.size()));
-    std::vector<std::uint64_t> inside(words_for(boxes.size()));
+    std::vector<std::uint64_t> kept(bit_words(boxes.size()));
+    std::vector<std::uint64_t> inside(bit_words(boxes.size()));
     classify(in_form(shaft, form), memory.view(), kept, inside);
     return std::pair(kept, inside);
   };

@@ -22,8 +22,8 @@
 #include "oracle/shaft_input.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/first_contact.hpp"
-#include "shaftcull/kinds.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -140,7 +140,7 @@ TEST(SphereContact, FollowsWhatSpecialValuesMean) {
 
 TEST(SphereContact, TimesHaveNoEndAsSweepsHaveNone) {
   on_each_instruction_set([] {
-    const CompiledShaft shaft = swept_without_end({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
+    const CompiledShaft shaft = swept_infinite({{0, 0, 0}, {1, 1, 1}}, {0x1p-100F, 0, 0});
     const std::vector<Sphere> spheres = {{{0x1p100F, 0, 0}, 3}, {{0x1p99F, 2, 0}, 1}, {{2, 1.5F, 1}, 0.5F}};
     const std::vector<float> times = times_of(shaft, spheres);
     constexpr float most = std::numeric_limits<float>::max();

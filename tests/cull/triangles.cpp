@@ -27,8 +27,8 @@
 #include "sanitizers.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
-#include "shaftcull/kinds.hpp"
 #include "shaftcull/many.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -44,7 +44,7 @@ bool bit(const Bits& words, std::size_t i) { return (words[i / 64] >> i % 64 & 1
 const char* name(TriangleTest test) { return test == TriangleTest::exact ? "triangles" : "vertices"; }
 
 Bits kept_of(const CompiledShaft& shaft, const TriangleView& triangles, TriangleTest test) {
-  Bits kept(words_for(triangles.count), 0x5555);
+  Bits kept(bit_words(triangles.count), 0x5555);
   cull(shaft, triangles, kept, {.triangle_test = test});
   return kept;
 }
@@ -57,8 +57,8 @@ CompiledShaft compiled(const ShaftInput& input) {
 CompiledShaft compiled(const MovingInput& input) {
   using Kind = MovingInput::Kind;
   CompiledShaft result = input.kind == Kind::swept ? swept(input.box, input.displacement, input.added)
-                         : input.kind == Kind::swept_without_end
-                             ? swept_without_end(input.box, input.displacement, input.added)
+                         : input.kind == Kind::swept_infinite
+                             ? swept_infinite(input.box, input.displacement, input.added)
                          : input.kind == Kind::shadow ? shadow(input.light, input.box, input.reach, input.added)
                                                       : shadow(input.light, input.box, input.added);
   set_contact(result, input.contact);
@@ -326,7 +326,7 @@ MovingInput moving_input(Random& random, MovingInput::Kind kind, bool on_grid) {
 
 TEST(Triangles, ShaftsOfMovingBoxesAreAnsweredExactly) {
   using Kind = MovingInput::Kind;
-  for (const Kind kind : {Kind::swept, Kind::swept_without_end, Kind::shadow, Kind::shadow_without_end}) {
+  for (const Kind kind : {Kind::swept, Kind::swept_infinite, Kind::shadow, Kind::shadow_without_end}) {
     for (const bool on_grid : {false, true}) {
       check(
           816, 3, 30, 300, [&](Random& random) { return moving_input(random, kind, on_grid); },
@@ -365,7 +365,7 @@ TEST(Triangles, WhatOnlyTouchesOpenShaftsIsAnsweredExactly) {
 
 TEST(Triangles, WhatOnlyTouchesOpenShaftsOfMovingBoxesIsAnsweredExactly) {
   using Kind = MovingInput::Kind;
-  for (const Kind kind : {Kind::swept, Kind::swept_without_end, Kind::shadow, Kind::shadow_without_end}) {
+  for (const Kind kind : {Kind::swept, Kind::swept_infinite, Kind::shadow, Kind::shadow_without_end}) {
     check(
         834, 3, 50, 1000,
         [&](Random& random) {
@@ -528,7 +528,7 @@ TEST(Triangles, EveryCountIsAnsweredAndNothingBehindItIsRead) {
       for (const TriangleTest test : tests) {
         for (std::size_t count = 0; count <= 130; ++count) {
           std::vector<Triangle> triangles(count, touching);
-          Bits expected(words_for(count));
+          Bits expected(bit_words(count));
           for (std::size_t i = 0; i != count; ++i) {
             if (i % 3 == 1) {
               triangles[i] = outside;
@@ -539,7 +539,7 @@ TEST(Triangles, EveryCountIsAnsweredAndNothingBehindItIsRead) {
           const TriangleColumns memory(triangles);
           const GuardedView guarded(memory.view());
           EXPECT_EQ(kept_of(shaft, guarded.view(), test), expected) << shaftcull::name(isa) << ", " << count;
-          const std::size_t words = words_for(count);
+          const std::size_t words = bit_words(count);
           Bits kept(words + 1, 0x5555);
           Bits inside(kept);
           classify(shaft, guarded.view(), std::span(kept).first(words), std::span(inside).first(words),
@@ -568,7 +568,7 @@ TEST(Triangles, CountsListsAndManyShaftsSayWhatBitsSay) {
       const UseIsa use(isa);
       for (const TriangleTest test : tests) {
         const Query query{.triangle_test = test};
-        Bits rows(shafts.size() * words_for(size), 0x5555);
+        Bits rows(shafts.size() * bit_words(size), 0x5555);
         cull_many(shafts, view, rows, query);
         std::vector<std::uint64_t> counts(shafts.size(), 5);
         count_many(shafts, view, counts, query);
@@ -579,7 +579,7 @@ TEST(Triangles, CountsListsAndManyShaftsSayWhatBitsSay) {
         ASSERT_EQ(lists.size(), shafts.size());
         for (std::size_t s = 0; s != shafts.size(); ++s) {
           const Bits kept = kept_of(shafts[s], view, test);
-          EXPECT_TRUE(std::equal(kept.begin(), kept.end(), rows.begin() + static_cast<int>(s * words_for(size))));
+          EXPECT_TRUE(std::equal(kept.begin(), kept.end(), rows.begin() + static_cast<int>(s * bit_words(size))));
           std::vector<std::uint32_t> expected;
           for (std::uint32_t i = 0; i != size; ++i) {
             if (bit(kept, i)) expected.push_back(i);

@@ -18,8 +18,8 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
-#include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -48,7 +48,7 @@ bool bit(const std::vector<std::uint64_t>& words, std::size_t i) { return (words
 /// Answers of a view must be the first `view.count` of `right`, all bits after them zero, and no word more written.
 template <class View>
 void expect_view(const CompiledShaft& shaft, const View& view, const std::vector<Answer>& right, Form form) {
-  const std::size_t words = words_for(view.count);
+  const std::size_t words = bit_words(view.count);
   std::vector<std::uint64_t> culled(words + 1, sentinel);
   std::vector<std::uint64_t> kept(words + 1, sentinel);
   std::vector<std::uint64_t> inside(words + 1, sentinel);
@@ -114,7 +114,7 @@ TEST(Views, NothingBehindAViewIsReadForAnyKindOfShaft) {
   // Among the bounds are some that touch at the origin: what a vector finds behind the last one may be zeros.
   const Box corner{{-2, -2, -2}, {-1, -1, -1}};
   const ConvexHull hull(std::vector<Vec3>{{-2, -2, -2}, {2, 2, 2}, {-1, 1, 0.5F}, {1, -1, 0.25F}});
-  const CompiledShaft shafts[] = {swept(corner, {3, 3, 3}), swept_without_end(corner, {1, 1, 1}),
+  const CompiledShaft shafts[] = {swept(corner, {3, 3, 3}), swept_infinite(corner, {1, 1, 1}),
                                   shadow(Box{{2, 2, 2}, {3, 3, 3}}, Box{{1, 1, 1}, {1, 1, 1}}),
                                   shadow(Box{{2, 2, 2}, {3, 3, 3}}, Box{{1, 1, 1}, {1, 1, 1}}, 2), hull.compiled()};
   std::vector<Box> boxes = some_boxes();
@@ -251,9 +251,9 @@ void expect_layers(const std::vector<Bound>& bounds) {
     for (const Isa isa : isas_under_test()) {
       const UseIsa use(isa);
       for (const std::uint32_t mask : {0U, 0xffff0000U, 0x80000001U, ~0U}) {
-        std::vector<std::uint64_t> kept(words_for(count) + 1, sentinel);
+        std::vector<std::uint64_t> kept(bit_words(count) + 1, sentinel);
         std::vector<std::uint64_t> inside(kept);
-        const std::size_t words = words_for(count);
+        const std::size_t words = bit_words(count);
         classify(shaft, Bounds(memory.view(), layers), std::span(kept).first(words), std::span(inside).first(words),
                  {.layer_mask = {mask}});
         ASSERT_EQ(kept[words], sentinel) << "written past the end";
@@ -278,7 +278,7 @@ TEST(Views, BoundsInNoneOfTheLayersAreLeftOut) {
 TEST(Views, LayersOfTheWrongSizeAreRefused) {
   const CompiledShaft shaft = compile(Shaft(input.a, input.b));
   const BoxColumns memory(some_boxes());
-  std::vector<std::uint64_t> kept(words_for(most_bounds), 7);
+  std::vector<std::uint64_t> kept(bit_words(most_bounds), 7);
   const auto layers = [](std::size_t count) { return std::vector<std::uint32_t>(count, 1); };
   const auto ask = [&](std::span<const std::uint32_t> of_bounds) {
     cull(shaft, Bounds(memory.view(), of_bounds), kept, {.layer_mask = {1}});
@@ -287,7 +287,7 @@ TEST(Views, LayersOfTheWrongSizeAreRefused) {
   EXPECT_THROW(ask(layers(most_bounds + 1)), InvalidArgument);
   EXPECT_THROW(ask(layers(0)), InvalidArgument) << "there are none";
   EXPECT_THROW(ask({static_cast<const std::uint32_t*>(nullptr), most_bounds}), InvalidArgument);
-  EXPECT_EQ(kept, std::vector<std::uint64_t>(words_for(most_bounds), 7));
+  EXPECT_EQ(kept, std::vector<std::uint64_t>(bit_words(most_bounds), 7));
   EXPECT_NO_THROW(ask(layers(most_bounds)));
 }
 

@@ -79,7 +79,7 @@ std::uint64_t answers(float (*number)(std::uint32_t)) {
   const shaftcull::BoxTree tree{std::span<const shaftcull::Box>(boxes)};
 
   Digest digest;
-  std::vector<std::uint64_t> kept(shaftcull::words_for(bounds));
+  std::vector<std::uint64_t> kept(shaftcull::bit_words(bounds));
   std::vector<std::uint64_t> inside(kept.size());
   for (const shaftcull::Form form : {shaftcull::Form::slab, shaftcull::Form::planes}) {
     for (shaftcull::CompiledShaft shaft : shafts) {

@@ -136,7 +136,7 @@ Case::Input Case::input(const std::vector<Plane>& added) const {
     return hull;
   }
   if (!is_moving()) return ShaftInput{a, b, added, options.contact};
-  constexpr MovingInput::Kind kinds[] = {MovingInput::Kind::swept, MovingInput::Kind::swept_without_end,
+  constexpr MovingInput::Kind kinds[] = {MovingInput::Kind::swept, MovingInput::Kind::swept_infinite,
                                          MovingInput::Kind::shadow, MovingInput::Kind::shadow_without_end};
   const auto kind = kinds[static_cast<std::size_t>(subject) - static_cast<std::size_t>(Subject::swept)];
   return MovingInput{kind, a, b.lo, b, reach, added, options.contact};

@@ -39,7 +39,7 @@ struct Case {
   enum class Subject : std::uint8_t {
     between_boxes,
     swept,
-    swept_without_end,
+    swept_infinite,
     shadow,
     shadow_without_end,
     hull,

@@ -26,12 +26,12 @@
 #include "oracle/open_contact.hpp"
 #include "oracle/shaft_input.hpp"
 #include "oracle/triangle.hpp"
-#include "shaftcull/blocked.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/occluded.hpp"
 
 namespace shaftcull::fuzz {
 namespace {
@@ -116,7 +116,7 @@ bool bit(const Words& words, std::size_t i) { return (words[i / 64] >> i % 64 & 
 /// Where a call writes its answers: memory of the exact size, so that AddressSanitizer sees what is written beyond it.
 class Page {
  public:
-  explicit Page(std::size_t bounds) : words_(words_for(bounds)) {}
+  explicit Page(std::size_t bounds) : words_(bit_words(bounds)) {}
 
   [[nodiscard]] std::span<std::uint64_t> unwritten() {
     std::fill(words_.begin(), words_.end(), 0x5e5e5e5e5e5e5e5eU);
@@ -204,19 +204,19 @@ class Comparison {
   void require_exact_blocking(const CompiledShaft& shaft, Isa isa) {
     select_isa(isa);
     std::vector<std::uint32_t> listed(bounds_.size());
-    listed.resize(list_blocking(shaft, memory_.view(), listed));
+    listed.resize(list_occluders(shaft, memory_.view(), listed));
     auto next = listed.begin();
     for (std::size_t i = 0; i != bounds_.size(); ++i) {
       const bool is_listed = next != listed.end() && *next == i;
       if (is_listed) ++next;
-      if (is_listed != blocked(shaft, bounds_[i])) {
-        fail_at(i, "list_blocking() on " + std::string(name(isa)) + " and blocked() differ");
+      if (is_listed != occluded(shaft, bounds_[i])) {
+        fail_at(i, "list_occluders() on " + std::string(name(isa)) + " and occluded() differ");
       }
       if (is_listed && has_nan(bounds_[i])) fail_at(i, "blocks, but has a NaN");
       if (is_listed && slab_.culled && it_.planes.empty() && !bit(*slab_.culled, i)) fail_at(i, "blocks from outside");
     }
-    const std::optional<std::uint32_t> first = blocked_by(shaft, memory_.view());
-    if (first.has_value() == listed.empty() || (first && *first != listed[0])) fail("blocked_by() differs", it_);
+    const std::optional<std::uint32_t> first = find_occluder(shaft, memory_.view());
+    if (first.has_value() == listed.empty() || (first && *first != listed[0])) fail("find_occluder() differs", it_);
   }
 
   /// Triangles made of the boxes' corners: the same bits on every set, and the exact ones where all is finite.
@@ -508,7 +508,7 @@ void check_exact_between(const Case& it, const ShaftInput& of, std::size_t most_
   }
   for (std::size_t i = 0; i != std::min(most_bounds, it.boxes.size()); ++i) {
     const bool right = oracle::blocks(of.a, of.b, it.boxes[i]);
-    if (blocked(compiled, it.boxes[i]) != right) {
+    if (occluded(compiled, it.boxes[i]) != right) {
       fail(source_text(it.boxes[i]) + (right ? "\n  blocks" : "\n  does not block") + ", answered otherwise", it);
     }
   }

@@ -104,10 +104,10 @@ void check_packing(const Case& it) {
   const OddRecords<Box> boxes(it.boxes);
   const OddRecords<Sphere> spheres(it.spheres);
   const std::size_t count = it.boxes.size();
-  const MinMaxRecords min_max{boxes.at(offsetof(Box, lo)), boxes.at(offsetof(Box, hi)), boxes.stride, count};
-  const CentreExtentRecords extents{boxes.at(offsetof(Box, lo)), boxes.at(offsetof(Box, hi)), boxes.stride, count};
-  const SphereRecords centres{spheres.at(offsetof(Sphere, centre)), spheres.at(offsetof(Sphere, radius)),
-                              spheres.stride, it.spheres.size()};
+  const StridedBoxes min_max{boxes.at(offsetof(Box, lo)), boxes.at(offsetof(Box, hi)), boxes.stride, count};
+  const StridedCentreExtents extents{boxes.at(offsetof(Box, lo)), boxes.at(offsetof(Box, hi)), boxes.stride, count};
+  const StridedSpheres centres{spheres.at(offsetof(Sphere, centre)), spheres.at(offsetof(Sphere, radius)),
+                               spheres.stride, it.spheres.size()};
 
   BoxStream from_min_max(count);
   const bool min_max_packed = packs(from_min_max, min_max, it.boxes, legal_box);

@@ -187,7 +187,7 @@ void write_odd_others(const std::filesystem::path& folder) {
   };
   write(MovingInput{MovingKind::swept, unit, {0, 0, 0}}, "swept-nowhere");
   write(MovingInput{MovingKind::swept, unit, {0, nan, 0}}, "swept-nan");
-  write(MovingInput{MovingKind::swept_without_end, unit, {0, -0.0F, 0}}, "swept-without-end-nowhere");
+  write(MovingInput{MovingKind::swept_infinite, unit, {0, -0.0F, 0}}, "swept-without-end-nowhere");
   write(MovingInput{MovingKind::shadow, unit, {}, lamp, 1}, "shadow-of-reach-1");
   write(MovingInput{MovingKind::shadow, unit, {}, lamp, 0.5F}, "shadow-of-reach-below-1");
   write(MovingInput{MovingKind::shadow, unit, {}, lamp, inf}, "shadow-of-infinite-reach");

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "fuzz/check.hpp"
+#include "oracle/sight_agreement.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
-#include "visibility/agreement.hpp"
 
 namespace shaftcull::fuzz {
 namespace {
@@ -85,22 +85,22 @@ Usable usable(const Case& it) {
     const bool is_first = &box == boxes.data();  // boxes inside hulls take long to find
     const bool is_legal = is_usable(box);
     const bool has_numbers = is_usable(box_around_corners(box));
-    Blockers blockers;
+    Occluders occluders;
     if (refuses([&] { const PatchSet set(one); }) == is_legal ||
-        refuses([&] { blockers.add_boxes(one); }) == is_legal ||
-        refuses([&] { blockers.add_solids(one); }) == is_legal ||
-        (is_first && refuses([&] { blockers.add_solid_hulls(corners, all); }) == has_numbers) ||
-        refuses([&] { blockers.add_polygons(corners, all); }) == has_numbers ||
-        refuses([&] { blockers.add_triangles(view_of(triangle[0])); }) == has_numbers) {
-      throw Fault("PatchSet, Blockers and the definition disagree about whether a box may be used: " + it.text());
+        refuses([&] { occluders.add_boxes(one); }) == is_legal ||
+        refuses([&] { occluders.add_solids(one); }) == is_legal ||
+        (is_first && refuses([&] { occluders.add_solid_hulls(corners, all); }) == has_numbers) ||
+        refuses([&] { occluders.add_polygons(corners, all); }) == has_numbers ||
+        refuses([&] { occluders.add_triangles(view_of(triangle[0])); }) == has_numbers) {
+      throw Fault("PatchSet, Occluders and the definition disagree about whether a box may be used: " + it.text());
     }
     if (is_legal) usable.boxes.push_back(box);
   }
   return usable;
 }
 
-/// One blocker of some kind, of a box and the one after it.
-void add_blocker(SightScene& scene, std::size_t kind, const Box& box, const Box& next) {
+/// One occluder of some kind, of a box and the one after it.
+void add_occluder(SightScene& scene, std::size_t kind, const Box& box, const Box& next) {
   const auto add = [](std::vector<Vec3>& corners, std::vector<std::size_t>& first, std::initializer_list<Vec3> more) {
     corners.insert(corners.end(), more);
     first.push_back(corners.size());
@@ -130,7 +130,7 @@ void add_blocker(SightScene& scene, std::size_t kind, const Box& box, const Box&
   }
 }
 
-/// All that is usable as patches of one set or two, and as blockers of all kinds.
+/// All that is usable as patches of one set or two, and as occluders of all kinds.
 SightScene scene_of(const Case& it, const Usable& usable) {
   SightScene scene{};
   scene.scenery = SightScenery::wild;
@@ -147,7 +147,7 @@ SightScene scene_of(const Case& it, const Usable& usable) {
     // Only solids and boxes, or all kinds; one hull, since the box inside it takes long to find.
     const std::size_t kinds = it.options.formation == Formation::search ? 2 : 6;
     const std::size_t kind = (i + static_cast<std::size_t>(it.subject)) % kinds;
-    add_blocker(scene, kind == 2 && scene.first_hull.size() > 1 ? 0 : kind, boxes[i], boxes[(i + 1) % boxes.size()]);
+    add_occluder(scene, kind == 2 && scene.first_hull.size() > 1 ? 0 : kind, boxes[i], boxes[(i + 1) % boxes.size()]);
   }
   if (it.options.spheres && !scene.triangles.empty()) {  // else the library makes the groups
     scene.first_triangle = {0, scene.triangles.size() / 2, scene.triangles.size()};

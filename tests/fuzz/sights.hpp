@@ -6,9 +6,9 @@
 
 namespace shaftcull::fuzz {
 
-/// Patches are the boxes, in one set or two; blockers are boxes, solids, hulls, polygons and triangles of the same
+/// Patches are the boxes, in one set or two; occluders are boxes, solids, hulls, polygons and triangles of the same
 /// coordinates. Throws Fault unless
-/// * sets and blockers refuse exactly what the headers say;
+/// * sets and occluders refuse exactly what the headers say;
 /// * every pair is what exact arithmetic says, with its candidates, on every instruction set;
 /// * resolve() has the last word on undecided pairs and on no others;
 /// * of one case in sixteen, with many copies of the patches, answers are the same in the least memory.

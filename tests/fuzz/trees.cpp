@@ -14,11 +14,11 @@
 #include "fuzz/packing.hpp"
 #include "oracle/cases/moving.hpp"
 #include "oracle/shaft_input.hpp"
-#include "shaftcull/blocked.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/occluded.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
 
@@ -37,9 +37,9 @@ bool asks_alike(const Case& it, const CompiledShaft& shaft, const BoundsTree<Bou
   if constexpr (std::is_same_v<Bound, Box>) {
     if (!it.is_moving()) {
       Indices in_view(bounds.size());
-      in_view.resize(list_blocking(shaft, memory.view(), in_view));
+      in_view.resize(list_occluders(shaft, memory.view(), in_view));
       Indices in_tree(bounds.size());
-      in_tree.resize(list_blocking(shaft, tree, in_tree));
+      in_tree.resize(list_occluders(shaft, tree, in_tree));
       if (sorted(in_tree) != in_view) return false;
     }
   }

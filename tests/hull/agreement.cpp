@@ -36,7 +36,7 @@ Answer answer_at(const std::vector<std::uint64_t>& kept, const std::vector<std::
 template <class Bound>
 std::vector<Answer> answers(const ConvexHull& hull, const std::vector<Bound>& bounds) {
   const auto memory = columns(bounds);
-  std::vector<std::uint64_t> culled(words_for(bounds.size()), ~std::uint64_t{0});
+  std::vector<std::uint64_t> culled(bit_words(bounds.size()), ~std::uint64_t{0});
   std::vector<std::uint64_t> kept = culled;
   std::vector<std::uint64_t> inside = culled;
   std::vector<std::uint64_t> inside_alone = culled;
@@ -408,7 +408,7 @@ TEST(Hull, SpheresInTreesAreAnsweredAsAloneWhereTheyTouch) {
     }
     const SphereStream stream{std::span<const Sphere>(spheres)};
     const SphereTree tree{std::span<const Sphere>(spheres)};
-    std::vector<std::uint64_t> kept(words_for(spheres.size()));
+    std::vector<std::uint64_t> kept(bit_words(spheres.size()));
     std::vector<std::uint64_t> inside(kept.size());
     std::vector<std::uint64_t> tree_kept(kept.size());
     std::vector<std::uint64_t> tree_inside(kept.size());
@@ -450,7 +450,7 @@ TEST(Hull, GoesWhereShaftsGo) {
     shafts.push_back(compile(random.box(-30, 30, 0, 2), random.box(-30, 30, 0, 2)));
   }
   const auto expect_same = [&](const auto& stream, const auto& tree) {
-    const std::size_t words = words_for(stream.size());
+    const std::size_t words = bit_words(stream.size());
     std::vector<std::uint64_t> kept(shafts.size() * words);
     std::vector<std::uint64_t> inside(kept.size());
     std::vector<std::uint64_t> tree_kept(kept.size());

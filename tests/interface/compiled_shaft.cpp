@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "shaftcull/cull.hpp"
-#include "shaftcull/kinds.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -51,7 +51,7 @@ TEST(CompiledShaft, OfAMovingBoxGivesWhereItStartsAndEnds) {
   const CompiledShaft shade = shadow(light, table, 3);
   EXPECT_TRUE(same_bits(shade.a(), table));
   EXPECT_EQ(shade.b(), (Box{{-7 + 2 * 12, 1, -9 - 2 * 10}, {40, 11 + 2 * 11, 12 + 2 * 12}}));
-  EXPECT_TRUE(same_bits(swept_without_end(table, {1, 0, 0}).a(), table));
+  EXPECT_TRUE(same_bits(swept_infinite(table, {1, 0, 0}).a(), table));
   EXPECT_TRUE(same_bits(shadow(light, table).a(), table));
   EXPECT_FALSE(shade.has_planes());
 }

@@ -39,7 +39,7 @@ class Excluded : public testing::Test {
 
 TEST_F(Excluded, IndicesMayBeInBraces) {
   for (const Bounds& bounds : all()) {
-    std::array<std::uint64_t, words_for(size)> kept;
+    std::array<std::uint64_t, bit_words(size)> kept;
     cull(shaft_, bounds, kept, {.exclude = {3, 7}});
     EXPECT_EQ(kept[0], ~(std::uint64_t{1} << 3 | std::uint64_t{1} << 7));
     EXPECT_EQ(count(shaft_, bounds, {.exclude = {3, 7, 99}}), size - 3);
@@ -158,15 +158,15 @@ class RefusedOption : public Excluded {
 };
 
 TEST_F(RefusedOption, LimitOfAVerbThatNeitherCountsNorListsKeptBounds) {
-  std::array<std::uint64_t, 2 * words_for(size)> kept;
-  std::array<std::uint64_t, 2 * words_for(size)> inside;
+  std::array<std::uint64_t, 2 * bit_words(size)> kept;
+  std::array<std::uint64_t, 2 * bit_words(size)> inside;
   std::array<std::uint32_t, size> overlap_list;
   std::array<std::uint32_t, size> inside_list;
   std::array<KeptCounts, 2> counts;
   IndexLists lists;
   IndexLists others;
-  const std::span<std::uint64_t> one = std::span(kept).first(words_for(size));
-  const std::span<std::uint64_t> other = std::span(inside).first(words_for(size));
+  const std::span<std::uint64_t> one = std::span(kept).first(bit_words(size));
+  const std::span<std::uint64_t> other = std::span(inside).first(bit_words(size));
   for (const Bounds& bounds : all()) {
     expect_named([&] { cull(shaft_, bounds, one, limited_); }, "limit");
     expect_named([&] { classify(shaft_, bounds, one, other, limited_); }, "limit");
@@ -187,9 +187,9 @@ TEST_F(RefusedOption, LimitOfContactsAndOfWhetherABoxBlocks) {
   for (const Bounds& bounds : {Bounds(boxes_), Bounds(box_tree_)}) {
     expect_named([&] { (void)first_contact(shaft_, bounds, limited_); }, "limit");
     expect_named([&] { first_contact_many(shafts_, bounds, contacts, limited_); }, "limit");
-    expect_named([&] { (void)blocked(shaft_, bounds, limited_); }, "limit");
-    expect_named([&] { (void)blocked_by(shaft_, bounds, limited_); }, "limit");
-    expect_named([&] { blocked_many(shafts_, bounds, bits, limited_); }, "limit");
+    expect_named([&] { (void)occluded(shaft_, bounds, limited_); }, "limit");
+    expect_named([&] { (void)find_occluder(shaft_, bounds, limited_); }, "limit");
+    expect_named([&] { occluded_many(shafts_, bounds, bits, limited_); }, "limit");
   }
 }
 
@@ -200,11 +200,11 @@ TEST_F(RefusedOption, OnlyOfWhatBlocks) {
   std::array<std::uint32_t, size> room;
   IndexLists lists;
   for (const Bounds& bounds : {Bounds(boxes_), Bounds(box_tree_)}) {
-    expect_named([&] { (void)blocked(shaft_, bounds, query); }, "only");
-    expect_named([&] { (void)blocked_by(shaft_, bounds, query); }, "only");
-    expect_named([&] { (void)list_blocking(shaft_, bounds, room, query); }, "only");
-    expect_named([&] { blocked_many(shafts_, bounds, bits, query); }, "only");
-    expect_named([&] { list_blocking_many(shafts_, bounds, lists, query); }, "only");
+    expect_named([&] { (void)occluded(shaft_, bounds, query); }, "only");
+    expect_named([&] { (void)find_occluder(shaft_, bounds, query); }, "only");
+    expect_named([&] { (void)list_occluders(shaft_, bounds, room, query); }, "only");
+    expect_named([&] { occluded_many(shafts_, bounds, bits, query); }, "only");
+    expect_named([&] { list_occluders_many(shafts_, bounds, lists, query); }, "only");
   }
 }
 

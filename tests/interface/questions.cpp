@@ -49,14 +49,14 @@ const sc::BoxTree tree = [] {
 const sc::SphereTree spheres(std::vector<sc::Sphere>{{{0.5F, 0.5F, 6}, 0.25F}});
 const sc::TriangleTree triangles(std::vector<sc::Triangle>{{{{{0.4F, 0.4F, 5}, {9, 0.4F, 5}, {9, 9, 6}}}}});
 const sc::PatchSet patches(std::vector<sc::Box>{patch, other_patch, {{20, 0, 10}, {21, 1, 10}}});
-const sc::Blockers blockers = [] {
-  sc::Blockers solid;
+const sc::Occluders occluders = [] {
+  sc::Occluders solid;
   solid.add_solids(walls);
   return solid;
 }();
 std::uint64_t delivered = 0;
 const auto deliver = [](const sc::SightBatch& batch) {
-  for (const sc::SightProduct& product : batch.products) delivered += product.a.count * product.b.count;
+  for (const sc::PairBlock& product : batch.products) delivered += product.a.count * product.b.count;
   delivered += batch.undecided.pairs.size();
 };
 constexpr std::uint32_t me = 0;
@@ -80,15 +80,15 @@ std::vector<Question> questions() {
           QUESTION(sc::swept(body, travel)),
           QUESTION(sc::compile(light, receiver)),
           QUESTION(sc::compile(sc::Box{light_position, light_position}, receiver)),
-          QUESTION(sc::swept_without_end(receiver, towards_sun)),
+          QUESTION(sc::swept_infinite(receiver, towards_sun)),
           QUESTION(sc::shadow(light, occluder)),
           QUESTION(sc::shadow(light, occluder, reach)),
           QUESTION(sc::frustum(matrix, depth)),
           QUESTION(sc::casters(view, light_position)),
           QUESTION(sc::casters_towards(view, towards_sun)),
           QUESTION(sc::ConvexHull(corners_of_both)),
-          QUESTION(sc::swept_without_end(body, down)),
-          QUESTION(sc::swept_without_end(body, from_sun)),
+          QUESTION(sc::swept_infinite(body, down)),
+          QUESTION(sc::swept_infinite(body, from_sun)),
           QUESTION(sc::shadow(sc::Box{eye, eye}, occluder)),
           QUESTION(sc::ConvexHull(view_corners)),
           QUESTION(sc::compile(patch, other_patch, sc::Contact::open))};
@@ -119,15 +119,15 @@ struct Answer {
 
 std::vector<Answer> answers() {
   return {
-      ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), walls)),
-      ANSWER(answer, sc::blocked(sc::compile(patch, other_patch), wall_corners)),
+      ANSWER(answer, sc::occluded(sc::compile(patch, other_patch), walls)),
+      ANSWER(answer, sc::occluded(sc::compile(patch, other_patch), wall_corners)),
       ANSWER(answer.index == 1 && answer.time > 0.44F && answer.time < 0.45F,
              sc::first_contact(sc::swept(body, travel), tree, {.exclude = {me}})),
       ANSWER(answer.index == 0 && answer.time > 0.52F && answer.time < 0.53F,
              sc::first_contact(sc::swept(body, travel), spheres)),
       WRITES(times[0] > 0.44F && times[0] < 0.45F, sc::entry_times(sc::swept(body, travel), tree, indices, times)),
-      ANSWER(answer.blocked == 1 && delivered == 3, sc::visibility(patches, blockers, deliver)),
-      ANSWER(answer.blocked == 1 && answer.total() == 3, sc::count_visibility(patches, blockers)),
+      ANSWER(answer.occluded == 1 && delivered == 3, sc::visibility(patches, occluders, deliver)),
+      ANSWER(answer.occluded == 1 && answer.total() == 3, sc::count_visibility(patches, occluders)),
       ANSWER(answer, sc::any(shaft, triangles)),
       ANSWER(answer, sc::any(shaft, triangles, {.triangle_test = sc::TriangleTest::vertices})),
       ANSWER(answer, sc::any(shaft, tree)),
@@ -156,7 +156,7 @@ TEST(ReadmeQuestions, AreAnsweredAtOnce) {
 
 TEST(ReadmeQuestions, OneWallThatDoesNotHideAllHidesNothing) {
   const sc::Box half{{0.5F, -1, 5}, {2, 2, 6}};
-  EXPECT_FALSE(sc::blocked(sc::compile(patch, other_patch), half));
+  EXPECT_FALSE(sc::occluded(sc::compile(patch, other_patch), half));
 }
 
 TEST(ReadmeQuestions, ATriangleBesideTheShaftIsNotInTheWayThoughItsBoxIs) {

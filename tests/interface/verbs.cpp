@@ -31,9 +31,9 @@ constexpr std::array<std::array<const char*, 3>, 12> table = {{
     {"is any kept", "any", "any_many"},
     {"which is reached first, and when", "first_contact", "first_contact_many"},
     {"when each of a list is reached", "entry_times", ""},
-    {"does a box block every segment", "blocked", "blocked_many"},
-    {"one box that does: its index", "blocked_by", ""},
-    {"which boxes do: indices", "list_blocking", "list_blocking_many"},
+    {"does a box block every segment", "occluded", "occluded_many"},
+    {"one box that does: its index", "find_occluder", ""},
+    {"which boxes do: indices", "list_occluders", "list_occluders_many"},
 }};
 
 /// All that a user may hold, which the calls below are made with.
@@ -109,16 +109,16 @@ concept TellsFirstContact = requires(const Of& bounds, Given given) {
 
 template <class Of>
 concept TellsWhatBlocks = requires(const Of& bounds, Given given) {
-  { blocked(given.shaft, bounds) } -> std::same_as<bool>;
-  { blocked(given.shaft, bounds, given.query) } -> std::same_as<bool>;
-  { blocked_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
-  { blocked_many(given.shafts, bounds, given.words, given.query) } -> std::same_as<void>;
-  { blocked_by(given.shaft, bounds) } -> std::same_as<std::optional<std::uint32_t>>;
-  { blocked_by(given.shaft, bounds, given.query) } -> std::same_as<std::optional<std::uint32_t>>;
-  { list_blocking(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
-  { list_blocking(given.shaft, bounds, given.room, given.query) } -> std::same_as<std::size_t>;
-  { list_blocking_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
-  { list_blocking_many(given.shafts, bounds, given.lists, given.query) } -> std::same_as<void>;
+  { occluded(given.shaft, bounds) } -> std::same_as<bool>;
+  { occluded(given.shaft, bounds, given.query) } -> std::same_as<bool>;
+  { occluded_many(given.shafts, bounds, given.words) } -> std::same_as<void>;
+  { occluded_many(given.shafts, bounds, given.words, given.query) } -> std::same_as<void>;
+  { find_occluder(given.shaft, bounds) } -> std::same_as<std::optional<std::uint32_t>>;
+  { find_occluder(given.shaft, bounds, given.query) } -> std::same_as<std::optional<std::uint32_t>>;
+  { list_occluders(given.shaft, bounds, given.indices) } -> std::same_as<std::size_t>;
+  { list_occluders(given.shaft, bounds, given.room, given.query) } -> std::same_as<std::size_t>;
+  { list_occluders_many(given.shafts, bounds, given.lists) } -> std::same_as<void>;
+  { list_occluders_many(given.shafts, bounds, given.lists, given.query) } -> std::same_as<void>;
 };
 
 template <class Of>
@@ -167,7 +167,7 @@ static_assert(IsClassifiedAlone<Box> && IsClassifiedAlone<Sphere> && !IsClassifi
 
 template <class Bound>
 concept BlocksAlone = requires(const Bound& bound, const CompiledShaft& shaft) {
-  { blocked(shaft, bound) } -> std::same_as<bool>;
+  { occluded(shaft, bound) } -> std::same_as<bool>;
 };
 static_assert(BlocksAlone<Box> && BlocksAlone<std::vector<Vec3>> && !BlocksAlone<Sphere>);
 
@@ -251,11 +251,11 @@ TEST(Verbs, OfWhatBlocksRefuseAllButBoxes) {
   std::array<std::uint32_t, 2> indices = {8, 9};
   IndexLists lists;
   for (const std::vector<Bounds>& bounds : {scene.of_spheres(), scene.of_triangles()}) {
-    expect_refused([&](const Bounds& each) { (void)blocked(scene.shaft, each); }, bounds);
-    expect_refused([&](const Bounds& each) { (void)blocked_by(scene.shaft, each); }, bounds);
-    expect_refused([&](const Bounds& each) { (void)list_blocking(scene.shaft, each, indices); }, bounds);
-    expect_refused([&](const Bounds& each) { blocked_many(scene.shafts, each, bits); }, bounds);
-    expect_refused([&](const Bounds& each) { list_blocking_many(scene.shafts, each, lists); }, bounds);
+    expect_refused([&](const Bounds& each) { (void)occluded(scene.shaft, each); }, bounds);
+    expect_refused([&](const Bounds& each) { (void)find_occluder(scene.shaft, each); }, bounds);
+    expect_refused([&](const Bounds& each) { (void)list_occluders(scene.shaft, each, indices); }, bounds);
+    expect_refused([&](const Bounds& each) { occluded_many(scene.shafts, each, bits); }, bounds);
+    expect_refused([&](const Bounds& each) { list_occluders_many(scene.shafts, each, lists); }, bounds);
   }
   EXPECT_EQ(bits[0], 7U);
   EXPECT_EQ(indices[0], 8U);

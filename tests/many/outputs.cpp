@@ -116,7 +116,7 @@ TEST(Outputs, AnyManySetsABitForEachShaftThatKeepsAny) {
   for_boxes_and_spheres([](const auto& shafts, const auto& view, const ExpectedRows& expected) {
     const auto right = lists_of(expected, shafts.size());
     for (const Form form : forms) {
-      std::vector<std::uint64_t> bits(words_for(shafts.size()), sentinel);
+      std::vector<std::uint64_t> bits(bit_words(shafts.size()), sentinel);
       any_many(in_form(shafts, form), view, bits);
       for (std::size_t s = 0; s != 64 * bits.size(); ++s) {
         const bool keeps = s < shafts.size() && !right[s].kept.empty();
@@ -184,7 +184,7 @@ TEST(Outputs, ShaftsOfOneCallMayHaveDifferentForms) {
       set_contact(slab, contact);
       std::vector<CompiledShaft> mixed = slab;
       for (std::size_t s = 0; s < mixed.size(); s += 2) set_form(mixed[s], Form::planes);
-      std::vector<std::uint64_t> right(slab.size() * words_for(view.count));
+      std::vector<std::uint64_t> right(slab.size() * bit_words(view.count));
       std::vector<std::uint64_t> right_inside(right.size());
       classify_many(slab, view, right, right_inside);
       std::vector<std::uint64_t> rows(right.size());
@@ -347,7 +347,7 @@ TEST(Outputs, ManyTasksAgreeWithCull) {
         count_many(shafts, memory.view(), counts);
         IndexLists lists;
         list_many(shafts, memory.view(), lists);
-        const std::size_t words = words_for(memory.view().count);
+        const std::size_t words = bit_words(memory.view().count);
         for (std::size_t s = 0; s != shafts.size(); ++s) {
           EXPECT_EQ(lists[s].size(), counts[s]);
           std::vector<std::uint64_t> row(words);

@@ -84,8 +84,8 @@ struct Expected {
   Expected(const std::vector<CompiledShaft>& shafts, const std::vector<Bound>& bounds) {
     const UseIsa scalar(Isa::scalar);
     for (std::size_t s = 0; s != shafts.size(); ++s) {
-      kept[s].resize(words_for(bounds.size()));
-      inside[s].resize(words_for(bounds.size()));
+      kept[s].resize(bit_words(bounds.size()));
+      inside[s].resize(bit_words(bounds.size()));
       for (std::size_t i = 0; i != bounds.size(); ++i) {
         const Answer answer = classify(shafts[s], bounds[i]);
         kept[s][i / 64] |= std::uint64_t{answer != Answer::outside} << i % 64;
@@ -97,7 +97,7 @@ struct Expected {
 
 /// The bits of the first `count` bounds.
 std::vector<std::uint64_t> first_of(const std::vector<std::uint64_t>& bits, std::size_t count) {
-  std::vector<std::uint64_t> some(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(words_for(count)));
+  std::vector<std::uint64_t> some(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(bit_words(count)));
   if (count % 64 != 0) some.back() &= (std::uint64_t{1} << count % 64) - 1;
   return some;
 }
@@ -143,7 +143,7 @@ struct Part {
 /// All that one shaft is asked, in both forms.
 template <class View>
 void expect_one(const CompiledShaft& shaft, const View& view, const Part& right) {
-  std::vector<std::uint64_t> kept(words_for(view.count));
+  std::vector<std::uint64_t> kept(bit_words(view.count));
   std::vector<std::uint64_t> inside(kept.size());
   for (const Form form : forms) {
     std::fill(kept.begin(), kept.end(), sentinel);
@@ -211,7 +211,7 @@ void expect_many(std::span<const CompiledShaft> shafts, const View& view, const 
   std::vector<KeptCounts> classified(shafts.size(), untouched_counts);
   count_classified_many(shafts, view, classified);
   ASSERT_EQ(classified, right.classified) << "count_classified_many";
-  std::vector<std::uint64_t> bits(words_for(shafts.size()), sentinel);
+  std::vector<std::uint64_t> bits(bit_words(shafts.size()), sentinel);
   any_many(shafts, view, bits);
   for (std::size_t s = 0; s != bits.size() * 64; ++s) {
     ASSERT_EQ(bits[s / 64] >> s % 64 & 1U, s < shafts.size() && right.counts[s] != 0 ? 1U : 0U) << "any_many " << s;

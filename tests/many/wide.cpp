@@ -45,7 +45,7 @@ class Wide : public testing::Test {
 };
 
 TEST_F(Wide, BitsAndCountsAreOfAllBounds) {
-  std::vector<std::uint64_t> kept(words_for(count));
+  std::vector<std::uint64_t> kept(bit_words(count));
   cull(shaft_, boxes_, kept);
   std::vector<std::uint64_t> set;
   for (std::size_t w = 0; w != kept.size(); ++w) {
@@ -79,7 +79,7 @@ TEST_F(Wide, ListsOfMoreBoundsAreRefused) {
   EXPECT_THAT(message_of<InvalidArgument>([&] { list_many({&shaft_, 1}, boxes_, lists); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list(shaft_, boxes_, kept); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list(shaft_, boxes_, std::span(kept), {.limit = 5}); }), refuses);
-  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list_blocking(shaft_, boxes_, kept); }), refuses);
+  EXPECT_THAT(message_of<InvalidArgument>([&] { (void)list_occluders(shaft_, boxes_, kept); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)first_contact(shaft_, boxes_); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { first_contact_many({&shaft_, 1}, boxes_, {&contact, 1}); }), refuses);
   EXPECT_THAT(message_of<InvalidArgument>([&] { (void)BoxTree(boxes_); }), testing::HasSubstr("build several"));

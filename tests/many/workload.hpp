@@ -75,7 +75,7 @@ struct ExpectedRows {
 
   template <class View>
   ExpectedRows(const std::vector<CompiledShaft>& shafts, const View& view)
-      : words(words_for(view.count)), kept(shafts.size() * words), inside(kept.size()) {
+      : words(bit_words(view.count)), kept(shafts.size() * words), inside(kept.size()) {
     for (std::size_t s = 0; s != shafts.size(); ++s) {
       classify(shafts[s], view, std::span(kept).subspan(s * words, words), std::span(inside).subspan(s * words, words));
     }

@@ -65,38 +65,39 @@ std::vector<Box> solids_of(Random& random, std::size_t count) {
 void expect_one(Random& random, const CompiledShaft& shaft, const Bounds& solids, const Query& query,
                 const Indices& right) {
   const Query all = unlimited(query);
-  EXPECT_EQ(blocked(shaft, solids, all), !right.empty());
-  EXPECT_EQ(blocked_by(shaft, solids, all), right.empty() ? std::nullopt : std::optional<std::uint32_t>(right.front()));
+  EXPECT_EQ(occluded(shaft, solids, all), !right.empty());
+  EXPECT_EQ(find_occluder(shaft, solids, all),
+            right.empty() ? std::nullopt : std::optional<std::uint32_t>(right.front()));
   const Indices first = limited(right, query);
   for (const std::size_t room : rooms_for(random, first.size())) {
     expect_listed(first, room, [&](std::span<std::uint32_t> blocking) {
-      EXPECT_EQ(list_blocking(shaft, solids, blocking, query), first.size());
+      EXPECT_EQ(list_occluders(shaft, solids, blocking, query), first.size());
     });
   }
   expect_listed(right, a_room_for(random, right.size()), [&](std::span<std::uint32_t> blocking) {
-    EXPECT_EQ(list_blocking(shaft, solids, blocking, all), right.size());
+    EXPECT_EQ(list_occluders(shaft, solids, blocking, all), right.size());
   });
 }
 
 void expect_many(std::span<const CompiledShaft> shafts, const Bounds& solids, const Query& query,
                  const std::vector<Indices>& right) {
-  std::vector<std::uint64_t> bits(words_for(shafts.size()));
+  std::vector<std::uint64_t> bits(bit_words(shafts.size()));
   std::vector<Indices> first;
   for (std::size_t s = 0; s != shafts.size(); ++s) {
     bits[s / 64] |= std::uint64_t{!right[s].empty()} << s % 64;
     first.push_back(limited(right[s], query));
   }
-  std::vector<std::uint64_t> are_blocked(bits.size(), sentinel);
-  blocked_many(shafts, solids, are_blocked, unlimited(query));
-  EXPECT_EQ(are_blocked, bits) << "blocked_many";
+  std::vector<std::uint64_t> are_occluded(bits.size(), sentinel);
+  occluded_many(shafts, solids, are_occluded, unlimited(query));
+  EXPECT_EQ(are_occluded, bits) << "occluded_many";
   IndexLists lists{{0, 2}, {11, 12}};
-  list_blocking_many(shafts, solids, lists, unlimited(query));
-  expect_lists(lists, right, "list_blocking_many");
-  list_blocking_many(shafts, solids, lists, query);
-  expect_lists(lists, first, "list_blocking_many with the limit");
+  list_occluders_many(shafts, solids, lists, unlimited(query));
+  expect_lists(lists, right, "list_occluders_many");
+  list_occluders_many(shafts, solids, lists, query);
+  expect_lists(lists, first, "list_occluders_many with the limit");
 }
 
-class BlockingOptions : public testing::Test {
+class OcclusionOptions : public testing::Test {
  protected:
   void expect_all(std::uint64_t seed, std::size_t bounds, std::size_t shaft_count, std::size_t cases) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(bounds) + " boxes, " +
@@ -108,7 +109,7 @@ class BlockingOptions : public testing::Test {
     const Truth truth = [&] {
       const UseIsa scalar(Isa::scalar);
       return Truth(shafts.size(), bounds, [&](std::size_t s, std::uint32_t i) {
-        return blocked(shafts[s], scene.bounds()[i]) ? Answer::overlap : Answer::outside;
+        return occluded(shafts[s], scene.bounds()[i]) ? Answer::overlap : Answer::outside;
       });
     }();
     const unsigned allowed = Options::all & ~Options::only & ~(has_layers ? 0U : Options::layer_mask);
@@ -136,7 +137,7 @@ class BlockingOptions : public testing::Test {
   std::size_t found_ = 0;
 };
 
-TEST_F(BlockingOptions, LeaveTheSameBlockersInViewsStreamsAndTrees) {
+TEST_F(OcclusionOptions, LeaveTheSameOccludersInViewsStreamsAndTrees) {
   std::uint64_t seed = 7000;
   for (const std::size_t bounds : {0U, 1U, 63U, 64U, 65U}) {
     for (const std::size_t shafts : {1U, 2U, 7U, 63U, 64U, 65U, 130U}) {
@@ -157,11 +158,11 @@ TEST_F(BlockingOptions, LeaveTheSameBlockersInViewsStreamsAndTrees) {
   EXPECT_GT(found_, 1000U);
 }
 
-TEST_F(BlockingOptions, OfNoShaftsGiveNothing) {
+TEST_F(OcclusionOptions, OfNoShaftsGiveNothing) {
   const BoxStream solids(std::vector<Box>(3, Box{{0, 0, 0}, {1, 1, 1}}));
-  blocked_many({}, solids, {}, {.exclude = {1}});
+  occluded_many({}, solids, {}, {.exclude = {1}});
   IndexLists lists{{0, 1}, {5}};
-  list_blocking_many({}, solids, lists, {.exclude = {1}, .limit = 3});
+  list_occluders_many({}, solids, lists, {.exclude = {1}, .limit = 3});
   EXPECT_EQ(lists.offsets, std::vector<std::uint64_t>{0});
   EXPECT_TRUE(lists.indices.empty());
 }

@@ -36,7 +36,7 @@ MATCHER_P(Names, option, std::string("names query.") + option) {
 
 constexpr std::size_t bound_count = 100;
 constexpr std::size_t shaft_count = 3;
-constexpr std::size_t words = words_for(bound_count);
+constexpr std::size_t words = bit_words(bound_count);
 
 /// Room for all that a verb writes.
 struct Outputs {
@@ -71,7 +71,7 @@ struct Verb {
   Kinds kinds;
   void (*ask)(Outputs& out, Shafts shafts, const Bounds& bounds, const Query& query);
 
-  /// Those of blocked.hpp do not.
+  /// Those of occluded.hpp do not.
   [[nodiscard]] bool takes_only() const { return kinds != boxes; }
 };
 
@@ -154,25 +154,25 @@ constexpr Verb verbs[] = {
      [](Outputs& out, Shafts shafts, const Bounds& bounds, const Query& query) {
        first_contact_many(shafts, bounds, std::span(out.contacts).first(shafts.size()), query);
      }},
-    {"blocked", false, false, Verb::boxes,
+    {"occluded", false, false, Verb::boxes,
      [](Outputs& /*out*/, Shafts shafts, const Bounds& bounds, const Query& query) {
-       static_cast<void>(blocked(shafts[0], bounds, query));
+       static_cast<void>(occluded(shafts[0], bounds, query));
      }},
-    {"blocked_by", false, false, Verb::boxes,
+    {"find_occluder", false, false, Verb::boxes,
      [](Outputs& /*out*/, Shafts shafts, const Bounds& bounds, const Query& query) {
-       static_cast<void>(blocked_by(shafts[0], bounds, query));
+       static_cast<void>(find_occluder(shafts[0], bounds, query));
      }},
-    {"list_blocking", false, true, Verb::boxes,
+    {"list_occluders", false, true, Verb::boxes,
      [](Outputs& out, Shafts shafts, const Bounds& bounds, const Query& query) {
-       static_cast<void>(list_blocking(shafts[0], bounds, out.list, query));
+       static_cast<void>(list_occluders(shafts[0], bounds, out.list, query));
      }},
-    {"blocked_many", true, false, Verb::boxes,
+    {"occluded_many", true, false, Verb::boxes,
      [](Outputs& out, Shafts shafts, const Bounds& bounds, const Query& query) {
-       blocked_many(shafts, bounds, std::span(out.numbers).first(1), query);
+       occluded_many(shafts, bounds, std::span(out.numbers).first(1), query);
      }},
-    {"list_blocking_many", true, true, Verb::boxes,
+    {"list_occluders_many", true, true, Verb::boxes,
      [](Outputs& out, Shafts shafts, const Bounds& bounds, const Query& query) {
-       list_blocking_many(shafts, bounds, out.lists, query);
+       list_occluders_many(shafts, bounds, out.lists, query);
      }},
 };
 
@@ -510,7 +510,7 @@ TEST_F(SharedOptions, BitsAndNumbersAreNotTheMask) {
     expect_shared([&] { count_many(shafts_, bounds, all.first(shaft_count), query); }, "exclude_mask");
     expect_shared([&] { any_many(shafts_, bounds, all.subspan(2, 1), query); }, "exclude_mask");
     if (container.kind == Verb::boxes) {
-      expect_shared([&] { blocked_many(shafts_, bounds, all.subspan(2, 1), query); }, "exclude_mask");
+      expect_shared([&] { occluded_many(shafts_, bounds, all.subspan(2, 1), query); }, "exclude_mask");
     }
     EXPECT_THAT(message_of([&] { classify(shaft(), bounds, row, all.subspan(1, words)); }), HasSubstr("share memory"));
     EXPECT_EQ(memory, untouched);
@@ -535,7 +535,7 @@ TEST_F(SharedOptions, ListsAreNotIndicesThatAreLeftOut) {
       expect_shared([&] { static_cast<void>(list_classified(shaft(), bounds, kept, apart, query)); }, option);
       expect_shared([&] { static_cast<void>(list_classified(shaft(), bounds, apart, kept, query)); }, option);
       if (container.kind == Verb::boxes && !query.only) {
-        expect_shared([&] { static_cast<void>(list_blocking(shaft(), bounds, kept, query)); }, option);
+        expect_shared([&] { static_cast<void>(list_occluders(shaft(), bounds, kept, query)); }, option);
       }
     };
     ask_all({.exclude = last}, "exclude");
@@ -584,7 +584,7 @@ TEST_F(SharedOptions, IndexListsAreNotOptions) {
       expect_shared([&] { list_classified_many(one, bounds, lists, others, of_lists); }, option);
       expect_shared([&] { list_classified_many(one, bounds, lists, others, of_others); }, option);
       if (container.kind == Verb::boxes && !of_lists.only) {
-        expect_shared([&] { list_blocking_many(one, bounds, lists, of_lists); }, option);
+        expect_shared([&] { list_occluders_many(one, bounds, lists, of_lists); }, option);
       }
     };
     ask_all({.exclude = lists.indices}, {.exclude = others.indices}, "exclude");

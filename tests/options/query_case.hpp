@@ -155,7 +155,7 @@ class QueryCase {
  private:
   /// All words are zero, few bits are set, most are or all are. Bits past the last bound mean nothing.
   void draw_mask(Random& random, unsigned bounds) {
-    exclude_mask_.resize(words_for(bounds));
+    exclude_mask_.resize(bit_words(bounds));
     const unsigned density = random.below(4);
     for (std::uint64_t& word : exclude_mask_) {
       for (unsigned bit = 0; bit != 64 && density != 0; ++bit) {
@@ -238,7 +238,7 @@ inline Indices limited(const Indices& results, const Query& query) {
 
 /// The bits of indices of `bounds` bounds.
 inline std::vector<std::uint64_t> bits_of(const Indices& indices, std::size_t bounds) {
-  std::vector<std::uint64_t> bits(words_for(bounds));
+  std::vector<std::uint64_t> bits(bit_words(bounds));
   for (const std::uint32_t index : indices) bits[index / 64] |= std::uint64_t{1} << index % 64;
   return bits;
 }

@@ -85,7 +85,7 @@ TEST(BitView, ReadsTheBitsThatCullWrites) {
   Random random(8001);
   const std::vector<Box> boxes = bounds_of<Box>(random, 300);
   const CompiledShaft shaft = compile({{-5, -5, -5}, {0, 0, 0}}, {{0, 0, 0}, {5, 2, 2}});
-  std::vector<std::uint64_t> kept(words_for(boxes.size()));
+  std::vector<std::uint64_t> kept(bit_words(boxes.size()));
   cull(shaft, BoxColumns(boxes).view(), kept);
   std::vector<std::size_t> right;
   for (std::size_t i = 0; i != boxes.size(); ++i) {

@@ -245,7 +245,7 @@ class ShaftSet {
         return compile(shaft);
       }
       case 2:
-        return random.one_in(2) ? swept(a, way) : swept_without_end(a, way);
+        return random.one_in(2) ? swept(a, way) : swept_infinite(a, way);
       case 3:
         return random.one_in(2) ? shadow(beside, a, 3.0F) : shadow(a, beside);
       case 4:  // of boxes on the lattice

@@ -95,10 +95,10 @@ void expect_lists_of_one(Random& random, const CompiledShaft& shaft, const Bound
 void expect_many(std::span<const CompiledShaft> shafts, const Bounds& bounds, const Query& query,
                  const std::vector<ShaftLists>& right) {
   const Query all = unlimited(query);
-  const std::size_t row = words_for(bounds.size());
+  const std::size_t row = bit_words(bounds.size());
   std::vector<std::uint64_t> right_kept;
   std::vector<std::uint64_t> right_inside;
-  std::vector<std::uint64_t> right_any(words_for(shafts.size()));
+  std::vector<std::uint64_t> right_any(bit_words(shafts.size()));
   std::vector<std::uint64_t> right_counts;
   std::vector<std::uint64_t> right_limited;
   std::vector<KeptCounts> right_classified;
@@ -319,7 +319,7 @@ TYPED_TEST(QueryOptions, GoWithShaftsThatAnswerInsideAlone) {
     for (const Holder& holder : scene.holders()) {
       if (options.asks_for_layers() && !holder.has_layers) continue;
       SCOPED_TRACE(holder.name);
-      const std::size_t row = words_for(holder.bounds.size());
+      const std::size_t row = bit_words(holder.bounds.size());
       std::vector<std::uint64_t> right;
       for (std::size_t s = 0; s != whole.size(); ++s) {
         const ShaftLists lists = options.lists(truth, scene.layers(), s, holder.order);

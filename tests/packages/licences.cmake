@@ -8,7 +8,7 @@ file(READ ${ROOT}/cmake/packaging/debian/copyright copyright)
 string(TOLOWER "${copyright}" copyright)
 
 # What CMake looks for: shaftcull_dependency(NAME …) for the library, the program and tests; find_package(NAME …) elsewhere.
-file(GLOB_RECURSE lists ${ROOT}/cmake/*.cmake ${ROOT}/kernel/CMakeLists.txt ${ROOT}/bench/CMakeLists.txt
+file(GLOB_RECURSE lists ${ROOT}/cmake/*.cmake ${ROOT}/kernel/CMakeLists.txt ${ROOT}/bench/CMakeLists.txt ${ROOT}/programs/CMakeLists.txt
   ${ROOT}/bindings/CMakeLists.txt ${ROOT}/tests/CMakeLists.txt)
 list(FILTER lists EXCLUDE REGEX "/tests/(consumer|embedding|dependencies)/")
 set(tools Python3 Python Doxygen Git Threads)  # which leave nothing in what is built

@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.22)
 
 set(kinds [ch]pp [ch] cmake sh py pyi)
-set(folders bench bindings cmake docs include kernel tests)
+set(folders bench bindings cmake conformance docs include kernel programs tests)
 set(sources CMakeLists.txt cmake/run .ci/run)
 foreach(folder IN LISTS folders)
   foreach(kind IN LISTS kinds)

@@ -105,7 +105,7 @@ std::string centre_extent_fault(const Record& record) {
   const std::array<Record, 3> records = {legal, legal, record};
   BoxStream stream(3);
   const Box before = stream[0];
-  const CentreExtentRecords given{records[0].data(), records[0].data() + 3, sizeof(Record), 3};
+  const StridedCentreExtents given{records[0].data(), records[0].data() + 3, sizeof(Record), 3};
   if (const auto error = caught<BadBound>([&] { stream.update(0, given); })) {
     EXPECT_EQ(error->index(), 2U);
     EXPECT_EQ(stream[0], before);
@@ -143,12 +143,12 @@ TEST(UpdateErrors, NameANullPointer) {
   BoxStream boxes(4);
   const float one = 1;
   EXPECT_THAT(message_of([&] {
-                boxes.update(0, MinMaxRecords{&one, nullptr, 24, 1});
+                boxes.update(0, StridedBoxes{&one, nullptr, 24, 1});
               }),
-              HasSubstr("MinMaxRecords::hi is null"));
-  EXPECT_NO_THROW(boxes.update(0, MinMaxRecords{}));
-  EXPECT_NO_THROW(boxes.update(4, CentreExtentRecords{}));
-  EXPECT_NO_THROW(SphereStream().update(0, SphereRecords{}));
+              HasSubstr("StridedBoxes::hi is null"));
+  EXPECT_NO_THROW(boxes.update(0, StridedBoxes{}));
+  EXPECT_NO_THROW(boxes.update(4, StridedCentreExtents{}));
+  EXPECT_NO_THROW(SphereStream().update(0, StridedSpheres{}));
 }
 
 TEST(UpdateErrors, ABadBoundOfAViewIsNamed) {
@@ -171,11 +171,11 @@ TEST(UpdateErrors, AStreamsOwnMemoryIsNoUpdateOfIt) {
   const float* const sphere_row = spheres.view().stream[0];
   const float others[6] = {};
   const auto refusal = HasSubstr("update: what is packed and the stream share memory");
-  EXPECT_THAT(message_of([&] { boxes.update(0, MinMaxRecords{others, box_row, 24, 1}); }), refusal);
-  EXPECT_THAT(message_of([&] { boxes.update(0, CentreExtentRecords{box_row, others, 24, 1}); }), refusal);
-  EXPECT_THAT(message_of([&] { spheres.update(0, SphereRecords{others, sphere_row + 99, 24, 1}); }), refusal);
+  EXPECT_THAT(message_of([&] { boxes.update(0, StridedBoxes{others, box_row, 24, 1}); }), refusal);
+  EXPECT_THAT(message_of([&] { boxes.update(0, StridedCentreExtents{box_row, others, 24, 1}); }), refusal);
+  EXPECT_THAT(message_of([&] { spheres.update(0, StridedSpheres{others, sphere_row + 99, 24, 1}); }), refusal);
   EXPECT_THAT(message_of([&] { boxes.update(10, boxes.view().slice(0, 1)); }), refusal);
-  EXPECT_NO_THROW(spheres.update(0, SphereRecords{boxes.view().stream[0], box_row, 24, 1}));
+  EXPECT_NO_THROW(spheres.update(0, StridedSpheres{boxes.view().stream[0], box_row, 24, 1}));
   for (std::size_t i = 0; i != 100; ++i) EXPECT_EQ(boxes[i], (Box{{0, 0, 0}, {1, 1, 1}}));
 }
 

@@ -103,7 +103,7 @@ TEST(BoxStream, ReadsRecordsOfAnyStrideAndAlignment) {
         std::memcpy(memory.data() + offset + i * stride, &boxes[i], sizeof(Box));
       }
       const std::byte* const lo = memory.data() + offset;
-      const BoxStream stream(MinMaxRecords{lo, lo + 12, stride, boxes.size()});
+      const BoxStream stream(StridedBoxes{lo, lo + 12, stride, boxes.size()});
       EXPECT_EQ(bounds_in(stream), boxes) << "stride " << stride << ", offset " << offset;
     }
   }
@@ -117,7 +117,7 @@ TEST(BoxStream, ReadsCornersThatLieApart) {
     lo.push_back(box.lo);
     hi.push_back(box.hi);
   }
-  EXPECT_EQ(bounds_in(BoxStream(MinMaxRecords{lo.data(), hi.data(), sizeof(Vec3), 33})), boxes);
+  EXPECT_EQ(bounds_in(BoxStream(StridedBoxes{lo.data(), hi.data(), sizeof(Vec3), 33})), boxes);
 }
 
 TEST(SphereStream, ReadsRecordsOfAnyStrideAndAlignment) {
@@ -128,13 +128,13 @@ TEST(SphereStream, ReadsRecordsOfAnyStrideAndAlignment) {
       std::memcpy(memory.data() + 3 + i * stride, &spheres[i], sizeof(Sphere));
     }
     const std::byte* const centre = memory.data() + 3;
-    EXPECT_EQ(bounds_in(SphereStream(SphereRecords{centre, centre + 12, stride, spheres.size()})), spheres);
+    EXPECT_EQ(bounds_in(SphereStream(StridedSpheres{centre, centre + 12, stride, spheres.size()})), spheres);
   }
 }
 
 TEST(BoxStream, PacksCentreAndHalfExtentExactlyWhereFloatsAllow) {
   const std::array<float, 6> record = {1, 2, 3, 0.5F, 0, 4};
-  const BoxStream stream(CentreExtentRecords{record.data(), record.data() + 3, sizeof record, 1});
+  const BoxStream stream(StridedCentreExtents{record.data(), record.data() + 3, sizeof record, 1});
   EXPECT_EQ(stream[0], (Box{{0.5F, 2, -1}, {1.5F, 2, 7}}));
 }
 
@@ -148,7 +148,7 @@ TEST(BoxStream, RoundsCornersOfCentreAndHalfExtentOutwardsByNoMoreThanItMust) {
                                          std::fabs(random.wild(-20, 18)),
                                          std::fabs(random.wild(-20, 18)),
                                          0x1p-20F};
-    const Box box = BoxStream(CentreExtentRecords{record.data(), record.data() + 3, sizeof record, 1})[0];
+    const Box box = BoxStream(StridedCentreExtents{record.data(), record.data() + 3, sizeof record, 1})[0];
     for (std::size_t k = 0; k != 3; ++k) {
       const long double lo = static_cast<long double>(record[k]) - static_cast<long double>(record[k + 3]);
       const long double hi = static_cast<long double>(record[k]) + static_cast<long double>(record[k + 3]);
@@ -171,7 +171,7 @@ TEST(BoxStream, RoundsCornersOutwardsAtTheEndsOfFloatsToo) {
     }
   }
   const BoxStream boxes(
-      CentreExtentRecords{records[0].data(), records[0].data() + 3, sizeof records[0], records.size()});
+      StridedCentreExtents{records[0].data(), records[0].data() + 3, sizeof records[0], records.size()});
   for (std::size_t i = 0; i != records.size(); ++i) {
     for (std::size_t k = 0; k != 3; ++k) {
       const long double lo = static_cast<long double>(records[i][k]) - static_cast<long double>(records[i][k + 3]);
@@ -192,7 +192,7 @@ TEST(BoxStream, PacksCentreAndHalfExtentTheSameOneByOneAndTogether) {
   }
   const auto pack = [&](std::size_t first, std::size_t count) {
     const float* const record = records[first].data();
-    return BoxStream(CentreExtentRecords{record, record + 3, sizeof records[0], count});
+    return BoxStream(StridedCentreExtents{record, record + 3, sizeof records[0], count});
   };
   for (std::size_t count = 0; count != records.size(); ++count) {
     const BoxStream together = pack(0, count);
@@ -202,14 +202,14 @@ TEST(BoxStream, PacksCentreAndHalfExtentTheSameOneByOneAndTogether) {
 
 TEST(BoxStream, RoundsOutwardsWhereEvenADoubleCannotHoldTheCorner) {
   const std::array<float, 6> record = {1, -1, FLT_MAX, 0x1p-149F, 0x1p-100F, 0x1p-149F};
-  const Box box = BoxStream(CentreExtentRecords{record.data(), record.data() + 3, sizeof record, 1})[0];
+  const Box box = BoxStream(StridedCentreExtents{record.data(), record.data() + 3, sizeof record, 1})[0];
   EXPECT_EQ(box.lo, (Vec3{std::nextafter(1.0F, 0.0F), std::nextafter(-1.0F, -2.0F), std::nextafter(FLT_MAX, 0.0F)}));
   EXPECT_EQ(box.hi, (Vec3{std::nextafter(1.0F, 2.0F), std::nextafter(-1.0F, 0.0F), inf}));
 }
 
 TEST(BoxStream, TakesAnInfiniteHalfExtentForEverything) {
   const std::array<float, 6> record = {1, -FLT_MAX, 0, inf, inf, inf};
-  const Box box = BoxStream(CentreExtentRecords{record.data(), record.data() + 3, sizeof record, 1})[0];
+  const Box box = BoxStream(StridedCentreExtents{record.data(), record.data() + 3, sizeof record, 1})[0];
   EXPECT_EQ(box, (Box{{-inf, -inf, -inf}, {inf, inf, inf}}));
 }
 

@@ -43,7 +43,7 @@ TEST(TriangleStreams, HoldWhatWasPacked) {
     EXPECT_EQ(stream.size(), count);
     EXPECT_EQ(contents(stream), triangles);
     EXPECT_EQ(contents(TriangleStream(stream.view())), triangles);
-    EXPECT_EQ(stream.memory_bytes(), count == 0 ? 0 : (words_for(count) | 1U) * 64 * 36);
+    EXPECT_EQ(stream.memory_bytes(), count == 0 ? 0 : (bit_words(count) | 1U) * 64 * 36);
     if (count != 0) {
       EXPECT_EQ(stream[count - 1], triangles[count - 1]);
       EXPECT_EQ(contents(stream.view().slice(count / 2, count - count / 2)),

@@ -75,7 +75,7 @@ void expect_inside_as_flat(std::uint64_t seed, Shape shape) {
     const auto extent = static_cast<float>(size);
     const Box a = random.box(-4, 4, extent, extent);
     const Box b = random.box(-4, 4, extent, extent);
-    std::vector<std::uint64_t> inside(words_for(bounds.size()), 0x5555);
+    std::vector<std::uint64_t> inside(bit_words(bounds.size()), 0x5555);
     classify(compile(Shaft(a, b, {.outside = false})), tree, {}, inside);
     EXPECT_EQ(inside, bits_of(FlatAnswers(compile(Shaft(a, b)), bounds).inside, bounds.size())) << text(shape);
   }

@@ -68,7 +68,7 @@ TEST(TreeAny, LooksOnWhereWhatItFindsIsLeftOut) {
   const std::vector<Box> boxes(5000, Box{{0, 0, 0}, {1, 1, 1}});
   const BoxTree tree{std::span<const Box>(boxes)};
   const CompiledShaft shaft = compile(Shaft({{-1, -1, -1}, {2, 2, 2}}, {{-1, -1, -1}, {2, 2, 2}}));
-  std::vector<std::uint64_t> mask(words_for(boxes.size()), ~std::uint64_t{0});
+  std::vector<std::uint64_t> mask(bit_words(boxes.size()), ~std::uint64_t{0});
   EXPECT_TRUE(any(shaft, tree));
   EXPECT_FALSE(any(shaft, tree, {.exclude_mask = mask}));
   for (const std::uint32_t index : {0U, 63U, 64U, 4095U, 4999U}) {

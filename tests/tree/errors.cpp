@@ -116,7 +116,7 @@ TEST(TreeErrors, QueriesOfAnUpdatedTreeAskForARefit) {
     tree.update(indices, std::span<const Box>(boxes(1)));
     EXPECT_THAT(message_of<NeedsRefit>([&] { static_cast<void>(shaftcull::count(shaft(), tree)); }),
                 HasSubstr("call refit() first"));
-    EXPECT_THAT(message_of<NeedsRefit>([&] { static_cast<void>(tree.growth()); }), HasSubstr("call refit() first"));
+    EXPECT_THAT(message_of<NeedsRefit>([&] { static_cast<void>(tree.sah_ratio()); }), HasSubstr("call refit() first"));
     tree.refit();
     EXPECT_NO_THROW(static_cast<void>(shaftcull::count(shaft(), tree)));
   }

@@ -95,10 +95,10 @@ TYPED_TEST(TreeFirstContact, StaysThatOfAFlatScanAsTheTreeChanges) {
   tree.rebuild();
   this->expect_flat(tree, bounds, shafts);
   this->expect_flat(typename TestFixture::Tree(tree), bounds, shafts);
-  std::vector<Bound> renumbered;
-  for (const std::uint32_t i : tree.order()) renumbered.push_back(bounds[i]);
-  tree.renumber();
-  this->expect_flat(tree, renumbered, shafts);
+  std::vector<Bound> reordered;
+  for (const std::uint32_t i : tree.order()) reordered.push_back(bounds[i]);
+  tree.reorder();
+  this->expect_flat(tree, reordered, shafts);
 }
 
 TYPED_TEST(TreeFirstContact, LooksOnWhereTheFirstIsLeftOut) {
@@ -109,7 +109,7 @@ TYPED_TEST(TreeFirstContact, LooksOnWhereTheFirstIsLeftOut) {
     typename TestFixture::Tree tree{std::span<const Bound>(bounds)};
     const std::vector<CompiledShaft> shafts = shafts_for(random, 10);
     // Leaving out is as if the bound were not there: an empty bound is met by nothing.
-    std::vector<std::uint64_t> mask(words_for(bounds.size()));
+    std::vector<std::uint64_t> mask(bit_words(bounds.size()));
     std::vector<std::uint32_t> layers(bounds.size(), 2);
     std::vector<Bound> rest = bounds;
     for (std::size_t i = 0; i != bounds.size(); ++i) {

@@ -23,7 +23,7 @@ struct FlatAnswers {
   template <class Bound>
   FlatAnswers(const CompiledShaft& shaft, const std::vector<Bound>& bounds) {
     const auto memory = columns(bounds);
-    std::vector<std::uint64_t> kept_bits(words_for(bounds.size()));
+    std::vector<std::uint64_t> kept_bits(bit_words(bounds.size()));
     std::vector<std::uint64_t> inside_bits(kept_bits.size());
     classify(shaft, memory.view(), kept_bits, inside_bits);
     for (std::uint32_t i = 0; i != bounds.size(); ++i) {
@@ -40,7 +40,7 @@ struct FlatAnswers {
 
 /// The bits of ascending indices of `bounds` bounds.
 inline std::vector<std::uint64_t> bits_of(const Indices& indices, std::size_t bounds) {
-  std::vector<std::uint64_t> bits(words_for(bounds));
+  std::vector<std::uint64_t> bits(bit_words(bounds));
   for (const std::uint32_t index : indices) bits[index / 64] |= std::uint64_t{1} << index % 64;
   return bits;
 }

@@ -14,8 +14,8 @@
 #include "shaftcull/tree.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -101,7 +101,7 @@ TYPED_TEST(TreeFrames, RefittingFewNodesLeavesTheTreeThatRefittingAllDoes) {
   few.update(indices, std::span<const Bound>(values));
   few.refit();
   all.update(std::span<const Bound>(bounds));
-  EXPECT_EQ(few.growth(), all.growth());
+  EXPECT_EQ(few.sah_ratio(), all.sah_ratio());
   std::vector<std::byte> image_of_few(image_bytes(few));
   std::vector<std::byte> image_of_all(image_bytes(all));
   write_image(few, image_of_few);
@@ -127,12 +127,12 @@ TYPED_TEST(TreeFrames, RebuildingRestoresTheQualityAndKeepsIndices) {
   using Bound = BoundOf<TypeParam>;
   Random random(74);
   TypeParam tree{std::span<const Bound>(scene<Bound>(random, Shape::uniform, 20000))};
-  EXPECT_EQ(tree.growth(), 1.0);
+  EXPECT_EQ(tree.sah_ratio(), 1.0);
   const std::vector<Bound> shuffled = scene<Bound>(random, Shape::uniform, 20000);
   tree.update(std::span<const Bound>(shuffled));
-  EXPECT_GT(tree.growth(), 10.0);
+  EXPECT_GT(tree.sah_ratio(), 10.0);
   tree.rebuild();
-  EXPECT_EQ(tree.growth(), 1.0);
+  EXPECT_EQ(tree.sah_ratio(), 1.0);
   this->expect_flat_answers(tree, shuffled, 741);
   const std::vector<Bound> again = scene<Bound>(random, Shape::uniform, 20000);
   const std::vector<std::uint32_t> indices = {5, 19999};
@@ -148,17 +148,17 @@ TYPED_TEST(TreeFrames, GrowthIsDefinedForNodesWithoutSurface) {
   using Bound = BoundOf<TypeParam>;
   const std::vector<Bound> points(1000, Bound{});
   TypeParam tree{std::span<const Bound>(points)};
-  EXPECT_EQ(tree.growth(), 1.0);
+  EXPECT_EQ(tree.sah_ratio(), 1.0);
   if constexpr (std::is_same_v<Bound, Box>) {  // the nodes of spheres are rounded outwards
     const std::vector<std::uint32_t> one = {3};
     const std::vector<Bound> away = {{{1, 1, 1}, {2, 2, 2}}};
     tree.update(one, std::span<const Bound>(away));
     tree.refit();
-    EXPECT_EQ(tree.growth(), HUGE_VAL);
+    EXPECT_EQ(tree.sah_ratio(), HUGE_VAL);
   }
 }
 
-TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
+TYPED_TEST(TreeFrames, ReorderingMakesTreeOrderTheUsersOrder) {
   using Bound = BoundOf<TypeParam>;
   Random random(79);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::uniform, 5000);
@@ -170,7 +170,7 @@ TYPED_TEST(TreeFrames, RenumberingMakesTreeOrderTheUsersOrder) {
     }
     std::vector<Bound> sorted;
     for (const std::uint32_t i : tree.order()) sorted.push_back(bounds[i]);
-    tree.renumber();
+    tree.reorder();
     this->expect_flat_answers(tree, sorted, 791);
     sorted[33] = sorted[4000];
     tree.update(std::vector<std::uint32_t>{33}, std::span<const Bound>(sorted).subspan(33, 1));
@@ -213,7 +213,7 @@ TYPED_TEST(TreeFrames, CopiesAreDeepAndMovesLeaveAnEmptyTree) {
   second.update(std::span<const Bound>());
   second.rebuild();
   second.refit();
-  EXPECT_EQ(second.growth(), 1.0);
+  EXPECT_EQ(second.sah_ratio(), 1.0);
 }
 
 TYPED_TEST(TreeFrames, NodesTakeLittleNextToLeavesAndOrder) {

@@ -29,8 +29,8 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/checksum.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -56,11 +56,11 @@ void expect_same(const Tree& one, const Tree& other, std::span<const CompiledSha
   ASSERT_EQ(one.size(), other.size());
   EXPECT_TRUE(std::ranges::equal(one.order(), other.order()));
   EXPECT_EQ(one.box(), other.box());
-  EXPECT_EQ(one.growth(), other.growth());
+  EXPECT_EQ(one.sah_ratio(), other.sah_ratio());
   EXPECT_TRUE(std::ranges::equal(one.layers(), other.layers()));
   std::vector<std::uint32_t> of_one(one.size());
   std::vector<std::uint32_t> of_other(one.size());
-  std::vector<std::uint64_t> bits(words_for(one.size()));
+  std::vector<std::uint64_t> bits(bit_words(one.size()));
   std::vector<std::uint64_t> other_bits(bits.size());
   for (const CompiledShaft& shaft : shafts) {
     const std::size_t kept = list(shaft, one, std::span(of_one));
@@ -84,7 +84,7 @@ void expect_same(const TriangleTree& one, const TriangleTree& other, std::span<c
   EXPECT_EQ(one.box(), other.box());
   std::vector<std::uint32_t> of_one(one.size());
   std::vector<std::uint32_t> of_other(one.size());
-  std::vector<std::uint64_t> bits(words_for(one.size()));
+  std::vector<std::uint64_t> bits(bit_words(one.size()));
   std::vector<std::uint64_t> other_bits(bits.size());
   for (const CompiledShaft& shaft : shafts) {
     const std::size_t kept = list(shaft, one, std::span(of_one));
@@ -191,7 +191,7 @@ TYPED_TEST(TreeImages, CopiesOfTheTreeOwnTheirMemory) {
   for (TypeParam* const each : {&tree, &copy}) {
     each->update(std::span(others));
     each->rebuild();
-    each->renumber();
+    each->reorder();
   }
   expect_same(tree, copy, shafts);
   EXPECT_EQ(image_of(tree), image_of(copy));

@@ -18,8 +18,8 @@
 #include "shaftcull/tree.hpp"
 #include "tree/access.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 #include "tree/walked.hpp"
 
 namespace shaftcull {
@@ -61,7 +61,7 @@ void expect_answers(const BoundsTree<Bound>& tree, const FlatAnswers& flat, cons
   few.limit = 3;
   EXPECT_EQ(count(shaft, tree, few), std::min<std::size_t>(3, kept.size()));
 
-  std::vector<std::uint64_t> some(words_for(tree.size()));
+  std::vector<std::uint64_t> some(bit_words(tree.size()));
   std::vector<std::uint64_t> others(some.size());
   cull(shaft, tree, some, query);
   EXPECT_EQ(some, bits_of(kept, tree.size()));
@@ -143,7 +143,7 @@ TYPED_TEST(TreeLayers, GoWithIndicesAndAMaskOfBits) {
   const Layers layers = random_layers(random, bounds.size());
   TypeParam tree{std::span<const BoundOf<TypeParam>>(bounds)};
   tree.set_layers(layers);
-  std::vector<std::uint64_t> mask(words_for(bounds.size()), 0x1248);
+  std::vector<std::uint64_t> mask(bit_words(bounds.size()), 0x1248);
   for (const CompiledShaft& shaft : shafts_for(random, 8)) {
     FlatAnswers flat = flat_answers(shaft, bounds, layers, 0xffff);
     const Indices kept = flat.kept();
@@ -174,7 +174,7 @@ TYPED_TEST(TreeLayers, AreEachShaftsOwnInCallsOfMany) {
     std::vector<std::uint64_t> counts(shafts.size());
     std::vector<std::uint64_t> few(shafts.size());
     std::vector<KeptCounts> classified(shafts.size());
-    const std::size_t row = words_for(bounds.size());
+    const std::size_t row = bit_words(bounds.size());
     std::vector<std::uint64_t> kept_bits(shafts.size() * row);
     std::vector<std::uint64_t> inside_bits(kept_bits.size());
     std::vector<std::uint64_t> found(1);
@@ -245,16 +245,16 @@ TYPED_TEST(TreeLayers, MoveWithTheirBoundsWhenTheseGetOtherIndices) {
   const Layers layers = random_layers(random, bounds.size());
   TypeParam tree{std::span<const Bound>(bounds)};
   tree.set_layers(layers);
-  std::vector<Bound> renumbered;
+  std::vector<Bound> reordered;
   Layers their_layers;
   for (const auto i : tree.order()) {
-    renumbered.push_back(bounds[i]);
+    reordered.push_back(bounds[i]);
     their_layers.push_back(layers[i]);
   }
   EXPECT_EQ(Layers(tree.layers().begin(), tree.layers().end()), their_layers);
-  tree.renumber();
+  tree.reorder();
   EXPECT_EQ(Layers(tree.layers().begin(), tree.layers().end()), their_layers);
-  this->expect_answers_with(tree, renumbered, their_layers, shafts_for(random, 3));
+  this->expect_answers_with(tree, reordered, their_layers, shafts_for(random, 3));
 }
 
 TYPED_TEST(TreeLayers, AreReplacedAndForgottenWithTheirMemory) {

@@ -14,8 +14,8 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -68,7 +68,7 @@ TYPED_TEST(TreeMany, CountsAndListsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
 }
 
 TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
-  const std::size_t row = words_for(this->bounds_.size());
+  const std::size_t row = bit_words(this->bounds_.size());
   // More than a word of shafts for any_many(), the last of which keep nothing.
   std::vector<CompiledShaft> shafts = this->shafts_;
   while (shafts.size() != 130) shafts.push_back(compile(Shaft({{90, 0, 0}, {91, 1, 1}}, {{99, 0, 0}, {99, 1, 1}})));
@@ -105,7 +105,7 @@ TYPED_TEST(TreeMany, BitsAreThoseOfSingleShaftsOnAnyNumberOfThreads) {
 
 TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
   Random random(62);
-  std::vector<std::uint64_t> mask(words_for(this->bounds_.size()));
+  std::vector<std::uint64_t> mask(bit_words(this->bounds_.size()));
   for (std::uint64_t& word : mask)
     word = random.one_in(3) ? 0 : std::uint64_t{random.below(0xffffffff)} << random.below(33);
   // What a shaft keeps is what is worth leaving out of it.
@@ -130,7 +130,7 @@ TYPED_TEST(TreeMany, LeavesOutWhatIsExcludedAndNothingElse) {
       count_many(this->shafts_, this->tree_, counts, query);
       std::vector<KeptCounts> classified(this->shafts_.size());
       count_classified_many(this->shafts_, this->tree_, classified, query);
-      const std::size_t row = words_for(this->bounds_.size());
+      const std::size_t row = bit_words(this->bounds_.size());
       std::vector<std::uint64_t> kept_bits(this->shafts_.size() * row);
       std::vector<std::uint64_t> inside_bits(kept_bits.size());
       std::vector<std::uint64_t> found(1);

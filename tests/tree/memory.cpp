@@ -15,9 +15,9 @@
 #include "shaftcull/shaftcull.hpp"
 #include "support/float_environment.hpp"
 #include "tree/build.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 #include "tree/source.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -88,7 +88,7 @@ TYPED_TEST(LargeTree, LeavesNothingBehindIfMemoryRunsOut) {
   using Bound = BoundOf<TypeParam>;
   Random random(921);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, 9000);
-  const kernel::RecordSource<Bound> source(records(std::span<const Bound>(bounds)));
+  const kernel::RecordSource<Bound> source(strided(std::span<const Bound>(bounds)));
   const auto call = [&] {
     return kernel::in_float_environment([&] { return kernel::build<Bound>(source, RegionSizes{1, 4096, 4096}).order; });
   };

@@ -10,8 +10,8 @@
 #include "columns.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/tree.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -58,7 +58,7 @@ TYPED_TEST(TreeRebuilding, GivesAnOrderThatDoesNotDependOnWhatTheTreeWentThrough
       const auto order = built.order();
       EXPECT_EQ(std::equal(order.begin(), order.end(), moved.order().begin()), true) << text(shape) << ", " << count;
       for (std::size_t p = 0; p != count; ++p) ASSERT_EQ(moved.leaves()[p], built.leaves()[p]);
-      EXPECT_EQ(moved.growth(), 1.0);
+      EXPECT_EQ(moved.sah_ratio(), 1.0);
     }
   }
 }

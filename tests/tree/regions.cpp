@@ -18,9 +18,9 @@
 #include "shaftcull/tree.hpp"
 #include "support/float_environment.hpp"
 #include "tree/build.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 #include "tree/source.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -37,7 +37,7 @@ template <class View>
 bool are_same_bits(const View& a, const View& b) {
   if (a.count != b.count) return false;
   for (std::size_t s = 0; a.count != 0 && s != a.stream.size(); ++s) {
-    if (std::memcmp(a.stream[s], b.stream[s], words_for(a.count) * 64 * sizeof(float)) != 0) return false;
+    if (std::memcmp(a.stream[s], b.stream[s], bit_words(a.count) * 64 * sizeof(float)) != 0) return false;
   }
   return true;
 }
@@ -80,7 +80,7 @@ TYPED_TEST(TreeRegions, TheTreeIsTheSameForAllScenes) {
       SCOPED_TRACE(text(shape));
       SCOPED_TRACE(count);
       const std::vector<Bound> bounds = scene<Bound>(random, shape, count);
-      expect_same_trees<Bound>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))));
+      expect_same_trees<Bound>(kernel::RecordSource<Bound>(strided(std::span<const Bound>(bounds))));
       const kernel::StreamOf<ViewOf<Bound>> stream{std::span<const Bound>(bounds)};
       expect_same_trees<Bound>(kernel::ViewSource<Bound>(stream.view()));
     }
@@ -94,7 +94,7 @@ TYPED_TEST(TreeRegions, TheTreeIsTheSameForAnyNumberOfThreads) {
   using Bound = BoundOf<TypeParam>;
   Random random(911);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::wild_sizes, 200000);
-  const kernel::RecordSource<Bound> source(records(std::span<const Bound>(bounds)));
+  const kernel::RecordSource<Bound> source(strided(std::span<const Bound>(bounds)));
   const auto tree = built<Bound>(source, at_once);
   for (const int threads : {1, 2, 3}) {
     with_threads(threads, [&] { expect_same(tree, built<Bound>(source, by_regions[0])); });
@@ -105,7 +105,7 @@ TYPED_TEST(TreeRegions, RebuildingGivesTheSameTree) {
   using Bound = BoundOf<TypeParam>;
   Random random(912);
   const std::vector<Bound> bounds = scene<Bound>(random, Shape::clustered, 30000);
-  auto tree = built<Bound>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), at_once);
+  auto tree = built<Bound>(kernel::RecordSource<Bound>(strided(std::span<const Bound>(bounds))), at_once);
   std::vector<std::uint32_t> layers;
   for (std::size_t i = 0; i != bounds.size(); ++i) layers.push_back(random.below(7));
   tree.layers = kernel::layers_of<Bound>(tree, tree.order, layers);
@@ -132,7 +132,7 @@ TYPED_TEST(TreeRegions, TheFirstBadBoundIsNamed) {
     std::memset(&bounds[i], 0xff, sizeof(Bound));  // NaN
   }
   const auto error = caught<BadBound>(
-      [&] { built<Bound>(kernel::RecordSource<Bound>(records(std::span<const Bound>(bounds))), by_regions[0]); });
+      [&] { built<Bound>(kernel::RecordSource<Bound>(strided(std::span<const Bound>(bounds))), by_regions[0]); });
   ASSERT_TRUE(error);
   EXPECT_EQ(error->index(), 17003U);
 }

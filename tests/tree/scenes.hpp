@@ -11,9 +11,9 @@
 
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/kinds.hpp"
 #include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 
@@ -138,7 +138,7 @@ inline std::vector<CompiledShaft> shafts_for(Random& random, std::size_t count) 
       b.lo[0] = b.hi[0] = a.hi[0] + random.uniform(0.5F, 2.0F);
       const unsigned kind = random.below(4);
       shafts.push_back(kind == 0   ? swept(a, d)
-                       : kind == 1 ? swept_without_end(a, d)
+                       : kind == 1 ? swept_infinite(a, d)
                        : kind == 2 ? shadow(b, a, 3.0F)
                                    : shadow(a, b));
       continue;

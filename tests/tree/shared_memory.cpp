@@ -16,8 +16,8 @@
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "support/overlap.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -75,7 +75,7 @@ TYPED_TEST(TreeSharedMemory, ATreesOwnLeavesAreNoUpdateOfIt) {
   mixed.stream[2] = tree.leaves().stream[1];
   EXPECT_THAT(message_of([&] { tree.update(mixed); }), refusal);
   auto last = memory.view().slice(0, 3);
-  last.stream[0] = tree.leaves().stream[0] + (words_for(this->count) * 64 - 1);
+  last.stream[0] = tree.leaves().stream[0] + (bit_words(this->count) * 64 - 1);
   EXPECT_THAT(message_of([&] { tree.update(indices, last); }), refusal);
 
   // So are records in that memory, forwards and backwards.
@@ -120,12 +120,12 @@ TYPED_TEST(TreeSharedMemory, OutputsOfAQueryMustNotBeWhatItLeavesOutNorOneAnothe
   EXPECT_NO_THROW(static_cast<void>(
       list_classified(this->shaft_, tree, all.first(90), all.subspan(90, 90), {.exclude = all.subspan(180)})));
 
-  std::vector<std::uint64_t> mask(words_for(this->count));
+  std::vector<std::uint64_t> mask(bit_words(this->count));
   EXPECT_THAT(message_of([&] {
                 count_many({&this->shaft_, 1}, tree, std::span(mask).first(1), {.exclude_mask = mask});
               }),
               shares("count_many: kept_counts", "query.exclude_mask"));
-  EXPECT_EQ(mask, std::vector<std::uint64_t>(words_for(this->count)));
+  EXPECT_EQ(mask, std::vector<std::uint64_t>(bit_words(this->count)));
 }
 
 TYPED_TEST(TreeSharedMemory, ListsMustNotBeOneListNorWhatTheQueryLeavesOut) {

@@ -13,8 +13,8 @@
 #include "columns.hpp"
 #include "message_of.hpp"
 #include "shaftcull/tree.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -43,7 +43,7 @@ TYPED_TEST(TreeSources, ViewsStreamsAndArraysOfTheSameBoundsMakeTheSameTree) {
   const auto memory = columns(bounds);
   const TypeParam tree{std::span<const Bound>(bounds)};
   this->expect_equal(TypeParam(memory.view()), tree);
-  this->expect_equal(TypeParam(records(std::span<const Bound>(bounds))), tree);
+  this->expect_equal(TypeParam(strided(std::span<const Bound>(bounds))), tree);
   using Stream = std::conditional_t<std::is_same_v<Bound, Box>, BoxStream, SphereStream>;
   const Stream stream(bounds);
   this->expect_equal(TypeParam(stream), tree);
@@ -70,7 +70,7 @@ TYPED_TEST(TreeSources, CopiesHoldAllThatTheTreeHeld) {
   tree.refit();
   this->expect_equal(copy, tree);
   EXPECT_EQ(copy.box(), tree.box());
-  EXPECT_EQ(copy.growth(), tree.growth());
+  EXPECT_EQ(copy.sah_ratio(), tree.sah_ratio());
 }
 
 TYPED_TEST(TreeSources, TheBoxOfATreeIsTheOneAroundItsBounds) {
@@ -141,7 +141,7 @@ struct CentredBoxes {
     Random random(seed);
     for (std::size_t i = 0; i != count; ++i) record.push_back({random.vec3(-5, 5), random.vec3(0, 0.3F)});
   }
-  [[nodiscard]] CentreExtentRecords records() const {
+  [[nodiscard]] StridedCentreExtents records() const {
     return {record.data()->centre.data(), record.data()->half.data(), sizeof(Record), record.size()};
   }
 };

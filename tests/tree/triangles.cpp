@@ -22,9 +22,9 @@
 #include "sanitizers.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/hull.hpp"
-#include "shaftcull/kinds.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
+#include "shaftcull/volumes.hpp"
 
 namespace shaftcull {
 namespace {
@@ -73,7 +73,7 @@ std::vector<CompiledShaft> shafts_for(Random& random) {
     if (s % 2 == 0) a.hi[k] = b.lo[k] = b.hi[k] = a.lo[k];
     shafts.push_back(compile(a, b, Contact::open));
   }
-  shafts.push_back(swept_without_end(random.grid_box(-2, 2), {1, 0.25F, 0}));
+  shafts.push_back(swept_infinite(random.grid_box(-2, 2), {1, 0.25F, 0}));
   set_contact(shafts.back(), Contact::open);
   shafts.push_back(compile(Shaft({{-99, -99, -99}, {99, 99, 99}}, {{-90, -99, -99}, {99, 99, 99}})));  // all is inside
   return shafts;
@@ -105,7 +105,7 @@ TEST(TriangleTree, AnswersWhatAScanAnswers) {
       for (const TriangleTest test : tests) {
         SCOPED_TRACE(std::string(name(isa)) + ", " + std::to_string(count) + " triangles");
         const Query query{.triangle_test = test};
-        std::vector<std::uint64_t> rows(shafts.size() * words_for(count), 0x5555);
+        std::vector<std::uint64_t> rows(shafts.size() * bit_words(count), 0x5555);
         cull_many(shafts, tree, rows, query);
         std::vector<std::uint64_t> flat_rows(rows.size());
         cull_many(shafts, memory.view(), flat_rows, query);
@@ -120,7 +120,7 @@ TEST(TriangleTree, AnswersWhatAScanAnswers) {
         count_classified_many(shafts, tree, classified, query);
         std::vector<std::uint64_t> counts(shafts.size(), 5);
         count_many(shafts, tree, counts, query);
-        std::vector<std::uint64_t> any_bits(words_for(shafts.size()), 5);
+        std::vector<std::uint64_t> any_bits(bit_words(shafts.size()), 5);
         any_many(shafts, tree, any_bits, query);
         IndexLists lists;
         list_many(shafts, tree, lists, query);
@@ -137,7 +137,7 @@ TEST(TriangleTree, AnswersWhatAScanAnswers) {
           EXPECT_EQ(counts[s], expected.size());
           EXPECT_EQ(any(shafts[s], tree, query), !expected.empty());
           EXPECT_EQ((any_bits[s / 64] >> s % 64 & 1) != 0, !expected.empty());
-          std::vector<std::uint64_t> kept(words_for(count), 0x5555);
+          std::vector<std::uint64_t> kept(bit_words(count), 0x5555);
           cull(shafts[s], tree, kept, query);
           EXPECT_TRUE(std::equal(kept.begin(), kept.end(), rows.begin() + static_cast<int>(s * kept.size())));
           classify(shafts[s], tree, {}, kept, query);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Every pair of random scenes is what it is said to be, on every instruction set.
-#include "visibility/agreement.hpp"
+#include "oracle/sight_agreement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 /// Of all scenes together, so that a test that only asks for one kind of answer is noticed.
 SightCounts seen;
 
-/// Adds so many blockers of each kind to a scene that the library puts them into clumps, few of which come near a
+/// Adds so many occluders of each kind to a scene that the library puts them into clumps, few of which come near a
 /// shaft. Most are flat, many of these in a plane with a patch.
 void add_crowd(SightScene& scene, std::uint64_t seed) {
   Random random(seed);
@@ -76,7 +76,7 @@ void expect_right(SightScenery scenery, std::uint64_t seeds, unsigned most_patch
       EXPECT_EQ(all.undecided, first.undecided);
       EXPECT_EQ(all.candidates, first.candidates);
     });
-    for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+    for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
       seen.of(sight) += first.counts.of(sight);
     }
     if (testing::Test::HasFailure()) return;
@@ -89,11 +89,11 @@ void expect_all_right(SightScenery scenery, std::uint64_t small, std::uint64_t l
   expect_right(scenery, random_cases(small), 24);
   if (testing::Test::HasFailure()) return;
   expect_right(scenery, random_cases(large), 220, 1000);
-  std::cout << name(scenery) << ": undecided " << seen.undecided << ", clear " << seen.clear << ", blocked "
-            << seen.blocked << ", facing away " << seen.facing_away << "\n";
+  std::cout << name(scenery) << ": undecided " << seen.undecided << ", clear " << seen.clear << ", occluded "
+            << seen.occluded << ", facing away " << seen.facing_away << "\n";
   EXPECT_GT(seen.undecided, random_cases(100));
   EXPECT_GT(seen.clear, random_cases(100));
-  EXPECT_GT(seen.blocked, random_cases(20));
+  EXPECT_GT(seen.occluded, random_cases(20));
   EXPECT_GT(seen.facing_away, random_cases(100));
 }
 
@@ -104,19 +104,19 @@ TEST(Visibility, IsWhatItIsOfBoxesInBoxes) { expect_all_right(SightScenery::nest
 TEST(Visibility, IsWhatItIsInRooms) { expect_all_right(SightScenery::room, 120, 8); }
 TEST(Visibility, IsWhatItIsOfRandomFloats) { expect_all_right(SightScenery::uniform, 80, 8); }
 TEST(Visibility, IsWhatItIsOfIntegersAndFloatsBesideThem) { expect_all_right(SightScenery::nudged, 120, 8); }
-TEST(Visibility, IsWhatItIsWhereBlockersTouchShafts) { expect_all_right(SightScenery::near_edges, 150, 10); }
+TEST(Visibility, IsWhatItIsWhereOccludersTouchShafts) { expect_all_right(SightScenery::near_edges, 150, 10); }
 TEST(Visibility, IsWhatItIsOfAnyMagnitude) { expect_all_right(SightScenery::wild, 70, 1); }
 TEST(Visibility, IsWhatItIsOfDenormals) { expect_all_right(SightScenery::tiny, 80, 2); }
 TEST(Visibility, IsWhatItIsUpToTheLargestFloat) { expect_all_right(SightScenery::huge, 100, 1); }
 
-TEST(Visibility, IsWhatItIsAmongManyBlockers) {
+TEST(Visibility, IsWhatItIsAmongManyOccluders) {
   seen = {};
   expect_right(SightScenery::nudged, random_cases(40), 8, 1, true);
   expect_right(SightScenery::flat, random_cases(300), 2, 1, true);
   expect_right(SightScenery::nudged, random_cases(4), 120, 1000, true);
   EXPECT_GT(seen.undecided, random_cases(100));
   EXPECT_GT(seen.clear, random_cases(20));
-  EXPECT_GT(seen.blocked, random_cases(20));
+  EXPECT_GT(seen.occluded, random_cases(20));
 }
 
 // Flat boxes lie in the plane z = 0 of all patches, a thick one below each: so z = 0 is a face of every clump.
@@ -132,15 +132,15 @@ TEST(Visibility, IsWhatItIsInAFaceOfAClump) {
       boxes.push_back({{at_x, at_y, -2}, {at_x + 2, at_y + 2, 0}});
     }
   }
-  Blockers blockers;
-  blockers.add_boxes(std::span<const Box>(boxes));
+  Occluders occluders;
+  occluders.add_boxes(std::span<const Box>(boxes));
   on_each_instruction_set([&] {
     for (int y = 0; y != rows; ++y) {
       const auto at_y = static_cast<float>(10 * y + 1);
       const Box left{{-1, at_y, 0}, {-1, at_y, 0}};
       const Box right{{500, at_y, 0}, {500, at_y, 0}};
       const Visibility all =
-          collect_visibility(PatchSet(std::span(&left, 1)), PatchSet(std::span(&right, 1)), blockers);
+          collect_visibility(PatchSet(std::span(&left, 1)), PatchSet(std::span(&right, 1)), occluders);
       std::vector<std::uint32_t> expected;
       for (int x = 0; x != columns; ++x) expected.push_back(static_cast<std::uint32_t>(2 * (y * columns + x)));
       EXPECT_EQ(all.candidates, expected);
@@ -149,11 +149,11 @@ TEST(Visibility, IsWhatItIsInAFaceOfAClump) {
 }
 
 // Two solids are one box, whose middle hides some points from others; each of the two only touches what lies flat in
-// their seam. So some groups of points have no blocker between them, and yet pairs that are blocked.
-TEST(Visibility, IsBlockedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
+// their seam. So some groups of points have no occluder between them, and yet pairs that are occluded.
+TEST(Visibility, IsOccludedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
   constexpr Box solids[] = {{{-1, -1, 0}, {1, 0, 10}}, {{-1, 0, 0}, {1, 1, 10}}};
-  Blockers blockers;
-  blockers.add_solids(std::span<const Box>(solids));
+  Occluders occluders;
+  occluders.add_solids(std::span<const Box>(solids));
   for (const int count : {1, 2, 65, 1000}) {
     SCOPED_TRACE(std::to_string(count) + " points on each side");
     std::vector<Box> left;
@@ -170,7 +170,7 @@ TEST(Visibility, IsBlockedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
         // Three times z where the segment enters and leaves -1 < x < 1.
         const int in = 2 * z_of(i) + z_of(j);
         const int out = z_of(i) + 2 * z_of(j);
-        ++(std::max(in, out) > 0 && std::min(in, out) < 30 ? expected.blocked : expected.clear);
+        ++(std::max(in, out) > 0 && std::min(in, out) < 30 ? expected.occluded : expected.clear);
       }
     }
     ASSERT_EQ(expected.clear == 0, count <= 2);
@@ -185,9 +185,9 @@ TEST(Visibility, IsBlockedInTheSeamOfTwoSolidsHoweverPatchesAreGrouped) {
       for (const bool solids_around_ends : {true, false}) {
         VisibilityOptions options;
         options.solids_around_ends = solids_around_ends;
-        EXPECT_EQ(count_visibility(a, b, blockers, options), expected);
-        EXPECT_EQ(count_visibility(b, a, blockers, options), expected);
-        EXPECT_EQ(count_visibility(all, blockers, options), of_all);
+        EXPECT_EQ(count_visibility(a, b, occluders, options), expected);
+        EXPECT_EQ(count_visibility(b, a, occluders, options), expected);
+        EXPECT_EQ(count_visibility(all, occluders, options), of_all);
       }
     });
   }

@@ -22,8 +22,8 @@
 #include "instruction_sets.hpp"
 #include "many/workload.hpp"
 #include "message_of.hpp"
+#include "oracle/sight_agreement.hpp"
 #include "sanitizers.hpp"
-#include "visibility/agreement.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/parallel_for.h>
@@ -44,13 +44,13 @@ SightCase large_case(bool is_of_one_set, unsigned patches, SightScenery scenery 
     scene.solids_around_ends = true;
     SightCase of(std::move(scene));
     const SightCounts counts = of.count(of.options);
-    if (std::min({counts.undecided, counts.clear, counts.blocked, counts.facing_away}) > patches) return of;
+    if (std::min({counts.undecided, counts.clear, counts.occluded, counts.facing_away}) > patches) return of;
   }
 }
 
 /// Batches, as they came.
 struct Batches {
-  std::vector<std::vector<SightProduct>> products;
+  std::vector<std::vector<PairBlock>> products;
   std::vector<std::vector<PatchPair>> undecided;
   std::vector<std::vector<std::size_t>> first_candidate;
   std::vector<std::vector<std::uint32_t>> candidates;
@@ -133,8 +133,8 @@ TEST(VisibilityBatches, OrdersArePermutations) {
       EXPECT_EQ(order, right);
       EXPECT_EQ(set.size(), count);
       const std::uint64_t pairs = count * (count - (count == 0 ? 0 : 1)) / 2;
-      EXPECT_EQ(count_visibility(set, Blockers()).clear, pairs);
-      EXPECT_EQ(count_visibility(set, set, Blockers()).clear, count * count);
+      EXPECT_EQ(count_visibility(set, Occluders()).clear, pairs);
+      EXPECT_EQ(count_visibility(set, set, Occluders()).clear, count * count);
     }
   }
   const PatchSet none;
@@ -142,7 +142,7 @@ TEST(VisibilityBatches, OrdersArePermutations) {
   EXPECT_FALSE(none.has_planes());
   EXPECT_TRUE(none.order().empty());
   bool was_called = false;
-  EXPECT_EQ(visibility(none, Blockers(), [&](const SightBatch&) { was_called = true; }), SightCounts());
+  EXPECT_EQ(visibility(none, Occluders(), [&](const SightBatch&) { was_called = true; }), SightCounts());
   EXPECT_FALSE(was_called);
 }
 
@@ -151,8 +151,8 @@ TEST(VisibilityBatches, BitsAreThoseOfPairs) {
     const SightCase of = large_case(is_of_one_set, 150);
     const Visibility all = of.collect(of.options);
     const SightTable table(of, all);
-    const std::size_t words = words_for(of.b.size());
-    for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+    const std::size_t words = bit_words(of.b.size());
+    for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
       std::vector<std::uint64_t> bits(of.a.size() * words, ~std::uint64_t{0});
       EXPECT_EQ(of.bits(sight, bits, of.options), all.counts);
       for (std::size_t i = 0; i != of.a.size(); ++i) {
@@ -221,8 +221,8 @@ TEST(VisibilityBatches, ResolvedPairsAreWhatTheUserSays) {
         if (one.products.empty()) one = after;
         expect_same(after, one);  // whatever the memory
         EXPECT_EQ(of.count(options), after.counts);
-        std::vector<std::uint64_t> bits(of.a.size() * words_for(of.b.size()));
-        EXPECT_EQ(of.bits(Sight::blocked, bits, options), after.counts);
+        std::vector<std::uint64_t> bits(of.a.size() * bit_words(of.b.size()));
+        EXPECT_EQ(of.bits(Sight::occluded, bits, options), after.counts);
       }
     }
   }
@@ -259,7 +259,7 @@ class Meeting {
 struct TwoWalls {
   PatchSet left;
   PatchSet right;
-  Blockers blockers;
+  Occluders occluders;
 
   TwoWalls(unsigned side, unsigned between) {
     for (const bool is_left : {true, false}) {
@@ -281,7 +281,7 @@ struct TwoWalls {
       const Vec3 at{random.uniform(-1, 1), random.uniform(0, end), random.uniform(0, end)};
       boxes.push_back({at, {at[0] + 0.01F, at[1] + 0.01F, at[2] + 0.01F}});
     }
-    blockers.add_boxes(std::span<const Box>(boxes));
+    occluders.add_boxes(std::span<const Box>(boxes));
   }
 };
 
@@ -297,7 +297,7 @@ TEST(VisibilityBatches, AreFoundSideBySideWhereMemoryIsSmall) {
   };
   with_threads(2, [&] {
     const SightCounts counts = visibility(
-        walls.left, walls.right, walls.blockers, [](const SightBatch&) {}, options);
+        walls.left, walls.right, walls.occluders, [](const SightBatch&) {}, options);
     EXPECT_GT(counts.undecided, 10'000U);
     EXPECT_GT(counts.clear, 10 * counts.undecided);
   });
@@ -318,7 +318,7 @@ TEST(VisibilityBatches, VerdictsMustBeSights) {
   };
   const auto why = [&] {
     return "verdict[" + std::to_string(position) + "] = 4, of patches " + std::to_string(bad.a) + " and " +
-           std::to_string(bad.b) + ", is none of Sight::undecided, Sight::clear, Sight::blocked and " +
+           std::to_string(bad.b) + ", is none of Sight::undecided, Sight::clear, Sight::occluded and " +
            "Sight::facing_away";
   };
   const std::string collecting = message_of([&] { static_cast<void>(of.collect(options)); });
@@ -443,9 +443,9 @@ TEST(VisibilityBatches, AreTheSameInAllFloatModesWhichAreLeftAsTheyWere) {
             const InMode in(mode);
             const PatchSet a = first_set(scene);
             const PatchSet b = second_set(scene);
-            const Blockers blockers = blockers_of(scene);
-            all = scene.is_of_one_set ? collect_visibility(a, blockers, of.options)
-                                      : collect_visibility(a, b, blockers, of.options);
+            const Occluders occluders = occluders_of(scene);
+            all = scene.is_of_one_set ? collect_visibility(a, occluders, of.options)
+                                      : collect_visibility(a, b, occluders, of.options);
             after = float_registers();
           }
           EXPECT_EQ(after & control_bits, mode.bits & control_bits);
@@ -464,11 +464,11 @@ TEST(VisibilityBatches, TheFirstCallsMayBeManyAtOnce) {
   const SightCase of = large_case(false, 100);
   const SightCounts right = of.count(of.options);
   for (unsigned round = 0; round != 5; ++round) {
-    const Blockers blockers = blockers_of(of.scene);
+    const Occluders occluders = occluders_of(of.scene);
     std::vector<SightCounts> counts(4);
     std::vector<std::thread> threads;
     for (SightCounts& of_thread : counts) {
-      threads.emplace_back([&] { of_thread = count_visibility(of.a, of.b, blockers, of.options); });
+      threads.emplace_back([&] { of_thread = count_visibility(of.a, of.b, occluders, of.options); });
     }
     for (std::thread& thread : threads) thread.join();
     for (const SightCounts& of_thread : counts) EXPECT_EQ(of_thread, right);
@@ -479,20 +479,20 @@ TEST(VisibilityBatches, TheFirstCallsMayBeManyAtOnce) {
 TEST(VisibilityBatches, SolidsThatAreAddedBetweenCallsBlockToo) {
   const Box points[] = {{{0.5F, 0.5F, -9}, {0.5F, 0.5F, -9}}, {{0.25F, 0.5F, 9}, {0.75F, 0.5F, 9}}};
   const PatchSet patches{std::span<const Box>(points)};
-  Blockers blockers;
-  EXPECT_EQ(count_visibility(patches, blockers).clear, 1U);
+  Occluders occluders;
+  EXPECT_EQ(count_visibility(patches, occluders).clear, 1U);
   const Box first{{0, 0, 0}, {0.5F, 1, 1}};
-  blockers.add_solids(std::span<const Box>(&first, 1));
-  EXPECT_EQ(count_visibility(patches, blockers).undecided, 1U);
-  const Blockers half = blockers;
+  occluders.add_solids(std::span<const Box>(&first, 1));
+  EXPECT_EQ(count_visibility(patches, occluders).undecided, 1U);
+  const Occluders half = occluders;
   const Box second{{0.5F, 0, 0}, {1, 1, 1}};  // one box with the first
-  blockers.add_solids(std::span<const Box>(&second, 1));
-  EXPECT_EQ(count_visibility(patches, blockers).blocked, 1U);
+  occluders.add_solids(std::span<const Box>(&second, 1));
+  EXPECT_EQ(count_visibility(patches, occluders).occluded, 1U);
   EXPECT_EQ(count_visibility(patches, half).undecided, 1U);
-  EXPECT_EQ(count_visibility(patches, Blockers(blockers)).blocked, 1U);
+  EXPECT_EQ(count_visibility(patches, Occluders(occluders)).occluded, 1U);
 }
 
-TEST(VisibilityBatches, ABlockerThatIsAddedToManyBetweenCallsIsACandidate) {
+TEST(VisibilityBatches, AnOccluderThatIsAddedToManyBetweenCallsIsACandidate) {
   constexpr std::size_t side = 150;
   std::vector<Box> points[2];
   for (std::size_t i = 0; i != side; ++i) {
@@ -502,12 +502,12 @@ TEST(VisibilityBatches, ABlockerThatIsAddedToManyBetweenCallsIsACandidate) {
   }
   const PatchSet below{std::span<const Box>(points[0])};
   const PatchSet above{std::span<const Box>(points[1])};
-  Blockers blockers;
-  blockers.add_boxes(std::span<const Box>(std::vector<Box>(5000, Box{{20, 0, 0}, {21, 1, 1}})));
-  EXPECT_EQ(count_visibility(below, above, blockers).clear, side * side);
+  Occluders occluders;
+  occluders.add_boxes(std::span<const Box>(std::vector<Box>(5000, Box{{20, 0, 0}, {21, 1, 1}})));
+  EXPECT_EQ(count_visibility(below, above, occluders).clear, side * side);
   const Box between{{0, 0, 0}, {1, 1, 1}};
-  blockers.add_boxes(std::span<const Box>(&between, 1));
-  EXPECT_EQ(count_visibility(below, above, blockers).clear, 0U);
+  occluders.add_boxes(std::span<const Box>(&between, 1));
+  EXPECT_EQ(count_visibility(below, above, occluders).clear, 0U);
 }
 
 TEST(VisibilityBatches, CallbacksRunInTheModesOfTheCaller) {
@@ -538,41 +538,41 @@ TEST(VisibilityBatches, CallbacksRunInTheModesOfTheCaller) {
 #endif
 }
 
-TEST(VisibilityBatches, BlockersAreValuesAndNumberedAsTheyAreAdded) {
+TEST(VisibilityBatches, OccludersAreValuesAndNumberedAsTheyAreAdded) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}};
   const std::vector<std::size_t> whole{0, 4};
   std::vector<Triangle> triangles(70, Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
   const TriangleStream stream{std::span<const Triangle>(triangles)};
-  Blockers blockers;
-  EXPECT_EQ(blockers.add_boxes(std::span<const Box>(boxes)), 0U);
-  EXPECT_EQ(blockers.add_solids(std::span<const Box>(boxes)), 2U);
-  EXPECT_EQ(blockers.add_solid_hulls(corners, whole), 4U);
-  EXPECT_EQ(blockers.add_polygons(std::span<const Vec3>(corners).subspan(0, 3), std::vector<std::size_t>{0, 3}), 5U);
-  EXPECT_EQ(blockers.add_triangles(stream.view(), std::vector<std::size_t>{0, 1, 70}), 6U);
-  EXPECT_EQ(blockers.add_triangles(stream.view()), 8U);
-  EXPECT_EQ(blockers.size(), 8U + 3U);  // at most 32 in each
-  EXPECT_EQ(blockers.box(3), boxes[1]);
-  EXPECT_EQ(blockers.box(4), (Box{{0, 0, 0}, {1, 1, 5}}));
-  EXPECT_TRUE(blockers.triangles(4).empty());
-  EXPECT_EQ(blockers.triangles(6).size(), 1U);
-  EXPECT_EQ(blockers.triangles(7).size(), 69U);
+  Occluders occluders;
+  EXPECT_EQ(occluders.add_boxes(std::span<const Box>(boxes)), 0U);
+  EXPECT_EQ(occluders.add_solids(std::span<const Box>(boxes)), 2U);
+  EXPECT_EQ(occluders.add_solid_hulls(corners, whole), 4U);
+  EXPECT_EQ(occluders.add_polygons(std::span<const Vec3>(corners).subspan(0, 3), std::vector<std::size_t>{0, 3}), 5U);
+  EXPECT_EQ(occluders.add_triangles(stream.view(), std::vector<std::size_t>{0, 1, 70}), 6U);
+  EXPECT_EQ(occluders.add_triangles(stream.view()), 8U);
+  EXPECT_EQ(occluders.size(), 8U + 3U);  // at most 32 in each
+  EXPECT_EQ(occluders.box(3), boxes[1]);
+  EXPECT_EQ(occluders.box(4), (Box{{0, 0, 0}, {1, 1, 5}}));
+  EXPECT_TRUE(occluders.triangles(4).empty());
+  EXPECT_EQ(occluders.triangles(6).size(), 1U);
+  EXPECT_EQ(occluders.triangles(7).size(), 69U);
   std::vector<std::uint32_t> seen;
   for (std::size_t i = 8; i != 11; ++i) {
-    EXPECT_LE(blockers.triangles(i).size(), 32U);
-    seen.insert(seen.end(), blockers.triangles(i).begin(), blockers.triangles(i).end());
+    EXPECT_LE(occluders.triangles(i).size(), 32U);
+    seen.insert(seen.end(), occluders.triangles(i).begin(), occluders.triangles(i).end());
   }
   std::sort(seen.begin(), seen.end());
   for (std::size_t i = 0; i != 70; ++i) EXPECT_EQ(seen.at(i), i);
 
-  Blockers copy = blockers;
+  Occluders copy = occluders;
   copy.add_boxes(std::span<const Box>(boxes));
   EXPECT_EQ(copy.size(), 13U);
-  EXPECT_EQ(blockers.size(), 11U);
-  Blockers moved = std::move(copy);
+  EXPECT_EQ(occluders.size(), 11U);
+  Occluders moved = std::move(copy);
   EXPECT_EQ(moved.size(), 13U);
-  blockers = moved;
-  EXPECT_EQ(blockers.size(), 13U);
+  occluders = moved;
+  EXPECT_EQ(occluders.size(), 13U);
 }
 
 }  // namespace

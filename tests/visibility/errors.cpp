@@ -82,77 +82,77 @@ TEST(VisibilityErrors, PlanesAreFiniteAndOneForEachPatch) {
   EXPECT_TRUE(PatchSet(std::span<const Box>(boxes), std::vector<Plane>(3, up)).has_planes());
 }
 
-/// Blockers after something was refused are what they were before.
+/// Occluders after something was refused are what they were before.
 class Refusing {
  public:
   Refusing() { begin(); }
   template <class Add>
   std::string bad(const Add& add) {
-    std::string said = bad_bound([&] { add(blockers_); });
+    std::string said = bad_bound([&] { add(occluders_); });
     expect_unchanged();
     return said;
   }
   template <class Add>
   std::string invalid(const Add& add) {
-    std::string said = message_of([&] { add(blockers_); });
+    std::string said = message_of([&] { add(occluders_); });
     expect_unchanged();
     return said;
   }
-  Blockers& blockers() { return blockers_; }
+  Occluders& occluders() { return occluders_; }
 
  private:
   void begin() {
-    blockers_.add_boxes(std::span<const Box>(&unit, 1));
-    blockers_.add_solids(std::span<const Box>(&unit, 1));
+    occluders_.add_boxes(std::span<const Box>(&unit, 1));
+    occluders_.add_solids(std::span<const Box>(&unit, 1));
   }
   void expect_unchanged() {
     if (failed_calls_undo) {
-      EXPECT_EQ(blockers_.size(), 2U);
+      EXPECT_EQ(occluders_.size(), 2U);
     } else {
-      blockers_ = {};
+      occluders_ = {};
       begin();
     }
   }
 
-  Blockers blockers_;
+  Occluders occluders_;
 };
 
-TEST(VisibilityErrors, BlockersAreFiniteAndHaveAnInside) {
+TEST(VisibilityErrors, OccludersAreFiniteAndHaveAnInside) {
   Refusing refusing;
   const std::vector<Box> broken = boxes_with({{0, 0, 0}, {1, infinity, 1}});
   const std::vector<Box> empty = boxes_with({{0, 0, 3}, {1, 1, 1}});
   const auto said = [&](const auto& add) { return refusing.bad(add); };
-  EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(std::span<const Box>(broken)); }), "2: box 2 is not finite");
-  EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(columns(broken).view()); }), "2: box 2 is not finite");
-  EXPECT_EQ(said([&](Blockers& to) { to.add_boxes(std::span<const Box>(empty)); }),
+  EXPECT_EQ(said([&](Occluders& to) { to.add_boxes(std::span<const Box>(broken)); }), "2: box 2 is not finite");
+  EXPECT_EQ(said([&](Occluders& to) { to.add_boxes(columns(broken).view()); }), "2: box 2 is not finite");
+  EXPECT_EQ(said([&](Occluders& to) { to.add_boxes(std::span<const Box>(empty)); }),
             "2: box 2 has lo > hi: lo.z = 3 is above hi.z = 1");
-  EXPECT_EQ(said([&](Blockers& to) { to.add_solids(std::span<const Box>(broken)); }), "2: solid 2 is not finite");
-  EXPECT_EQ(said([&](Blockers& to) { to.add_solids(columns(empty).view()); }),
+  EXPECT_EQ(said([&](Occluders& to) { to.add_solids(std::span<const Box>(broken)); }), "2: solid 2 is not finite");
+  EXPECT_EQ(said([&](Occluders& to) { to.add_solids(columns(empty).view()); }),
             "2: solid 2 has lo > hi: lo.z = 3 is above hi.z = 1");
-  EXPECT_EQ(said([&](Blockers& to) {
+  EXPECT_EQ(said([&](Occluders& to) {
               const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                               {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, nan}};
               to.add_solid_hulls(corners, std::vector<std::size_t>{0, 4, 8});
             }),
             "1: hull 1 has a corner that is not finite");
-  EXPECT_EQ(said([&](Blockers& to) {
+  EXPECT_EQ(said([&](Occluders& to) {
               const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, infinity, 0}};
               to.add_polygons(corners, std::vector<std::size_t>{0, 3});
             }),
             "0: polygon 0 has a corner that is not finite");
-  EXPECT_EQ(said([&](Blockers& to) {
+  EXPECT_EQ(said([&](Occluders& to) {
               const Triangle triangle{{{{0, 0, 0}, {1, 0, nan}, {0, 1, 0}}}};
               to.add_triangles(TriangleColumns({triangle}).view());
             }),
             "0: triangle 0 is not finite");
-  EXPECT_THROW(refusing.blockers().add_boxes(none_at_all<Box>()), InvalidArgument);
-  EXPECT_THROW(refusing.blockers().add_solids(none_at_all<Box>()), InvalidArgument);
-  EXPECT_THROW(refusing.blockers().add_polygons(none_at_all<Vec3>(), std::vector<std::size_t>{0, 3}), InvalidArgument);
-  EXPECT_THROW(refusing.blockers().add_solid_hulls(std::vector<Vec3>(4), none_at_all<std::size_t>()), InvalidArgument);
+  EXPECT_THROW(refusing.occluders().add_boxes(none_at_all<Box>()), InvalidArgument);
+  EXPECT_THROW(refusing.occluders().add_solids(none_at_all<Box>()), InvalidArgument);
+  EXPECT_THROW(refusing.occluders().add_polygons(none_at_all<Vec3>(), std::vector<std::size_t>{0, 3}), InvalidArgument);
+  EXPECT_THROW(refusing.occluders().add_solid_hulls(std::vector<Vec3>(4), none_at_all<std::size_t>()), InvalidArgument);
   TriangleView view;
   view.count = 1;
-  EXPECT_THROW(refusing.blockers().add_triangles(view), InvalidArgument);
-  EXPECT_EQ(refusing.blockers().size(), 2U);
+  EXPECT_THROW(refusing.occluders().add_triangles(view), InvalidArgument);
+  EXPECT_EQ(refusing.occluders().size(), 2U);
 }
 
 TEST(VisibilityErrors, NothingOfARefusedAdditionStays) {
@@ -163,29 +163,29 @@ TEST(VisibilityErrors, NothingOfARefusedAdditionStays) {
   broken.insert(broken.end(), wall.begin(), wall.end());
   broken.back()[0] = nan;
   const std::vector<std::size_t> two{0, 4, 8};
-  Blockers blockers;
-  EXPECT_THROW(blockers.add_polygons(broken, two), BadBound);
-  EXPECT_THROW(blockers.add_solid_hulls(broken, two), BadBound);
-  EXPECT_EQ(blockers.size(), 0U);
-  EXPECT_EQ(blockers.add_polygons(wall, std::vector<std::size_t>{0, 4}), 0U);
-  EXPECT_EQ(count_visibility(patches, blockers).blocked, 1U);
+  Occluders occluders;
+  EXPECT_THROW(occluders.add_polygons(broken, two), BadBound);
+  EXPECT_THROW(occluders.add_solid_hulls(broken, two), BadBound);
+  EXPECT_EQ(occluders.size(), 0U);
+  EXPECT_EQ(occluders.add_polygons(wall, std::vector<std::size_t>{0, 4}), 0U);
+  EXPECT_EQ(count_visibility(patches, occluders).occluded, 1U);
 }
 
 TEST(VisibilityErrors, HullsHaveFourToThirtyTwoCornersAndPolygonsThree) {
   Refusing refusing;
   for (const std::size_t count : {3U, 33U}) {
-    EXPECT_EQ(refusing.invalid([&](Blockers& to) {
+    EXPECT_EQ(refusing.invalid([&](Occluders& to) {
       to.add_solid_hulls(std::vector<Vec3>(count), std::vector<std::size_t>{0, count});
     }),
               "hull 0 has " + std::to_string(count) + " corners; it takes 4 to 32");
     EXPECT_EQ(message_of([&] { static_cast<void>(inscribed_box(std::vector<Vec3>(count))); }),
               "a solid hull has " + std::to_string(count) + " corners; it takes 4 to 32");
   }
-  EXPECT_EQ(refusing.invalid([&](Blockers& to) {
+  EXPECT_EQ(refusing.invalid([&](Occluders& to) {
     to.add_polygons(std::vector<Vec3>(5), std::vector<std::size_t>{0, 3, 5});
   }),
             "polygon 1 has 2 corners; it takes 3 or more");
-  EXPECT_EQ(refusing.invalid([&](Blockers& to) {
+  EXPECT_EQ(refusing.invalid([&](Occluders& to) {
     to.add_polygons(std::vector<Vec3>(3), std::vector<std::size_t>{0, 0, 3});
   }),
             "polygon 0 has 0 corners; it takes 3 or more");
@@ -194,8 +194,8 @@ TEST(VisibilityErrors, HullsHaveFourToThirtyTwoCornersAndPolygonsThree) {
             }),
             "corner 2 of a solid hull is not finite");
   EXPECT_THROW(static_cast<void>(inscribed_box(none_at_all<Vec3>())), InvalidArgument);
-  EXPECT_NO_THROW(refusing.blockers().add_solid_hulls(std::vector<Vec3>(36), std::vector<std::size_t>{0, 4, 36}));
-  EXPECT_EQ(refusing.blockers().size(), 4U);
+  EXPECT_NO_THROW(refusing.occluders().add_solid_hulls(std::vector<Vec3>(36), std::vector<std::size_t>{0, 4, 36}));
+  EXPECT_EQ(refusing.occluders().size(), 4U);
 }
 
 TEST(VisibilityErrors, ListsOfPartsAscendFromZeroToTheNumber) {
@@ -204,11 +204,11 @@ TEST(VisibilityErrors, ListsOfPartsAscendFromZeroToTheNumber) {
   const std::vector<Triangle> triangles(8);
   const TriangleColumns columns_of_triangles(triangles);
   const auto all = [&](const std::vector<std::size_t>& first) {
-    const std::string hulls = refusing.invalid([&](Blockers& to) { to.add_solid_hulls(corners, first); });
-    EXPECT_EQ(refusing.invalid([&](Blockers& to) { to.add_polygons(corners, first); }), hulls);
+    const std::string hulls = refusing.invalid([&](Occluders& to) { to.add_solid_hulls(corners, first); });
+    EXPECT_EQ(refusing.invalid([&](Occluders& to) { to.add_polygons(corners, first); }), hulls);
     std::string groups;
     if (!first.empty()) {
-      groups = "; " + refusing.invalid([&](Blockers& to) { to.add_triangles(columns_of_triangles.view(), first); });
+      groups = "; " + refusing.invalid([&](Occluders& to) { to.add_triangles(columns_of_triangles.view(), first); });
     }
     return hulls + groups;
   };
@@ -223,28 +223,28 @@ TEST(VisibilityErrors, ListsOfPartsAscendFromZeroToTheNumber) {
   EXPECT_EQ(all({0, 5, 4, 8}),
             "first_corner[2] = 4 is less than the one before it; "
             "first_triangle[2] = 4 is less than the one before it");
-  EXPECT_EQ(refusing.invalid([&](Blockers& to) {
+  EXPECT_EQ(refusing.invalid([&](Occluders& to) {
     to.add_triangles(columns_of_triangles.view(), std::vector<std::size_t>{0, 3, 3, 8});
   }),
             "group 1 of triangles is empty");
   // No parts of nothing.
-  EXPECT_EQ(refusing.blockers().add_polygons({}, {}), 2U);
-  EXPECT_EQ(refusing.blockers().add_solid_hulls({}, std::vector<std::size_t>{0}), 2U);
-  EXPECT_EQ(refusing.blockers().add_triangles(TriangleView{}), 2U);
+  EXPECT_EQ(refusing.occluders().add_polygons({}, {}), 2U);
+  EXPECT_EQ(refusing.occluders().add_solid_hulls({}, std::vector<std::size_t>{0}), 2U);
+  EXPECT_EQ(refusing.occluders().add_triangles(TriangleView{}), 2U);
 }
 
 TEST(VisibilityErrors, OptionsAndCallbacksAreChecked) {
   const PatchSet patches{std::span<const Box>(boxes_with(unit))};
-  const Blockers blockers;
+  const Occluders occluders;
   const auto ignore = [](const SightBatch&) {};
   const auto all = [&](const VisibilityOptions& options) {
-    std::string said = message_of([&] { static_cast<void>(count_visibility(patches, blockers, options)); });
-    EXPECT_EQ(message_of([&] { static_cast<void>(count_visibility(patches, patches, blockers, options)); }), said);
-    EXPECT_EQ(message_of([&] { visibility(patches, blockers, ignore, options); }), said);
-    EXPECT_EQ(message_of([&] { visibility(patches, patches, blockers, ignore, options); }), said);
-    EXPECT_EQ(message_of([&] { static_cast<void>(collect_visibility(patches, blockers, options)); }), said);
+    std::string said = message_of([&] { static_cast<void>(count_visibility(patches, occluders, options)); });
+    EXPECT_EQ(message_of([&] { static_cast<void>(count_visibility(patches, patches, occluders, options)); }), said);
+    EXPECT_EQ(message_of([&] { visibility(patches, occluders, ignore, options); }), said);
+    EXPECT_EQ(message_of([&] { visibility(patches, patches, occluders, ignore, options); }), said);
+    EXPECT_EQ(message_of([&] { static_cast<void>(collect_visibility(patches, occluders, options)); }), said);
     std::vector<std::uint64_t> bits(3);
-    EXPECT_EQ(message_of([&] { visibility_bits(patches, blockers, Sight::clear, bits, options); }), said);
+    EXPECT_EQ(message_of([&] { visibility_bits(patches, occluders, Sight::clear, bits, options); }), said);
     return said;
   };
   VisibilityOptions small;
@@ -254,24 +254,24 @@ TEST(VisibilityErrors, OptionsAndCallbacksAreChecked) {
   odd.contact = static_cast<Contact>(2);
   EXPECT_THAT(all(odd), HasSubstr("Contact"));
 
-  EXPECT_EQ(message_of([&] { visibility(patches, blockers, std::function<void(const SightBatch&)>()); }),
+  EXPECT_EQ(message_of([&] { visibility(patches, occluders, std::function<void(const SightBatch&)>()); }),
             "deliver is empty; it is called with the answers");
-  EXPECT_EQ(message_of([&] { visibility(patches, patches, blockers, std::function<void(const SightBatch&)>()); }),
+  EXPECT_EQ(message_of([&] { visibility(patches, patches, occluders, std::function<void(const SightBatch&)>()); }),
             "deliver is empty; it is called with the answers");
   std::vector<std::uint64_t> bits(3);
-  EXPECT_EQ(message_of([&] { visibility_bits(patches, blockers, static_cast<Sight>(4), bits); }),
-            "sight = 4 is none of Sight::undecided, Sight::clear, Sight::blocked and Sight::facing_away");
+  EXPECT_EQ(message_of([&] { visibility_bits(patches, occluders, static_cast<Sight>(4), bits); }),
+            "sight = 4 is none of Sight::undecided, Sight::clear, Sight::occluded and Sight::facing_away");
   for (const std::size_t words : {0U, 2U, 4U}) {
     bits.assign(words, 7);
     const std::string why =
         "bits has " + std::to_string(words) +
-        " words; 3 rows, one for each patch of a, of words_for(3) = 1 word, a bit for each patch of b, "
+        " words; 3 rows, one for each patch of a, of bit_words(3) = 1 word, a bit for each patch of b, "
         "take 3";
-    EXPECT_EQ(message_of([&] { visibility_bits(patches, blockers, Sight::clear, bits); }), why);
-    EXPECT_EQ(message_of([&] { visibility_bits(patches, patches, blockers, Sight::clear, bits); }), why);
+    EXPECT_EQ(message_of([&] { visibility_bits(patches, occluders, Sight::clear, bits); }), why);
+    EXPECT_EQ(message_of([&] { visibility_bits(patches, patches, occluders, Sight::clear, bits); }), why);
     EXPECT_EQ(bits, std::vector<std::uint64_t>(words, 7));
   }
-  EXPECT_THROW(visibility_bits(patches, blockers, Sight::clear, {static_cast<std::uint64_t*>(nullptr), 3}),
+  EXPECT_THROW(visibility_bits(patches, occluders, Sight::clear, {static_cast<std::uint64_t*>(nullptr), 3}),
                InvalidArgument);
 }
 
@@ -291,7 +291,7 @@ TEST(VisibilityErrors, MergedBoxesAreFiniteAndHaveAnInside) {
 TEST(VisibilityErrors, SightsHaveNames) {
   EXPECT_STREQ(name(Sight::undecided), "undecided");
   EXPECT_STREQ(name(Sight::clear), "clear");
-  EXPECT_STREQ(name(Sight::blocked), "blocked");
+  EXPECT_STREQ(name(Sight::occluded), "occluded");
   EXPECT_STREQ(name(Sight::facing_away), "facing_away");
 }
 

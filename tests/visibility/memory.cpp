@@ -17,12 +17,12 @@
 namespace shaftcull {
 namespace {
 
-/// Two sides of a gap full of blockers: all pairs are undecided, with most of the blockers as candidates. Many of them
-/// are small and solid, and some hundreds are candidates of a pair.
+/// Two sides of a gap full of occluders: all pairs are undecided, with most of the occluders as candidates. Many of
+/// them are small and solid, and some hundreds are candidates of a pair.
 struct Gap {
   PatchSet left;
   PatchSet right;
-  Blockers blockers;
+  Occluders occluders;
 
   Gap(std::size_t patches, std::size_t between, bool are_solid = false) {
     Random random(5);
@@ -39,18 +39,18 @@ struct Gap {
       all.push_back(are_solid ? random.box(-1, 1, 0.01F, 0.05F) : random.box(-0.8F, 0.8F, 0.2F, 0.7F));
     }
     if (are_solid) {
-      blockers.add_solids(std::span<const Box>(all));
+      occluders.add_solids(std::span<const Box>(all));
     } else {
-      blockers.add_boxes(std::span<const Box>(all));
+      occluders.add_boxes(std::span<const Box>(all));
     }
   }
 };
 
-/// Points on both sides of a gap, and posts in it: pairs are clear or blocked, and neighbours often are not alike.
+/// Points on both sides of a gap, and posts in it: pairs are clear or occluded, and neighbours often are not alike.
 struct Fence {
   PatchSet left;
   PatchSet right;
-  Blockers blockers;
+  Occluders occluders;
 
   Fence(std::size_t patches, std::size_t posts) {
     Random random(6);
@@ -66,7 +66,7 @@ struct Fence {
       const Vec3 at{random.uniform(-1, 1), random.uniform(-1, 1), -1};
       all.push_back({at, {at[0] + 0.01F, at[1] + 0.01F, 1}});
     }
-    blockers.add_solids(std::span<const Box>(all));
+    occluders.add_solids(std::span<const Box>(all));
   }
 };
 
@@ -77,7 +77,7 @@ struct Taken {
   std::uint64_t bytes = 0;  ///< of all batches
 };
 
-Taken taken_by(int threads, const PatchSet& a, const PatchSet& b, const Blockers& blockers,
+Taken taken_by(int threads, const PatchSet& a, const PatchSet& b, const Occluders& occluders,
                const VisibilityOptions& options) {
   Taken taken;
   with_threads(threads, [&] {
@@ -90,15 +90,15 @@ Taken taken_by(int threads, const PatchSet& a, const PatchSet& b, const Blockers
     };
     const std::size_t before = live_bytes();
     forget_peak();
-    visibility(a, b, blockers, note, options);
+    visibility(a, b, occluders, note, options);
     taken.peak = peak_bytes() - before;
   });
   return taken;
 }
 
 /// What each thread walks with.
-std::size_t walks(int threads, const Blockers& blockers) {
-  return static_cast<std::size_t>(threads + 1) * 100 * blockers.size();
+std::size_t walks(int threads, const Occluders& occluders) {
+  return static_cast<std::size_t>(threads + 1) * 100 * occluders.size();
 }
 
 TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreUndecided) {
@@ -107,7 +107,7 @@ TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreUndecided) {
     for (const std::size_t memory : {std::size_t{1} << 20, std::size_t{8} << 20}) {
       VisibilityOptions options;
       options.memory = memory;
-      const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+      const Taken taken = taken_by(threads, gap.left, gap.right, gap.occluders, options);
       ASSERT_GT(taken.bytes, 80 * gap.left.size() * gap.right.size() / 2);  // far more than the bound
       EXPECT_LE(taken.peak, memory) << threads << " threads, " << memory << " bytes, batches of up to "
                                     << taken.largest;
@@ -127,7 +127,7 @@ TEST(VisibilityMemory, StaysBelowItsBoundHoweverManyPairsAreDecided) {
           std::fill(verdict.begin(), verdict.end(), Sight::clear);
         };
       }
-      const Taken taken = taken_by(threads, fence.left, fence.right, fence.blockers, options);
+      const Taken taken = taken_by(threads, fence.left, fence.right, fence.occluders, options);
       ASSERT_GT(taken.bytes, (has_shadow_memory ? 2 : 4) * options.memory);
       EXPECT_LE(taken.peak, options.memory) << threads << " threads, batches of up to " << taken.largest;
     }
@@ -140,9 +140,9 @@ TEST(VisibilityMemory, StaysBelowItsBoundHoweverManySolidsThereAre) {
   for (const int threads : {1, 2}) {
     VisibilityOptions options;
     options.memory = std::size_t{1} << 20;
-    const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+    const Taken taken = taken_by(threads, gap.left, gap.right, gap.occluders, options);
     ASSERT_GT(taken.bytes, 4 * options.memory);
-    EXPECT_LE(taken.peak, options.memory + walks(threads, gap.blockers)) << threads << " threads";
+    EXPECT_LE(taken.peak, options.memory + walks(threads, gap.occluders)) << threads << " threads";
   }
 }
 
@@ -156,7 +156,7 @@ TEST(VisibilityMemory, StaysBelowItsBoundWhereEveryPairIsResolved) {
       options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
         std::fill(verdict.begin(), verdict.end(), Sight::clear);
       };
-      const Taken taken = taken_by(threads, gap.left, gap.right, gap.blockers, options);
+      const Taken taken = taken_by(threads, gap.left, gap.right, gap.occluders, options);
       ASSERT_GT(taken.bytes, 20 * gap.left.size() * gap.right.size() / 2);
       EXPECT_LE(taken.peak, options.memory) << threads << " threads, batches of up to " << taken.largest;
     }
@@ -197,67 +197,67 @@ TEST(VisibilityMemory, ThatRunsOutLeavesNothingBehind) {
   }
   const PatchSet a = first_set(scene);
   const PatchSet b = second_set(scene);
-  const Blockers blockers = blockers_of(scene);
+  const Occluders occluders = occluders_of(scene);
   VisibilityOptions options;
   with_threads(1, [&] {
     expect_nothing_left([&] { static_cast<void>(first_set(scene)); });
-    expect_nothing_left([&] { static_cast<void>(blockers_of(scene)); });
+    expect_nothing_left([&] { static_cast<void>(occluders_of(scene)); });
     expect_nothing_left([&] { static_cast<void>(merged_boxes(scene.solids)); });
-    expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, blockers, options)); });
-    expect_nothing_left([&] { static_cast<void>(count_visibility(a, blockers, options)); });
-    expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, blockers, options)); });
-    expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, blockers_of(scene), options)); });
+    expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, occluders, options)); });
+    expect_nothing_left([&] { static_cast<void>(count_visibility(a, occluders, options)); });
+    expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, occluders, options)); });
+    expect_nothing_left([&] { static_cast<void>(count_visibility(a, b, occluders_of(scene), options)); });
     options.resolve = [](const UndecidedPairs&, std::span<Sight> verdict) {
-      for (std::size_t i = 0; i < verdict.size(); i += 2) verdict[i] = Sight::blocked;
+      for (std::size_t i = 0; i < verdict.size(); i += 2) verdict[i] = Sight::occluded;
     };
-    expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, blockers, options)); });
+    expect_nothing_left([&] { static_cast<void>(collect_visibility(a, b, occluders, options)); });
   });
 }
 
-/// A way to add blockers: one of each kind.
+/// A way to add occluders: one of each kind.
 struct Adding {
   const char* name;
-  std::size_t (*add)(Blockers& to, float x);
+  std::size_t (*add)(Occluders& to, float x);
 };
 
-/// A blocker of unit size at x. Those of x and x + 1 touch.
+/// An occluder of unit size at x. Those of x and x + 1 touch.
 constexpr Adding addings[] = {
     {"boxes",
-     [](Blockers& to, float x) {
+     [](Occluders& to, float x) {
        const Box box{{x, 0, 0}, {x + 1, 1, 1}};
        return to.add_boxes(std::span<const Box>(&box, 1));
      }},
     {"solids",
-     [](Blockers& to, float x) {
+     [](Occluders& to, float x) {
        const Box box{{x, 0, 0}, {x + 1, 1, 1}};
        return to.add_solids(std::span<const Box>(&box, 1));
      }},
     {"hulls",
-     [](Blockers& to, float x) {
+     [](Occluders& to, float x) {
        const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
        const std::size_t first[] = {0, 4};
        return to.add_solid_hulls(corners, first);
      }},
     {"polygons",
-     [](Blockers& to, float x) {
+     [](Occluders& to, float x) {
        const Vec3 corners[] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
        const std::size_t first[] = {0, 3};
        return to.add_polygons(corners, first);
      }},
     {"groups",
-     [](Blockers& to, float x) {
+     [](Occluders& to, float x) {
        const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
        const std::size_t first[] = {0, 1};
        return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view(), first);
      }},
     {"triangles",
-     [](Blockers& to, float x) {
+     [](Occluders& to, float x) {
        const Triangle triangle{{{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}}};
        return to.add_triangles(TriangleStream{std::span<const Triangle>(&triangle, 1)}.view());
      }},
 };
 
-void expect_same(const Blockers& a, const Blockers& b) {
+void expect_same(const Occluders& a, const Occluders& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i != a.size(); ++i) {
     EXPECT_EQ(a.box(i), b.box(i));
@@ -277,25 +277,25 @@ void expect_same(const Blockers& a, const Blockers& b) {
   EXPECT_EQ(of_a.candidates, of_b.candidates);
 }
 
-TEST(VisibilityMemory, BlockersAreWhatTheyWereWhereMemoryRunsOut) {
-  Blockers right;
+TEST(VisibilityMemory, OccludersAreWhatTheyWereWhereMemoryRunsOut) {
+  Occluders right;
   for (unsigned i = 0; i != 2; ++i) {
     for (const Adding& adding : addings) adding.add(right, static_cast<float>(right.size()));
   }
   for (const Adding& adding : addings) {
     SCOPED_TRACE(adding.name);
-    Blockers more = right;
+    Occluders more = right;
     EXPECT_EQ(adding.add(more, 20), right.size());
     for (const Failing failing : {Failing::only_one, Failing::from_then_on}) {
       for (std::size_t n = 1;; ++n) {
         SCOPED_TRACE(n);
-        Blockers blockers = right;  // no vector has room for more
-        const auto [was_thrown, has_failed] = call_with_failing(n, failing, [&] { adding.add(blockers, 20); });
+        Occluders occluders = right;  // no vector has room for more
+        const auto [was_thrown, has_failed] = call_with_failing(n, failing, [&] { adding.add(occluders, 20); });
         if (was_thrown) {
-          expect_same(blockers, right);
-          adding.add(blockers, 20);
+          expect_same(occluders, right);
+          adding.add(occluders, 20);
         }
-        expect_same(blockers, more);
+        expect_same(occluders, more);
         EXPECT_TRUE(has_failed || !was_thrown);
         if (!has_failed) {
           EXPECT_GT(n, 1U);
@@ -307,11 +307,11 @@ TEST(VisibilityMemory, BlockersAreWhatTheyWereWhereMemoryRunsOut) {
   }
 }
 
-TEST(VisibilityMemory, BlockersThatAreAddedOneByOneTakeNoMoreThanInProportion) {
+TEST(VisibilityMemory, OccludersThatAreAddedOneByOneTakeNoMoreThanInProportion) {
   const auto bytes_of = [](const Adding& adding, std::size_t count) {
-    Blockers blockers;
+    Occluders occluders;
     const std::size_t before = allocated_bytes();
-    for (std::size_t i = 0; i != count; ++i) adding.add(blockers, static_cast<float>(i));
+    for (std::size_t i = 0; i != count; ++i) adding.add(occluders, static_cast<float>(i));
     return allocated_bytes() - before;
   };
   for (const Adding& adding : addings) {

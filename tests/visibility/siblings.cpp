@@ -52,8 +52,8 @@ struct Word {
   oracle::SightQuestion question;
   std::vector<BoxRow> bounds;
   std::vector<BoxRow> solids;
-  std::vector<std::uint64_t> kept;     ///< of each bound
-  std::vector<std::uint64_t> blocked;  ///< of each solid
+  std::vector<std::uint64_t> kept;      ///< of each bound
+  std::vector<std::uint64_t> occluded;  ///< of each solid
 
   Word(SightScenery scenery, std::uint64_t seed) {
     SightScene scene = random_sight_scene(scenery, seed, most_siblings);
@@ -64,7 +64,7 @@ struct Word {
     question.solids_around_ends = scene.solids_around_ends;
     const auto add_bounds = [&](const std::vector<Box>& boxes) {
       for (const Box& box : boxes) {
-        question.blockers.push_back({box, {}});
+        question.occluders.push_back({box, {}});
         bounds.push_back(row_of(box));
         question.solids.push_back(box);
         solids.push_back(row_of(box));
@@ -81,7 +81,7 @@ struct Word {
     };
     for (std::size_t k = 0; k != bounds.size(); ++k) {
       kept.push_back(word([&](std::size_t lane) { return oracle.reaches(0, lane, k); }));
-      blocked.push_back(word([&](std::size_t lane) { return oracle.blocks(0, lane, k); }));
+      occluded.push_back(word([&](std::size_t lane) { return oracle.blocks(0, lane, k); }));
     }
   }
 };
@@ -91,7 +91,7 @@ std::string wrong(const char* form, std::uint64_t right, std::uint64_t answered,
   const std::uint64_t differing = right ^ answered;
   if (differing == 0) return {};
   const bool is = (right & differing & (~differing + 1)) != 0;
-  const bool blocks = std::string(form) == "blocked siblings";
+  const bool blocks = std::string(form) == "occluded siblings";
   return std::string("on ") + std::string(name(active_isa())) + ", form " + form + "; bound " + std::to_string(bound) +
          " of lanes " + std::to_string(differing) + " is " +
          (blocks ? (is ? "blocking" : "not blocking") : (is ? "overlap" : "outside")) + ", answered " +
@@ -131,20 +131,20 @@ void expect_exact(const Word& word, Random& random) {
     }
     ASSERT_EQ(any, right_any);
     ASSERT_EQ(kernels.keep_any(siblings, word.bounds.data(), list.data(), list.size(), mask, asked), right_any);
-    std::uint64_t right_blocked = 0;
+    std::uint64_t right_occluded = 0;
     for (std::size_t i = 0; i != list.size(); ++i) {
       const std::uint64_t lanes = asked & (is_masked ? may[i] : ~std::uint64_t{0});
-      right_blocked |= word.blocked[list[i]] & lanes;
+      right_occluded |= word.occluded[list[i]] & lanes;
       const std::uint64_t alone =
           kernels.block(siblings, word.solids.data(), &list[i], 1, is_masked ? &may[i] : nullptr, asked);
-      ASSERT_EQ(wrong("blocked siblings", word.blocked[list[i]] & lanes, alone, list[i]), "");
+      ASSERT_EQ(wrong("occluded siblings", word.occluded[list[i]] & lanes, alone, list[i]), "");
     }
-    ASSERT_EQ(kernels.block(siblings, word.solids.data(), list.data(), list.size(), mask, asked), right_blocked);
+    ASSERT_EQ(kernels.block(siblings, word.solids.data(), list.data(), list.size(), mask, asked), right_occluded);
     // It may say that a solid may block, but not say no of one that does.
     kernels.may_block(siblings, word.solids.data(), list.data(), list.size(), mask, asked, kept.data());
     for (std::size_t i = 0; i != list.size(); ++i) {
       const std::uint64_t lanes = asked & (is_masked ? may[i] : ~std::uint64_t{0});
-      ASSERT_EQ(word.blocked[list[i]] & lanes & ~kept[i], 0U) << "solid " << list[i];
+      ASSERT_EQ(word.occluded[list[i]] & lanes & ~kept[i], 0U) << "solid " << list[i];
     }
   }
 }
@@ -175,7 +175,7 @@ TEST(Siblings, DecideWhatRoundingCannot) {
     // One bound and one solid for a lane, with faces where the moving box is at a time of theirs.
     oracle::SightQuestion& question = word.question;
     question.b.resize(std::min<std::size_t>(question.b.size(), 16));
-    question.blockers.clear();
+    question.occluders.clear();
     question.solids.clear();
     word.bounds.clear();
     for (const Box& b : question.b) {
@@ -195,24 +195,24 @@ TEST(Siblings, DecideWhatRoundingCannot) {
         solid.hi[k] = random.one_in(2) ? std::max(solid.lo[k], random.nudge(hi)) : 4.0F;
       }
       for (const Box& box : {bound, solid}) {
-        question.blockers.push_back({box, {}});
+        question.occluders.push_back({box, {}});
         question.solids.push_back(box);
         word.bounds.push_back(row_of(box));
       }
     }
     word.solids = word.bounds;
     word.kept.clear();
-    word.blocked.clear();
+    word.occluded.clear();
     const oracle::SightOracle oracle(question);
     for (std::size_t k = 0; k != word.bounds.size(); ++k) {
       std::uint64_t kept = 0;
-      std::uint64_t blocked = 0;
+      std::uint64_t occluded = 0;
       for (std::size_t lane = 0; lane != question.b.size(); ++lane) {
         kept |= std::uint64_t{oracle.reaches(0, lane, k)} << lane;
-        blocked |= std::uint64_t{oracle.blocks(0, lane, k)} << lane;
+        occluded |= std::uint64_t{oracle.blocks(0, lane, k)} << lane;
       }
       word.kept.push_back(kept);
-      word.blocked.push_back(blocked);
+      word.occluded.push_back(occluded);
     }
     on_each_instruction_set([&] { expect_exact(word, random); });
     if (HasFailure()) return;

@@ -148,12 +148,12 @@ TEST(MergedBoxes, MakeThousandsOfPiecesOne) {
 
 /// What is said of two boxes between which these are solid.
 Sight sight_past(const Box& a, const Box& b, const std::vector<Box>& solids, bool solids_around_ends) {
-  Blockers blockers;
-  blockers.add_solids(solids);
+  Occluders occluders;
+  occluders.add_solids(solids);
   const SightCounts counts =
-      count_visibility(PatchSet(std::span<const Box>(&a, 1)), PatchSet(std::span<const Box>(&b, 1)), blockers,
+      count_visibility(PatchSet(std::span<const Box>(&a, 1)), PatchSet(std::span<const Box>(&b, 1)), occluders,
                        {.solids_around_ends = solids_around_ends});
-  return counts.blocked != 0 ? Sight::blocked : counts.clear != 0 ? Sight::clear : Sight::undecided;
+  return counts.occluded != 0 ? Sight::occluded : counts.clear != 0 ? Sight::clear : Sight::undecided;
 }
 
 TEST(Solids, BlockAloneWhatTheyDoWhateverElseIsSolid) {
@@ -192,21 +192,21 @@ TEST(Solids, BlockAloneWhatTheyDoWhateverElseIsSolid) {
            Case{"a point in the corner of a thick one", corner, corner, corner, {{1, 1, 1}, {2, 2, 2}}, true},
        }) {
     SCOPED_TRACE(it.what);
-    EXPECT_EQ(sight_past(it.a, it.b, {it.blocks}, it.solids_around_ends), Sight::blocked);
-    EXPECT_NE(sight_past(it.a, it.b, {it.other}, it.solids_around_ends), Sight::blocked);
-    EXPECT_EQ(sight_past(it.a, it.b, {it.blocks, it.other}, it.solids_around_ends), Sight::blocked);
-    EXPECT_EQ(sight_past(it.a, it.b, {it.other, it.blocks}, it.solids_around_ends), Sight::blocked);
+    EXPECT_EQ(sight_past(it.a, it.b, {it.blocks}, it.solids_around_ends), Sight::occluded);
+    EXPECT_NE(sight_past(it.a, it.b, {it.other}, it.solids_around_ends), Sight::occluded);
+    EXPECT_EQ(sight_past(it.a, it.b, {it.blocks, it.other}, it.solids_around_ends), Sight::occluded);
+    EXPECT_EQ(sight_past(it.a, it.b, {it.other, it.blocks}, it.solids_around_ends), Sight::occluded);
   }
 }
 
 TEST(Solids, AndPatchesThatWereMovedFromAreNone) {
   const std::vector<Box> boxes{{{0, 0, 0}, {1, 1, 1}}, {{4, 0, 0}, {5, 1, 1}}};
-  Blockers from;
+  Occluders from;
   from.add_solids(boxes);
-  const Blockers to = std::move(from);
+  const Occluders to = std::move(from);
   EXPECT_EQ(to.size(), 2U);
   EXPECT_EQ(from.size(), 0U);  // NOLINT(bugprone-use-after-move): that is what is tested
-  const Blockers copy = from;
+  const Occluders copy = from;
   EXPECT_EQ(copy.size(), 0U);
   PatchSet patches(boxes);
   const PatchSet taken = std::move(patches);

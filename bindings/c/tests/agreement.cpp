@@ -99,8 +99,8 @@ void make_shafts(Random& random, Shafts& shafts) {
   const float reach = 2.5F;
   ok(shaftcull_shafts_set_swept(c, next, &ca[0], vectors[0].data(), cplanes.data(), 1));
   add(swept(a[0], vectors[0], std::span(planes).first(1)));
-  ok(shaftcull_shafts_set_swept_without_end(c, next, &ca[1], vectors[1].data(), nullptr, 0));
-  add(swept_without_end(a[1], vectors[1]));
+  ok(shaftcull_shafts_set_swept_infinite(c, next, &ca[1], vectors[1].data(), nullptr, 0));
+  add(swept_infinite(a[1], vectors[1]));
   ok(shaftcull_shafts_set_shadow(c, next, &ca[2], &cb[2], nullptr, nullptr, 0));
   add(shadow(a[2], b[2]));
   ok(shaftcull_shafts_set_shadow(c, next, &ca[3], &cb[3], &reach, cplanes.data(), 2));
@@ -114,8 +114,8 @@ void make_shafts(Random& random, Shafts& shafts) {
   ok(shaftcull_shafts_set_swept_batch(c, next, &one, last_floats, cplanes.data(), 2));
   swept_batch(BoxStream(last_a), last_vector, batch, std::span(planes).first(2));
   add_batch();
-  ok(shaftcull_shafts_set_swept_without_end_batch(c, next, &one, last_floats, nullptr, 0));
-  swept_without_end_batch(BoxStream(last_a), last_vector, batch);
+  ok(shaftcull_shafts_set_swept_infinite_batch(c, next, &one, last_floats, nullptr, 0));
+  swept_infinite_batch(BoxStream(last_a), last_vector, batch);
   add_batch();
   ok(shaftcull_shafts_set_shadow_batch(c, next, &one, &other, nullptr, 1, nullptr, nullptr));
   shadow_batch(BoxStream(last_a), BoxStream(std::span<const Box>(b).last(1)), batch);
@@ -318,7 +318,7 @@ void compare_bits(const Question& q, std::size_t s) {
   const shaftcull_shafts* const c = q.shafts();
   const Bounds& bounds = q.of.cpp;
   const bool fits = q.fits_without_limit();
-  const std::size_t words = words_for(q.size());
+  const std::size_t words = bit_words(q.size());
   Words kept(words, 99);
   Words inside(words, 99);
   Words given_kept(words, 99);
@@ -415,7 +415,7 @@ void compare_many(const Question& q, std::size_t first) {
   const std::span<const CompiledShaft> cpp = std::span(q.of.shafts.cpp).subspan(first, shafts);
   const Bounds& bounds = q.of.cpp;
   const bool fits = q.fits_without_limit();
-  const std::size_t words = words_for(q.size()) * shafts;
+  const std::size_t words = bit_words(q.size()) * shafts;
   Words kept(words, 99);
   Words inside(words, 99);
   Words given_kept(words, 99);
@@ -457,8 +457,8 @@ void compare_many(const Question& q, std::size_t first) {
   for (std::size_t s = 0; s != shafts; ++s) {
     EXPECT_EQ(as_counts(given_counts[s]), counts[s]);
   }
-  Words any_bits(words_for(shafts), 99);
-  Words given_any(words_for(shafts), 99);
+  Words any_bits(bit_words(shafts), 99);
+  Words given_any(bit_words(shafts), 99);
   both_answer(
       fits, [&] { any_many(cpp, bounds, any_bits, asked.cpp()); },
       [&] { return shaftcull_any_many(c, first, shafts, q.of.c, asked.c(), given_any.data(), given_any.size()); });
@@ -526,41 +526,41 @@ void compare_blocking(const Question& q) {
   const bool fits = lists_fit && q.options.limit == 0;
   for (std::size_t s = q.start; s < shafts; s += q.step) {
     const Asked asked(q.options, s, 1);
-    std::uint32_t is_blocked = 99;
-    std::uint32_t given_blocked = 99;
+    std::uint32_t is_occluded = 99;
+    std::uint32_t given_occluded = 99;
     both_answer(
-        fits, [&] { is_blocked = blocked(q.shaft(s), solids, asked.cpp()) ? 1 : 0; },
-        [&] { return shaftcull_blocked(c, s, q.of.c, asked.c(), &given_blocked); });
-    EXPECT_EQ(given_blocked, is_blocked);
+        fits, [&] { is_occluded = occluded(q.shaft(s), solids, asked.cpp()) ? 1 : 0; },
+        [&] { return shaftcull_occluded(c, s, q.of.c, asked.c(), &given_occluded); });
+    EXPECT_EQ(given_occluded, is_occluded);
     std::optional<std::uint32_t> by = 99;
     std::uint64_t given_by = 99;
     both_answer(
-        fits, [&] { by = blocked_by(q.shaft(s), solids, asked.cpp()); },
-        [&] { return shaftcull_blocked_by(c, s, q.of.c, asked.c(), &given_by); });
+        fits, [&] { by = find_occluder(q.shaft(s), solids, asked.cpp()); },
+        [&] { return shaftcull_find_occluder(c, s, q.of.c, asked.c(), &given_by); });
     EXPECT_EQ(given_by, by ? std::uint64_t{*by} : SHAFTCULL_NONE);
     Indices expected(q.size(), 99);
     Indices given(q.size(), 99);
     std::size_t number = 99;
     std::uint64_t given_number = 99;
     both_answer(
-        lists_fit, [&] { number = list_blocking(q.shaft(s), solids, expected, asked.cpp()); },
-        [&] { return shaftcull_list_blocking(c, s, q.of.c, asked.c(), given.data(), q.size(), &given_number); });
+        lists_fit, [&] { number = list_occluders(q.shaft(s), solids, expected, asked.cpp()); },
+        [&] { return shaftcull_list_occluders(c, s, q.of.c, asked.c(), given.data(), q.size(), &given_number); });
     ASSERT_EQ(given_number, number);
     EXPECT_EQ(first_of(given, number), first_of(expected, number));
   }
   const Asked asked(q.options, 0, shafts);
   const std::span<const CompiledShaft> cpp = std::span(q.of.shafts.cpp).first(shafts);
-  Words expected(words_for(shafts), 99);
+  Words expected(bit_words(shafts), 99);
   Words given(expected.size(), 99);
   both_answer(
-      fits, [&] { blocked_many(cpp, solids, expected, asked.cpp()); },
-      [&] { return shaftcull_blocked_many(c, 0, shafts, q.of.c, asked.c(), given.data(), given.size()); });
+      fits, [&] { occluded_many(cpp, solids, expected, asked.cpp()); },
+      [&] { return shaftcull_occluded_many(c, 0, shafts, q.of.c, asked.c(), given.data(), given.size()); });
   EXPECT_EQ(given, expected);
   IndexLists expected_lists;
   const ListsHandle given_lists = made<ListsHandle>(shaftcull_lists_create);
   both_answer(
-      lists_fit, [&] { list_blocking_many(cpp, solids, expected_lists, asked.cpp()); },
-      [&] { return shaftcull_list_blocking_many(c, 0, shafts, q.of.c, asked.c(), given_lists.get()); });
+      lists_fit, [&] { list_occluders_many(cpp, solids, expected_lists, asked.cpp()); },
+      [&] { return shaftcull_list_occluders_many(c, 0, shafts, q.of.c, asked.c(), given_lists.get()); });
   expect_same(given_lists, expected_lists);
 }
 
@@ -609,7 +609,7 @@ std::vector<Options> each_option(Random& random, std::size_t shafts, std::size_t
   add("exclude").exclude = some_indices(60);
   add("exclude_each").exclude_each = some_indices(shafts * excluded_each);
   Words& mask = add("exclude_mask").exclude_mask;
-  mask.resize(words_for(size));
+  mask.resize(bit_words(size));
   for (std::size_t i = 0; i != size; ++i) {
     if (random.one_in(4)) mask[i / 64] |= std::uint64_t{1} << (i % 64);
   }
@@ -718,13 +718,13 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
 #endif
   tree.refit();
   ok(shaftcull_tree_refit(bounds.get()));
-  double growth = 0;
-  ok(shaftcull_tree_growth(bounds.get(), &growth));
-  EXPECT_EQ(growth, tree.growth());
+  double sah_ratio = 0;
+  ok(shaftcull_tree_sah_ratio(bounds.get(), &sah_ratio));
+  EXPECT_EQ(sah_ratio, tree.sah_ratio());
   compare_now(few);
   tree.rebuild();
   ok(shaftcull_tree_rebuild(bounds.get()));
-  tree.renumber();
+  tree.reorder();
   ok(shaftcull_tree_renumber(bounds.get()));
   const std::uint32_t* given_layers = nullptr;
   ok(shaftcull_bounds_layers(bounds.get(), &given_layers));
@@ -763,7 +763,7 @@ TEST_P(CAgreesWithCpp, OnBoxesAndSpheresInViewsStreamsAndTrees) {
   const BoundsHandle c_box_stream = made<BoundsHandle>(shaftcull_stream_create, &box_source);
   const BoundsHandle c_sphere_stream = made<BoundsHandle>(shaftcull_stream_create, &sphere_source);
   std::uint64_t wall = 0;
-  ok(shaftcull_blocked_by(shafts.c.get(), 0, box_view.get(), nullptr, &wall));
+  ok(shaftcull_find_occluder(shafts.c.get(), 0, box_view.get(), nullptr, &wall));
   EXPECT_LE(wall, 5U);  // a scene may have one before it
   compare_flat(random, shafts, box_view.get(), box_stream.view(), Kind::boxes);
   compare_flat(random, shafts, c_box_stream.get(), box_stream.view(), Kind::boxes);
@@ -835,10 +835,10 @@ TEST_P(CAgreesWithCpp, OnOneBoxSphereOrPolygon) {
       EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, keeps(shaft, sphere));
       if (s >= shafts.between) continue;
       std::uint32_t hidden = 99;
-      ok(shaftcull_blocked_by_box(c, s, &c_box, &hidden));
-      EXPECT_EQ(hidden != 0, blocked(shaft, box));
-      ok(shaftcull_blocked_by_polygon(c, s, corners.data(), 3, &hidden));
-      EXPECT_EQ(hidden != 0, blocked(shaft, polygon));
+      ok(shaftcull_occluded_by_box(c, s, &c_box, &hidden));
+      EXPECT_EQ(hidden != 0, occluded(shaft, box));
+      ok(shaftcull_occluded_by_polygon(c, s, corners.data(), 3, &hidden));
+      EXPECT_EQ(hidden != 0, occluded(shaft, polygon));
     }
   }
 }

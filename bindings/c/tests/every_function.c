@@ -64,8 +64,8 @@ static void versions_and_names(void) {
 }
 
 static void values(void) {
-  CHECK(shaftcull_words_for(0) == 0 && shaftcull_words_for(64) == 1 && shaftcull_words_for(65) == 2);
-  CHECK(shaftcull_words_for(UINT64_MAX) == UINT64_MAX / 64 + 1);
+  CHECK(shaftcull_bit_words(0) == 0 && shaftcull_bit_words(64) == 1 && shaftcull_bit_words(65) == 2);
+  CHECK(shaftcull_bit_words(UINT64_MAX) == UINT64_MAX / 64 + 1);
   shaftcull_box box;
   OK(shaftcull_box_around(corners, 8, &box));
   CHECK(box.lo[0] == 0 && box.hi[2] == 9);
@@ -236,7 +236,7 @@ static shaftcull_shafts* three_shafts(void) {
   shaftcull_shafts* shafts = NULL;
   OK(shaftcull_shafts_create(3, &shafts));
   OK(shaftcull_shafts_set_between(shafts, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
-  OK(shaftcull_shafts_set_swept_without_end(shafts, 1, &lamp, down, &floor_plane, 1));
+  OK(shaftcull_shafts_set_swept_infinite(shafts, 1, &lamp, down, &floor_plane, 1));
   shaftcull_hull* hull = NULL;
   OK(shaftcull_hull_create(corners, 8, NULL, 0, &hull));
   OK(shaftcull_shafts_set_hull(shafts, 2, hull));
@@ -326,7 +326,7 @@ static void arrays_of_shafts(void) {
   REFUSED(shaftcull_shafts_set_between(shafts, 4, &lamp, &table, 0), "shaft = 4");
   REFUSED(shaftcull_shafts_set_swept(shafts, 0, &lamp, nan_vector, NULL, 0), "displacement");
   REFUSED(shaftcull_shafts_set_swept(shafts, 0, &lamp, down, NULL, 1), "planes is NULL");
-  REFUSED(shaftcull_shafts_set_swept_without_end(shafts, 0, &lamp, NULL, NULL, 0), "direction is NULL");
+  REFUSED(shaftcull_shafts_set_swept_infinite(shafts, 0, &lamp, NULL, NULL, 0), "direction is NULL");
   REFUSED(shaftcull_shafts_set_shadow(shafts, 0, &lamp, &lamp, NULL, NULL, 0), "occluder");
   REFUSED(shaftcull_shafts_set_shadow(shafts, 0, &lamp, &table, &half, NULL, 0), "reach");
   REFUSED(shaftcull_shafts_set_hull(shafts, 0, NULL), "hull is NULL");
@@ -343,7 +343,7 @@ static void arrays_of_shafts(void) {
   OK(shaftcull_shafts_set_between_batch(shafts, 2, &from, &to, NULL, 2, &batch_planes, SHAFTCULL_CONTACT_CLOSED));
   OK(shaftcull_shafts_set_between_batch(shafts, 0, &from, &to, pairs, 3, NULL, SHAFTCULL_CONTACT_OPEN));
   OK(shaftcull_shafts_set_swept_batch(shafts, 0, &from, vectors, planes, 2));
-  OK(shaftcull_shafts_set_swept_without_end_batch(shafts, 0, &from, vectors, NULL, 0));
+  OK(shaftcull_shafts_set_swept_infinite_batch(shafts, 0, &from, vectors, NULL, 0));
   OK(shaftcull_shafts_set_shadow_batch(shafts, 0, &from, &to, NULL, 2, NULL, NULL));
   OK(shaftcull_shafts_set_shadow_batch(shafts, 0, &from, &to, pairs, 3, &reach, &batch_planes));
   const shaftcull_index_pair far_pair = {0, 2};
@@ -362,7 +362,7 @@ static void arrays_of_shafts(void) {
   FAILS(shaftcull_shafts_set_swept_batch(shafts, 0, &from, bad_vectors, NULL, 0), SHAFTCULL_BAD_BOUND, "1");
   CHECK(shaftcull_error_position() == 1);
   REFUSED(shaftcull_shafts_set_swept_batch(shafts, 0, &from, NULL, NULL, 0), "displacements is NULL");
-  REFUSED(shaftcull_shafts_set_swept_without_end_batch(shafts, 0, &from, NULL, NULL, 0), "directions is NULL");
+  REFUSED(shaftcull_shafts_set_swept_infinite_batch(shafts, 0, &from, NULL, NULL, 0), "directions is NULL");
   REFUSED(shaftcull_shafts_set_shadow_batch(shafts, 0, &from, &to, NULL, 2, &half, NULL), "reach");
   shaftcull_shafts_free(shafts);
   REFUSED(shaftcull_shafts_create(UINT64_MAX, &shafts), "memory");
@@ -536,16 +536,16 @@ static void trees(void) {
   const shaftcull_source one_ball = shaftcull_spheres(balls, 1);
   OK(shaftcull_tree_update_some(tree, &index, 1, &one));
   OK(shaftcull_tree_update_some(spheres, &index, 1, &one_ball));
-  double growth = 0;
-  FAILS(shaftcull_tree_growth(tree, &growth), SHAFTCULL_NEEDS_REFIT, "refit");
+  double sah_ratio = 0;
+  FAILS(shaftcull_tree_sah_ratio(tree, &sah_ratio), SHAFTCULL_NEEDS_REFIT, "refit");
   FAILS(shaftcull_tree_box(spheres, &box), SHAFTCULL_NEEDS_REFIT, "refit");
   OK(shaftcull_bounds_describe(spheres, &info));
   CHECK(info.needs_refit == 1);
   OK(shaftcull_tree_refit(tree));
   OK(shaftcull_tree_refit(spheres));
-  OK(shaftcull_tree_growth(tree, &growth));
+  OK(shaftcull_tree_sah_ratio(tree, &sah_ratio));
   OK(shaftcull_tree_box(tree, &box));
-  CHECK(growth > 0 && box.hi[0] == 3);
+  CHECK(sah_ratio > 0 && box.hi[0] == 3);
   OK(shaftcull_tree_rebuild(tree));
   OK(shaftcull_tree_renumber(tree));
   OK(shaftcull_tree_order(tree, &order));
@@ -564,8 +564,8 @@ static void trees(void) {
   REFUSED(shaftcull_tree_refit(mesh), "a tree of triangles");
   REFUSED(shaftcull_tree_rebuild(mesh), "a tree of triangles");
   REFUSED(shaftcull_tree_renumber(mesh), "a tree of triangles");
-  REFUSED(shaftcull_tree_growth(mesh, &growth), "a tree of triangles");
-  REFUSED(shaftcull_tree_growth(tree, NULL), "growth is NULL");
+  REFUSED(shaftcull_tree_sah_ratio(mesh, &sah_ratio), "a tree of triangles");
+  REFUSED(shaftcull_tree_sah_ratio(tree, NULL), "sah_ratio is NULL");
 
   shaftcull_bounds_free(tree);
   shaftcull_bounds_free(spheres);
@@ -746,9 +746,9 @@ static void one_shaft(void) {
     CHECK(contact.found == 1 && contact.index == 0 && contact.time > 0 && contact.time < 1);
     OK(shaftcull_first_contact(shafts, 1, bounds, NULL, &contact));
     CHECK(contact.found == 0 && contact.index == SHAFTCULL_NONE && contact.time == INFINITY);
-    OK(shaftcull_blocked(shafts, 0, bounds, NULL, &yes));
+    OK(shaftcull_occluded(shafts, 0, bounds, NULL, &yes));
     CHECK(yes == 0);
-    OK(shaftcull_blocked_by(shafts, 0, bounds, NULL, &number));
+    OK(shaftcull_find_occluder(shafts, 0, bounds, NULL, &number));
     CHECK(number == SHAFTCULL_NONE);
     OK(shaftcull_list(shafts, 0, bounds, NULL, indices, 2, &number));
     CHECK(number == 1 && indices[0] == 0);
@@ -758,7 +758,7 @@ static void one_shaft(void) {
     CHECK(counts.overlap == 1 && counts.inside == 0 && indices[0] == 0);
     OK(shaftcull_entry_times(shafts, 0, bounds, candidates, &time, 1));
     CHECK(time == INFINITY);
-    OK(shaftcull_list_blocking(shafts, 0, bounds, NULL, indices, 2, &number));
+    OK(shaftcull_list_occluders(shafts, 0, bounds, NULL, indices, 2, &number));
     CHECK(number == 0);
   }
 
@@ -774,10 +774,10 @@ static void one_shaft(void) {
   OK(shaftcull_list_classified(shafts, 0, all.triangles, NULL, indices, 2, more, 2, &counts));
   CHECK(counts.overlap + counts.inside == 1 && (inside == 1 ? more[0] : indices[0]) == 0);
   REFUSED(shaftcull_first_contact(shafts, 0, all.triangles, NULL, &contact), "triangles");
-  REFUSED(shaftcull_blocked(shafts, 0, all.triangles, NULL, &yes), "triangles");
-  REFUSED(shaftcull_blocked_by(shafts, 0, all.triangles, NULL, &number), "triangles");
+  REFUSED(shaftcull_occluded(shafts, 0, all.triangles, NULL, &yes), "triangles");
+  REFUSED(shaftcull_find_occluder(shafts, 0, all.triangles, NULL, &number), "triangles");
   REFUSED(shaftcull_entry_times(shafts, 0, all.triangles, candidates, &time, 1), "triangles");
-  REFUSED(shaftcull_list_blocking(shafts, 0, all.triangles, NULL, indices, 2, &number), "triangles");
+  REFUSED(shaftcull_list_occluders(shafts, 0, all.triangles, NULL, indices, 2, &number), "triangles");
   REFUSED(shaftcull_cull(shafts, 2, all.triangles, NULL, &kept, 1), "hull");
 
   /* One bound. */
@@ -792,9 +792,9 @@ static void one_shaft(void) {
   CHECK(yes == 1);
   const shaftcull_box wall = {{-9, 4, -9}, {19, 5, 19}};
   const float sheet[12] = {-9, 4, -9, 19, 4, -9, 19, 4, 19, -9, 4, 19};
-  OK(shaftcull_blocked_by_box(shafts, 0, &wall, &yes));
+  OK(shaftcull_occluded_by_box(shafts, 0, &wall, &yes));
   CHECK(yes == 1);
-  OK(shaftcull_blocked_by_polygon(shafts, 0, sheet, 4, &yes));
+  OK(shaftcull_occluded_by_polygon(shafts, 0, sheet, 4, &yes));
   CHECK(yes == 1);
   REFUSED(shaftcull_ask_box(shafts, 0, NULL, 1, &answer), "box is NULL");
   REFUSED(shaftcull_ask_box(shafts, 0, &wall, 2, &answer), "inside = 2");
@@ -802,10 +802,10 @@ static void one_shaft(void) {
   REFUSED(shaftcull_ask_sphere(shafts, 0, NULL, 1, &answer), "sphere is NULL");
   REFUSED(shaftcull_ask_triangle(shafts, 0, NULL, 0, &yes), "triangle is NULL");
   REFUSED(shaftcull_ask_triangle(shafts, 0, &faces[0], 2, &yes), "test = 2");
-  REFUSED(shaftcull_blocked_by_box(shafts, 1, &wall, &yes), "between two boxes");
-  REFUSED(shaftcull_blocked_by_box(shafts, 0, NULL, &yes), "solid is NULL");
-  REFUSED(shaftcull_blocked_by_polygon(shafts, 0, sheet, 2, &yes), "2");
-  REFUSED(shaftcull_blocked_by_polygon(shafts, 0, NULL, 4, &yes), "corners is NULL");
+  REFUSED(shaftcull_occluded_by_box(shafts, 1, &wall, &yes), "between two boxes");
+  REFUSED(shaftcull_occluded_by_box(shafts, 0, NULL, &yes), "solid is NULL");
+  REFUSED(shaftcull_occluded_by_polygon(shafts, 0, sheet, 2, &yes), "2");
+  REFUSED(shaftcull_occluded_by_polygon(shafts, 0, NULL, 4, &yes), "corners is NULL");
 
   /* Wrong sizes, indices and holders; NULL. */
   REFUSED(shaftcull_cull(shafts, 0, all.stream, NULL, &kept, 2), "kept has 2 words");
@@ -822,8 +822,8 @@ static void one_shaft(void) {
   REFUSED(shaftcull_first_contact(shafts, 2, all.stream, NULL, &contact), "hull");
   REFUSED(shaftcull_first_contact(shafts, 0, all.stream, NULL, NULL), "contact is NULL");
   REFUSED(shaftcull_entry_times(shafts, 0, all.stream, candidates, NULL, 1), "times is NULL");
-  REFUSED(shaftcull_blocked_by(shafts, 1, all.stream, NULL, &number), "between two boxes");
-  REFUSED(shaftcull_blocked(shafts, 0, NULL, NULL, &yes), "solids is NULL");
+  REFUSED(shaftcull_find_occluder(shafts, 1, all.stream, NULL, &number), "between two boxes");
+  REFUSED(shaftcull_occluded(shafts, 0, NULL, NULL, &yes), "solids is NULL");
 
   /* More bounds than indices can number. They are refused before any is read. */
   const float nothing = 0;
@@ -834,7 +834,7 @@ static void one_shaft(void) {
   OK(shaftcull_lists_create(&lists));
   REFUSED(shaftcull_list(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
   REFUSED(shaftcull_list_classified(shafts, 0, large, NULL, indices, 2, more, 2, &counts), "ask slices of the view");
-  REFUSED(shaftcull_list_blocking(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
+  REFUSED(shaftcull_list_occluders(shafts, 0, large, NULL, indices, 2, &number), "ask slices of the view");
   REFUSED(shaftcull_list_many(shafts, 0, 1, large, NULL, lists), "ask slices of the view");
   REFUSED(shaftcull_first_contact(shafts, 0, large, NULL, &contact), "ask slices of the view");
   shaftcull_lists_free(lists);
@@ -971,9 +971,9 @@ static void options_about(const shaftcull_shafts* shafts, shaftcull_bounds* boun
   REFUSED(shaftcull_count(shafts, 2, bounds, &query, &number), "only[0] = 2");
   if (are_boxes) {
     query.only = indices;
-    REFUSED(shaftcull_blocked(shafts, 0, bounds, &query, &yes), "only");
-    REFUSED(shaftcull_list_blocking(shafts, 0, bounds, &query, list, 2, &number), "only");
-    REFUSED(shaftcull_blocked_many(shafts, 0, 1, bounds, &query, &kept, 1), "only");
+    REFUSED(shaftcull_occluded(shafts, 0, bounds, &query, &yes), "only");
+    REFUSED(shaftcull_list_occluders(shafts, 0, bounds, &query, list, 2, &number), "only");
+    REFUSED(shaftcull_occluded_many(shafts, 0, 1, bounds, &query, &kept, 1), "only");
   }
 
   query = none;
@@ -988,10 +988,10 @@ static void options_about(const shaftcull_shafts* shafts, shaftcull_bounds* boun
   REFUSED(shaftcull_any(shafts, 2, bounds, &query, &yes), "limit");
   REFUSED(shaftcull_count_classified(shafts, 2, bounds, &query, &counts), "limit");
   if (are_boxes) {
-    OK(shaftcull_list_blocking(shafts, 0, bounds, &query, list, 2, &number));
+    OK(shaftcull_list_occluders(shafts, 0, bounds, &query, list, 2, &number));
     CHECK(number == 0);
     REFUSED(shaftcull_first_contact(shafts, 0, bounds, &query, &contact), "limit");
-    REFUSED(shaftcull_blocked_by(shafts, 0, bounds, &query, &number), "limit");
+    REFUSED(shaftcull_find_occluder(shafts, 0, bounds, &query, &number), "limit");
   }
   query.limit = UINT64_MAX;
   OK(shaftcull_count(shafts, 2, bounds, &query, &number));
@@ -1057,7 +1057,7 @@ static void many_shafts(void) {
     CHECK(bits == 5);
     OK(shaftcull_first_contact_many(shafts, 0, 2, bounds, NULL, contacts));
     CHECK(contacts[0].found == 1 && contacts[0].index == 0 && contacts[1].found == 0);
-    OK(shaftcull_blocked_many(shafts, 0, 1, bounds, NULL, &bits, 1));
+    OK(shaftcull_occluded_many(shafts, 0, 1, bounds, NULL, &bits, 1));
     CHECK(bits == 0);
   }
 
@@ -1086,7 +1086,7 @@ static void many_shafts(void) {
     CHECK(shaftcull_lists_offsets(lists)[3] == 1 && shaftcull_lists_offsets(others)[3] == 2);
     OK(shaftcull_list_many(shafts, 0, 3, holders[h], &query, lists));
     CHECK(shaftcull_lists_offsets(lists)[3] == 3 && shaftcull_lists_indices(lists)[1] == 1);
-    OK(shaftcull_list_blocking_many(shafts, 0, 1, holders[h], NULL, lists));
+    OK(shaftcull_list_occluders_many(shafts, 0, 1, holders[h], NULL, lists));
     CHECK(shaftcull_lists_count(lists) == 1 && shaftcull_lists_offsets(lists)[1] == 0);
     CHECK(shaftcull_lists_indices(lists) == NULL);
   }
@@ -1097,7 +1097,7 @@ static void many_shafts(void) {
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, lists), "share memory");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, NULL, lists), "overlap is NULL");
   REFUSED(shaftcull_list_classified_many(shafts, 0, 3, all.tree, NULL, lists, NULL), "inside is NULL");
-  REFUSED(shaftcull_list_blocking_many(shafts, 0, 1, all.tree, NULL, NULL), "lists is NULL");
+  REFUSED(shaftcull_list_occluders_many(shafts, 0, 1, all.tree, NULL, NULL), "lists is NULL");
   REFUSED(shaftcull_lists_create(NULL), "lists is NULL");
   shaftcull_lists_free(lists);
   shaftcull_lists_free(others);
@@ -1110,7 +1110,7 @@ static void many_shafts(void) {
   REFUSED(shaftcull_count_many(shafts, 0, 3, all.stream, NULL, NULL), "kept_counts is NULL");
   REFUSED(shaftcull_count_classified_many(shafts, 0, 3, all.stream, NULL, NULL), "counts is NULL");
   REFUSED(shaftcull_first_contact_many(shafts, 0, 3, all.stream, NULL, contacts), "hull");
-  REFUSED(shaftcull_blocked_many(shafts, 0, 3, all.stream, NULL, &bits, 1), "shaft 1");
+  REFUSED(shaftcull_occluded_many(shafts, 0, 3, all.stream, NULL, &bits, 1), "shaft 1");
   REFUSED(shaftcull_any_many(NULL, 0, 3, all.stream, NULL, &bits, 1), "shafts is NULL");
   free_asked(&all);
 }
@@ -1188,127 +1188,127 @@ static void visibility(void) {
   const shaftcull_source ball_source = shaftcull_spheres(balls, 2);
   REFUSED(shaftcull_patches_create(&ball_source, NULL, 0, &none), "boxes is a source of other bounds");
 
-  shaftcull_blockers* blockers = NULL;
-  OK(shaftcull_blockers_create(&blockers));
-  REFUSED(shaftcull_blockers_create(NULL), "blockers is NULL");
-  CHECK(shaftcull_blockers_count(blockers) == 0 && shaftcull_blockers_count(NULL) == 0);
+  shaftcull_occluders* occluders = NULL;
+  OK(shaftcull_occluders_create(&occluders));
+  REFUSED(shaftcull_occluders_create(NULL), "occluders is NULL");
+  CHECK(shaftcull_occluders_count(occluders) == 0 && shaftcull_occluders_count(NULL) == 0);
   const shaftcull_source one_ball = shaftcull_boxes(&ball, 1);
   const shaftcull_source one_wall = shaftcull_boxes(&wall, 1);
   const shaftcull_source two_faces = shaftcull_triangles(faces, 2);
   uint64_t first = 9;
-  OK(shaftcull_blockers_add_boxes(blockers, &one_ball, &first));
+  OK(shaftcull_occluders_add_boxes(occluders, &one_ball, &first));
   CHECK(first == 0);
-  OK(shaftcull_blockers_add_solids(blockers, &one_wall, &first));
+  OK(shaftcull_occluders_add_solids(occluders, &one_wall, &first));
   CHECK(first == 1);
   float far_corners[24];
   for (int i = 0; i != 24; ++i) far_corners[i] = corners[i] + 100;
-  OK(shaftcull_blockers_add_solid_hulls(blockers, far_corners, 8, first_corner, 1, &first));
+  OK(shaftcull_occluders_add_solid_hulls(occluders, far_corners, 8, first_corner, 1, &first));
   CHECK(first == 2);
-  OK(shaftcull_blockers_add_polygons(blockers, square, 4, first_of_square, 1, &first));
+  OK(shaftcull_occluders_add_polygons(occluders, square, 4, first_of_square, 1, &first));
   CHECK(first == 3);
-  OK(shaftcull_blockers_add_polygons(blockers, NULL, 0, NULL, 0, &first));
+  OK(shaftcull_occluders_add_polygons(occluders, NULL, 0, NULL, 0, &first));
   CHECK(first == 4);
-  OK(shaftcull_blockers_add_triangles(blockers, &two_faces, two_groups, 2, NULL));
-  OK(shaftcull_blockers_add_triangles(blockers, &two_faces, NULL, 0, &first));
-  CHECK(first == 6 && shaftcull_blockers_count(blockers) == 7);
+  OK(shaftcull_occluders_add_triangles(occluders, &two_faces, two_groups, 2, NULL));
+  OK(shaftcull_occluders_add_triangles(occluders, &two_faces, NULL, 0, &first));
+  CHECK(first == 6 && shaftcull_occluders_count(occluders) == 7);
   shaftcull_box box;
-  OK(shaftcull_blockers_box(blockers, 1, &box));
+  OK(shaftcull_occluders_box(occluders, 1, &box));
   CHECK(memcmp(&box, &wall, sizeof wall) == 0);
   const uint32_t* triangles = NULL;
   uint64_t triangle_count = 0;
-  OK(shaftcull_blockers_triangles(blockers, 5, &triangles, &triangle_count));
+  OK(shaftcull_occluders_triangles(occluders, 5, &triangles, &triangle_count));
   CHECK(triangle_count == 1 && triangles[0] == 1);
-  OK(shaftcull_blockers_triangles(blockers, 0, &triangles, &triangle_count));
+  OK(shaftcull_occluders_triangles(occluders, 0, &triangles, &triangle_count));
   CHECK(triangle_count == 0 && triangles == NULL);
-  REFUSED(shaftcull_blockers_box(blockers, 7, &box), "blocker = 7");
-  REFUSED(shaftcull_blockers_box(blockers, 0, NULL), "box is NULL");
-  REFUSED(shaftcull_blockers_triangles(blockers, 7, &triangles, &triangle_count), "blocker = 7");
-  REFUSED(shaftcull_blockers_triangles(blockers, 0, NULL, &triangle_count), "triangles is NULL");
-  REFUSED(shaftcull_blockers_triangles(blockers, 0, &triangles, NULL), "count is NULL");
-  REFUSED(shaftcull_blockers_add_boxes(NULL, &one_ball, NULL), "blockers is NULL");
-  REFUSED(shaftcull_blockers_add_boxes(blockers, NULL, NULL), "boxes is NULL");
-  FAILS(shaftcull_blockers_add_solids(blockers, &bad, &first), SHAFTCULL_BAD_BOUND, "1");
-  REFUSED(shaftcull_blockers_add_solid_hulls(blockers, corners, 8, NULL, 1, NULL), "first_corner is NULL");
-  REFUSED(shaftcull_blockers_add_solid_hulls(blockers, corners, 8, NULL, 0, NULL), "first_corner is NULL");
-  REFUSED(shaftcull_blockers_add_solid_hulls(blockers, corners, 8, first_corner, UINT64_MAX, NULL), "first_corner");
-  REFUSED(shaftcull_blockers_add_polygons(blockers, NULL, 4, first_of_square, 1, NULL), "corners is NULL");
-  REFUSED(shaftcull_blockers_add_triangles(blockers, &one_ball, NULL, 0, NULL), "takes triangles");
-  REFUSED(shaftcull_blockers_add_triangles(blockers, &two_faces, NULL, 2, NULL), "first_triangle is NULL");
-  CHECK(shaftcull_blockers_count(blockers) == 7 && first == 6); /* nothing was added */
+  REFUSED(shaftcull_occluders_box(occluders, 7, &box), "occluder = 7");
+  REFUSED(shaftcull_occluders_box(occluders, 0, NULL), "box is NULL");
+  REFUSED(shaftcull_occluders_triangles(occluders, 7, &triangles, &triangle_count), "occluder = 7");
+  REFUSED(shaftcull_occluders_triangles(occluders, 0, NULL, &triangle_count), "triangles is NULL");
+  REFUSED(shaftcull_occluders_triangles(occluders, 0, &triangles, NULL), "count is NULL");
+  REFUSED(shaftcull_occluders_add_boxes(NULL, &one_ball, NULL), "occluders is NULL");
+  REFUSED(shaftcull_occluders_add_boxes(occluders, NULL, NULL), "boxes is NULL");
+  FAILS(shaftcull_occluders_add_solids(occluders, &bad, &first), SHAFTCULL_BAD_BOUND, "1");
+  REFUSED(shaftcull_occluders_add_solid_hulls(occluders, corners, 8, NULL, 1, NULL), "first_corner is NULL");
+  REFUSED(shaftcull_occluders_add_solid_hulls(occluders, corners, 8, NULL, 0, NULL), "first_corner is NULL");
+  REFUSED(shaftcull_occluders_add_solid_hulls(occluders, corners, 8, first_corner, UINT64_MAX, NULL), "first_corner");
+  REFUSED(shaftcull_occluders_add_polygons(occluders, NULL, 4, first_of_square, 1, NULL), "corners is NULL");
+  REFUSED(shaftcull_occluders_add_triangles(occluders, &one_ball, NULL, 0, NULL), "takes triangles");
+  REFUSED(shaftcull_occluders_add_triangles(occluders, &two_faces, NULL, 2, NULL), "first_triangle is NULL");
+  CHECK(shaftcull_occluders_count(occluders) == 7 && first == 6); /* nothing was added */
 
   shaftcull_visibility_options options = shaftcull_default_visibility_options();
   CHECK(options.memory == UINT64_C(256) << 20 && options.contact == SHAFTCULL_CONTACT_OPEN);
   CHECK(options.solids_around_ends == 1 && options.candidates == 1 && options.resolve == NULL);
   shaftcull_sight_counts counts;
-  OK(shaftcull_count_visibility(a, b, blockers, NULL, &counts));
-  CHECK(counts.blocked == 4 && counts.undecided == 2 && counts.clear == 0 && counts.facing_away == 0);
-  OK(shaftcull_count_visibility(a, NULL, blockers, NULL, &counts));
+  OK(shaftcull_count_visibility(a, b, occluders, NULL, &counts));
+  CHECK(counts.occluded == 4 && counts.undecided == 2 && counts.clear == 0 && counts.facing_away == 0);
+  OK(shaftcull_count_visibility(a, NULL, occluders, NULL, &counts));
   CHECK(counts.facing_away == 3); /* all lie in one plane */
-  OK(shaftcull_count_visibility(a, facing, blockers, NULL, &counts));
-  CHECK(counts.facing_away >= 1 && counts.undecided == 1); /* some that face away are blocked, too */
+  OK(shaftcull_count_visibility(a, facing, occluders, NULL, &counts));
+  CHECK(counts.facing_away >= 1 && counts.undecided == 1); /* some that face away are occluded, too */
   sights_told told = {0, 0, SHAFTCULL_SIGHT_CLEAR, 0};
-  OK(shaftcull_visibility(a, b, blockers, NULL, on_sights, &told, &counts));
+  OK(shaftcull_visibility(a, b, occluders, NULL, on_sights, &told, &counts));
   CHECK(told.pairs == 4 && told.undecided == 2 && counts.undecided == 2);
   options.resolve = on_undecided;
   options.progress = on_progress;
   options.user = &told;
   told.pairs = told.undecided = 0;
-  OK(shaftcull_visibility(a, b, blockers, &options, on_sights, &told, NULL));
+  OK(shaftcull_visibility(a, b, occluders, &options, on_sights, &told, NULL));
   CHECK(told.pairs == 6 && told.undecided == 0);
   told.verdict = 4;
-  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "verdicts[0] = 4, of patches 0 and 0");
+  REFUSED(shaftcull_count_visibility(a, b, occluders, &options, &counts), "verdicts[0] = 4, of patches 0 and 0");
   told.verdict = SHAFTCULL_SIGHT_BLOCKED;
   told.returns = -3;
-  FAILS(shaftcull_count_visibility(a, b, blockers, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
+  FAILS(shaftcull_count_visibility(a, b, occluders, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
   options.progress = NULL;
-  FAILS(shaftcull_count_visibility(a, b, blockers, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
+  FAILS(shaftcull_count_visibility(a, b, occluders, &options, &counts), SHAFTCULL_STOPPED, "returned -3");
   options.resolve = NULL;
-  FAILS(shaftcull_visibility(a, b, blockers, &options, on_sights, &told, &counts), SHAFTCULL_STOPPED, "returned -3");
+  FAILS(shaftcull_visibility(a, b, occluders, &options, on_sights, &told, &counts), SHAFTCULL_STOPPED, "returned -3");
 
   shaftcull_sights* sights = NULL;
   shaftcull_sight_batch all;
-  OK(shaftcull_collect_visibility(a, b, blockers, &options, &sights));
+  OK(shaftcull_collect_visibility(a, b, occluders, &options, &sights));
   OK(shaftcull_sights_all(sights, &all, &counts));
-  CHECK(counts.blocked == 4 && all.undecided.count == 2 && all.product_count != 0);
+  CHECK(counts.occluded == 4 && all.undecided.count == 2 && all.product_count != 0);
   CHECK(all.undecided.first_candidate[0] == 0 && all.undecided.candidates[0] < 7);
   REFUSED(shaftcull_sights_all(NULL, &all, &counts), "sights is NULL");
   REFUSED(shaftcull_sights_all(sights, NULL, &counts), "batch is NULL");
   shaftcull_sights_free(sights);
   shaftcull_sights_free(NULL);
   options.candidates = 0;
-  OK(shaftcull_collect_visibility(a, b, blockers, &options, &sights));
+  OK(shaftcull_collect_visibility(a, b, occluders, &options, &sights));
   OK(shaftcull_sights_all(sights, &all, NULL));
   CHECK(all.undecided.count == 2 && all.undecided.first_candidate == NULL && all.undecided.candidates == NULL);
   shaftcull_sights_free(sights);
   uint64_t bits[3] = {7, 7, 7};
-  OK(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 3, &counts));
-  CHECK(bits[0] == 2 && bits[1] == 3 && bits[2] == 1 && counts.blocked == 4);
-  REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 2, NULL), "bits");
-  REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, SHAFTCULL_SIGHT_BLOCKED, NULL, 3, NULL), "bits is NULL");
-  REFUSED(shaftcull_visibility_bits(a, b, blockers, NULL, 258, bits, 3, NULL), "sight = 258"); /* not cut to a byte */
+  OK(shaftcull_visibility_bits(a, b, occluders, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 3, &counts));
+  CHECK(bits[0] == 2 && bits[1] == 3 && bits[2] == 1 && counts.occluded == 4);
+  REFUSED(shaftcull_visibility_bits(a, b, occluders, NULL, SHAFTCULL_SIGHT_BLOCKED, bits, 2, NULL), "bits");
+  REFUSED(shaftcull_visibility_bits(a, b, occluders, NULL, SHAFTCULL_SIGHT_BLOCKED, NULL, 3, NULL), "bits is NULL");
+  REFUSED(shaftcull_visibility_bits(a, b, occluders, NULL, 258, bits, 3, NULL), "sight = 258"); /* not cut to a byte */
 
-  REFUSED(shaftcull_count_visibility(NULL, b, blockers, NULL, &counts), "a is NULL");
-  REFUSED(shaftcull_count_visibility(a, b, NULL, NULL, &counts), "blockers is NULL");
-  REFUSED(shaftcull_count_visibility(a, b, blockers, NULL, NULL), "counts is NULL");
-  REFUSED(shaftcull_visibility(a, b, blockers, NULL, NULL, NULL, &counts), "callback is NULL");
-  REFUSED(shaftcull_collect_visibility(a, b, blockers, NULL, NULL), "sights is NULL");
+  REFUSED(shaftcull_count_visibility(NULL, b, occluders, NULL, &counts), "a is NULL");
+  REFUSED(shaftcull_count_visibility(a, b, NULL, NULL, &counts), "occluders is NULL");
+  REFUSED(shaftcull_count_visibility(a, b, occluders, NULL, NULL), "counts is NULL");
+  REFUSED(shaftcull_visibility(a, b, occluders, NULL, NULL, NULL, &counts), "callback is NULL");
+  REFUSED(shaftcull_collect_visibility(a, b, occluders, NULL, NULL), "sights is NULL");
   options = shaftcull_default_visibility_options();
   options.memory = 1000;
-  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "1 MB");
+  REFUSED(shaftcull_count_visibility(a, b, occluders, &options, &counts), "1 MB");
   options = shaftcull_default_visibility_options();
   options.contact = 2;
-  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "contact = 2");
+  REFUSED(shaftcull_count_visibility(a, b, occluders, &options, &counts), "contact = 2");
   options = shaftcull_default_visibility_options();
   options.solids_around_ends = 2;
-  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "options.solids_around_ends = 2");
+  REFUSED(shaftcull_count_visibility(a, b, occluders, &options, &counts), "options.solids_around_ends = 2");
   options = shaftcull_default_visibility_options();
   options.reserved = 1;
-  REFUSED(shaftcull_count_visibility(a, b, blockers, &options, &counts), "options.reserved");
+  REFUSED(shaftcull_count_visibility(a, b, occluders, &options, &counts), "options.reserved");
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_CLEAR), "clear") == 0);
   CHECK(strcmp(shaftcull_sight_name(SHAFTCULL_SIGHT_FACING_AWAY), "facing_away") == 0);
   CHECK(strcmp(shaftcull_sight_name(4), "unknown") == 0);
-  shaftcull_blockers_free(blockers);
-  shaftcull_blockers_free(NULL);
+  shaftcull_occluders_free(occluders);
+  shaftcull_occluders_free(NULL);
   shaftcull_patches_free(a);
   shaftcull_patches_free(b);
   shaftcull_patches_free(facing);

@@ -28,7 +28,7 @@ using ShaftHandle = std::unique_ptr<shaftcull_shaft, FreeHandle<shaftcull_shaft_
 using HullHandle = std::unique_ptr<shaftcull_hull, FreeHandle<shaftcull_hull_free>>;
 using ListsHandle = std::unique_ptr<shaftcull_lists, FreeHandle<shaftcull_lists_free>>;
 using PatchesHandle = std::unique_ptr<shaftcull_patches, FreeHandle<shaftcull_patches_free>>;
-using BlockersHandle = std::unique_ptr<shaftcull_blockers, FreeHandle<shaftcull_blockers_free>>;
+using OccludersHandle = std::unique_ptr<shaftcull_occluders, FreeHandle<shaftcull_occluders_free>>;
 using SightsHandle = std::unique_ptr<shaftcull_sights, FreeHandle<shaftcull_sights_free>>;
 
 /// The call must have succeeded.

@@ -104,19 +104,19 @@ TEST(CMemory, QuestionsOfOneShaftAllocateNothing) {
       ok(shaftcull_list(shafts, 0, bounds, query, indices.data(), 100, &number));
     }
     for (const shaftcull_query* const query : blocking) {
-      ok(shaftcull_list_blocking(shafts, 0, bounds, query, indices.data(), 100, &number));
+      ok(shaftcull_list_occluders(shafts, 0, bounds, query, indices.data(), 100, &number));
     }
-    ok(shaftcull_blocked(shafts, 0, bounds, nullptr, &yes));
-    ok(shaftcull_blocked(shafts, 0, bounds, &out, &yes));
-    ok(shaftcull_blocked_by(shafts, 0, bounds, nullptr, &number));
-    ok(shaftcull_blocked_by(shafts, 0, bounds, &out, &number));
+    ok(shaftcull_occluded(shafts, 0, bounds, nullptr, &yes));
+    ok(shaftcull_occluded(shafts, 0, bounds, &out, &yes));
+    ok(shaftcull_find_occluder(shafts, 0, bounds, nullptr, &number));
+    ok(shaftcull_find_occluder(shafts, 0, bounds, &out, &number));
     ok(shaftcull_entry_times(shafts, 0, bounds, candidates, times.data(), 3));
   }
   ok(shaftcull_bounds_set_layers_of(stream.get(), candidates, layers.data(), 3));
   ok(shaftcull_ask_box(shafts, 0, &lamp, 1, &yes));
   ok(shaftcull_ask_sphere(shafts, 0, &ball, 1, &yes));
   ok(shaftcull_ask_triangle(shafts, 0, &face, SHAFTCULL_TRIANGLES_EXACT, &yes));
-  ok(shaftcull_blocked_by_box(shafts, 0, &lamp, &yes));
+  ok(shaftcull_occluded_by_box(shafts, 0, &lamp, &yes));
   EXPECT_EQ(allocations(), before);
 }
 
@@ -135,11 +135,11 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
   }
   const PatchesHandle patches = made<PatchesHandle>(shaftcull_patches_create, &source,
                                                     static_cast<const shaftcull_plane*>(nullptr), std::uint64_t{0});
-  const BlockersHandle blockers = made<BlockersHandle>(shaftcull_blockers_create);
-  ok(shaftcull_blockers_add_boxes(blockers.get(), &source, nullptr));
+  const OccludersHandle occluders = made<OccludersHandle>(shaftcull_occluders_create);
+  ok(shaftcull_occluders_add_boxes(occluders.get(), &source, nullptr));
   std::vector<shaftcull_kept_counts> counts(300);
   shaftcull_sight_counts sights{};
-  std::vector<std::uint64_t> bits(300 * shaftcull_words_for(300));
+  std::vector<std::uint64_t> bits(300 * shaftcull_bit_words(300));
   using Call = std::pair<std::function<shaftcull_status()>, std::function<void()>>;  // and what cleans up behind it
   bool created = false;  // whether a call that failed set its handle
   const auto creates = [&created]<class Handle>(void (*free)(Handle*), auto* make, auto... arguments) -> Call {
@@ -163,13 +163,13 @@ TEST(CMemory, ThatRunsOutIsAStatusAndChangesNothing) {
       creates(shaftcull_hull_free, shaftcull_hull_create, &points[0], std::uint64_t{4}, &down[0], std::uint64_t{1}),
       creates(shaftcull_patches_free, shaftcull_patches_create, &source, static_cast<const shaftcull_plane*>(nullptr),
               std::uint64_t{0}),
-      creates(shaftcull_blockers_free, shaftcull_blockers_create),
+      creates(shaftcull_occluders_free, shaftcull_occluders_create),
       creates(shaftcull_sights_free, shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(patches.get()),
-              static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_blockers*>(blockers.get()),
+              static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_occluders*>(occluders.get()),
               static_cast<const shaftcull_visibility_options*>(nullptr)),
-      {[&] { return shaftcull_count_visibility(patches.get(), nullptr, blockers.get(), nullptr, &sights); }, nothing},
+      {[&] { return shaftcull_count_visibility(patches.get(), nullptr, occluders.get(), nullptr, &sights); }, nothing},
       {[&] {
-         return shaftcull_visibility_bits(patches.get(), nullptr, blockers.get(), nullptr, SHAFTCULL_SIGHT_CLEAR,
+         return shaftcull_visibility_bits(patches.get(), nullptr, occluders.get(), nullptr, SHAFTCULL_SIGHT_CLEAR,
                                           bits.data(), bits.size(), nullptr);
        },
        nothing},

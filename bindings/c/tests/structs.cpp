@@ -58,7 +58,7 @@ static_assert(same(SHAFTCULL_ORDER_UNSORTED, PlaneOrder::unsorted) &&
               same(SHAFTCULL_ORDER_BY_VOLUME, PlaneOrder::by_volume) &&
               same(SHAFTCULL_ORDER_BY_ADDED_VOLUME, PlaneOrder::by_added_volume));
 static_assert(same(SHAFTCULL_SIGHT_UNDECIDED, Sight::undecided) && same(SHAFTCULL_SIGHT_CLEAR, Sight::clear) &&
-              same(SHAFTCULL_SIGHT_BLOCKED, Sight::blocked) && same(SHAFTCULL_SIGHT_FACING_AWAY, Sight::facing_away));
+              same(SHAFTCULL_SIGHT_BLOCKED, Sight::occluded) && same(SHAFTCULL_SIGHT_FACING_AWAY, Sight::facing_away));
 
 TEST(CStructs, HeaderAndLibraryAreOfOneVersion) {
   EXPECT_EQ(SHAFTCULL_HEADER_VERSION, SHAFTCULL_VERSION);
@@ -68,7 +68,7 @@ TEST(CStructs, HeaderAndLibraryAreOfOneVersion) {
 
 TEST(CStructs, WordsAreAsInCpp) {
   for (const std::size_t bounds : {0U, 1U, 63U, 64U, 65U, 1000U})
-    EXPECT_EQ(shaftcull_words_for(bounds), words_for(bounds));
+    EXPECT_EQ(shaftcull_bit_words(bounds), bit_words(bounds));
 }
 
 }  // namespace

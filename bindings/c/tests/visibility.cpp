@@ -19,16 +19,16 @@
 namespace shaftcull {
 namespace {
 
-/// A scene with blockers of all sorts, the same in both languages.
+/// A scene with occluders of all sorts, the same in both languages.
 struct Scene {
   std::vector<Box> boxes;
   std::vector<Plane> planes;
   PatchSet cpp;
   PatchSet others_cpp;
-  Blockers blockers_cpp;
+  Occluders occluders_cpp;
   PatchesHandle c;
   PatchesHandle others_c;
-  BlockersHandle blockers_c;
+  OccludersHandle occluders_c;
 };
 
 void make_scene(Random& random, Scene& scene) {
@@ -49,9 +49,9 @@ void make_scene(Random& random, Scene& scene) {
   scene.c = made<PatchesHandle>(shaftcull_patches_create, &source, c_planes.data(), std::uint64_t{c_planes.size()});
   scene.others_c = made<PatchesHandle>(shaftcull_patches_create, &other_source,
                                        static_cast<const shaftcull_plane*>(nullptr), std::uint64_t{0});
-  scene.blockers_c = made<BlockersHandle>(shaftcull_blockers_create);
-  shaftcull_blockers* const c = scene.blockers_c.get();
-  Blockers& cpp = scene.blockers_cpp;
+  scene.occluders_c = made<OccludersHandle>(shaftcull_occluders_create);
+  shaftcull_occluders* const c = scene.occluders_c.get();
+  Occluders& cpp = scene.occluders_cpp;
 
   std::vector<Box> some;
   std::vector<Box> solids;
@@ -90,33 +90,33 @@ void make_scene(Random& random, Scene& scene) {
   const shaftcull_source triangle_source = source_of(c_triangles);
   const TriangleStream stream{std::span<const Triangle>(triangles)};
   std::uint64_t first = 0;
-  ok(shaftcull_blockers_add_boxes(c, &some_source, &first));
+  ok(shaftcull_occluders_add_boxes(c, &some_source, &first));
   EXPECT_EQ(first, cpp.add_boxes(some));
-  ok(shaftcull_blockers_add_solids(c, &solid_source, &first));
+  ok(shaftcull_occluders_add_solids(c, &solid_source, &first));
   EXPECT_EQ(first, cpp.add_solids(solids));
-  ok(shaftcull_blockers_add_solid_hulls(c, floats_of(corners).data(), corners.size(), c_first_corner.data(), 5,
-                                        &first));
+  ok(shaftcull_occluders_add_solid_hulls(c, floats_of(corners).data(), corners.size(), c_first_corner.data(), 5,
+                                         &first));
   EXPECT_EQ(first, cpp.add_solid_hulls(corners, first_corner));
-  ok(shaftcull_blockers_add_polygons(c, floats_of(squares).data(), 4, c_first_of_square.data(), 1, &first));
+  ok(shaftcull_occluders_add_polygons(c, floats_of(squares).data(), 4, c_first_of_square.data(), 1, &first));
   EXPECT_EQ(first, cpp.add_polygons(squares, first_of_square));
-  ok(shaftcull_blockers_add_triangles(c, &triangle_source, c_groups.data(), 2, &first));
+  ok(shaftcull_occluders_add_triangles(c, &triangle_source, c_groups.data(), 2, &first));
   EXPECT_EQ(first, cpp.add_triangles(stream.view(), groups));
-  ok(shaftcull_blockers_add_triangles(c, &triangle_source, nullptr, 0, &first));
+  ok(shaftcull_occluders_add_triangles(c, &triangle_source, nullptr, 0, &first));
   EXPECT_EQ(first, cpp.add_triangles(stream.view()));
-  EXPECT_EQ(shaftcull_blockers_count(c), cpp.size());
+  EXPECT_EQ(shaftcull_occluders_count(c), cpp.size());
   for (std::size_t i = 0; i != cpp.size(); ++i) {
     shaftcull_box box;
     const std::uint32_t* indices = nullptr;
     std::uint64_t count = 0;
-    ok(shaftcull_blockers_box(c, i, &box));
+    ok(shaftcull_occluders_box(c, i, &box));
     EXPECT_EQ(std::bit_cast<Box>(box), cpp.box(i));
-    ok(shaftcull_blockers_triangles(c, i, &indices, &count));
+    ok(shaftcull_occluders_triangles(c, i, &indices, &count));
     EXPECT_TRUE(std::ranges::equal(std::span(indices, count), cpp.triangles(i)));
   }
 }
 
 void expect_equal(const shaftcull_sight_counts& c, const SightCounts& cpp) {
-  EXPECT_EQ((SightCounts{c.undecided, c.clear, c.blocked, c.facing_away}), cpp);
+  EXPECT_EQ((SightCounts{c.undecided, c.clear, c.occluded, c.facing_away}), cpp);
 }
 
 void expect_equal(const shaftcull_sight_batch& c, const Visibility& cpp) {
@@ -124,7 +124,7 @@ void expect_equal(const shaftcull_sight_batch& c, const Visibility& cpp) {
   for (std::size_t i = 0; i != cpp.products.size(); ++i) {
     const shaftcull_sight_product& product = c.products[i];
     EXPECT_EQ(
-        (SightProduct{
+        (PairBlock{
             {product.a.first, product.a.count}, {product.b.first, product.b.count}, static_cast<Sight>(product.sight)}),
         cpp.products[i]);
   }
@@ -158,47 +158,47 @@ TEST(CVisibility, IsThatOfCpp) {
       with.contact = round % 2 == 0 ? Contact::open : Contact::closed;
       with.candidates = round % 3 != 2;
       with.solids_around_ends = round < 3;
-      const Visibility wanted = is_of_one_set ? collect_visibility(scene.cpp, scene.blockers_cpp, with)
-                                              : collect_visibility(scene.cpp, second, scene.blockers_cpp, with);
+      const Visibility wanted = is_of_one_set ? collect_visibility(scene.cpp, scene.occluders_cpp, with)
+                                              : collect_visibility(scene.cpp, second, scene.occluders_cpp, with);
       const auto sights =
           made<SightsHandle>(shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()), other,
-                             static_cast<const shaftcull_blockers*>(scene.blockers_c.get()),
+                             static_cast<const shaftcull_occluders*>(scene.occluders_c.get()),
                              static_cast<const shaftcull_visibility_options*>(&options));
       shaftcull_sight_batch all;
       shaftcull_sight_counts counts;
       ok(shaftcull_sights_all(sights.get(), &all, &counts));
       expect_equal(all, wanted);
       expect_equal(counts, wanted.counts);
-      ok(shaftcull_count_visibility(scene.c.get(), other, scene.blockers_c.get(), &options, &counts));
+      ok(shaftcull_count_visibility(scene.c.get(), other, scene.occluders_c.get(), &options, &counts));
       expect_equal(counts, wanted.counts);
 
       const std::uint32_t* order = nullptr;
       ok(shaftcull_patches_order(scene.c.get(), &order));
       EXPECT_TRUE(std::ranges::equal(std::span(order, shaftcull_patches_count(scene.c.get())), scene.cpp.order()));
-      const std::size_t words = scene.cpp.size() * words_for(second.size());
+      const std::size_t words = scene.cpp.size() * bit_words(second.size());
       std::vector<std::uint64_t> bits(words);
       std::vector<std::uint64_t> wanted_bits(words);
-      for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+      for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
         if (is_of_one_set) {
-          visibility_bits(scene.cpp, scene.blockers_cpp, sight, wanted_bits, with);
+          visibility_bits(scene.cpp, scene.occluders_cpp, sight, wanted_bits, with);
         } else {
-          visibility_bits(scene.cpp, second, scene.blockers_cpp, sight, wanted_bits, with);
+          visibility_bits(scene.cpp, second, scene.occluders_cpp, sight, wanted_bits, with);
         }
-        ok(shaftcull_visibility_bits(scene.c.get(), other, scene.blockers_c.get(), &options,
+        ok(shaftcull_visibility_bits(scene.c.get(), other, scene.occluders_c.get(), &options,
                                      static_cast<shaftcull_sight>(sight), bits.data(), words, &counts));
         EXPECT_EQ(bits, wanted_bits);
         expect_equal(counts, wanted.counts);
       }
       seen.undecided += wanted.counts.undecided;
       seen.clear += wanted.counts.clear;
-      seen.blocked += wanted.counts.blocked;
+      seen.occluded += wanted.counts.occluded;
       seen.facing_away += wanted.counts.facing_away;
     }
   }
   // The scenes have enough of all.
   EXPECT_GT(seen.undecided, 100U);
   EXPECT_GT(seen.clear, 20U);
-  EXPECT_GT(seen.blocked, 20U);
+  EXPECT_GT(seen.occluded, 20U);
   EXPECT_GT(seen.facing_away, 100U);
 }
 
@@ -206,9 +206,9 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
   Random random(1802);
   Scene scene;
   make_scene(random, scene);
-  // Pairs with one candidate are clear, and those with two blocked.
+  // Pairs with one candidate are clear, and those with two occluded.
   const auto verdict_for = [](std::uint64_t candidates) {
-    return candidates == 1 ? Sight::clear : candidates == 2 ? Sight::blocked : Sight::undecided;
+    return candidates == 1 ? Sight::clear : candidates == 2 ? Sight::occluded : Sight::undecided;
   };
   VisibilityOptions with;
   with.resolve = [&](const UndecidedPairs& undecided, std::span<Sight> verdict) {
@@ -216,8 +216,8 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
       verdict[i] = verdict_for(undecided.first_candidate[i + 1] - undecided.first_candidate[i]);
     }
   };
-  const Visibility wanted = collect_visibility(scene.cpp, scene.blockers_cpp, with);
-  const Visibility unresolved = collect_visibility(scene.cpp, scene.blockers_cpp);
+  const Visibility wanted = collect_visibility(scene.cpp, scene.occluders_cpp, with);
+  const Visibility unresolved = collect_visibility(scene.cpp, scene.occluders_cpp);
   EXPECT_LT(wanted.counts.undecided, unresolved.counts.undecided);
 
   shaftcull_visibility_options options = shaftcull_default_visibility_options();
@@ -231,7 +231,7 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
   };
   const auto sights = made<SightsHandle>(
       shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()),
-      static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_blockers*>(scene.blockers_c.get()),
+      static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_occluders*>(scene.occluders_c.get()),
       static_cast<const shaftcull_visibility_options*>(&options));
   shaftcull_sight_batch all;
   shaftcull_sight_counts counts;
@@ -240,7 +240,7 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
 
   SightCounts told;
   ok(shaftcull_visibility(
-      scene.c.get(), nullptr, scene.blockers_c.get(), &options,
+      scene.c.get(), nullptr, scene.occluders_c.get(), &options,
       [](const shaftcull_sight_batch* batch, void* user) -> std::int32_t {
         auto& sum = *static_cast<SightCounts*>(user);
         sum.undecided += batch->undecided.count;
@@ -248,7 +248,7 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
           const shaftcull_sight_product& product = batch->products[i];
           const std::uint64_t pairs = std::uint64_t{product.a.count} * product.b.count;
           (product.sight == SHAFTCULL_SIGHT_CLEAR     ? sum.clear
-           : product.sight == SHAFTCULL_SIGHT_BLOCKED ? sum.blocked
+           : product.sight == SHAFTCULL_SIGHT_BLOCKED ? sum.occluded
                                                       : sum.facing_away) += pairs;
         }
         return 0;
@@ -268,13 +268,13 @@ TEST(CVisibility, RefusalsSpeakOfWhatTheCallerWrote) {
     return 0;
   };
   shaftcull_sight_counts counts;
-  EXPECT_EQ(shaftcull_count_visibility(scene.c.get(), nullptr, scene.blockers_c.get(), &options, &counts),
+  EXPECT_EQ(shaftcull_count_visibility(scene.c.get(), nullptr, scene.occluders_c.get(), &options, &counts),
             SHAFTCULL_INVALID_ARGUMENT);
   EXPECT_THAT(shaftcull_error_message(), testing::AllOf(testing::StartsWith("verdicts[0] = 4, of patches "),
                                                         testing::HasSubstr(", is none of SHAFTCULL_SIGHT_UNDECIDED, "),
                                                         testing::EndsWith(" and SHAFTCULL_SIGHT_FACING_AWAY")));
   std::uint64_t bits = 0;
-  EXPECT_EQ(shaftcull_visibility_bits(scene.c.get(), nullptr, scene.blockers_c.get(), nullptr, SHAFTCULL_SIGHT_CLEAR,
+  EXPECT_EQ(shaftcull_visibility_bits(scene.c.get(), nullptr, scene.occluders_c.get(), nullptr, SHAFTCULL_SIGHT_CLEAR,
                                       &bits, 1, nullptr),
             SHAFTCULL_INVALID_ARGUMENT);
   EXPECT_THAT(shaftcull_error_message(), testing::StartsWith("bits has 1 word; 40 rows, one for each patch of a"));

@@ -40,7 +40,7 @@ void call(const std::string& name, std::span<const shaftcull::CompiledShaft> sha
   } else if (name == "flat list") {
     shaftcull::list_many(shafts, view, lists);
   } else if (name == "flat bits") {
-    numbers.resize(shafts.size() * shaftcull::words_for(view.count));
+    numbers.resize(shafts.size() * shaftcull::bit_words(view.count));
     shaftcull::cull_many(shafts, view, numbers);
   } else {
     std::cerr << "there is no call \"" << name << "\"\n";

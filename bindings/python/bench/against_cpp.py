@@ -34,7 +34,7 @@ def main():
     calls = {
         "tree list": lambda: tree.list(shafts),
         "tree count": lambda: tree.count(shafts),
-        "tree first": lambda: tree.first(shafts),
+        "tree first_contact": lambda: tree.first_contact(shafts),
         "flat count": lambda: stream.count(shafts),
         "flat list": lambda: stream.list(shafts),
         "flat bits": lambda: stream.cull(shafts, packed=True),

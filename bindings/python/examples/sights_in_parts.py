@@ -16,7 +16,7 @@ def scene(count=2_000):
     at = np.stack(np.meshgrid(*[np.arange(2, 100, 5)] * 2), axis=-1).reshape(-1, 2)
     walls = np.hstack([at, 0 * at[:, :1], at + (3, 1), 3 + 0 * at[:, :1]]).astype(np.float32)
     trees = random.integers(0, 100, (200, 3)) * (1, 1, 0)
-    return patches, dict(blockers=np.hstack([trees, trees + 1]).astype(np.float32), solids=walls)
+    return patches, dict(occluders=np.hstack([trees, trees + 1]).astype(np.float32), solids=walls)
 
 
 def tasks(patches, parts):
@@ -28,7 +28,7 @@ def tasks(patches, parts):
 def answers(patches, between, task):
     """Undecided pairs by the indices of all patches, how many candidates each has, these, and how many pairs of a kind."""
     a, b = task
-    found = shaftcull.visibility(patches[a], None if b is None else patches[b], blockers=between)
+    found = shaftcull.visibility(patches[a], None if b is None else patches[b], occluders=between)
     pairs = np.stack([a[found.undecided[:, 0]], (a if b is None else b)[found.undecided[:, 1]]], axis=1)
     return pairs, np.diff(found.offsets), found.candidates, np.array(list(found.counts.values()))
 
@@ -38,12 +38,12 @@ def main():
 
     world = MPI.COMM_WORLD
     patches, between = scene()
-    between = shaftcull.Blockers(between["blockers"], solids=between["solids"])
+    between = shaftcull.Occluders(between["occluders"], solids=between["solids"])
     mine = tasks(patches, parts=8)[world.rank :: world.size]
     parts = world.gather([answers(patches, between, task) for task in mine])
     if world.rank == 0:
         counts = sum(part[3] for share in parts for part in share)
-        print("%d undecided, %d clear, %d blocked, %d facing away" % tuple(counts))
+        print("%d undecided, %d clear, %d occluded, %d facing away" % tuple(counts))
     return parts
 
 

@@ -22,7 +22,7 @@ def fall(fixed, bodies, by=-3, most_steps=200):
     tree = shaftcull.BoxTree(np.vstack([fixed, bodies]))
     for step in range(most_steps):
         # With open contact a body slides along what is beside it.
-        hit, when = tree.first(shaftcull.Shafts.swept(bodies, [0, 0, by], contact="open"), exclude_each=own)
+        hit, when = tree.first_contact(shaftcull.Shafts.swept(bodies, [0, 0, by], contact="open"), exclude_each=own)
         # In a step the others stand still; times are rounded down, so a body stops just above what it hits or on it.
         down = np.where(hit < 0, 1, when) * np.float32(by)
         tops = np.where(hit < 0, -np.inf, np.vstack([fixed, bodies])[hit, 5])

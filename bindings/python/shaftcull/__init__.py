@@ -7,7 +7,7 @@ shafts, and ask:
     tree = shaftcull.BoxTree(boxes)
     offsets, indices = tree.list(a, b)             # the boxes that may stand between a[i] and b[i]
     shafts = shaftcull.Shafts.swept(bodies, displacements)
-    indices, times = tree.first(shafts)            # which box each body hits first, and when
+    indices, times = tree.first_contact(shafts)            # which box each body hits first, and when
     found = shaftcull.visibility(patches, solids=walls, triangles=mesh)    # of all pairs, what sees what
 
 Answers are those of real arithmetic for the float32 given, and the same bits on every machine.
@@ -15,7 +15,7 @@ Answers are those of real arithmetic for the float32 given, and the same bits on
 
 from shaftcull._shaftcull import (
     BadBound,
-    Blockers,
+    Occluders,
     Bounds,
     Boxes,
     BoxStream,
@@ -51,7 +51,7 @@ from shaftcull._shaftcull import (
 
 __all__ = [
     "BadBound",
-    "Blockers",
+    "Occluders",
     "Bounds",
     "Boxes",
     "BoxStream",

@@ -11,7 +11,7 @@ _Floats = Any
 _Integers = npt.ArrayLike
 _Contact = Literal["closed", "open"]
 _Depth = Literal["zero_to_one", "minus_one_to_one"]
-_Sight = Literal["undecided", "clear", "blocked", "facing_away"]
+_Sight = Literal["undecided", "clear", "occluded", "facing_away"]
 _Test = Literal["exact", "vertices"]
 
 _Bits = npt.NDArray[Any]  # of bool, or uint64 if they stay packed
@@ -43,7 +43,7 @@ class Shafts:
         bodies: _Floats, displacements: _Floats, *, planes: _Floats | None = None, contact: _Contact = "closed"
     ) -> Shafts: ...
     @staticmethod
-    def swept_without_end(
+    def swept_infinite(
         bodies: _Floats, directions: _Floats, *, planes: _Floats | None = None, contact: _Contact = "closed"
     ) -> Shafts: ...
     @staticmethod
@@ -71,7 +71,7 @@ class Shafts:
     def open_contact(self) -> _Bools: ...
     def with_contact(self, contact: _Contact) -> Shafts: ...
     def completed(self) -> Shafts: ...
-    def blocked_by_polygon(self, corners: _Floats) -> _Bools: ...
+    def occluded_by_polygon(self, corners: _Floats) -> _Bools: ...
 
 class ConvexHull:
     def __init__(self, points: _Floats, directions: _Floats | None = None) -> None: ...
@@ -183,7 +183,7 @@ class Bounds:
     def has_layers(self) -> bool: ...
 
 class Boxes(Bounds):
-    def first(
+    def first_contact(
         self,
         shafts: _Asked,
         b: _Floats | None = None,
@@ -195,7 +195,7 @@ class Boxes(Bounds):
         only: _Integers | None = None,
     ) -> Tuple[_Numbers, _Times]: ...
     def entry_times(self, shafts: Shafts, indices: _Integers) -> npt.NDArray[np.float32]: ...
-    def blocked(
+    def occluded(
         self,
         shafts: _Asked,
         b: _Floats | None = None,
@@ -205,7 +205,7 @@ class Boxes(Bounds):
         exclude_mask: npt.ArrayLike | None = None,
         layer_mask: _Integers | None = None,
     ) -> _Bools: ...
-    def blocked_by(
+    def find_occluder(
         self,
         shafts: _Asked,
         b: _Floats | None = None,
@@ -215,7 +215,7 @@ class Boxes(Bounds):
         exclude_mask: npt.ArrayLike | None = None,
         layer_mask: _Integers | None = None,
     ) -> _Numbers: ...
-    def list_blocking(
+    def list_occluders(
         self,
         shafts: _Asked,
         b: _Floats | None = None,
@@ -243,8 +243,8 @@ class BoxTree(Boxes):
     @property
     def needs_refit(self) -> bool: ...
     def rebuild(self) -> None: ...
-    def renumber(self) -> None: ...
-    def growth(self) -> float: ...
+    def reorder(self) -> None: ...
+    def sah_ratio(self) -> float: ...
     @property
     def order(self) -> npt.NDArray[np.uint32]: ...
     @property
@@ -253,7 +253,7 @@ class BoxTree(Boxes):
     def memory_bytes(self) -> int: ...
 
 class Spheres(Bounds):
-    def first(
+    def first_contact(
         self,
         shafts: _Asked,
         b: _Floats | None = None,
@@ -282,8 +282,8 @@ class SphereTree(Spheres):
     @property
     def needs_refit(self) -> bool: ...
     def rebuild(self) -> None: ...
-    def renumber(self) -> None: ...
-    def growth(self) -> float: ...
+    def reorder(self) -> None: ...
+    def sah_ratio(self) -> float: ...
     @property
     def order(self) -> npt.NDArray[np.uint32]: ...
     @property
@@ -319,7 +319,7 @@ class Patches:
     @property
     def order(self) -> npt.NDArray[np.uint32]: ...
 
-class Blockers:
+class Occluders:
     def __init__(
         self,
         boxes: _Floats | None = None,
@@ -334,8 +334,8 @@ class Blockers:
     def __len__(self) -> int: ...
     @property
     def first(self) -> dict[str, int]: ...
-    def box(self, blocker: int) -> npt.NDArray[np.float32]: ...
-    def triangles(self, blocker: int) -> npt.NDArray[np.uint32]: ...
+    def box(self, occluder: int) -> npt.NDArray[np.float32]: ...
+    def triangles(self, occluder: int) -> npt.NDArray[np.uint32]: ...
 
 class Visibility:
     @property
@@ -355,7 +355,7 @@ class Visibility:
     @property
     def order_b(self) -> npt.NDArray[np.uint32]: ...
     @property
-    def blockers(self) -> Blockers: ...
+    def occluders(self) -> Occluders: ...
     def pairs(self, sight: _Sight) -> npt.NDArray[np.uint32]: ...
     def bits(self, sight: _Sight, *, packed: bool = False) -> _Bits: ...
 
@@ -365,7 +365,7 @@ def visibility(
     *,
     planes: _Floats | None = None,
     planes_b: _Floats | None = None,
-    blockers: _Floats | Blockers | None = None,
+    occluders: _Floats | Occluders | None = None,
     solids: _Floats | None = None,
     hulls: _Floats | None = None,
     polygons: _Floats | None = None,
@@ -384,7 +384,7 @@ def count_visibility(
     *,
     planes: _Floats | None = None,
     planes_b: _Floats | None = None,
-    blockers: _Floats | Blockers | None = None,
+    occluders: _Floats | Occluders | None = None,
     solids: _Floats | None = None,
     hulls: _Floats | None = None,
     polygons: _Floats | None = None,

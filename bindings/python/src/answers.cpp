@@ -24,7 +24,7 @@ class BitRows {
   using Spans = std::array<std::span<std::uint64_t>, Kinds>;
 
   BitRows(const Shafts& shafts, std::size_t bounds, bool packed)
-      : bounds_(bounds), words_(words_for(bounds)), packed_(packed) {
+      : bounds_(bounds), words_(bit_words(bounds)), packed_(packed) {
     std::vector<py::ssize_t> shape;
     if (!shafts.one) shape.push_back(static_cast<py::ssize_t>(shafts.count));
     shape.push_back(static_cast<py::ssize_t>(packed ? words_ : bounds));
@@ -106,7 +106,7 @@ template <class One, class Many>
   py::array_t<bool> array(static_cast<py::ssize_t>(shafts.count));
   bool* const answers = array.mutable_data();
   in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-    std::vector<std::uint64_t> words(words_for(count));
+    std::vector<std::uint64_t> words(bit_words(count));
     many(shafts.span().subspan(first, count), words, question.options.of(first, count));
     unpack(words.data(), count, answers + first);
   });
@@ -186,11 +186,11 @@ py::object ask_count_classified(const Question& question) {
   return py::make_tuple(array_of(std::move(overlap)), array_of(std::move(inside)));
 }
 
-py::object ask_blocked(const Question& question) {
+py::object ask_occluded(const Question& question) {
   return bools_of(
-      question, [&](const Query& query) { return blocked(question.shafts.front(), question.bounds, query); },
+      question, [&](const Query& query) { return occluded(question.shafts.front(), question.bounds, query); },
       [&](auto shafts, std::span<std::uint64_t> words, const Query& query) {
-        blocked_many(shafts, question.bounds, words, query);
+        occluded_many(shafts, question.bounds, words, query);
       });
 }
 

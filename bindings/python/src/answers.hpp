@@ -21,14 +21,14 @@ py::object ask_classify(const Question& question, bool packed);
 py::object ask_any(const Question& question);
 py::object ask_count(const Question& question);
 py::object ask_count_classified(const Question& question);
-py::object ask_blocked(const Question& question);
+py::object ask_occluded(const Question& question);
 
 // lists.cpp: indices and times.
 py::object ask_list(const Question& question, bool times);
 py::object ask_list_classified(const Question& question);
-py::object ask_first(const Question& question);
-py::object ask_blocked_by(const Question& question);
-py::object ask_list_blocking(const Question& question);
+py::object ask_first_contact(const Question& question);
+py::object ask_find_occluder(const Question& question);
+py::object ask_list_occluders(const Question& question);
 py::object ask_entry_times(Holder& holder, const py::object& shaft, const py::object& indices);
 
 }  // namespace shaftcull::python

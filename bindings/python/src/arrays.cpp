@@ -116,7 +116,7 @@ BoxesIn boxes_of(py::array_t<float> lo, py::array_t<float> hi, bool one) {
     }
     const auto step =
         static_cast<std::size_t>(one || count <= 1 ? static_cast<py::ssize_t>(sizeof(Box)) : stride(lo, 0));
-    boxes.where = MinMaxRecords{lo.data(), hi.data(), step, count};
+    boxes.where = StridedBoxes{lo.data(), hi.data(), step, count};
   }
   boxes.kept = {std::move(lo), std::move(hi)};
   return boxes;
@@ -208,7 +208,7 @@ BoxesIn boxes_in(const py::object& given, const std::string& name) {
   };
   if (axes == 2 && array.shape(0) == 2 && array.shape(1) == 3) return boxes_of(corner(0), corner(1), true);
   if (axes == 3 && array.shape(1) == 2 && array.shape(2) == 3) return boxes_of(corner(0), corner(1), false);
-  if (py::isinstance<py::list>(given) && array.size() == 0) return {MinMaxRecords{}, 0, false, {}, false};
+  if (py::isinstance<py::list>(given) && array.size() == 0) return {StridedBoxes{}, 0, false, {}, false};
   refuse_shape(name, array, box_shapes);
 }
 
@@ -237,12 +237,12 @@ SpheresIn spheres_in(const py::object& given, const std::string& name) {
       for (py::ssize_t axis = 0; axis != 3; ++axis) records.mutable_at(i, axis) = centres.at(i, axis);
       records.mutable_at(i, 3) = radii.at(i);
     }
-    return {SphereRecords{records.data(), records.data() + 3, sizeof(Sphere), count}, count, false, {records}, false};
+    return {StridedSpheres{records.data(), records.data() + 3, sizeof(Sphere), count}, count, false, {records}, false};
   }
   py::array_t<float> array = floats_in(given, name, rounding);
   const bool one = array.ndim() == 1 && array.shape(0) == 4;
   if (!one && (array.ndim() != 2 || array.shape(1) != 4)) {
-    if (py::isinstance<py::list>(given) && array.size() == 0) return {SphereRecords{}, 0, false, {}, false};
+    if (py::isinstance<py::list>(given) && array.size() == 0) return {StridedSpheres{}, 0, false, {}, false};
     refuse_shape(name, array, sphere_shapes);
   }
   const auto count = static_cast<std::size_t>(one ? 1 : array.shape(0));
@@ -254,7 +254,7 @@ SpheresIn spheres_in(const py::object& given, const std::string& name) {
   }
   if (!dense(array, one ? 0 : 1) || (!one && !goes_on(array, 0))) array = in_c_order(array);
   const std::size_t step = one || count <= 1 ? sizeof(Sphere) : static_cast<std::size_t>(stride(array, 0));
-  return {SphereRecords{array.data(), array.data() + 3, step, count}, count, one, {array}, false};
+  return {StridedSpheres{array.data(), array.data() + 3, step, count}, count, one, {array}, false};
 }
 
 TrianglesIn triangles_in(const py::object& given, const py::object& faces, const std::string& name) {
@@ -393,7 +393,7 @@ std::vector<std::uint64_t> bits_in(const py::object& given, const std::string& n
     refuse_shape(name, array, "(" + std::to_string(count) + ",): one for each bound");
   }
   const py::array_t<bool, py::array::c_style> bools(array);
-  std::vector<std::uint64_t> words(words_for(count));
+  std::vector<std::uint64_t> words(bit_words(count));
   for (std::size_t i = 0; i != count; ++i) words[i / 64] |= std::uint64_t{bools.data()[i]} << (i % 64);
   return words;
 }

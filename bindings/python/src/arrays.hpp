@@ -34,7 +34,7 @@ namespace py = pybind11;
 
 /// Boxes of an argument. They lie in the memory of `kept`, which they must not outlive.
 struct BoxesIn {
-  std::variant<MinMaxRecords, BoxView> where;
+  std::variant<StridedBoxes, BoxView> where;
   std::size_t count = 0;
   bool one = false;  ///< a single box, of shape (6,) or (2, 3)
   std::vector<py::object> kept;
@@ -45,7 +45,7 @@ struct BoxesIn {
 [[nodiscard]] BoxesIn boxes_in(const py::object& given, const std::string& name);
 
 struct SpheresIn {
-  std::variant<SphereRecords, SphereView> where;
+  std::variant<StridedSpheres, SphereView> where;
   std::size_t count = 0;
   bool one = false;
   std::vector<py::object> kept;

@@ -21,7 +21,7 @@ class Streams {
       return;
     }
     try {
-      packed_ = BoxStream(std::get<MinMaxRecords>(boxes.where));
+      packed_ = BoxStream(std::get<StridedBoxes>(boxes.where));
     } catch (const BadBound& error) {
       throw BadBound(error.index(), name + ": " + error.what());
     }
@@ -209,16 +209,16 @@ rounded: where a body ends need not be a float32.
 bodies: boxes, as those of between(). displacements: float32 (n, 3), or (3,) for all bodies.
 planes: float32 (n, k, 4) or (k, 4), as those of between().)")
       .def_static(
-          "swept_without_end",
+          "swept_infinite",
           [](const py::object& bodies, const py::object& directions, const py::object& planes,
              const std::string& contact) {
             return moving(bodies, directions, planes, contact, "directions",
                           [](const BoxView& boxes, std::span<const Vec3> vectors, std::span<CompiledShaft> out,
-                             std::span<const Plane> added) { swept_without_end_batch(boxes, vectors, out, added); });
+                             std::span<const Plane> added) { swept_infinite_batch(boxes, vectors, out, added); });
           },
           arg("bodies"), arg("directions"), py::kw_only(), arg("planes") = none, arg("contact") = "closed", R"(
 What bodies sweep over that move in directions without end: bodies[i] + t * directions[i], t >= 0. What can cast the
-sun's shadow on receivers is swept_without_end(receivers, towards_sun).
+sun's shadow on receivers is swept_infinite(receivers, towards_sun).
 
 bodies: boxes, as those of between(). directions: float32 (n, 3) of any length but 0, or (3,) for all bodies.)")
       .def_static("shadow", &shadow, arg("lights"), arg("occluders"), arg("reach") = none, py::kw_only(),

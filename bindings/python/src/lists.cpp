@@ -158,7 +158,7 @@ py::object ask_list_classified(const Question& question) {
   return py::make_tuple(lists_of(std::move(overlap).joined()), lists_of(std::move(inside).joined()));
 }
 
-py::object ask_first(const Question& question) {
+py::object ask_first_contact(const Question& question) {
   const Shafts& shafts = question.shafts;
   if (shafts.one) {
     FirstContact contact;
@@ -183,10 +183,10 @@ py::object ask_first(const Question& question) {
   return py::make_tuple(array_of(std::move(indices)), array_of(std::move(times)));
 }
 
-py::object ask_blocked_by(const Question& question) {
+py::object ask_find_occluder(const Question& question) {
   const Shafts& shafts = question.shafts;
   const auto ask = [&](std::size_t shaft) -> std::int64_t {
-    const auto found = blocked_by(shafts.span()[shaft], question.bounds, question.options.of(shaft, 1));
+    const auto found = find_occluder(shafts.span()[shaft], question.bounds, question.options.of(shaft, 1));
     return found ? std::int64_t{*found} : -1;
   };
   if (shafts.one) {
@@ -204,14 +204,14 @@ py::object ask_blocked_by(const Question& question) {
   return array_of(std::move(found));
 }
 
-py::object ask_list_blocking(const Question& question) {
+py::object ask_list_occluders(const Question& question) {
   return answer(question.shafts, lists_by(
                                      question,
                                      [&](std::span<std::uint32_t> room, const Query& query) {
-                                       return list_blocking(question.shafts.front(), question.bounds, room, query);
+                                       return list_occluders(question.shafts.front(), question.bounds, room, query);
                                      },
                                      [&](auto range, IndexLists& to, const Query& query) {
-                                       list_blocking_many(range, question.bounds, to, query);
+                                       list_occluders_many(range, question.bounds, to, query);
                                      }));
 }
 

@@ -80,16 +80,16 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const std
   }
 }
 
-BlockersHolder blockers_in(const py::object& boxes, const BlockerArguments& more) {
-  if (py::isinstance<BlockersHolder>(boxes)) {
+OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& more) {
+  if (py::isinstance<OccludersHolder>(boxes)) {
     for (const py::object* const other :
          {&more.solids, &more.hulls, &more.polygons, &more.triangles, &more.faces, &more.groups}) {
-      if (!other->is_none()) throw py::value_error("blockers are Blockers already; nothing can be added to them");
+      if (!other->is_none()) throw py::value_error("occluders are Occluders already; nothing can be added to them");
     }
-    return boxes.cast<BlockersHolder>();
+    return boxes.cast<OccludersHolder>();
   }
-  Blockers all;
-  BlockersHolder holder;
+  Occluders all;
+  OccludersHolder holder;
   const auto add = [&](const py::object& given, const char* name, auto&& to_all) {
     if (given.is_none()) return;
     try {
@@ -101,7 +101,7 @@ BlockersHolder blockers_in(const py::object& boxes, const BlockerArguments& more
       throw InvalidArgument(std::string(name) + ": " + bad.what());
     }
   };
-  add(boxes, "blockers", [&](const py::object& given, const char* name) {
+  add(boxes, "occluders", [&](const py::object& given, const char* name) {
     const BoxesInStreams in(given, name);
     const py::gil_scoped_release release;
     return all.add_boxes(in.view());
@@ -142,7 +142,7 @@ BlockersHolder blockers_in(const py::object& boxes, const BlockerArguments& more
   if (more.triangles.is_none() && (!more.faces.is_none() || !more.groups.is_none())) {
     throw py::value_error("faces and groups are of triangles, which are not given");
   }
-  holder.all = std::make_shared<const Blockers>(std::move(all));
+  holder.all = std::make_shared<const Occluders>(std::move(all));
   return holder;
 }
 
@@ -150,15 +150,15 @@ py::array order_of(const PatchSet& set) {
   return array_of(std::vector<std::uint32_t>(set.order().begin(), set.order().end()));
 }
 
-void add_blockers(py::module_& module) {
+void add_occluders(py::module_& module) {
   using py::arg;
   const py::object none = py::none();
-  py::class_<BlockersHolder>(module, "Blockers", R"(
-What stands between patches, for several calls of visibility(). It never changes. Blockers are numbered from 0 on: first
+  py::class_<OccludersHolder>(module, "Occluders", R"(
+What stands between patches, for several calls of visibility(). It never changes. Occluders are numbered from 0 on: first
 those of `boxes`, then solids, hulls, polygons, and groups of triangles.
 
 boxes: what may hide something: float32 (n, 6), as everywhere.
-solids: boxes that are solid, as walls are. They make pairs 'blocked', also where several are one larger box together.
+solids: boxes that are solid, as walls are. They make pairs 'occluded', also where several are one larger box together.
 hulls: convex hulls that are solid: (n, k, 3), or a list of (k, 3), of 4 to 32 corners each.
 polygons: flat convex polygons without thickness, by their corners in order: such arrays, of 3 corners or more.
 triangles, faces: a mesh, (n, 3, 3), or vertices (v, 3) with faces (f, 3).
@@ -166,39 +166,39 @@ groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. Wit
       .def(py::init([](const py::object& boxes, const py::object& solids, const py::object& hulls,
                        const py::object& polygons, const py::object& triangles, const py::object& faces,
                        const py::object& groups) {
-             return blockers_in(boxes, {solids, hulls, polygons, triangles, faces, groups});
+             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups});
            }),
            arg("boxes") = none, py::kw_only(), arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
            arg("triangles") = none, arg("faces") = none, arg("groups") = none)
-      .def("__len__", [](const BlockersHolder& self) { return self.all->size(); })
+      .def("__len__", [](const OccludersHolder& self) { return self.all->size(); })
       .def_property_readonly(
           "first",
-          [](const BlockersHolder& self) {
+          [](const OccludersHolder& self) {
             py::dict dict;
             for (const auto& [name, number] : self.first) dict[name.c_str()] = number;
             return dict;
           },
-          "The number of the first blocker of each argument that was given: {'solids': 0, 'triangles': 12}, say; "
-          "boxes are 'blockers'.")
+          "The number of the first occluder of each argument that was given: {'solids': 0, 'triangles': 12}, say; "
+          "boxes are 'occluders'.")
       .def(
           "box",
-          [](const BlockersHolder& self, const py::object& blocker) {
-            const auto at = indices_in(blocker, "blocker", self.all->size(), "blockers");
-            if (at.indices.size() != 1) throw py::value_error("blocker must be one number");
+          [](const OccludersHolder& self, const py::object& occluder) {
+            const auto at = indices_in(occluder, "occluder", self.all->size(), "occluders");
+            if (at.indices.size() != 1) throw py::value_error("occluder must be one number");
             return array_of(self.all->box(at.indices[0]));
           },
-          arg("blocker"), "The box around one blocker: float32 (6,).")
+          arg("occluder"), "The box around one occluder: float32 (6,).")
       .def(
           "triangles",
-          [](const BlockersHolder& self, const py::object& blocker) {
-            const auto at = indices_in(blocker, "blocker", self.all->size(), "blockers");
-            if (at.indices.size() != 1) throw py::value_error("blocker must be one number");
+          [](const OccludersHolder& self, const py::object& occluder) {
+            const auto at = indices_in(occluder, "occluder", self.all->size(), "occluders");
+            if (at.indices.size() != 1) throw py::value_error("occluder must be one number");
             const auto found = self.all->triangles(at.indices[0]);
             return array_of(std::vector<std::uint32_t>(found.begin(), found.end()));
           },
-          arg("blocker"), "Which triangles one blocker has: uint32, none if it is no group of triangles.")
-      .def("__repr__", [](const BlockersHolder& self) {
-        return "<shaftcull.Blockers, " + std::to_string(self.all->size()) + " of them>";
+          arg("occluder"), "Which triangles one occluder has: uint32, none if it is no group of triangles.")
+      .def("__repr__", [](const OccludersHolder& self) {
+        return "<shaftcull.Occluders, " + std::to_string(self.all->size()) + " of them>";
       });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Patches and blockers as Python gives them.
+/// Patches and occluders as Python gives them.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ class BoxesInStreams {
       if (const BoxView* const view = std::get_if<BoxView>(&in_.where)) {
         view_ = *view;
       } else {
-        packed_ = BoxStream(std::get<MinMaxRecords>(in_.where));
+        packed_ = BoxStream(std::get<StridedBoxes>(in_.where));
         view_ = packed_.view();
       }
     } catch (const BadBound& bad) {
       const std::string what = bad.what();
-      // Streams also take the empty box, which can be no patch and no blocker.
+      // Streams also take the empty box, which can be no patch and no occluder.
       throw BadBound(bad.index(), name + ": " + what.substr(0, what.find(", or the box empty")));
     }
   }
@@ -43,14 +43,14 @@ class BoxesInStreams {
 PatchSet patches_in(const py::object& boxes, const py::object& planes, const std::string& name,
                     const std::string& planes_name);
 
-/// What Python knows as shaftcull.Blockers. It never changes.
-struct BlockersHolder {
-  std::shared_ptr<const Blockers> all;
-  std::vector<std::pair<std::string, std::size_t>> first;  ///< what each argument's first blocker is
+/// What Python knows as shaftcull.Occluders. It never changes.
+struct OccludersHolder {
+  std::shared_ptr<const Occluders> all;
+  std::vector<std::pair<std::string, std::size_t>> first;  ///< what each argument's first occluder is
 };
 
 /// The arguments that say what stands between.
-struct BlockerArguments {
+struct OccluderArguments {
   const py::object& solids;
   const py::object& hulls;
   const py::object& polygons;
@@ -59,13 +59,13 @@ struct BlockerArguments {
   const py::object& groups;
 };
 
-/// Everything that stands between: of arrays, or what shaftcull.Blockers holds. Errors name the arguments.
-BlockersHolder blockers_in(const py::object& boxes, const BlockerArguments& more);
+/// Everything that stands between: of arrays, or what shaftcull.Occluders holds. Errors name the arguments.
+OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& more);
 
 /// Its patches in the order of its tree, as Python sees them.
 [[nodiscard]] py::array order_of(const PatchSet& set);
 
 void add_patches(py::module_& module);
-void add_blockers(py::module_& module);
+void add_occluders(py::module_& module);
 
 }  // namespace shaftcull::python

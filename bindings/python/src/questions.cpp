@@ -88,7 +88,7 @@ How many bounds overlap shafts and how many are inside: two of int64 (n,), or of
   ask<LimitKeyword, OnlyKeyword, TestKeyword>(to, "list", &ask_list, R"(
 Which bounds are kept: (offsets, indices), int64 (n + 1,) and uint32; shaft i keeps
 indices[offsets[i]:offsets[i + 1]]. Of one shaft the indices alone. They ascend; those of a tree have its order.
-With times=True there is one array more, float32: when the moving box reaches each box or sphere, as first() says.)",
+With times=True there is one array more, float32: when the moving box reaches each box or sphere, as first_contact() says.)",
                                               arg("times") = false);
   ask<OnlyKeyword, TestKeyword>(to, "list_classified", &ask_list_classified, R"(
 Which bounds overlap shafts, and which are inside: two results as that of list().)");
@@ -98,7 +98,7 @@ Which bounds overlap shafts, and which are inside: two results as that of list()
 template <class Bound>
 void add_first_contact(py::class_<HolderOf<Bound>, Holder>& to) {
   using py::arg;
-  ask<OnlyKeyword>(to, "first", &ask_first, R"(
+  ask<OnlyKeyword>(to, "first_contact", &ask_first_contact, R"(
 Which bound the moving box of a shaft reaches first, and when: (indices, times), int64 and float32 (n,), or an int and a
 float. -1 and infinity if it reaches none. Time is 0 at a and 1 at b; a body that is swept is at b = body +
 displacement then. Times are rounded down; which bound is first is decided exactly.)");
@@ -110,12 +110,12 @@ shafts: one shaft. indices: integers (k,).)");
 
 /// What boxes are asked beyond that.
 void add_blocking(py::class_<HolderOf<Box>, Holder>& to) {
-  ask(to, "blocked", &ask_blocked, R"(
+  ask(to, "occluded", &ask_occluded, R"(
 Whether one of the boxes, which are solid, hides the one end of a shaft from the other: every segment from a to b passes
 through it. Touching does not block. bool (n,), or one. Only shafts between boxes can be asked.)");
-  ask(to, "blocked_by", &ask_blocked_by, R"(
+  ask(to, "find_occluder", &ask_find_occluder, R"(
 The index of a box that hides the one end of a shaft from the other: int64 (n,), or an int; -1 for none.)");
-  ask<LimitKeyword>(to, "list_blocking", &ask_list_blocking, R"(
+  ask<LimitKeyword>(to, "list_occluders", &ask_list_occluders, R"(
 The indices of all boxes that hide the one end of a shaft from the other: a result as that of list().)");
 }
 

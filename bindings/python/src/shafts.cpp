@@ -136,7 +136,7 @@ void add_shafts(py::module_& module) {
   py::class_<Shafts> shafts(module, "Shafts", R"(
 An array of shafts: of shape (n,), or () for one shaft.
 
-They are made by between(), swept(), swept_without_end(), shadow() and concatenate(), never change, and take 832
+They are made by between(), swept(), swept_infinite(), shadow() and concatenate(), never change, and take 832
 bytes each. An integer as index gives one shaft, a slice of step 1 a view, and other slices and index arrays copies.)");
   add_kinds(shafts);
   shafts
@@ -187,10 +187,10 @@ All shafts of several Shafts and ConvexHulls, in that order. Hulls are kept as l
 Copies with their planes worked out, some 65 ns each. It pays where shafts are asked more than once about what is
 inside, or about spheres; answers are the same.)")
       .def(
-          "blocked_by_polygon",
+          "occluded_by_polygon",
           [](const Shafts& self, const py::object& corners) {
             const VectorsIn polygon = vectors_in(corners, "corners");
-            return bools(self, [&polygon](const CompiledShaft& shaft) { return blocked(shaft, polygon.vectors); });
+            return bools(self, [&polygon](const CompiledShaft& shaft) { return occluded(shaft, polygon.vectors); });
           },
           arg("corners"), R"(
 Whether a convex polygon hides the one end of a shaft from the other: a wall at any angle. bool (n,), or one.

@@ -14,10 +14,10 @@ namespace shaftcull::python {
 namespace {
 
 Sight sight_in(const std::string& text) {
-  for (const Sight sight : {Sight::undecided, Sight::clear, Sight::blocked, Sight::facing_away}) {
+  for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
     if (text == name(sight)) return sight;
   }
-  throw py::value_error("sight is '" + text + "'; it must be 'undecided', 'clear', 'blocked' or 'facing_away'");
+  throw py::value_error("sight is '" + text + "'; it must be 'undecided', 'clear', 'occluded' or 'facing_away'");
 }
 
 /// An array in the memory of an object, which it keeps alive. It is not written to.
@@ -33,7 +33,7 @@ py::array seen_in(const py::object& owner, const Number* first, std::vector<py::
 py::array pairs_of(const Sights& sights, const std::string& name) {
   const Sight sight = sight_in(name);
   const SightCounts& counts = sights.all.counts;
-  const std::array<std::uint64_t, 4> numbers = {counts.undecided, counts.clear, counts.blocked, counts.facing_away};
+  const std::array<std::uint64_t, 4> numbers = {counts.undecided, counts.clear, counts.occluded, counts.facing_away};
   py::array_t<std::uint32_t> array(
       std::vector<py::ssize_t>{static_cast<py::ssize_t>(numbers[static_cast<std::size_t>(sight)]), 2});
   std::uint32_t* to = array.mutable_data();
@@ -48,7 +48,7 @@ py::array pairs_of(const Sights& sights, const std::string& name) {
 py::array bits_of(const Sights& sights, const std::string& name, bool packed) {
   const Sight sight = sight_in(name);
   const std::size_t rows = sights.a.size();
-  const std::size_t words = words_for(sights.b.size());
+  const std::size_t words = bit_words(sights.b.size());
   const std::size_t row = packed ? words : sights.b.size();
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(rows), static_cast<py::ssize_t>(row)};
   const auto fill = [&](auto* to, auto&& set) {
@@ -77,12 +77,12 @@ void add_decided(py::class_<Sights>& answers) {
   answers
       .def_property_readonly(
           "counts", [](const Sights& self) { return counts_of(self.all.counts); },
-          "How many pairs are 'undecided', 'clear', 'blocked' and 'facing_away': a dict.")
+          "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict.")
       .def_property_readonly(
           "products",
           [](const py::object& self) {
             const auto& products = self.cast<const Sights&>().all.products;
-            const auto stride = static_cast<py::ssize_t>(sizeof(SightProduct));
+            const auto stride = static_cast<py::ssize_t>(sizeof(PairBlock));
             return seen_in(self, products.empty() ? nullptr : &products.data()->a.first,
                            {static_cast<py::ssize_t>(products.size()), 4}, {stride, 4});
           },
@@ -93,12 +93,12 @@ order_a[first_a:first_a + count_a] and all of order_b[first_b:first_b + count_b]
           "sights",
           [](const py::object& self) {
             const auto& products = self.cast<const Sights&>().all.products;
-            const auto stride = static_cast<py::ssize_t>(sizeof(SightProduct));
+            const auto stride = static_cast<py::ssize_t>(sizeof(PairBlock));
             return seen_in(self,
                            products.empty() ? nullptr : reinterpret_cast<const std::uint8_t*>(&products.data()->sight),
                            {static_cast<py::ssize_t>(products.size())}, {stride});
           },
-          "What is said of each product: uint8 (p,): 1 clear, 2 blocked, 3 facing_away.");
+          "What is said of each product: uint8 (p,): 1 clear, 2 occluded, 3 facing_away.");
 }
 
 /// What is not, pair by pair.
@@ -134,7 +134,7 @@ void add_undecided(py::class_<Sights>& answers) {
             return seen_in(self, candidates.empty() ? nullptr : candidates.data(),
                            {static_cast<py::ssize_t>(candidates.size())}, {4});
           },
-          "Numbers of blockers, ascending for each pair: uint32, or None.");
+          "Numbers of occluders, ascending for each pair: uint32, or None.");
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ py::dict counts_of(const SightCounts& counts) {
   py::dict dict;
   dict[name(Sight::undecided)] = counts.undecided;
   dict[name(Sight::clear)] = counts.clear;
-  dict[name(Sight::blocked)] = counts.blocked;
+  dict[name(Sight::occluded)] = counts.occluded;
   dict[name(Sight::facing_away)] = counts.facing_away;
   return dict;
 }
@@ -162,16 +162,16 @@ What visibility() found, of every pair. Arrays that it gives are read-only, and 
           "order_b", [](const Sights& self) { return order_of(self.b); },
           "The same of patches_b; of one set with itself it is order_a.")
       .def_property_readonly(
-          "blockers", [](const Sights& self) { return self.blockers; }, "What stood between: Blockers.")
+          "occluders", [](const Sights& self) { return self.occluders; }, "What stood between: Occluders.")
       .def("pairs", &pairs_of, arg("sight"), R"(
 All pairs of one kind: uint32 (n, 2), indices of patches, of one set with itself each pair once.
 
-sight: 'undecided', 'clear', 'blocked' or 'facing_away'.)")
+sight: 'undecided', 'clear', 'occluded' or 'facing_away'.)")
       .def("bits", &bits_of, arg("sight"), py::kw_only(), arg("packed") = false, R"(
 Which pairs are of one kind: bool (a, b). With packed=True uint64 of (b + 63) // 64 words per row instead. Of one set
 with itself both bits of a pair are set.
 
-sight: 'undecided', 'clear', 'blocked' or 'facing_away'.)")
+sight: 'undecided', 'clear', 'occluded' or 'facing_away'.)")
       .def("__repr__", [](const Sights& self) {
         const SightCounts& counts = self.all.counts;
         return "<shaftcull.Visibility of " + std::to_string(counts.total()) + " pairs, " +

@@ -20,12 +20,12 @@ struct Sights {
   PatchSet b;
   bool of_one_set;
   bool has_candidates;
-  BlockersHolder blockers;
+  OccludersHolder occluders;
 
   /// Calls use(i, j) for each pair of a kind, by the user's indices.
   template <class Use>
   void for_each(Sight sight, Use&& use) const {
-    for (const SightProduct& product : all.products) {
+    for (const PairBlock& product : all.products) {
       if (product.sight != sight) continue;
       for (const std::uint32_t i : a.order().subspan(product.a.first, product.a.count)) {
         for (const std::uint32_t j : b.order().subspan(product.b.first, product.b.count)) use(i, j);

@@ -83,20 +83,20 @@ refit() is due before the next question.)")
             const py::gil_scoped_release release;
             self.tree.rebuild();
           },
-          "Sorts the bounds again, as they are now. Indices stay; order changes. It pays when growth() is 2 or 3.")
+          "Sorts the bounds again, as they are now. Indices stay; order changes. It pays when sah_ratio() is 2 or 3.")
       .def(
-          "renumber",
+          "reorder",
           [](Made& self) {
             const Changing changing(self.usage);
-            self.tree.renumber();
+            self.tree.reorder();
           },
           "Numbers the bounds again, by their places in the order of the tree.")
       .def(
-          "growth",
+          "sah_ratio",
           [](Made& self) {
             const Reading reading(self.usage);
             const py::gil_scoped_release release;
-            return self.tree.growth();
+            return self.tree.sah_ratio();
           },
           "How much larger the smallest nodes have become since the tree was built: 1 at first.")
       .def_property_readonly(

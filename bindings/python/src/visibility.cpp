@@ -27,11 +27,11 @@ struct Asked {
   PatchSet a;
   PatchSet b;
   bool of_one_set = false;
-  BlockersHolder blockers;
+  OccludersHolder occluders;
   VisibilityOptions options;
 
   Asked(const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
-        const py::object& boxes, const BlockerArguments& more, const std::string& contact, bool solids_around_ends,
+        const py::object& boxes, const OccluderArguments& more, const std::string& contact, bool solids_around_ends,
         std::size_t memory)
       : of_one_set(patches_b.is_none()) {
     a = patches_in(patches, planes, "patches", "planes");
@@ -41,7 +41,7 @@ struct Asked {
     } else {
       b = patches_in(patches_b, planes_b, "patches_b", "planes_b");
     }
-    blockers = blockers_in(boxes, more);
+    occluders = occluders_in(boxes, more);
     options.contact = contact_in(contact);
     options.solids_around_ends = solids_around_ends;
     options.memory = memory;
@@ -94,10 +94,10 @@ constexpr const char* asked_arguments = R"(
 
 patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, of each two of the patches once.
 planes, planes_b: of patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
-blockers: boxes of what may hide something; or Blockers, and then none of the five that follow.
-solids, hulls, polygons, triangles with faces, groups: what else stands between, as Blockers say.
-contact: 'open' leaves out what only touches a shaft, so a patch may lie on a blocker; 'closed' does not.
-solids_around_ends: whether a solid that reaches around a patch makes its pairs 'blocked'.
+occluders: boxes of what may hide something; or Occluders, and then none of the five that follow.
+solids, hulls, polygons, triangles with faces, groups: what else stands between, as Occluders say.
+contact: 'open' leaves out what only touches a shaft, so a patch may lie on an occluder; 'closed' does not.
+solids_around_ends: whether a solid that reaches around a patch makes its pairs 'occluded'.
 memory: bytes that answers under way may take, 1 MB or more.
 progress: is called as progress(done, total) some times a second, on this thread; if it raises, the call ends.)";
 
@@ -107,29 +107,29 @@ void add_collecting(py::module_& module) {
   module.def(
       "visibility",
       [](const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
-         const py::object& blockers, const py::object& solids, const py::object& hulls, const py::object& polygons,
+         const py::object& occluders, const py::object& solids, const py::object& hulls, const py::object& polygons,
          const py::object& triangles, const py::object& faces, const py::object& groups, const std::string& contact,
          bool solids_around_ends, bool candidates, std::size_t at_most, const py::object& progress) {
-        Asked asked(patches, patches_b, planes, planes_b, blockers, {solids, hulls, polygons, triangles, faces, groups},
-                    contact, solids_around_ends, at_most);
+        Asked asked(patches, patches_b, planes, planes_b, occluders,
+                    {solids, hulls, polygons, triangles, faces, groups}, contact, solids_around_ends, at_most);
         asked.options.candidates = candidates;
         Visibility all = while_hearing(asked.options, progress, [&asked](const VisibilityOptions& options) {
-          const Blockers& between = *asked.blockers.all;
+          const Occluders& between = *asked.occluders.all;
           return asked.of_one_set ? collect_visibility(asked.a, between, options)
                                   : collect_visibility(asked.a, asked.b, between, options);
         });
         return std::make_unique<Sights>(
-            Sights{std::move(all), asked.a, asked.b, asked.of_one_set, candidates, asked.blockers});
+            Sights{std::move(all), asked.a, asked.b, asked.of_one_set, candidates, asked.occluders});
       },
       arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
-      arg("blockers") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
+      arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
       arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("contact") = "open",
       arg("solids_around_ends") = true, arg("candidates") = true, arg("memory") = VisibilityOptions().memory,
       arg("progress") = none,
       (std::string(R"(
-What sees what: of every pair of patches, whether nothing stands between ('clear'), one solid hides all ('blocked'), one
+What sees what: of every pair of patches, whether nothing stands between ('clear'), one solid hides all ('occluded'), one
 lies behind the plane of the other ('facing_away'), or none of these ('undecided'): those come with their candidates,
-the blockers that reach between. All are exact for the float32 given. Returns a Visibility.)") +
+the occluders that reach between. All are exact for the float32 given. Returns a Visibility.)") +
        asked_arguments + R"(
 candidates: whether undecided pairs come with candidates.)")
           .c_str());
@@ -141,23 +141,23 @@ void add_counting(py::module_& module) {
   module.def(
       "count_visibility",
       [](const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
-         const py::object& blockers, const py::object& solids, const py::object& hulls, const py::object& polygons,
+         const py::object& occluders, const py::object& solids, const py::object& hulls, const py::object& polygons,
          const py::object& triangles, const py::object& faces, const py::object& groups, const std::string& contact,
          bool solids_around_ends, std::size_t at_most, const py::object& progress) {
-        const Asked asked(patches, patches_b, planes, planes_b, blockers,
+        const Asked asked(patches, patches_b, planes, planes_b, occluders,
                           {solids, hulls, polygons, triangles, faces, groups}, contact, solids_around_ends, at_most);
         return counts_of(while_hearing(asked.options, progress, [&asked](const VisibilityOptions& options) {
-          const Blockers& between = *asked.blockers.all;
+          const Occluders& between = *asked.occluders.all;
           return asked.of_one_set ? count_visibility(asked.a, between, options)
                                   : count_visibility(asked.a, asked.b, between, options);
         }));
       },
       arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
-      arg("blockers") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
+      arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
       arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("contact") = "open",
       arg("solids_around_ends") = true, arg("memory") = VisibilityOptions().memory, arg("progress") = none,
       (std::string(R"(
-How many pairs are 'undecided', 'clear', 'blocked' and 'facing_away': a dict, as the counts of visibility(). It keeps
+How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict, as the counts of visibility(). It keeps
 nothing of any pair.)") +
        asked_arguments)
           .c_str());
@@ -167,7 +167,7 @@ nothing of any pair.)") +
 
 void add_visibility(py::module_& module) {
   add_patches(module);
-  add_blockers(module);
+  add_occluders(module);
   add_sights(module);
   add_collecting(module);
   add_counting(module);

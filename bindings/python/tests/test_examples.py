@@ -50,7 +50,7 @@ def test_bodies_stop_at_what_they_touch_first():
     # None overlaps another, and each stands on something: a hair lower it would.
     np.testing.assert_array_equal(fallen[:, [0, 1, 3, 4]], bodies[:, [0, 1, 3, 4]])
     assert not tree.any(shaftcull.Shafts.between(fallen, fallen, contact="open"), exclude_each=own).any()
-    hit, when = tree.first(shaftcull.Shafts.swept(fallen, [0, 0, -1], contact="open"), exclude_each=own)
+    hit, when = tree.first_contact(shaftcull.Shafts.swept(fallen, [0, 0, -1], contact="open"), exclude_each=own)
     assert (hit >= 0).all() and (when < 1e-6).all()
     np.testing.assert_allclose(everything[hit, 5], fallen[:, 2], atol=1e-6)
     assert len(np.unique(fallen[:, 2])) > 5 and (hit >= len(fixed)).any() and (hit == 0).any()

@@ -172,7 +172,7 @@ def test_bad_ends_of_shafts_are_named_by_argument_and_index(a, b):
     with pytest.raises(sc.BadBound, match="not finite"):
         sc.Shafts.swept(a, np.full((len(a), 3), INF))
     with pytest.raises(sc.BadBound, match="0"):
-        sc.Shafts.swept_without_end(a, [0, 0, 0])
+        sc.Shafts.swept_infinite(a, [0, 0, 0])
     with pytest.raises(ValueError, match="apart"):
         sc.Shafts.shadow(a, a)
     with pytest.raises(ValueError, match="reach"):
@@ -249,9 +249,9 @@ def test_a_shaft_that_cannot_be_asked_is_named_among_all(a, b, boxes):
     shafts = sc.Shafts.concatenate([between, between, swept])
     for holder in (sc.BoxTree(boxes), sc.BoxStream(boxes)):
         with pytest.raises(ValueError, match="80"):
-            holder.blocked(shafts)
+            holder.occluded(shafts)
         with pytest.raises(ValueError, match="80"):
-            holder.list_blocking(shafts)
+            holder.list_occluders(shafts)
 
 
 def test_float64_is_rounded_outwards_on_request():
@@ -295,7 +295,7 @@ def test_spheres_of_float64_are_rounded_outwards_on_request():
 def test_results_own_their_memory(boxes, a, b):
     tree = sc.BoxTree(boxes)
     shafts = sc.Shafts.between(a, b)
-    results = [*tree.list(shafts, times=True), tree.cull(shafts), tree.count(shafts), *tree.first(shafts), tree.order]
+    results = [*tree.list(shafts, times=True), tree.cull(shafts), tree.count(shafts), *tree.first_contact(shafts), tree.order]
     copies = [result.copy() for result in results]
     tree.update(boxes[::-1].copy())
     del tree, shafts

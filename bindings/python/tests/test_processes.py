@@ -37,7 +37,7 @@ def test_the_interpreter_lock_is_released(million):
         "one shaft": lambda: stream.count(one),
         "bits": lambda: stream.cull(shafts[:100]),
         "lists": lambda: stream.list(shafts),
-        "first": lambda: stream.first(shafts),
+        "first_contact": lambda: stream.first_contact(shafts),
     }
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1000)  # nobody takes the lock from a thread that does not give it
@@ -180,7 +180,7 @@ ask = {
     "count": lambda: stream.count(shafts),
     "list": lambda: [tree.list(shafts) for _ in range(1000)],
     "cull": lambda: [stream.cull(shafts[:1000], packed=True) for _ in range(1000)],
-    "first": lambda: [stream.first(shafts)],
+    "first_contact": lambda: [stream.first_contact(shafts)],
     "times": lambda: [tree.list(shafts, times=True) for _ in range(1000)],
 }[sys.argv[1]]
 sent = []
@@ -199,7 +199,7 @@ else:
 """
 
 
-@pytest.mark.parametrize("question", ["count", "list", "cull", "first", "times"])
+@pytest.mark.parametrize("question", ["count", "list", "cull", "first_contact", "times"])
 def test_control_c_ends_a_long_call(question):
     done = run(INTERRUPTED, question)
     assert done.returncode == 0, done.stderr
@@ -274,8 +274,8 @@ def answers(boxes, of):
     tree = sc.BoxTree(boxes)
     shafts = sc.Shafts.between(boxes, boxes, pairs=of)
     offsets, indices = tree.list(shafts, exclude_each=of)
-    first, times = tree.first(shafts, exclude_each=of)
-    return np.diff(offsets), indices, first, times, tree.blocked(shafts)
+    first, times = tree.first_contact(shafts, exclude_each=of)
+    return np.diff(offsets), indices, first, times, tree.occluded(shafts)
 """
 
 

@@ -24,7 +24,7 @@ KINDS = {
     "between": lambda a, b: (sc.Shafts.between(a, b), [oracle.between(x, y) for x, y in zip(a, b)]),
     "swept": lambda a, b: (sc.Shafts.swept(a, b[:, :3]), [oracle.swept(x, y[:3]) for x, y in zip(a, b)]),
     "without end": lambda a, b: (
-        sc.Shafts.swept_without_end(a, b[:, :3] + np.float32(0.25)),
+        sc.Shafts.swept_infinite(a, b[:, :3] + np.float32(0.25)),
         [oracle.swept(x, y[:3] + np.float32(0.25), None) for x, y in zip(a, b)],
     ),
     "shadow": lambda a, b: (sc.Shafts.shadow(a - 20, b), [oracle.shadow(x - 20, y) for x, y in zip(a, b)]),
@@ -47,7 +47,7 @@ def test_bits_counts_lists_and_times_are_those_of_the_definition(kind, holder, b
         np.testing.assert_array_equal(entered, [oracle.entry_time(shaft, boxes[i]) for i in row])
     for some, every in zip(rows(*holder.list(shafts, limit=2)), rows(*holder.list(shafts))):
         np.testing.assert_array_equal(some, every[:2])
-    found, when = holder.first(shafts)
+    found, when = holder.first_contact(shafts)
     wanted = [oracle.first(shaft, boxes) for shaft in defined]
     np.testing.assert_array_equal(found, [index for index, _ in wanted])
     np.testing.assert_array_equal(when, [time for _, time in wanted])
@@ -86,12 +86,12 @@ def test_one_shaft_has_the_answers_of_its_row(holder, boxes, a, b):
         np.testing.assert_array_equal(holder.list(one, times=True)[1], holder.entry_times(one, row))
         for mine, (starts, all_of_them) in zip(holder.list_classified(one), holder.list_classified(shafts)):
             np.testing.assert_array_equal(mine, all_of_them[starts[i] : starts[i + 1]])
-        assert holder.first(one) == tuple(x[i] for x in holder.first(shafts))
+        assert holder.first_contact(one) == tuple(x[i] for x in holder.first_contact(shafts))
         np.testing.assert_array_equal(holder.list(one, only=row[::-1]), row[::-1])
-        assert holder.blocked(one) is bool(holder.blocked(shafts)[i])
-        assert holder.blocked_by(one) == holder.blocked_by(shafts)[i]
-        starts, blocking = holder.list_blocking(shafts)
-        np.testing.assert_array_equal(holder.list_blocking(one), blocking[starts[i] : starts[i + 1]])
+        assert holder.occluded(one) is bool(holder.occluded(shafts)[i])
+        assert holder.find_occluder(one) == holder.find_occluder(shafts)[i]
+        starts, blocking = holder.list_occluders(shafts)
+        np.testing.assert_array_equal(holder.list_occluders(one), blocking[starts[i] : starts[i + 1]])
 
 
 def test_boxes_ask_as_shafts_between_them_do(holder, a, b):
@@ -124,12 +124,12 @@ def test_a_wall_blocks_and_a_post_does_not():
         for solids, by in (([wall], 0), ([post], -1), ([post, wall], 1)):
             holder = make(np.array(solids, dtype=np.float32))
             shafts = sc.Shafts.between([[-5, 0, 0, -4, 1, 1]] * 2, [[5, 0, 0, 6, 1, 1], [-5, 5, 5, -4, 6, 6]])
-            np.testing.assert_array_equal(holder.blocked(shafts), [by >= 0, False])
-            np.testing.assert_array_equal(holder.blocked_by(shafts), [by, -1])
-            np.testing.assert_array_equal(holder.list_blocking(shafts)[1], [by] if by >= 0 else [])
+            np.testing.assert_array_equal(holder.occluded(shafts), [by >= 0, False])
+            np.testing.assert_array_equal(holder.find_occluder(shafts), [by, -1])
+            np.testing.assert_array_equal(holder.list_occluders(shafts)[1], [by] if by >= 0 else [])
     square = [[0, -9, -9], [0, 9, -9], [1, 9, 9], [1, -9, 9]]
-    np.testing.assert_array_equal(shafts.blocked_by_polygon(square), [True, False])
-    assert shafts[0].blocked_by_polygon(square) is True
+    np.testing.assert_array_equal(shafts.occluded_by_polygon(square), [True, False])
+    assert shafts[0].occluded_by_polygon(square) is True
 
 
 def test_open_contact_leaves_out_what_touches():
@@ -178,7 +178,7 @@ def test_first_contact_is_among_the_bounds_that_options_leave(holder, boxes, a, 
             min(((row[i][0], i) for i in np.flatnonzero(bits)), default=(None, -1))
             for row, bits in zip(times, kept & left)
         ]
-        found, when = holder.first(shafts, **options)
+        found, when = holder.first_contact(shafts, **options)
         np.testing.assert_array_equal(found, [index for _, index in reached])
         entered = [np.inf if i < 0 else oracle.entry_time(shaft, boxes[i]) for shaft, (_, i) in zip(defined, reached)]
         np.testing.assert_array_equal(when, np.float32(entered))
@@ -186,7 +186,7 @@ def test_first_contact_is_among_the_bounds_that_options_leave(holder, boxes, a, 
         for row, mine, first in zip(rows(offsets, indices), np.split(all_times, offsets[1:-1]), entered):
             assert len(row) == len(mine) and mine.min(initial=np.inf) == first
     me = int(kept[3].argmax())
-    assert holder.first(shafts[3], exclude=me) == tuple(x[3] for x in holder.first(shafts, exclude=me))
+    assert holder.first_contact(shafts[3], exclude=me) == tuple(x[3] for x in holder.first_contact(shafts, exclude=me))
 
 
 def test_solids_are_left_out_as_other_bounds_are():
@@ -206,18 +206,18 @@ def test_solids_are_left_out_as_other_bounds_are():
             (dict(layer_mask=[1, 4]), [[0], []]),
             (dict(layer_mask=3, exclude=1, exclude_each=[2, 0]), [[0], []]),
         ):
-            np.testing.assert_array_equal(holder.blocked(shafts, **options), [len(row) > 0 for row in wanted])
-            blocking = rows(*holder.list_blocking(shafts, **options))
+            np.testing.assert_array_equal(holder.occluded(shafts, **options), [len(row) > 0 for row in wanted])
+            blocking = rows(*holder.list_occluders(shafts, **options))
             same_lists(blocking, wanted)
             np.testing.assert_array_equal(
-                holder.blocked_by(shafts, **options), [row[0] if len(row) else -1 for row in blocking]
+                holder.find_occluder(shafts, **options), [row[0] if len(row) else -1 for row in blocking]
             )
-            for some, every in zip(rows(*holder.list_blocking(shafts, limit=1, **options)), blocking):
+            for some, every in zip(rows(*holder.list_occluders(shafts, limit=1, **options)), blocking):
                 np.testing.assert_array_equal(some, every[:1])
-        assert holder.blocked(shafts[0], exclude=0) is True and holder.blocked(shafts[0], exclude=[0, 1]) is False
-        assert holder.blocked_by(shafts[0], layer_mask=2) == 1 and holder.blocked_by(shafts[0], layer_mask=4) == -1
-        np.testing.assert_array_equal(holder.list_blocking(shafts[0], exclude=1), [0])
-        assert len(holder.list_blocking(shafts[0], limit=1)) == 1
+        assert holder.occluded(shafts[0], exclude=0) is True and holder.occluded(shafts[0], exclude=[0, 1]) is False
+        assert holder.find_occluder(shafts[0], layer_mask=2) == 1 and holder.find_occluder(shafts[0], layer_mask=4) == -1
+        np.testing.assert_array_equal(holder.list_occluders(shafts[0], exclude=1), [0])
+        assert len(holder.list_occluders(shafts[0], limit=1)) == 1
 
 
 def test_layers_are_changed_and_forgotten(holder, boxes, a, b):
@@ -256,9 +256,9 @@ def test_layers_are_changed_and_forgotten(holder, boxes, a, b):
 def test_questions_refuse_options_that_mean_nothing_to_them(holder, a, b):
     shafts = sc.Shafts.between(a, b)
     wrong = [(verb, "limit") for verb in ("cull", "any", "classify", "count_classified", "list_classified", "first")]
-    wrong += [(verb, "limit") for verb in ("blocked", "blocked_by")]
-    wrong += [(verb, "only") for verb in ("blocked", "blocked_by", "list_blocking")]
-    wrong += [(verb, "triangle_test") for verb in ("first", "blocked", "blocked_by", "list_blocking")]
+    wrong += [(verb, "limit") for verb in ("occluded", "find_occluder")]
+    wrong += [(verb, "only") for verb in ("occluded", "find_occluder", "list_occluders")]
+    wrong += [(verb, "triangle_test") for verb in ("first_contact", "occluded", "find_occluder", "list_occluders")]
     for verb, option in wrong:
         with pytest.raises(TypeError, match=verb):
             getattr(holder, verb)(shafts, **{option: "exact" if option == "triangle_test" else 1})
@@ -303,12 +303,12 @@ def test_trees_follow_their_bounds(boxes, a, b):
     tree.refit()
     moved[[5, 7, 9]] = boxes[:3]
     np.testing.assert_array_equal(tree.cull(shafts), sc.BoxStream(moved).cull(shafts))
-    assert tree.growth() > 0
+    assert tree.sah_ratio() > 0
     np.testing.assert_array_equal(tree.box, np.hstack([moved[:, :3].min(0), moved[:, 3:].max(0)]))
     tree.rebuild()
     order = tree.order
     assert sorted(order) == list(range(len(boxes)))
-    tree.renumber()
+    tree.reorder()
     np.testing.assert_array_equal(tree.order, np.arange(len(boxes)))
     np.testing.assert_array_equal(tree.cull(shafts), sc.BoxStream(moved[order]).cull(shafts))
     assert len(tree) == len(boxes) and tree.memory_bytes > 28 * len(boxes)
@@ -340,4 +340,4 @@ def test_nothing_and_no_shafts_are_fine(boxes, a):
         assert list(offsets) == [0] and len(indices) == 0
         holder.set_layers(layers_of(len(boxes)))
         assert len(holder.list(none, none, exclude_each=np.empty((0, 2), int), layer_mask=[])[1]) == 0
-        assert holder.cull(none, none).shape == (0, len(boxes)) and len(holder.first(none, none)[0]) == 0
+        assert holder.cull(none, none).shape == (0, len(boxes)) and len(holder.first_contact(none, none)[0]) == 0

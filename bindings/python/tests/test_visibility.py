@@ -17,7 +17,7 @@ import pytest
 import shaftcull as sc
 from conftest import some_boxes
 
-KINDS = ("undecided", "clear", "blocked", "facing_away")
+KINDS = ("undecided", "clear", "occluded", "facing_away")
 EXAMPLES = pathlib.Path(__file__).parents[1] / "examples"
 
 
@@ -31,27 +31,27 @@ def is_behind(box, plane):
     return all(sum(x * y for x, y in zip(n, p)) <= n[3] for p in corners(box))
 
 
-def reaches_in(a, b, plane_a, plane_b, blocker, contact):
-    """Whether a blocker's box reaches into the shaft of a pair."""
-    if any(plane is not None and is_behind(blocker, plane) for plane in (plane_a, plane_b)):
+def reaches_in(a, b, plane_a, plane_b, occluder, contact):
+    """Whether an occluder's box reaches into the shaft of a pair."""
+    if any(plane is not None and is_behind(occluder, plane) for plane in (plane_a, plane_b)):
         return False
     if contact == "closed":
-        return oracle.kept(oracle.between(a, b), blocker)
-    return bool(sc.BoxTree(blocker[None]).any(sc.Shafts.between(a, b, contact="open")))
+        return oracle.kept(oracle.between(a, b), occluder)
+    return bool(sc.BoxTree(occluder[None]).any(sc.Shafts.between(a, b, contact="open")))
 
 
-def expectation(a, b, plane_a, plane_b, blockers, hiding, contact="open"):
+def expectation(a, b, plane_a, plane_b, occluders, hiding, contact="open"):
     """What may be said of a pair, and its candidates. hiding: boxes, and those that are one together."""
-    candidates = [i for i, box in enumerate(blockers) if reaches_in(a, b, plane_a, plane_b, box, contact)]
+    candidates = [i for i, box in enumerate(occluders) if reaches_in(a, b, plane_a, plane_b, box, contact)]
     true = set()
     if any(p is not None and is_behind(x, p) for x, p in ((b, plane_a), (a, plane_b))):
         true.add("facing_away")
-    if len(hiding) and sc.BoxTree(hiding).blocked(sc.Shafts.between(a, b)):
-        true.add("blocked")
+    if len(hiding) and sc.BoxTree(hiding).occluded(sc.Shafts.between(a, b)):
+        true.add("occluded")
     return (true or {"undecided" if candidates else "clear"}), candidates
 
 
-def check(found, a, b, planes_a, planes_b, blockers, hiding, contact="open"):
+def check(found, a, b, planes_a, planes_b, occluders, hiding, contact="open"):
     """Every pair is what the definition says, and in one place only."""
     said = {}
     for kind in KINDS:
@@ -68,7 +68,7 @@ def check(found, a, b, planes_a, planes_b, blockers, hiding, contact="open"):
             i, j = j, i
         allowed, wanted = expectation(
             a[i], others[j], planes_a if planes_a is None else planes_a[i], planes_b if planes_b is None else planes_b[j],
-            blockers, hiding, contact,
+            occluders, hiding, contact,
         )  # fmt: skip
         assert said[i, j] in allowed, (i, j, allowed)
         number += 1
@@ -97,15 +97,15 @@ def test_pairs_are_what_the_definition_says():
         solid[:, 3:] += 3
         planes_a, planes_b = (planes_of(seed, 14), planes_of(seed + 5, 12)) if with_planes else (None, None)
         hiding = sc.merged_boxes(solid)
-        blockers = np.vstack([may, solid])
-        options = dict(blockers=may, solids=solid, contact=contact)
+        occluders = np.vstack([may, solid])
+        options = dict(occluders=may, solids=solid, contact=contact)
         found = sc.visibility(a, b, planes=planes_a, planes_b=planes_b, **options)
-        counts = check(found, a, b, planes_a, planes_b, blockers, np.vstack([hiding, solid]), contact)
+        counts = check(found, a, b, planes_a, planes_b, occluders, np.vstack([hiding, solid]), contact)
         assert sc.count_visibility(a, b, planes=planes_a, planes_b=planes_b, **options) == counts
         for kind in KINDS:
             total[kind] += counts[kind]
         found = sc.visibility(a, planes=planes_a, **options)
-        counts = check(found, a, None, planes_a, None, blockers, np.vstack([hiding, solid]), contact)
+        counts = check(found, a, None, planes_a, None, occluders, np.vstack([hiding, solid]), contact)
         assert sum(counts.values()) == 14 * 13 // 2
         assert sc.count_visibility(a, planes=planes_a, **options) == counts
     assert min(total.values()) > 20, total
@@ -113,7 +113,7 @@ def test_pairs_are_what_the_definition_says():
 
 def test_products_orders_and_bits_are_of_the_same_pairs():
     a, b = some_boxes(1, 70), some_boxes(2, 65)
-    found = sc.visibility(a, b, planes=planes_of(1, 70), blockers=some_boxes(3, 4), solids=some_boxes(4, 6))
+    found = sc.visibility(a, b, planes=planes_of(1, 70), occluders=some_boxes(3, 4), solids=some_boxes(4, 6))
     assert found.products.shape == (len(found.sights), 4) and found.products.dtype == np.uint32
     assert not found.products.flags.writeable and not found.undecided.flags.writeable
     assert set(np.unique(found.sights)) <= {1, 2, 3} and found.sights.dtype == np.uint8
@@ -132,25 +132,25 @@ def test_products_orders_and_bits_are_of_the_same_pairs():
         assert words.shape == (70, 2) and words.dtype == np.uint64
         unpacked = np.unpackbits(words.view(np.uint8), axis=1, bitorder="little")[:, :65]
         np.testing.assert_array_equal(unpacked, bits[kind])
-    one = sc.visibility(a, blockers=some_boxes(3, 4))
+    one = sc.visibility(a, occluders=some_boxes(3, 4))
     both = sum(one.bits(kind).astype(int) for kind in KINDS)
     np.testing.assert_array_equal(both, 1 - np.eye(70, dtype=int))
     np.testing.assert_array_equal(one.bits("clear"), one.bits("clear").T)
 
 
 def test_answers_outlive_what_they_are_of():
-    found = sc.visibility(some_boxes(1, 70), blockers=some_boxes(3, 9))
+    found = sc.visibility(some_boxes(1, 70), occluders=some_boxes(3, 9))
     pairs, wanted = found.undecided, found.undecided.copy()
     candidates, wanted_candidates = found.candidates, found.candidates.copy()
     del found
-    sc.visibility(some_boxes(5, 70), blockers=some_boxes(6, 9))
+    sc.visibility(some_boxes(5, 70), occluders=some_boxes(6, 9))
     np.testing.assert_array_equal(pairs, wanted)
     np.testing.assert_array_equal(candidates, wanted_candidates)
     assert len(pairs) > 100
 
 
-def test_blockers_of_all_sorts():
-    """A pair of patches, and each sort of blocker between them in turn."""
+def test_occluders_of_all_sorts():
+    """A pair of patches, and each sort of occluder between them in turn."""
     ends = np.array([[0, 0, 0, 0, 1, 1], [10, 0, 0, 10, 1, 1]], dtype=np.float32)
     box = np.array([5, -9, -9, 6, 9, 9], dtype=np.float32)
     square = np.array([[5, -9, -9], [5, 9, -9], [5, 9, 9], [5, -9, 9]], dtype=np.float32)
@@ -158,37 +158,37 @@ def test_blockers_of_all_sorts():
                        [4, -40, 40], [8, -40, 40], [4, 40, 40], [8, 40, 40]], dtype=np.float32)  # fmt: skip
     triangle = square[:3]
 
-    def said(**blockers):
-        counts = sc.count_visibility(ends, **blockers)
+    def said(**occluders):
+        counts = sc.count_visibility(ends, **occluders)
         return [kind for kind in KINDS if counts[kind]][0]
 
     assert said() == "clear"
-    assert said(blockers=box) == "undecided"
-    assert said(solids=box) == said(solids=[box]) == "blocked"
-    assert said(solids=[box], solids_around_ends=False) == "blocked"
+    assert said(occluders=box) == "undecided"
+    assert said(solids=box) == said(solids=[box]) == "occluded"
+    assert said(solids=[box], solids_around_ends=False) == "occluded"
     around = np.array([-1, -1, -1, 1, 2, 2], dtype=np.float32)
-    assert said(solids=[around]) == "blocked" and said(solids=[around], solids_around_ends=False) != "blocked"
-    assert said(polygons=[square]) == said(polygons=square[None]) == "blocked"
-    assert said(hulls=[turned]) == said(hulls=turned[None]) == "blocked"
+    assert said(solids=[around]) == "occluded" and said(solids=[around], solids_around_ends=False) != "occluded"
+    assert said(polygons=[square]) == said(polygons=square[None]) == "occluded"
+    assert said(hulls=[turned]) == said(hulls=turned[None]) == "occluded"
     assert said(triangles=triangle[None]) == "undecided"
     assert said(triangles=square, faces=[[0, 1, 2], [0, 2, 3]]) == "undecided"
     assert said(planes=[1, 0, 0, 20]) == "facing_away"
     assert said(planes=[[1, 0, 0, 0], [-1, 0, 0, -10]]) == "clear"
     touching = np.array([0, 1, 0, 10, 2, 1], dtype=np.float32)
-    assert said(blockers=touching) == "clear" and said(blockers=touching, contact="closed") == "undecided"
+    assert said(occluders=touching) == "clear" and said(occluders=touching, contact="closed") == "undecided"
 
     five = np.repeat(triangle[None], 5, axis=0)
     solid = dict(solids=[box, box], hulls=[turned], polygons=[square])
-    blockers = sc.Blockers(box, **solid, triangles=five, groups=[0, 2, 5])
-    assert len(blockers) == 7
-    assert blockers.first == {"blockers": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
-    np.testing.assert_array_equal(blockers.box(2), box)
-    np.testing.assert_array_equal(blockers.box(4), [5, -9, -9, 5, 9, 9])
-    assert list(blockers.triangles(6)) == [2, 3, 4] and len(blockers.triangles(0)) == 0
-    found = sc.visibility(ends, blockers=blockers)
-    assert found.counts["blocked"] == 1 and len(found.blockers) == 7
-    assert "Blockers, 7 of them" in repr(blockers) and "1 pairs, 0 undecided" in repr(found)
-    without = sc.visibility(ends, blockers=box, candidates=False)
+    occluders = sc.Occluders(box, **solid, triangles=five, groups=[0, 2, 5])
+    assert len(occluders) == 7
+    assert occluders.first == {"occluders": 0, "solids": 1, "hulls": 3, "polygons": 4, "triangles": 5}
+    np.testing.assert_array_equal(occluders.box(2), box)
+    np.testing.assert_array_equal(occluders.box(4), [5, -9, -9, 5, 9, 9])
+    assert list(occluders.triangles(6)) == [2, 3, 4] and len(occluders.triangles(0)) == 0
+    found = sc.visibility(ends, occluders=occluders)
+    assert found.counts["occluded"] == 1 and len(found.occluders) == 7
+    assert "Occluders, 7 of them" in repr(occluders) and "1 pairs, 0 undecided" in repr(found)
+    without = sc.visibility(ends, occluders=box, candidates=False)
     assert without.offsets is None and without.candidates is None and len(without.undecided) == 1
 
 
@@ -210,7 +210,7 @@ def test_patches_are_kept_for_several_calls():
     "arguments, error, words",
     [
         (dict(patches=np.zeros((3, 6))), TypeError, "patches.*float64"),
-        (dict(patches=[0] * 6, blockers=np.zeros((3, 6))), TypeError, "blockers.*float64"),
+        (dict(patches=[0] * 6, occluders=np.zeros((3, 6))), TypeError, "occluders.*float64"),
         (dict(patches=[0] * 6, polygons=np.zeros((1, 4, 3))), TypeError, "polygons.*float64"),
         (dict(patches=[[1, 0, 0, 0, 1, 1]]), sc.BadBound, "patches: patch 0 has lo > hi: lo.x = 1 is above hi.x = 0$"),
         (dict(patches=[[0] * 6, [1, 0, 0, 0, 1, 1]]), sc.BadBound, "patches: box 1: lo.x = 1.*lo must be at most hi$"),
@@ -224,7 +224,7 @@ def test_patches_are_kept_for_several_calls():
         (dict(patches=[0] * 6, hulls=[[[0, 0, 0]] * 3]), ValueError, "hulls"),
         (dict(patches=[0] * 6, polygons=[[[0, 0, 0]] * 2]), ValueError, "polygons"),
         (dict(patches=[0] * 6, triangles=np.zeros((2, 9), np.float32), groups=[0, 3]), IndexError, "groups"),
-        (dict(patches=[0] * 6, blockers=sc.Blockers(), solids=[0] * 6), ValueError, "already"),
+        (dict(patches=[0] * 6, occluders=sc.Occluders(), solids=[0] * 6), ValueError, "already"),
         (dict(patches=sc.Patches([0] * 6), planes=[1, 0, 0, 0]), ValueError, "already"),
     ],
 )
@@ -240,7 +240,7 @@ def test_wrong_questions_are_refused():
     for ask in (found.pairs, found.bits):
         with pytest.raises(ValueError, match="'dark'"):
             ask("dark")
-    for ask in (sc.Blockers().box, sc.Blockers().triangles):
+    for ask in (sc.Occluders().box, sc.Occluders().triangles):
         with pytest.raises(IndexError):
             ask(0)
     with pytest.raises(TypeError, match="float64"):
@@ -265,10 +265,10 @@ def crowd(count=3000):
 
 
 def test_progress_is_told_and_may_end_the_call():
-    patches, blockers = crowd()
+    patches, occluders = crowd()
     told = []
     tell = lambda *at: told.append((at, threading.get_ident()))
-    counts = sc.count_visibility(patches, blockers=blockers, progress=tell)
+    counts = sc.count_visibility(patches, occluders=occluders, progress=tell)
     assert told[-1][0] == (sum(counts.values()),) * 2 == (3000 * 2999 // 2,) * 2
     assert all(done <= total for (done, total), _ in told) and {thread for _, thread in told} == {threading.get_ident()}
 
@@ -276,13 +276,13 @@ def test_progress_is_told_and_may_end_the_call():
         raise LookupError("enough")
 
     with pytest.raises(LookupError, match="enough"):
-        sc.visibility(patches, blockers=blockers, progress=enough)
+        sc.visibility(patches, occluders=occluders, progress=enough)
 
 
 def test_other_threads_go_on():
-    patches, blockers = crowd()
+    patches, occluders = crowd()
     counted, done = 0, threading.Event()
-    worker = threading.Thread(target=lambda: (sc.count_visibility(patches, blockers=blockers), done.set()))
+    worker = threading.Thread(target=lambda: (sc.count_visibility(patches, occluders=occluders), done.set()))
     worker.start()
     while not done.is_set():
         counted += 1
@@ -293,7 +293,7 @@ def test_other_threads_go_on():
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_ctrl_c_ends_a_call():
-    patches, blockers = crowd(12_000)
+    patches, occluders = crowd(12_000)
     # Once the call has begun: it tells of progress first.
     sent = []
 
@@ -303,7 +303,7 @@ def test_ctrl_c_ends_a_call():
             os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt):
-        sc.count_visibility(patches, blockers=blockers, progress=interrupt)
+        sc.count_visibility(patches, occluders=occluders, progress=interrupt)
     assert time.monotonic() - sent[0] < 10
 
 
@@ -314,7 +314,7 @@ def test_parts_have_the_answers_of_the_whole():
 
     patches, between = parts.scene(400)
     whole = sc.visibility(patches, **between)
-    check_parts(whole, [parts.answers(patches, sc.Blockers(between["blockers"], solids=between["solids"]), task)
+    check_parts(whole, [parts.answers(patches, sc.Occluders(between["occluders"], solids=between["solids"]), task)
                         for task in parts.tasks(patches, 5)])  # fmt: skip
 
 
@@ -332,7 +332,7 @@ def check_parts(whole, answers):
     assert merged == wanted and len(wanted) > 100
     # Patches have no planes, so one thing is true of each pair.
     np.testing.assert_array_equal(sum(counts for *_, counts in answers), list(whole.counts.values()))
-    assert min(whole.counts[kind] for kind in ("clear", "blocked")) > 100
+    assert min(whole.counts[kind] for kind in ("clear", "occluded")) > 100
 
 
 def test_two_processes_of_mpi_have_the_answers_of_one(tmp_path):

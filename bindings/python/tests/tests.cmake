@@ -19,7 +19,7 @@ endfunction()
 
 shaftcull_python_test(documents test_documents.py)
 shaftcull_python_test(questions test_questions.py)
-shaftcull_python_test(inputs test_inputs.py test_kinds.py)
+shaftcull_python_test(inputs test_inputs.py test_volumes.py)
 shaftcull_python_test(processes test_processes.py)
 shaftcull_python_test(stubs test_stubs.py)
 shaftcull_python_test(wheel test_wheel.py)

@@ -2,7 +2,7 @@
 // Bounds in streams and trees, and what they are asked.
 import {asIndices, checkOptions} from './arguments.js';
 import {Held, made} from './held.js';
-import {optionsOfMany, optionsOfOne, queryOf, wordsFor} from './query.js';
+import {optionsOfMany, optionsOfOne, queryOf, bitWords} from './query.js';
 import {allShafts, Hull, oneShaft} from './shafts.js';
 import {meshSource, sourceOf} from './sources.js';
 
@@ -25,8 +25,8 @@ export class Bounds extends Held {
 
   cull(shaft, options = {}) {
     const {module} = this;
-    const kept = module.resultsOf(4 * wordsFor(this.length));
-    this.ask('shaftcull_cull', shaft, options, kept, BigInt(wordsFor(this.length) / 2));
+    const kept = module.resultsOf(4 * bitWords(this.length));
+    this.ask('shaftcull_cull', shaft, options, kept, BigInt(bitWords(this.length) / 2));
     return module.words(kept, Math.ceil(this.length / 32));
   }
 
@@ -48,7 +48,7 @@ export class Bounds extends Held {
 
   classify(shaft, options = {}) {
     const {module} = this;
-    const words = wordsFor(this.length);
+    const words = bitWords(this.length);
     const kept = module.resultsOf(8 * words);
     this.ask('shaftcull_classify', shaft, options, kept, kept + 4 * words, BigInt(words / 2));
     const used = Math.ceil(this.length / 32);
@@ -157,7 +157,7 @@ export class Bounds extends Held {
 
 /** What spheres and boxes can be asked, too. */
 export class SphereBounds extends Bounds {
-  first(shaft, options = {}) {
+  firstContact(shaft, options = {}) {
     const {module} = this;
     const contact = module.resultsOf(16);
     this.ask('shaftcull_first_contact', shaft, options, contact);
@@ -180,14 +180,14 @@ export class SphereBounds extends Bounds {
 
 /** What boxes can be asked, too, as solids. */
 export class BoxBounds extends SphereBounds {
-  blockedBy(shaft, options = {}) {
+  findOccluder(shaft, options = {}) {
     const index = this.module.resultsOf(8);
-    this.ask('shaftcull_blocked_by', shaft, options, index);
+    this.ask('shaftcull_find_occluder', shaft, options, index);
     return this.module.position(index);
   }
 
-  listBlocking(shaft, options = {}) {
-    return this.listOf('shaftcull_list_blocking', shaft, options);
+  listOccluders(shaft, options = {}) {
+    return this.listOf('shaftcull_list_occluders', shaft, options);
   }
 }
 
@@ -201,11 +201,11 @@ const asTree = (Base) => class extends Base {
     });
   }
 
-  get growth() {
+  get sah_ratio() {
     const {module} = this;
-    const growth = module.resultsOf(8);
-    module.call('shaftcull_tree_growth', this.handle, growth);
-    return module.view.getFloat64(growth, true);
+    const ratio = module.resultsOf(8);
+    module.call('shaftcull_tree_sah_ratio', this.handle, ratio);
+    return module.view.getFloat64(ratio, true);
   }
 
   rebuild() {

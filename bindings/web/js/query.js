@@ -16,7 +16,7 @@ const ofAll = ['exclude', 'excludeMask', 'layerMask', 'limit', 'only', 'triangle
 export const optionsOfOne = ['at', ...ofAll];
 export const optionsOfMany = ['excludeEach', ...ofAll];
 
-export const wordsFor = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
+export const bitWords = (bounds) => 2 * Math.ceil(bounds / 64);  // of 32 bits
 
 /** Bits as cull() returns them; the C interface reads 64 at a time. */
 function maskOf(values, bounds) {
@@ -24,7 +24,7 @@ function maskOf(values, bounds) {
   if (words.length !== count) {
     throw new TypeError(`excludeMask has ${words.length} words instead of ${count}, one for each 32 bounds`);
   }
-  const mask = new Uint32Array(wordsFor(bounds));
+  const mask = new Uint32Array(bitWords(bounds));
   mask.set(words);
   return mask;
 }

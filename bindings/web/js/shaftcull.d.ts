@@ -32,7 +32,7 @@ export type Contact = 'closed' | 'open';
 export type ClipDepth = 'zero_to_one' | 'minus_one_to_one';
 
 /** What is said of a pair of patches. */
-export type Sight = 'undecided' | 'clear' | 'blocked' | 'facing_away';
+export type Sight = 'undecided' | 'clear' | 'occluded' | 'facing_away';
 
 /** Why a call failed. */
 export class ShaftcullError extends Error {
@@ -84,7 +84,7 @@ export interface Shaftcull {
   /** What each body sweeps over that moves by its displacement of 3 floats; one of either may be for all. */
   swept(bodies: Floats, displacements: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
   /** The same without end, in directions of 3 floats. */
-  sweptWithoutEnd(bodies: Floats, directions: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
+  sweptInfinite(bodies: Floats, directions: Floats, options?: {contact?: Contact, planes?: Floats}): Shafts;
   /**
    * All that occluder i can shadow from light i, which is apart from it: up to `reach` times its distance, 1 or more,
    * or without end. Pairs and planes are as for `between()`.
@@ -169,7 +169,7 @@ export interface QueryOptions {
   layerMask?: number | ArrayLike<number>;
   /** Stops at so many results of a shaft, those that come first; 1 or more. For lists and counts of kept bounds. */
   limit?: number;
-  /** Asks only about these bounds, by index; lists keep their order. Not for `blockedBy()` and `listBlocking()`. */
+  /** Asks only about these bounds, by index; lists keep their order. Not for `findOccluder()` and `listOccluders()`. */
   only?: ArrayLike<number>;
   /** 'exact' if it is not said, for hulls 'vertices', which is all that they answer. Not for boxes and spheres. */
   triangleTest?: TriangleTest;
@@ -228,7 +228,7 @@ export interface TriangleBounds extends Bounds {}
 /** Spheres and boxes can be reached by bodies that move, too. */
 export interface SphereBounds extends Bounds {
   /** The bound that the moving box of the shaft reaches first, and when, from 0 at the start to 1 at the end. */
-  first(shaft: Shafts, options?: Omit<AskOptions, 'limit'>): {index: number, time: number} | undefined;
+  firstContact(shaft: Shafts, options?: Omit<AskOptions, 'limit'>): {index: number, time: number} | undefined;
   /** When it reaches each of these, +∞ if never. Times are rounded down. */
   entryTimes(shaft: Shafts, indices: ArrayLike<number>, options?: {at?: number}): Float32Array;
 }
@@ -236,9 +236,9 @@ export interface SphereBounds extends Bounds {
 /** Boxes can be asked as solids, too. */
 export interface BoxBounds extends SphereBounds {
   /** The first solid found that alone hides the one end of the shaft from the other. */
-  blockedBy(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
+  findOccluder(shaft: Shafts, options?: Omit<AskOptions, 'limit' | 'only'>): number | undefined;
   /** All that do; with `limit` the first of them. */
-  listBlocking(shaft: Shafts, options?: Omit<AskOptions, 'only'>): Uint32Array;
+  listOccluders(shaft: Shafts, options?: Omit<AskOptions, 'only'>): Uint32Array;
 }
 
 /** A tree whose bounds may move. */
@@ -246,7 +246,7 @@ export interface SphereTree extends SphereBounds {
   /** Gives every bound a new value. O(n). */
   update(bounds: Floats): void;
   /** How much larger its nodes have become since it was built, 1 at first; at 2 or 3 `rebuild()` pays. */
-  readonly growth: number;
+  readonly sahRatio: number;
   /** Sorts the bounds again as they are now. */
   rebuild(): void;
 }
@@ -265,13 +265,13 @@ export interface VisibilityScene {
   /** The other set; without it, each two patches of one set are a pair, once. */
   patchesB?: Floats;
   planesB?: Floats;
-  /** Boxes that may hide something. They are blockers 0 to n − 1, and what follows is numbered on. */
+  /** Boxes that may hide something. They are occluders 0 to n − 1, and what follows is numbered on. */
   boxes?: Floats;
   /** Boxes that are solid. */
   solids?: Floats;
   /** Triangles of 9 floats, in groups of neighbours that the library makes. */
   triangles?: Floats;
-  /** Blockers that only touch: 'open' if it is not said. */
+  /** Occluders that only touch: 'open' if it is not said. */
   contact?: Contact;
 }
 
@@ -290,10 +290,10 @@ export interface Visibility {
   readonly orderB: Uint32Array;
   /** Undecided pairs: two patches each. */
   readonly undecided: Uint32Array;
-  /** Blockers that reach between pair p are candidates[offsets[p]] to before candidates[offsets[p + 1]]. */
+  /** Occluders that reach between pair p are candidates[offsets[p]] to before candidates[offsets[p + 1]]. */
   readonly offsets: Float64Array;
   readonly candidates: Uint32Array;
-  /** The triangles of each blocker, by their positions in the scene's; none of a box. */
+  /** The triangles of each occluder, by their positions in the scene's; none of a box. */
   readonly triangles: readonly Uint32Array[];
   /** All pairs of one kind, two patches each; of one set with itself each pair once. */
   pairs(sight: Sight): Uint32Array;

@@ -85,8 +85,8 @@ class Shaftcull {
     return shafts.swept(this.#module, bodies, displacements, options);
   }
 
-  sweptWithoutEnd(bodies, directions, options) {
-    return shafts.sweptWithoutEnd(this.#module, bodies, directions, options);
+  sweptInfinite(bodies, directions, options) {
+    return shafts.sweptInfinite(this.#module, bodies, directions, options);
   }
 
   shadow(lights, occluders, options) {

@@ -204,8 +204,8 @@ export function swept(module, bodies, displacements, options = {}) {
   return moving(module, 'shaftcull_shafts_set_swept_batch', bodies, displacements, 'displacements', options);
 }
 
-export function sweptWithoutEnd(module, bodies, directions, options = {}) {
-  return moving(module, 'shaftcull_shafts_set_swept_without_end_batch', bodies, directions, 'directions', options);
+export function sweptInfinite(module, bodies, directions, options = {}) {
+  return moving(module, 'shaftcull_shafts_set_swept_infinite_batch', bodies, directions, 'directions', options);
 }
 
 export function hull(module, points, directions = []) {

@@ -5,7 +5,7 @@ import {made} from './held.js';
 import {contacts} from './shafts.js';
 import {sourceOf} from './sources.js';
 
-const sightNames = ['undecided', 'clear', 'blocked', 'facing_away'];
+const sightNames = ['undecided', 'clear', 'occluded', 'facing_away'];
 const names = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 'triangles', 'contact'];
 const optionBytes = 40;  // src/layout.cpp
 const batchBytes = 40;
@@ -43,24 +43,24 @@ function patchesOf(module, scratch, owned, boxes, planes, name) {
                     BigInt(floats.length / 4));
 }
 
-function blockersOf(module, scratch, owned, scene) {
-  const blockers = owned.make('shaftcull_blockers_free', 'shaftcull_blockers_create');
+function occludersOf(module, scratch, owned, scene) {
+  const occluders = owned.make('shaftcull_occluders_free', 'shaftcull_occluders_create');
   const source = (kind, name) => sourceOf(module, scratch, kind, scene[name], name).pointer;
-  if (scene.boxes) module.call('shaftcull_blockers_add_boxes', blockers, source('boxes', 'boxes'), 0);
-  if (scene.solids) module.call('shaftcull_blockers_add_solids', blockers, source('boxes', 'solids'), 0);
+  if (scene.boxes) module.call('shaftcull_occluders_add_boxes', occluders, source('boxes', 'boxes'), 0);
+  if (scene.solids) module.call('shaftcull_occluders_add_solids', occluders, source('boxes', 'solids'), 0);
   if (scene.triangles) {
-    module.call('shaftcull_blockers_add_triangles', blockers, source('triangles', 'triangles'), 0, 0n, 0);
+    module.call('shaftcull_occluders_add_triangles', occluders, source('triangles', 'triangles'), 0, 0n, 0);
   }
-  return blockers;
+  return occluders;
 }
 
-/** The triangles of the scene in each blocker: none in boxes, which come first, and those of a group in the others. */
-function trianglesOf(module, scratch, blockers, boxes) {
+/** The triangles of the scene in each occluder: none in boxes, which come first, and those of a group in the others. */
+function trianglesOf(module, scratch, occluders, boxes) {
   const [first, count] = [scratch.zeros(8), scratch.zeros(8)];
   const none = new Uint32Array();
-  return Array.from({length: Number(module.call('shaftcull_blockers_count', blockers))}, (_, blocker) => {
-    if (blocker < boxes) return none;
-    module.call('shaftcull_blockers_triangles', blockers, BigInt(blocker), first, count);
+  return Array.from({length: Number(module.call('shaftcull_occluders_count', occluders))}, (_, occluder) => {
+    if (occluder < boxes) return none;
+    module.call('shaftcull_occluders_triangles', occluders, BigInt(occluder), first, count);
     return module.words(module.word(first), module.number(count));
   });
 }
@@ -81,15 +81,15 @@ export function visibility(module, scene) {
       const a = patchesOf(module, scratch, owned, scene.patches, scene.planes, 'patches');
       const two = Boolean(scene.patchesB);
       const b = two ? patchesOf(module, scratch, owned, scene.patchesB, scene.planesB, 'patchesB') : 0;
-      const blockers = blockersOf(module, scratch, owned, scene);
+      const occluders = occludersOf(module, scratch, owned, scene);
       const options = scratch.zeros(optionBytes);
       module.call('shaftcull_default_visibility_options', options);
       module.view.setUint32(options + 8, contact, true);
-      const sights = owned.make('shaftcull_sights_free', 'shaftcull_collect_visibility', a, b, blockers, options);
+      const sights = owned.make('shaftcull_sights_free', 'shaftcull_collect_visibility', a, b, occluders, options);
       const orderA = orderOf(module, scratch, a);
       const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
       const orderB = two ? orderOf(module, scratch, b) : orderA;
-      return new Visibility(module, scratch, sights, orderA, orderB, trianglesOf(module, scratch, blockers, boxes));
+      return new Visibility(module, scratch, sights, orderA, orderB, trianglesOf(module, scratch, occluders, boxes));
     });
   } finally {
     owned.release();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hashes of answers, for JavaScript: bench/hashes.
+// Hashes of answers, for JavaScript: conformance/hashes.
 #include "hashes/hashes.hpp"
 
 #include <cstdint>

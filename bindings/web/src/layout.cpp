@@ -44,7 +44,7 @@ static_assert(offsetof(shaftcull_visibility_options, contact) == 8);
 
 static_assert(sizeof(shaftcull_sight_counts) == 32);
 static_assert(offsetof(shaftcull_sight_counts, clear) == 8);
-static_assert(offsetof(shaftcull_sight_counts, blocked) == 16);
+static_assert(offsetof(shaftcull_sight_counts, occluded) == 16);
 static_assert(offsetof(shaftcull_sight_counts, facing_away) == 24);
 
 static_assert(sizeof(shaftcull_sight_product) == 20);

@@ -180,14 +180,14 @@ describe('bounds', () => {
   test('trees are updated and rebuilt', () => {
     const boxes = boxesOf(500, 4);
     const tree = shaftcull.boxTree(boxes);
-    assert.equal(tree.growth, 1);
+    assert.equal(tree.sahRatio, 1);
     const moved = boxesOf(500, 5);
     tree.update(moved);
-    assert(tree.growth > 1);
+    assert(tree.sahRatio > 1);
     const shaft = shaftcull.between([0, 0, 0, 9, 9, 9], [80, 80, 80, 99, 99, 99]);
     assert.deepEqual(ascending(tree.list(shaft)), [...shaftcull.boxStream(moved).list(shaft)]);
     tree.rebuild();
-    assert.equal(tree.growth, 1);
+    assert.equal(tree.sahRatio, 1);
     assert.deepEqual(ascending(tree.list(shaft)), [...shaftcull.boxStream(moved).list(shaft)]);
     assert.throws(() => tree.update(boxesOf(499, 5)), ShaftcullError);
   });
@@ -309,16 +309,16 @@ describe('options', () => {
     const shaft = shaftcull.swept([0, 0, 0, 30, 30, 30], [70, 70, 70]);
     for (const [name, holder, hasLayers] of prepared(13).filter(([one]) => !one.startsWith('triangle'))) {
       const whole = [...holder.list(shaft)];
-      const first = [holder.first(shaft).index];
+      const first = [holder.firstContact(shaft).index];
       for (const options of [{exclude: first}, ...optionSets(holder, hasLayers, whole)]) {
         const left = narrowed(whole, options);
         const times = holder.entryTimes(shaft, left);
-        const {index, time} = holder.first(shaft, options);
+        const {index, time} = holder.firstContact(shaft, options);
         const said = `${name}, ${Object.keys(options)}`;
         assert.equal(time, Math.min(...times), said);
         assert.equal(times[left.indexOf(index)], time, said);
       }
-      assert.equal(holder.first(shaft, {exclude: whole}), undefined, name);
+      assert.equal(holder.firstContact(shaft, {exclude: whole}), undefined, name);
     }
   });
 
@@ -327,16 +327,16 @@ describe('options', () => {
     const shaft = shaftcull.between([0, 0, 0, 1, 1, 1], [9, 0, 0, 10, 1, 1]);
     const solids = [...wall(2), ...wall(4), 6, 5, 5, 7, 6, 6, ...wall(7)];
     for (const holder of [shaftcull.boxStream(solids), shaftcull.boxTree(solids)]) {
-      const whole = [...holder.listBlocking(shaft)];
+      const whole = [...holder.listOccluders(shaft)];
       assert.deepEqual(ascending(whole), [0, 1, 3]);
-      assert.deepEqual([...holder.listBlocking(shaft, {limit: 2})], whole.slice(0, 2));
-      assert.deepEqual(ascending(holder.listBlocking(shaft, {exclude: [0, 2]})), [1, 3]);
-      assert.deepEqual(ascending(holder.listBlocking(shaft, {excludeMask: [0b1010]})), [0]);
-      assert.equal(holder.blockedBy(shaft, {exclude: [1, 3]}), 0);
-      assert.equal(holder.blockedBy(shaft, {exclude: [0, 1, 3]}), undefined);
+      assert.deepEqual([...holder.listOccluders(shaft, {limit: 2})], whole.slice(0, 2));
+      assert.deepEqual(ascending(holder.listOccluders(shaft, {exclude: [0, 2]})), [1, 3]);
+      assert.deepEqual(ascending(holder.listOccluders(shaft, {excludeMask: [0b1010]})), [0]);
+      assert.equal(holder.findOccluder(shaft, {exclude: [1, 3]}), 0);
+      assert.equal(holder.findOccluder(shaft, {exclude: [0, 1, 3]}), undefined);
       holder.setLayers([1, 2, 2, 4]);
-      assert.equal(holder.blockedBy(shaft, {layerMask: 4}), 3);
-      assert.deepEqual(ascending(holder.listBlocking(shaft, {layerMask: 6})), [1, 3]);
+      assert.equal(holder.findOccluder(shaft, {layerMask: 4}), 3);
+      assert.deepEqual(ascending(holder.listOccluders(shaft, {layerMask: 6})), [1, 3]);
     }
   });
 
@@ -368,10 +368,10 @@ describe('options', () => {
   test('that mean nothing are refused, by their name', () => {
     const shafts = shaftcull.between([...lamp, ...lamp], [...table, ...table]);
     for (const holder of [shaftcull.boxStream(scene), shaftcull.boxTree(scene)]) {
-      for (const question of ['cull', 'classify', 'any', 'listClassified', 'first', 'blockedBy']) {
+      for (const question of ['cull', 'classify', 'any', 'listClassified', 'first', 'findOccluder']) {
         assert.throws(() => holder[question](shafts, {limit: 1}), /limit/, question);
       }
-      for (const question of ['blockedBy', 'listBlocking']) {
+      for (const question of ['findOccluder', 'listOccluders']) {
         assert.throws(() => holder[question](shafts, {only: [0]}), /only/, question);
       }
       for (const [options, message] of [
@@ -446,7 +446,7 @@ describe('shafts', () => {
           const isRight = time === undefined ? entry === Infinity : entry <= time && time - entry < 1e-6 * time + 1e-30;
           assert(isRight, `${entry}, ${time}`);
         });
-        const first = tree.first(shaft);
+        const first = tree.firstContact(shaft);
         assert.equal(first?.time, kept.length === 0 ? undefined : Math.min(...entries));
         if (first) assert.equal(entries[first.index], first.time);
       }
@@ -455,22 +455,22 @@ describe('shafts', () => {
 
   test('without end, and shadows', () => {
     const tree = shaftcull.boxTree([50, 0, 0, 51, 1, 1, -50, 0, 0, -49, 1, 1]);
-    assert.deepEqual([...tree.list(shaftcull.sweptWithoutEnd([0, 0, 0, 1, 1, 1], [1, 0, 0]))], [0]);
+    assert.deepEqual([...tree.list(shaftcull.sweptInfinite([0, 0, 0, 1, 1, 1], [1, 0, 0]))], [0]);
     const [light, occluder] = [[-10, 0.5, 0.5, -10, 0.5, 0.5], [0, 0, 0, 1, 1, 1]];
     assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder))], [0]);
     assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder, {reach: 2}))], []);
     assert.deepEqual([...tree.list(shaftcull.shadow(light, occluder, {reach: 8, contact: 'open'}))], [0]);
   });
 
-  test('are blocked by solids', () => {
+  test('are occluded by solids', () => {
     const wall = [3, -9, -9, 4, 9, 9];
     const solids = [...wall, 3, 0, 0, 4, 0.5, 1, 5, -20, -20, 6, 20, 20];
     const shaft = shaftcull.between([0, 0, 0, 1, 1, 1], [8, 0, 0, 9, 1, 1]);
     for (const holder of [shaftcull.boxStream(solids), shaftcull.boxTree(solids)]) {
-      assert.deepEqual(ascending(holder.listBlocking(shaft)), [0, 2]);
-      assert.equal(typeof holder.blockedBy(shaft), 'number');
+      assert.deepEqual(ascending(holder.listOccluders(shaft)), [0, 2]);
+      assert.equal(typeof holder.findOccluder(shaft), 'number');
     }
-    assert.equal(shaftcull.boxTree(scene).blockedBy(shaftcull.between(lamp, table)), undefined);
+    assert.equal(shaftcull.boxTree(scene).findOccluder(shaftcull.between(lamp, table)), undefined);
   });
 });
 
@@ -483,7 +483,7 @@ describe('hulls', () => {
     assert.deepEqual([...tree.list(hull)], [0]);
     assert.deepEqual(hull.points, Float32Array.of(-5, -5, -5, 5, -5, -5, 0, 5, -5, 0, 0, 9));
     assert.deepEqual([...tree.list(shaftcull.hull([0, 0, 0], [1, 0, 0]))].sort(), [0, 1]);
-    assert.throws(() => tree.first(hull), ShaftcullError);
+    assert.throws(() => tree.firstContact(hull), ShaftcullError);
     hull.points.fill(0);
     assert.equal(hull.points[0], -5, 'points are copies');
     const triangles = [0, 0, 0, 1, 0, 0, 0, 1, 0, 20, 0, 0, 21, 0, 0, 20, 1, 0];
@@ -515,15 +515,15 @@ describe('visibility', () => {
       patches: row(0, 8), planes: planes(0, 1), patchesB: row(10, 8), planesB: planes(10, -1),
       solids: [-100, 4, -100, 7, 6, 100], boxes: [9, 4, 0, 9.5, 5, 1],
     });
-    const {clear, blocked, undecided, facing_away: away} = seen.counts;
-    assert.equal(clear + blocked + undecided + away, 64);
-    assert(clear > 0 && blocked > 0 && undecided > 0);
-    for (const sight of ['clear', 'blocked', 'undecided']) {
+    const {clear, occluded, undecided, facing_away: away} = seen.counts;
+    assert.equal(clear + occluded + undecided + away, 64);
+    assert(clear > 0 && occluded > 0 && undecided > 0);
+    for (const sight of ['clear', 'occluded', 'undecided']) {
       assert.equal(seen.pairs(sight).length, 2 * seen.counts[sight]);
     }
-    const blockedPairs = seen.pairs('blocked');
-    const isBlocked = new Set(upTo(blocked).map((p) => blockedPairs.subarray(2 * p, 2 * p + 2).join(' ')));
-    assert(isBlocked.has('0 0') && !isBlocked.has('7 7'));
+    const occludedPairs = seen.pairs('occluded');
+    const isOccluded = new Set(upTo(occluded).map((p) => occludedPairs.subarray(2 * p, 2 * p + 2).join(' ')));
+    assert(isOccluded.has('0 0') && !isOccluded.has('7 7'));
     assert.equal(seen.offsets.length, undecided + 1);
     assert.equal(seen.candidates.length, seen.offsets[undecided]);
     assert(seen.candidates.includes(0), 'the box that is not solid');

@@ -12,8 +12,8 @@ const shafts: Shafts = shaftcull.between(boxes, [2, 2, 2, 3, 3, 3], {contact: 'o
 const view: Hull = shaftcull.frustum(new Float32Array(16), 'zero_to_one');
 const every: readonly Bounds[] = [tree, shaftcull.sphereStream([]), shaftcull.triangleTree([], [])];
 export const numbers: number[] = every.map((bounds) => bounds.count(view) + bounds.list(shafts, {at: 1}).length);
-export const first: number | undefined = tree.first(shafts)?.time;
-export const blocked: number | undefined = tree.blockedBy(shafts, {exclude: [0]});
+export const first: number | undefined = tree.firstContact(shafts)?.time;
+export const occluded: number | undefined = tree.findOccluder(shafts, {exclude: [0]});
 tree.update(boxes);
 tree.setLayers(Uint32Array.of(1));
 tree.setLayersOf([0], [2]);
@@ -34,14 +34,14 @@ export const right: boolean = shaftcull.hashFamilies.every(({name, ways}) => {
 // @ts-expect-error: there is no such contact
 shaftcull.between(boxes, boxes, {contact: 'ajar'});
 // @ts-expect-error: spheres block nothing
-shaftcull.sphereTree([]).blockedBy(shafts);
+shaftcull.sphereTree([]).findOccluder(shafts);
 // @ts-expect-error: hulls do not move
-tree.first(view);
+tree.firstContact(view);
 // @ts-expect-error: one shaft has no rows of its own
 tree.list(shafts, {excludeEach: [0]});
 // @ts-expect-error: bits have no limit
 tree.cull(shafts, {limit: 1});
 // @ts-expect-error: solids are not asked about candidates
-tree.blockedBy(shafts, {only: [0]});
+tree.findOccluder(shafts, {only: [0]});
 // @ts-expect-error: there is no such test
 tree.list(shafts, {triangleTest: 'boxes'});

@@ -19,7 +19,7 @@
 namespace shaftcull::kernel {
 
 /// What is asked.
-enum class BlockingQuestion : std::uint8_t {
+enum class OcclusionQuestion : std::uint8_t {
   boxes,             ///< which boxes block the shaft
   boxes_in_a_plane,  ///< likewise, of a shaft that is flat: flat boxes in its plane may block it
   nodes,             ///< which boxes may hold one that blocks it
@@ -49,13 +49,13 @@ bool is_in_a_plane(const ShaftData& shaft) noexcept {
 /// A constraint that bounds t from below has `since` = (x − a's face) / travel, which t exceeds; one that bounds it
 /// from above has `until` = (b's face − x) / travel, which 1 − t exceeds. No t is left for both if their sum is 1 or
 /// more. Constraints that are satisfied for all t have negative values, which count as 0.
-template <class L, BlockingQuestion question>
-class BlockingConstraints {
+template <class L, OcclusionQuestion question>
+class OcclusionConstraints {
   using Vector = typename L::Vector;
   using Mask = typename L::Mask;
 
  public:
-  explicit BlockingConstraints(const ShaftData& shaft) noexcept : shaft_(shaft) {
+  explicit OcclusionConstraints(const ShaftData& shaft) noexcept : shaft_(shaft) {
     bool is_exact = false;
     float base[6];
     float since[6];
@@ -82,8 +82,8 @@ class BlockingConstraints {
     certain_ = L::all(is_exact ? -1.0F : 1 - blocking_margin);
     possible_ = L::all(1 + blocking_margin);
   }
-  BlockingConstraints(const BlockingConstraints&) = delete;
-  BlockingConstraints& operator=(const BlockingConstraints&) = delete;
+  OcclusionConstraints(const OcclusionConstraints&) = delete;
+  OcclusionConstraints& operator=(const OcclusionConstraints&) = delete;
 
   /// Bits of the boxes of the word at `at` for which the question is to be answered yes.
   template <class Word>
@@ -98,7 +98,7 @@ class BlockingConstraints {
   }
 
  private:
-  static constexpr bool closed = question != BlockingQuestion::boxes;
+  static constexpr bool closed = question != OcclusionQuestion::boxes;
 
   [[nodiscard]] static Mask before(Vector x, Vector y) noexcept { return closed ? L::less_equal(x, y) : L::less(x, y); }
 
@@ -130,7 +130,7 @@ class BlockingConstraints {
       const Vector sum = largest_sum(box);
       Mask may = L::less_equal(sum, possible_);
       Mask does = L::less(sum, certain_);
-      if constexpr (question != BlockingQuestion::nodes) {
+      if constexpr (question != OcclusionQuestion::nodes) {
         SHAFTCULL_UNROLL(3)
         for (unsigned k = 0; k < 3; ++k) {
           may = L::both(may, L::less_equal(box[k], box[k + 3]));
@@ -143,7 +143,7 @@ class BlockingConstraints {
       certain |= L::bits(does) << lane;
     }
     possible &= across;
-    if constexpr (question == BlockingQuestion::nodes) return possible;
+    if constexpr (question == OcclusionQuestion::nodes) return possible;
     certain &= possible;
     if (possible == certain) return certain;
     return certain | decide_lanes<L>(possible & ~certain, [&](unsigned lane) {
@@ -178,10 +178,10 @@ class BlockingConstraints {
 };
 
 /// Writes the bits of `words` whole words, and of the rest behind them if there is one.
-template <class L, BlockingQuestion question, class Words>
+template <class L, OcclusionQuestion question, class Words>
 void blocking_words(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
                     std::uint64_t* blocking) noexcept {
-  const BlockingConstraints<L, question> constraints(shaft);
+  const OcclusionConstraints<L, question> constraints(shaft);
   for (std::size_t w = 0; w < words; ++w) blocking[w] = constraints.bits(stream, position(w), WholeWord<L>{});
   if constexpr (requires { position.rest; }) {
     if (position.rest == 0) return;
@@ -194,13 +194,13 @@ template <class L, class Words>
 void blocking_boxes(const ShaftData& shaft, const float* const* stream, const Words& position, std::size_t words,
                     std::uint64_t* blocking) noexcept {
   if (is_in_a_plane<L>(shaft)) {
-    blocking_words<L, BlockingQuestion::boxes_in_a_plane>(shaft, stream, position, words, blocking);
+    blocking_words<L, OcclusionQuestion::boxes_in_a_plane>(shaft, stream, position, words, blocking);
   } else {
-    blocking_words<L, BlockingQuestion::boxes>(shaft, stream, position, words, blocking);
+    blocking_words<L, OcclusionQuestion::boxes>(shaft, stream, position, words, blocking);
   }
 }
 
-// As BlockingKernels has them.
+// As OcclusionKernels has them.
 
 template <class L>
 void test_blocking(const ShaftData& shaft, const float* const* stream, std::size_t count, std::uint64_t* blocking,
@@ -220,7 +220,7 @@ template <class L>
 void test_blocking_nodes(const ShaftData& shaft, const float* const* stream, const std::uint32_t* word,
                          std::size_t words, std::uint64_t* blocking, std::uint64_t* /*inside*/,
                          unsigned /*least_kept*/) noexcept {
-  blocking_words<L, BlockingQuestion::nodes>(shaft, stream, ListedWords<L>{word}, words, blocking);
+  blocking_words<L, OcclusionQuestion::nodes>(shaft, stream, ListedWords<L>{word}, words, blocking);
 }
 
 }  // namespace shaftcull::kernel

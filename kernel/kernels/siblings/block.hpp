@@ -25,10 +25,10 @@ class SolidInLanes {
   }
 
   /// Siblings of `asked` that it blocks.
-  [[nodiscard]] std::uint64_t blocked(const Siblings& siblings, std::uint64_t asked) const noexcept {
+  [[nodiscard]] std::uint64_t occluded(const Siblings& siblings, std::uint64_t asked) const noexcept {
     if (!siblings.solids_around_ends) [[unlikely]]
       asked &= ~reaching_ends(siblings, asked);
-    std::uint64_t blocked = 0;
+    std::uint64_t occluded = 0;
     std::uint64_t undecided = 0;
     for (unsigned lane = 0; lane < siblings.count; lane += L::width) {
       if ((asked & lanes_of<L>(lane)) == 0) continue;
@@ -39,16 +39,16 @@ class SolidInLanes {
       const std::uint64_t possible = across & L::bits(L::less_equal(sum, L::all(1 + margin()))) << lane;
       std::uint64_t certain = L::bits(L::less(sum, L::all(1 - margin()))) << lane;
       if (is_flat_) certain &= L::bits(reaches_across<false>(siblings, lane)) << lane;
-      blocked |= across & certain;
+      occluded |= across & certain;
       undecided |= possible & ~certain;
     }
-    blocked &= asked;
+    occluded &= asked;
     undecided = (undecided | siblings.inexact) & asked;
     if (undecided == 0) [[likely]]
-      return blocked;
+      return occluded;
     const SixFaces<L> fixed(siblings.fixed);
     const SixFaces<L> solid(solid_.face);
-    return (blocked & ~undecided) | decide_lanes<L>(undecided, [&](unsigned lane) {
+    return (occluded & ~undecided) | decide_lanes<L>(undecided, [&](unsigned lane) {
              return blocks_between(fixed.face, OtherBox<L>(siblings, lane).face, solid.face);
            });
   }
@@ -142,7 +142,7 @@ std::uint64_t block_siblings(const Siblings& siblings, const BoxRow* solids, con
   for (std::size_t i = 0; i != count && asked != 0; ++i) {
     const std::uint64_t lanes = may_block == nullptr ? asked : asked & may_block[i];
     if (lanes == 0) continue;
-    asked &= ~SolidInLanes<L>(solids[list[i]]).blocked(siblings, lanes);
+    asked &= ~SolidInLanes<L>(solids[list[i]]).occluded(siblings, lanes);
   }
   return all & ~asked;
 }

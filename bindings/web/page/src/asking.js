@@ -34,9 +34,9 @@ export function ask(library, scene, question) {
   const volume = form(library, question);
   try {
     const answer = {...tree.listClassified(volume), blocks: NONE, reached: NONE, points: volume.points};
-    if (kind.twoEnds && scene.shape === 'boxes') answer.blocks = scene.bounds.tree.listBlocking(volume);
+    if (kind.twoEnds && scene.shape === 'boxes') answer.blocks = scene.bounds.tree.listOccluders(volume);
     if (kind.moves) {
-      answer.first = scene.bounds.tree.first(volume);  // of triangles, as the boxes around them
+      answer.first = scene.bounds.tree.firstContact(volume);  // of triangles, as the boxes around them
       answer.reached = reached(library, tree, question);
     }
     answer.milliseconds = stopwatch.milliseconds();

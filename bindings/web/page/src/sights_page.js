@@ -6,8 +6,8 @@ import {SightsPicture} from './sights_picture.js';
 import {Eye} from './stage.js';
 import {Stopwatch} from './stopwatch.js';
 
-const SIGHTS = ['clear', 'undecided', 'blocked', 'facing_away'];
-const WITH_LINES = ['clear', 'undecided', 'blocked'];
+const SIGHTS = ['clear', 'undecided', 'occluded', 'facing_away'];
+const WITH_LINES = ['clear', 'undecided', 'occluded'];
 const CLICK = 5;  // CSS pixels that a pointer may move and still click
 
 export class SightsPage {

@@ -36,7 +36,7 @@ export const VOLUMES = {
     asks: 'What can cast the sun’s shadow on a receiver, B? The sun stands in the direction of A, infinitely far.',
     ends: ['direction of the sun', 'receiver'],
     pointLike: true,
-    form: (library, a, b, contact) => library.sweptWithoutEnd(b, fromTo(b, a), {contact}),
+    form: (library, a, b, contact) => library.sweptInfinite(b, fromTo(b, a), {contact}),
     corners: (a, b, far) => sweptCorners(b, scaledTo(fromTo(b, a), far)),
     trouble: samePlace,
   },

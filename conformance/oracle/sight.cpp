@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: MIT
+#include "oracle/sight.hpp"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace shaftcull::oracle {
+
+/// The answers, whatever integers they are worked out in.
+class SightOracle::Questions {
+ public:
+  Questions() = default;
+  Questions(const Questions&) = delete;
+  Questions& operator=(const Questions&) = delete;
+  virtual ~Questions() = default;
+  [[nodiscard]] virtual SightTruth truth(std::size_t i, std::size_t j) const = 0;
+  [[nodiscard]] virtual bool reaches(std::size_t i, std::size_t j, std::size_t k) const = 0;
+  [[nodiscard]] virtual bool blocks(std::size_t i, std::size_t j, std::size_t k) const = 0;
+  [[nodiscard]] virtual bool is_behind(std::size_t i, std::size_t j) const = 0;
+};
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+/// x times 2^doublings, which is an integer.
+template <class Number>
+Number scaled(float x, int doublings) {
+  const double integer = std::ldexp(double{x}, doublings);
+  if constexpr (std::is_same_v<Number, mpz_class>) {
+    return mpz_class(integer);
+  } else {
+    return static_cast<Wide>(integer);
+  }
+}
+
+/// The binary digits that floats have.
+struct Digits {
+  int first = std::numeric_limits<int>::max();  ///< the lowest one that is set, 0 being that of 1
+  int end = std::numeric_limits<int>::min();    ///< one above the highest
+
+  void add(float x) {
+    if (x == 0) return;
+    int exponent = 0;
+    auto mantissa = static_cast<std::uint32_t>(std::ldexp(std::fabs(std::frexp(x, &exponent)), 24));
+    end = std::max(end, exponent);
+    int lowest = exponent - 24;
+    for (; mantissa % 2 == 0; mantissa /= 2) ++lowest;
+    first = std::min(first, lowest);
+  }
+  void add(const Vec3& point) {
+    for (const float x : point) add(x);
+  }
+  void add(const Box& box) {
+    add(box.lo);
+    add(box.hi);
+  }
+  void add(const Plane& plane) {
+    add(plane.normal);
+    add(plane.offset);
+  }
+};
+
+Digits digits_of(const SightQuestion& question) {
+  Digits digits;
+  if (!question.a_planes.empty() || !question.b_planes.empty()) digits.add(1.0F);
+  for (const auto* boxes : {&question.a, &question.b, &question.solids}) {
+    for (const Box& box : *boxes) digits.add(box);
+  }
+  for (const auto* planes : {&question.a_planes, &question.b_planes}) {
+    for (const Plane& plane : *planes) digits.add(plane);
+  }
+  for (const SightOccluder& occluder : question.occluders) {
+    digits.add(occluder.box);
+    for (const Vec3& corner : occluder.corners) digits.add(corner);
+  }
+  for (const std::vector<Vec3>& polygon : question.polygons) {
+    for (const Vec3& corner : polygon) digits.add(corner);
+  }
+  if (digits.first > digits.end) digits.add(1.0F);  // every number is 0
+  return digits;
+}
+
+template <class Number>
+using PointOf = std::array<Number, 3>;
+
+template <class Number>
+struct BoxOf {
+  PointOf<Number> lo;
+  PointOf<Number> hi;
+
+  [[nodiscard]] bool is_flat(std::size_t k) const { return lo[k] == hi[k]; }
+  [[nodiscard]] PointOf<Number> corner(unsigned c) const {
+    PointOf<Number> point;
+    for (unsigned k = 0; k != 3; ++k) point[k] = (c >> k & 1U) != 0 ? hi[k] : lo[k];
+    return point;
+  }
+};
+
+template <class Number>
+int sign(const Number& x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+/// Those t in [0, 1], or in (0, 1), for which linear functions of t are not negative, or positive, or 0.
+template <class Number>
+class Times {
+ public:
+  explicit Times(bool is_open) : is_open_(is_open) {}
+
+  /// start + t way ≥ 0, or > 0.
+  void require(const Number& start, const Number& way) {
+    if (way == 0) {
+      is_empty_ = is_empty_ || (is_open_ ? start <= 0 : start < 0);
+    } else if (way > 0) {
+      if (const Fraction t{Number(-start), way}; less(after_, t)) after_ = t;
+    } else {
+      if (const Fraction t{start, Number(-way)}; less(t, before_)) before_ = t;
+    }
+  }
+  /// start + t way = 0.
+  void require_zero(const Number& start, const Number& way) {
+    if (way == 0) {
+      is_empty_ = is_empty_ || start != 0;
+      return;
+    }
+    const Fraction t = way > 0 ? Fraction{Number(-start), way} : Fraction{start, Number(-way)};
+    if (has_only_ && (less(t, only_) || less(only_, t))) is_empty_ = true;
+    has_only_ = true;
+    only_ = t;
+  }
+  [[nodiscard]] bool are_there() const {
+    if (is_empty_) return false;
+    const auto in_order = [&](const Fraction& t, const Fraction& u) { return is_open_ ? less(t, u) : !less(u, t); };
+    return has_only_ ? in_order(after_, only_) && in_order(only_, before_) : in_order(after_, before_);
+  }
+
+ private:
+  struct Fraction {
+    Number over;
+    Number under;  ///< positive
+  };
+  static bool less(const Fraction& t, const Fraction& u) { return t.over * u.under < u.over * t.under; }
+
+  bool is_open_;
+  bool is_empty_ = false;
+  bool has_only_ = false;
+  Fraction after_{0, 1};
+  Fraction before_{1, 1};
+  Fraction only_{0, 1};
+};
+
+template <class Number>
+class Answers final : public SightOracle::Questions {
+ public:
+  Answers(const SightQuestion& question, int doublings)
+      : contact_(question.contact), solids_around_ends_(question.solids_around_ends) {
+    const auto number = [&](float x) { return scaled<Number>(x, doublings); };
+    const auto point = [&](const Vec3& p) { return Point{number(p[0]), number(p[1]), number(p[2])}; };
+    const auto points = [&](const std::vector<Vec3>& from) {
+      std::vector<Point> to;
+      for (const Vec3& p : from) to.push_back(point(p));
+      return to;
+    };
+    const auto boxes = [&](const std::vector<Box>& from) {
+      std::vector<AnyBox> to;
+      for (const Box& box : from) to.push_back({point(box.lo), point(box.hi)});
+      return to;
+    };
+    const auto planes = [&](const std::vector<Plane>& from) {
+      std::vector<AnyPlane> to;
+      for (const Plane& plane : from) to.push_back({point(plane.normal), number(plane.offset) * number(1.0F)});
+      return to;
+    };
+    a_ = boxes(question.a);
+    b_ = boxes(question.b);
+    a_planes_ = planes(question.a_planes);
+    b_planes_ = planes(question.b_planes);
+    solids_ = boxes(question.solids);
+    for (const std::vector<Vec3>& polygon : question.polygons) polygons_.push_back(points(polygon));
+    for (const SightOccluder& occluder : question.occluders) {
+      occluder_boxes_.push_back({point(occluder.box.lo), point(occluder.box.hi)});
+      occluder_corners_.push_back(points(occluder.corners));
+      if (!occluder.corners.empty()) continue;
+      for (unsigned c = 0; c != 8; ++c) occluder_corners_.back().push_back(occluder_boxes_.back().corner(c));
+    }
+  }
+
+  [[nodiscard]] SightTruth truth(std::size_t i, std::size_t j) const override {
+    SightTruth truth;
+    const AnyPlane* const a_plane = a_planes_.empty() ? nullptr : &a_planes_[i];
+    const AnyPlane* const b_plane = b_planes_.empty() ? nullptr : &b_planes_[j];
+    truth.is_facing_away = (a_plane != nullptr && is_box_behind(*a_plane, b_[j])) ||
+                           (b_plane != nullptr && is_box_behind(*b_plane, a_[i]));
+    for (std::size_t k = 0; k != solids_.size() && !truth.is_occluded; ++k) truth.is_occluded = blocks(i, j, k);
+    for (std::size_t k = 0; k != polygons_.size() && !truth.is_occluded; ++k) {
+      truth.is_occluded = polygon_blocks(a_[i], b_[j], polygons_[k]);
+    }
+    for (std::size_t k = 0; k != occluder_boxes_.size(); ++k) {
+      if (!reaches(i, j, k)) continue;
+      if (a_plane != nullptr && are_behind(*a_plane, occluder_corners_[k])) continue;
+      if (b_plane != nullptr && are_behind(*b_plane, occluder_corners_[k])) continue;
+      truth.candidates.push_back(static_cast<std::uint32_t>(k));
+    }
+    return truth;
+  }
+
+  /// Of each t, the relative interiors of the box between both, or they themselves, must meet: so those of the shaft
+  /// do. The relative interior of a convex hull is that of combinations with positive weights.
+  [[nodiscard]] bool reaches(std::size_t i, std::size_t j, std::size_t which) const override {
+    const AnyBox& a = a_[i];
+    const AnyBox& b = b_[j];
+    const AnyBox& bound = occluder_boxes_[which];
+    Times<Number> times(contact_ == Contact::open);
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (contact_ == Contact::open && a.is_flat(k) && b.is_flat(k) && bound.is_flat(k)) {
+        times.require_zero(a.lo[k] - bound.lo[k], b.lo[k] - a.lo[k]);
+        continue;
+      }
+      times.require(bound.hi[k] - a.lo[k], a.lo[k] - b.lo[k]);
+      times.require(a.hi[k] - bound.lo[k], b.hi[k] - a.hi[k]);
+    }
+    return times.are_there();
+  }
+
+  [[nodiscard]] bool blocks(std::size_t i, std::size_t j, std::size_t k) const override {
+    const AnyBox& solid = solids_[k];
+    if (!solids_around_ends_ && (holds_part_of(solid, a_[i]) || holds_part_of(solid, b_[j]))) return false;
+    return all_segments(a_[i], b_[j], [&](const Point& p, const Point& q) { return passes_box(p, q, solid); });
+  }
+
+  [[nodiscard]] bool is_behind(std::size_t i, std::size_t j) const override {
+    return is_box_behind(a_planes_[i], b_[j]);
+  }
+
+ private:
+  using Point = PointOf<Number>;
+  using AnyBox = BoxOf<Number>;
+  struct AnyPlane {
+    Point normal;
+    Number offset;
+  };
+
+  [[nodiscard]] static bool is_point_behind(const AnyPlane& plane, const Point& p) {
+    return plane.normal[0] * p[0] + plane.normal[1] * p[1] + plane.normal[2] * p[2] <= plane.offset;
+  }
+  [[nodiscard]] static bool are_behind(const AnyPlane& plane, const std::vector<Point>& points) {
+    return std::all_of(points.begin(), points.end(), [&](const Point& p) { return is_point_behind(plane, p); });
+  }
+  [[nodiscard]] static bool is_box_behind(const AnyPlane& plane, const AnyBox& box) {
+    for (unsigned c = 0; c != 8; ++c) {
+      if (!is_point_behind(plane, box.corner(c))) return false;
+    }
+    return true;
+  }
+
+  /// Whether an end reaches into the interior of a solid; if that is flat, whether it touches it.
+  [[nodiscard]] static bool holds_part_of(const AnyBox& solid, const AnyBox& end) {
+    const bool is_flat = solid.is_flat(0) || solid.is_flat(1) || solid.is_flat(2);
+    for (std::size_t k = 0; k != 3; ++k) {
+      if (is_flat ? solid.lo[k] > end.hi[k] || end.lo[k] > solid.hi[k]
+                  : solid.lo[k] >= end.hi[k] || end.lo[k] >= solid.hi[k]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  template <class Passes>
+  [[nodiscard]] static bool all_segments(const AnyBox& a, const AnyBox& b, const Passes& passes) {
+    for (unsigned c = 0; c != 8; ++c) {
+      for (unsigned d = 0; d != 8; ++d) {
+        if (!passes(a.corner(c), b.corner(d))) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether the relative interiors of segment and box meet.
+  [[nodiscard]] static bool passes_box(const Point& p, const Point& q, const AnyBox& box) {
+    Times<Number> times(true);
+    for (std::size_t k = 0; k != 3; ++k) {
+      const Number way = q[k] - p[k];
+      if (box.is_flat(k)) {
+        times.require_zero(p[k] - box.lo[k], way);
+      } else {
+        times.require(p[k] - box.lo[k], way);
+        times.require(box.hi[k] - p[k], -way);
+      }
+    }
+    return times.are_there();
+  }
+
+  [[nodiscard]] static Point minus(const Point& p, const Point& q) {
+    return {Number(p[0] - q[0]), Number(p[1] - q[1]), Number(p[2] - q[2])};
+  }
+  [[nodiscard]] static Number determinant(const Point& p, const Point& q, const Point& r) {
+    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+  }
+
+  /// Whether all segments go from one side of a polygon to the other strictly within its edges.
+  [[nodiscard]] static bool polygon_blocks(const AnyBox& a, const AnyBox& b, const std::vector<Point>& polygon) {
+    // All corners are in one plane: three that are not in line span it.
+    std::size_t third = 0;
+    std::size_t second = 0;
+    for (std::size_t i = 1; i != polygon.size() && third == 0; ++i) {
+      for (std::size_t j = i + 1; j < polygon.size() && third == 0; ++j) {
+        const Point u = minus(polygon[i], polygon[0]);
+        const Point v = minus(polygon[j], polygon[0]);
+        if (u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2] && u[0] * v[1] == u[1] * v[0]) continue;
+        second = i;
+        third = j;
+      }
+    }
+    if (third == 0) return false;
+    return all_segments(a, b, [&](const Point& p, const Point& q) {
+      const auto side = [&](const Point& r) {
+        return sign<Number>(
+            determinant(minus(polygon[second], polygon[0]), minus(polygon[third], polygon[0]), minus(r, polygon[0])));
+      };
+      if (side(p) * side(q) != -1) return false;
+      // The line passes all edges on the same side.
+      int all = 0;
+      for (std::size_t i = 0; i != polygon.size(); ++i) {
+        const Point& from = polygon[i];
+        const Point& to = polygon[(i + 1) % polygon.size()];
+        if (from == to) continue;
+        const int one = sign<Number>(determinant(minus(from, p), minus(to, p), minus(q, p)));
+        if (one == 0 || (all != 0 && one != all)) return false;
+        all = one;
+      }
+      return true;
+    });
+  }
+
+  Contact contact_;
+  bool solids_around_ends_;
+  std::vector<AnyBox> a_;
+  std::vector<AnyBox> b_;
+  std::vector<AnyPlane> a_planes_;
+  std::vector<AnyPlane> b_planes_;
+  std::vector<AnyBox> solids_;
+  std::vector<std::vector<Point>> polygons_;
+  std::vector<AnyBox> occluder_boxes_;
+  std::vector<std::vector<Point>> occluder_corners_;
+};
+
+}  // namespace
+
+SightOracle::SightOracle(const SightQuestion& question) {
+  const Digits digits = digits_of(question);
+  // Determinants are sums of six products of three differences: 3 × 38 + 3 bits.
+  if (digits.end - digits.first <= 37) {
+    questions_ = std::make_unique<Answers<Wide>>(question, -digits.first);
+  } else {
+    questions_ = std::make_unique<Answers<mpz_class>>(question, -digits.first);
+  }
+}
+
+SightOracle::~SightOracle() = default;
+
+SightTruth SightOracle::truth(std::size_t i, std::size_t j) const { return questions_->truth(i, j); }
+bool SightOracle::reaches(std::size_t i, std::size_t j, std::size_t k) const { return questions_->reaches(i, j, k); }
+bool SightOracle::blocks(std::size_t i, std::size_t j, std::size_t k) const { return questions_->blocks(i, j, k); }
+bool SightOracle::is_behind(std::size_t i, std::size_t j) const { return questions_->is_behind(i, j); }
+
+}  // namespace shaftcull::oracle

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/// occluded() and its like for one shaft; those for many are in many_shafts.cpp.
+#include "shaftcull/occluded.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "compiled/answers.hpp"
+#include "exact/blocking.hpp"
+#include "exact/polygon.hpp"
+#include "shaftcull/error.hpp"
+#include "support/arguments.hpp"
+#include "support/fail.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
+#include "tree/answers.hpp"
+#include "verbs/asked.hpp"
+
+namespace SHAFTCULL_INTERFACE shaftcull {
+namespace {
+
+using kernel::Asked;
+using kernel::Question;
+
+constexpr kernel::Takes nothing{.only = false};
+
+}  // namespace
+
+bool occluded(const CompiledShaft& shaft, const Box& solid) {
+  const kernel::ShaftData& data = kernel::data_of(shaft);
+  kernel::require_two_ends(data, 0);
+  const float bound[6] = {solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2]};
+  return kernel::in_float_environment([&] { return kernel::box_blocks(data, bound); });
+}
+
+bool occluded(const CompiledShaft& shaft, std::span<const Vec3> polygon) {
+  const kernel::ShaftData& data = kernel::data_of(shaft);
+  kernel::require_two_ends(data, 0);
+  kernel::require_memory("polygon", polygon, "corners");
+  if (polygon.size() < 3) {
+    kernel::fail(
+        InvalidArgument("polygon has " + kernel::counted(polygon.size(), "corner") + "; it takes three or more"));
+  }
+  for (std::size_t i = 0; i != polygon.size(); ++i) {
+    const Vec3& corner = polygon[i];
+    if (std::all_of(corner.begin(), corner.end(), [](float x) { return std::isfinite(x); })) continue;
+    kernel::fail(InvalidArgument("polygon[" + std::to_string(i) + "] is not finite; corners are points"));
+  }
+  return kernel::in_float_environment([&] { return kernel::polygon_blocks(data, polygon); });
+}
+
+bool occluded(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
+  const Asked asked("occluded", {&shaft, 1}, solids, Question::blocking, query, nothing);
+  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::any(*walks, 0);
+  return asked.scan(0).any();
+}
+
+std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft, const Bounds& solids, const Query& query) {
+  const Asked asked("find_occluder", {&shaft, 1}, solids, Question::blocking, query, nothing);
+  asked.require_index_width();
+  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::first_kept(*walks, 0);
+  return asked.scan(0).first_kept();
+}
+
+std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids, std::span<std::uint32_t> blocking,
+                           const Query& query) {
+  const Asked asked("list_occluders", {&shaft, 1}, solids, Question::blocking, query, {.limit = true, .only = false});
+  asked.require_index_width();
+  kernel::require_memory("blocking", blocking, "indices");
+  asked.options().require_apart("blocking", kernel::bytes_of(blocking));
+  const std::size_t limit = asked.options().limit();
+  if (const kernel::TreeQuery* const walks = asked.walks()) return kernel::list(*walks, 0, blocking, limit);
+  return asked.scan(0).list(blocking, limit);
+}
+
+}  // namespace shaftcull

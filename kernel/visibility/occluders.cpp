@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/occluders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "shaftcull/solids.hpp"
+#include "shaftcull/tree.hpp"
+#include "shaftcull/visibility.hpp"
+#include "support/arguments.hpp"
+#include "support/fail.hpp"
+#include "support/float_environment.hpp"
+#include "support/text.hpp"
+
+namespace shaftcull {
+namespace {
+
+/// Most triangles in a group that the library makes.
+constexpr std::size_t group_triangles = 32;
+
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
+/// Grows by points.
+struct PointBox {
+  Box box{{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+           std::numeric_limits<float>::infinity()},
+          {-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+           -std::numeric_limits<float>::infinity()}};
+
+  void add(const Vec3& point) noexcept {
+    for (std::size_t k = 0; k != 3; ++k) {
+      box.lo[k] = std::min(box.lo[k], point[k]);
+      box.hi[k] = std::max(box.hi[k], point[k]);
+    }
+  }
+};
+
+bool is_finite(const Vec3& point) noexcept {
+  return std::all_of(point.begin(), point.end(), [](float x) { return std::isfinite(x); });
+}
+
+/// What is added; nothing of it stays unless it is kept at the end.
+class Addition {
+ public:
+  explicit Addition(kernel::OccluderData& data)
+      : data_(data),
+        size_(data.size()),
+        points_(data.points.size()),
+        triangles_(data.triangles.size()),
+        solids_(data.solids.size()),
+        polygons_(data.polygons.size()),
+        largest_coordinate_(data.largest_coordinate) {}
+  Addition(const Addition&) = delete;
+  Addition& operator=(const Addition&) = delete;
+  ~Addition() {
+    if (is_kept_) return;
+    shorten(data_.boxes, size_);
+    shorten(data_.first_point, size_ + 1);
+    shorten(data_.first_triangle, size_ + 1);
+    shorten(data_.points, points_);
+    shorten(data_.triangles, triangles_);
+    shorten(data_.solids, solids_);
+    shorten(data_.polygons, polygons_);
+    data_.largest_coordinate = largest_coordinate_;
+  }
+
+  /// An occluder; its points and triangles were added before.
+  void add(const Box& box) {
+    kernel::BoxRow row{};
+    for (std::size_t k = 0; k != 3; ++k) {
+      row.face[k] = box.lo[k];
+      row.face[k + 3] = box.hi[k];
+      data_.largest_coordinate = std::max({data_.largest_coordinate, std::fabs(box.lo[k]), std::fabs(box.hi[k])});
+    }
+    if (data_.boxes.size() == std::numeric_limits<std::uint32_t>::max()) {
+      kernel::fail(InvalidArgument("there are 2^32 - 1 occluders already; no more can be numbered"));
+    }
+    data_.boxes.push_back(row);
+    data_.first_point.push_back(data_.points.size());
+    data_.first_triangle.push_back(data_.triangles.size());
+  }
+  void add_point(const Vec3& point) { data_.points.push_back(point); }
+  void add_triangle(std::uint32_t triangle) { data_.triangles.push_back(triangle); }
+  void add_polygon() { data_.polygons.push_back({static_cast<std::uint32_t>(data_.boxes.size() - 1)}); }
+  void add_solid(const Box& solid) { data_.solids.push_back(solid); }
+
+  /// Returns the number of the first one that was added.
+  std::size_t keep() noexcept {
+    is_kept_ = true;
+    if (data_.solids.size() != solids_) data_.solid_rows.forget();
+    if (data_.size() != size_) data_.clumps.forget();
+    return size_;
+  }
+
+ private:
+  template <class T>
+  static void shorten(std::vector<T>& list, std::size_t size) noexcept {
+    if (size < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
+  }
+
+  kernel::OccluderData& data_;
+  std::size_t size_;
+  std::size_t points_;
+  std::size_t triangles_;
+  std::size_t solids_;
+  std::size_t polygons_;
+  float largest_coordinate_;
+  bool is_kept_ = false;
+};
+
+/// The boxes of a view, all of which are usable.
+std::vector<Box> usable_boxes(const BoxView& view, const char* noun) {
+  kernel::require_view(view);
+  std::vector<Box> boxes(view.count);
+  for (std::size_t i = 0; i != view.count; ++i) {
+    boxes[i] = view[i];
+    kernel::require_usable_box(boxes[i], noun, i);
+  }
+  return boxes;
+}
+
+std::vector<Box> usable_boxes(std::span<const Box> boxes, const char* noun) {
+  kernel::require_memory(noun, boxes, "boxes");
+  for (std::size_t i = 0; i != boxes.size(); ++i) kernel::require_usable_box(boxes[i], noun, i);
+  return {boxes.begin(), boxes.end()};
+}
+
+/// The parts of a list, of which part i begins at first[i] and ends where the next one begins. Throws unless they
+/// ascend from 0 to `size`.
+void require_parts(std::span<const std::size_t> first, std::size_t size, const char* name, const char* noun) {
+  if (first.empty() && size == 0) return;
+  if (first.empty() || first.front() != 0 || first.back() != size) {
+    kernel::fail(InvalidArgument(std::string(name) + " must begin with 0 and end with the number of " + noun + ", " +
+                                 std::to_string(size)));
+  }
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    if (first[i] >= first[i - 1]) continue;
+    kernel::fail(InvalidArgument(std::string(name) + "[" + std::to_string(i) + "] = " + std::to_string(first[i]) +
+                                 " is less than the one before it"));
+  }
+}
+
+/// Adds the corners of part after part, and calls added(corners) after each.
+template <class Added>
+void add_parts(Addition& addition, std::span<const Vec3> corners, std::span<const std::size_t> first, const char* noun,
+               std::size_t fewest, std::size_t most, const Added& added) {
+  kernel::require_memory("corners", corners, "corners");
+  kernel::require_memory("first_corner", first, "positions");
+  require_parts(first, corners.size(), "first_corner", "corners");
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    const std::span<const Vec3> part = corners.subspan(first[i], first[i + 1] - first[i]);
+    if (part.size() < fewest || part.size() > most) {
+      kernel::fail(InvalidArgument(std::string(noun) + " " + std::to_string(i) + " has " +
+                                   kernel::counted(part.size(), "corner") + "; it takes " + std::to_string(fewest) +
+                                   (most < any_number ? " to " + std::to_string(most) : " or more")));
+    }
+    PointBox around;
+    for (const Vec3& corner : part) {
+      if (!is_finite(corner)) kernel::refuse_bound(noun, i, "has a corner that is not finite");
+      around.add(corner);
+      addition.add_point(corner);
+    }
+    addition.add(around.box);
+    added(part);
+  }
+}
+
+/// The vertices farthest in 26 directions come first: one of them is in front of most planes that any is in front of.
+void put_extremes_first(std::vector<Vec3>& vertices) {
+  std::size_t put = 0;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (put == vertices.size() || (x == 0 && y == 0 && z == 0)) continue;
+        const auto along = [&](const Vec3& p) { return double{p[0]} * x + double{p[1]} * y + double{p[2]} * z; };
+        const auto farthest = std::max_element(vertices.begin(), vertices.end(),
+                                               [&](const Vec3& a, const Vec3& b) { return along(a) < along(b); });
+        if (farthest >= vertices.begin() + static_cast<std::ptrdiff_t>(put)) std::swap(vertices[put++], *farthest);
+      }
+    }
+  }
+}
+
+/// Groups of neighbours: the triangles in the order of a tree over their boxes.
+std::vector<std::uint32_t> in_tree_order(const TriangleView& triangles) {
+  std::vector<Box> boxes(triangles.count);
+  for (std::size_t i = 0; i != triangles.count; ++i) {
+    PointBox around;
+    for (const Vec3& vertex : triangles[i].vertex) around.add(vertex);
+    boxes[i] = around.box;
+  }
+  const BoxTree tree{std::span<const Box>(boxes)};
+  std::vector<std::uint32_t> order(triangles.count);
+  for (std::size_t i = 0; i != order.size(); ++i) order[i] = static_cast<std::uint32_t>(tree.order()[i]);
+  return order;
+}
+
+}  // namespace
+
+namespace {
+
+/// Whether the relative interior of one box holds that of another one. Then it blocks all that the other one does.
+bool blocks_all_of(const Box& larger, const Box& smaller) noexcept {
+  for (std::size_t k = 0; k != 3; ++k) {
+    if (smaller.lo[k] < larger.lo[k] || smaller.hi[k] > larger.hi[k]) return false;
+    if (smaller.lo[k] < smaller.hi[k] || larger.lo[k] == larger.hi[k]) continue;
+    if (smaller.lo[k] == larger.lo[k] || smaller.hi[k] == larger.hi[k]) return false;  // flat, in the other one's face
+  }
+  return true;
+}
+
+bool is_less(const Box& a, const Box& b) noexcept { return std::tie(a.lo, a.hi) < std::tie(b.lo, b.hi); }
+
+/// Puts those of `boxes` first that no box of `larger` blocks all of, and returns how many there are. Both are sorted
+/// by lo x.
+std::size_t put_needed_first(std::vector<Box>& boxes, std::span<const Box> larger) {
+  std::vector<const Box*> open;  // those that reach as far as the box at hand
+  auto next = larger.begin();
+  const auto middle = std::stable_partition(boxes.begin(), boxes.end(), [&](const Box& box) {
+    for (; next != larger.end() && next->lo[0] <= box.lo[0]; ++next) open.push_back(&*next);
+    std::erase_if(open, [&](const Box* other) { return other->hi[0] < box.lo[0]; });
+    return std::none_of(open.begin(), open.end(), [&](const Box* other) { return blocks_all_of(*other, box); });
+  });
+  return static_cast<std::size_t>(middle - boxes.begin());
+}
+
+/// In modes in which denormals are what they are.
+kernel::SolidRows made_rows(std::span<const Box> solids) {
+  std::vector<Box> together = merged_boxes(solids);
+  std::sort(together.begin(), together.end(), is_less);
+  std::vector<Box> alone(solids.begin(), solids.end());
+  std::sort(alone.begin(), alone.end(), is_less);
+  alone.erase(std::unique(alone.begin(), alone.end()), alone.end());
+  std::erase_if(alone,
+                [&](const Box& box) { return std::binary_search(together.begin(), together.end(), box, is_less); });
+  kernel::SolidRows made;
+  made.largest = together.size() + put_needed_first(alone, together);
+  made.rows.reserve(together.size() + alone.size());
+  for (const std::vector<Box>* some : {&together, &alone}) {
+    for (const Box& solid : *some) {
+      made.rows.push_back({{solid.lo[0], solid.lo[1], solid.lo[2], solid.hi[0], solid.hi[1], solid.hi[2], 0, 0}});
+    }
+  }
+  made.clumps = kernel::box_clumps(made.rows);
+  return made;
+}
+
+}  // namespace
+
+kernel::MadeOnce<kernel::SolidRows>::Shared kernel::solid_rows_of(const OccluderData& occluders) {
+  return occluders.solid_rows.of([&] { return in_float_environment([&] { return made_rows(occluders.solids); }); });
+}
+
+kernel::MadeOnce<kernel::BoxClumps>::Shared kernel::clumps_of(const OccluderData& occluders) {
+  return occluders.clumps.of([&] { return box_clumps(occluders.boxes); });
+}
+
+Occluders::Occluders() : data_(std::make_unique<kernel::OccluderData>()) {}
+Occluders::Occluders(const Occluders& other) : data_(std::make_unique<kernel::OccluderData>(other.data())) {}
+Occluders::Occluders(Occluders&& other) noexcept = default;
+Occluders& Occluders::operator=(Occluders other) noexcept {
+  std::swap(data_, other.data_);
+  return *this;
+}
+Occluders::~Occluders() = default;
+
+const kernel::OccluderData& Occluders::data() const {
+  if (data_) return *data_;
+  static const kernel::OccluderData none;
+  return none;
+}
+
+kernel::OccluderData& Occluders::own() {
+  if (!data_) data_ = std::make_unique<kernel::OccluderData>();
+  return *data_;
+}
+
+// Boxes are compared and joined in modes in which denormals are what they are.
+
+std::size_t Occluders::add_boxes(std::span<const Box> boxes) {
+  return kernel::in_float_environment([&] {
+    Addition addition(own());
+    for (const Box& box : usable_boxes(boxes, "box")) addition.add(box);
+    return addition.keep();
+  });
+}
+
+std::size_t Occluders::add_boxes(const BoxView& boxes) {
+  return kernel::in_float_environment([&] { return add_boxes(std::span<const Box>(usable_boxes(boxes, "box"))); });
+}
+
+std::size_t Occluders::add_solids(std::span<const Box> boxes) {
+  return kernel::in_float_environment([&] {
+    Addition addition(own());
+    for (const Box& solid : usable_boxes(boxes, "solid")) {
+      addition.add(solid);
+      addition.add_solid(solid);
+    }
+    return addition.keep();
+  });
+}
+
+std::size_t Occluders::add_solids(const BoxView& boxes) {
+  return kernel::in_float_environment([&] { return add_solids(std::span<const Box>(usable_boxes(boxes, "solid"))); });
+}
+
+std::size_t Occluders::add_solid_hulls(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+  return kernel::in_float_environment([&] {
+    Addition addition(own());
+    add_parts(addition, corners, first_corner, "hull", 4, 32,
+              [&](std::span<const Vec3> hull) { addition.add_solid(inscribed_box(hull)); });
+    return addition.keep();
+  });
+}
+
+std::size_t Occluders::add_polygons(std::span<const Vec3> corners, std::span<const std::size_t> first_corner) {
+  return kernel::in_float_environment([&] {
+    Addition addition(own());
+    add_parts(addition, corners, first_corner, "polygon", 3, any_number,
+              [&](std::span<const Vec3> /*polygon*/) { addition.add_polygon(); });
+    return addition.keep();
+  });
+}
+
+std::size_t Occluders::add_triangles(const TriangleView& triangles, std::span<const std::size_t> first_triangle) {
+  return kernel::in_float_environment([&] {
+    kernel::require_view(triangles);
+    kernel::require_memory("first_triangle", first_triangle, "positions");
+    if (triangles.count > std::numeric_limits<std::uint32_t>::max()) {
+      kernel::fail(InvalidArgument(std::to_string(triangles.count) + " triangles; at most 2^32 - 1 can be numbered"));
+    }
+    for (std::size_t i = 0; i != triangles.count; ++i) {
+      for (const Vec3& vertex : triangles[i].vertex) {
+        if (!is_finite(vertex)) kernel::refuse_bound("triangle", i, "is not finite");
+      }
+    }
+    Addition addition(own());
+    const bool has_groups = !first_triangle.empty();
+    if (has_groups) require_parts(first_triangle, triangles.count, "first_triangle", "triangles");
+    std::vector<std::uint32_t> order;
+    if (!has_groups && triangles.count != 0) order = in_tree_order(triangles);
+    const auto add_group = [&](std::size_t first, std::size_t end) {
+      PointBox around;
+      std::vector<Vec3> vertices;
+      for (std::size_t i = first; i != end; ++i) {
+        const std::size_t triangle = has_groups ? i : order[i];
+        addition.add_triangle(static_cast<std::uint32_t>(triangle));
+        for (const Vec3& vertex : triangles[triangle].vertex) {
+          around.add(vertex);
+          vertices.push_back(vertex);
+        }
+      }
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      put_extremes_first(vertices);
+      for (const Vec3& vertex : vertices) addition.add_point(vertex);
+      addition.add(around.box);
+    };
+    if (has_groups) {
+      for (std::size_t i = 0; i + 1 < first_triangle.size(); ++i) {
+        if (first_triangle[i] == first_triangle[i + 1]) {
+          kernel::fail(InvalidArgument("group " + std::to_string(i) + " of triangles is empty"));
+        }
+        add_group(first_triangle[i], first_triangle[i + 1]);
+      }
+    } else {
+      for (std::size_t i = 0; i < order.size(); i += group_triangles) {
+        add_group(i, std::min(order.size(), i + group_triangles));
+      }
+    }
+    return addition.keep();
+  });
+}
+
+std::size_t Occluders::size() const noexcept { return data_ ? data_->size() : 0; }
+
+Box Occluders::box(std::size_t i) const noexcept {
+  const float(&face)[8] = data_->boxes[i].face;
+  return {{face[0], face[1], face[2]}, {face[3], face[4], face[5]}};
+}
+
+std::span<const std::uint32_t> Occluders::triangles(std::size_t i) const noexcept {
+  return {data_->triangles.data() + data_->first_triangle[i], data_->first_triangle[i + 1] - data_->first_triangle[i]};
+}
+
+}  // namespace shaftcull

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+/// What a Occluders holds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "kernels/siblings/siblings.hpp"
+#include "shaftcull/bounds.hpp"
+#include "support/threads.hpp"
+#include "visibility/box_clumps.hpp"
+
+namespace shaftcull::kernel {
+
+/// A flat convex polygon that makes pairs occluded.
+struct PolygonOccluder {
+  std::uint32_t occluder;  ///< its number, whose points are its corners
+};
+
+/// The boxes that make pairs occluded: solids, and what they are together.
+struct SolidRows {
+  std::vector<BoxRow> rows;
+  /// So many of them, the first ones, block what all do. If solids that hold a part of an end are to block nothing,
+  /// the others are asked as well: the larger box around one may hold an end that the smaller one does not.
+  std::size_t largest = 0;
+  BoxClumps clumps;  ///< of all rows
+};
+
+/// Something that is made when it is first asked for, by one thread while others wait. Copies share it.
+template <class Made>
+class MadeOnce {
+ public:
+  using Shared = std::shared_ptr<const Made>;
+
+  MadeOnce() = default;
+  MadeOnce(const MadeOnce& other) : made_(other.made()) {}
+  MadeOnce(MadeOnce&&) = delete;
+  MadeOnce& operator=(const MadeOnce&) = delete;
+  MadeOnce& operator=(MadeOnce&&) = delete;
+  ~MadeOnce() = default;
+
+  /// What make() returns, which must be the same from one call to the next but for forget().
+  template <class Make>
+  [[nodiscard]] Shared of(const Make& make) const {
+    const Lock lock(mutex_);
+    if (made_ == nullptr) made_ = std::make_shared<const Made>(make());
+    return made_;
+  }
+  /// It would be another one now. Nobody else may be asking.
+  void forget() noexcept { made_.reset(); }
+
+ private:
+  [[nodiscard]] Shared made() const {
+    const Lock lock(mutex_);
+    return made_;
+  }
+
+  mutable Mutex mutex_;
+  mutable Shared made_;
+};
+
+struct OccluderData {
+  /// Of each occluder, the box around it.
+  std::vector<BoxRow> boxes;
+  /// Points that an occluder is the hull of, or lies in the hull of: those of occluder i from first_point[i] on. None
+  /// if it is a box.
+  std::vector<Vec3> points;
+  std::vector<std::size_t> first_point{0};
+  /// Triangles, likewise.
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::size_t> first_triangle{0};
+
+  /// Boxes that are solid, as they were given or found in hulls.
+  std::vector<Box> solids;
+  std::vector<PolygonOccluder> polygons;
+  float largest_coordinate = 0;
+
+  /// Made of the above.
+  MadeOnce<SolidRows> solid_rows;
+  MadeOnce<BoxClumps> clumps;
+
+  [[nodiscard]] std::size_t size() const noexcept { return boxes.size(); }
+  [[nodiscard]] std::span<const Vec3> points_of(std::size_t i) const noexcept {
+    return {points.data() + first_point[i], first_point[i + 1] - first_point[i]};
+  }
+};
+
+/// The solids, alone and together. Threads may ask at the same time.
+[[nodiscard]] MadeOnce<SolidRows>::Shared solid_rows_of(const OccluderData& occluders);
+/// Clumps of `occluders.boxes`, likewise.
+[[nodiscard]] MadeOnce<BoxClumps>::Shared clumps_of(const OccluderData& occluders);
+
+}  // namespace shaftcull::kernel

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+/// What a job asks of each of its shafts.
+#pragma once
+
+#include <cstdint>
+
+#include "shaftcull/shaft.hpp"
+
+namespace shaftcull::batch {
+
+/// What a row of the shafts' file describes.
+enum class ShaftKind : std::uint8_t {
+  between,  ///< two boxes
+  shadow,   ///< a light and an occluder, two boxes
+  swept,    ///< a box and the displacement that it moves by
+  sun,      ///< a box and the direction that it moves in without end
+};
+
+/// What is told of each shaft.
+enum class Answer : std::uint8_t {
+  count,     ///< how many bounds it keeps
+  list,      ///< which ones, ascending
+  classify,  ///< which overlap it and which are inside, each ascending
+  first,     ///< which one it reaches first, and when
+  occluded,  ///< whether one of the bounds, taken for solid, blocks it
+};
+
+/// What bounds are.
+enum class BoundKind : std::uint8_t { box, sphere, triangle };
+
+struct Question {
+  ShaftKind kind = ShaftKind::between;
+  Answer answer = Answer::count;
+  Contact contact = Contact::closed;
+};
+
+[[nodiscard]] constexpr const char* name_of(ShaftKind kind) noexcept {
+  switch (kind) {
+    case ShaftKind::between:
+      return "between";
+    case ShaftKind::shadow:
+      return "shadow";
+    case ShaftKind::swept:
+      return "swept";
+    case ShaftKind::sun:
+      break;
+  }
+  return "sun";
+}
+
+[[nodiscard]] constexpr const char* name_of(Answer answer) noexcept {
+  switch (answer) {
+    case Answer::count:
+      return "count";
+    case Answer::list:
+      return "list";
+    case Answer::classify:
+      return "classify";
+    case Answer::first:
+      return "first";
+    case Answer::occluded:
+      break;
+  }
+  return "occluded";
+}
+
+[[nodiscard]] constexpr const char* name_of(BoundKind kind) noexcept {
+  switch (kind) {
+    case BoundKind::box:
+      return "box";
+    case BoundKind::sphere:
+      return "sphere";
+    case BoundKind::triangle:
+      break;
+  }
+  return "triangle";
+}
+
+}  // namespace shaftcull::batch

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+/// `shaftcull sees`: which patches of a mesh see each other?
+#include "sees.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "number.hpp"
+#include "peak_memory.hpp"
+#include "printable.hpp"
+#include "rooms.hpp"
+#include "sees_job.hpp"
+#include "sees_ranks.hpp"
+#include "subcommand.hpp"
+#include "table.hpp"
+#include "workers.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+void run(const SeesOptions& options) {
+  SeesJob job(options);
+  if (is_launched()) return run_on_launched_ranks(job);
+  job.check();
+  options.isa.select();
+  job.prepare();
+  const std::span<SightSink* const> sinks = job.open();
+  const std::unique_ptr<OutputFile> picture = job.open_picture();
+  const Workers workers(options.threads);
+  SeesReport report{};
+  {
+    Progress progress;
+    const InterruptWatch interrupt;
+    workers.run(
+        [&] { report = run_sees(job.scene(), job.patches(), job.work(), job.source(), sinks, progress, interrupt); });
+  }
+  job.finish(report, picture.get());
+}
+
+}  // namespace
+
+std::string progress_text(const VisibilityProgress& progress, double seconds) {
+  const double share =
+      static_cast<double>(progress.done) / static_cast<double>(std::max<std::uint64_t>(progress.total, 1));
+  std::string text = fmt::format("{:3.0f} %  {} pairs answered, {} left", 100 * share, grouped(progress.done),
+                                 grouped(progress.total - progress.done));
+  if (progress.done == 0 || seconds <= 0) return text;
+  return text + fmt::format(", {}pairs/s, {:.0f} s left", prefixed(static_cast<double>(progress.done) / seconds),
+                            std::ceil(seconds * (1 / share - 1)));
+}
+
+SeesReport run_sees(const SeesScene& scene, const SeesBlocks& patches, SeesWork work, const std::string& source,
+                    std::span<SightSink* const> sinks, Progress& progress, const InterruptWatch& interrupt) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  VisibilityProgress last{};
+  work.progress = [&](const VisibilityProgress& now) {
+    last = now;
+    progress.update(progress_text(now, seconds()));
+    return interrupt.signal() == 0;
+  };
+  work.stops = [&] { return interrupt.signal() != 0; };
+  const std::uint64_t pairs = patches.pairs();
+  progress.milestone(
+      fmt::format("{}: {} patches, {} pairs", printable(source), grouped(patches.size()), grouped(pairs)));
+  SeesReport report = report_of(scene, work, source);
+  try {
+    report.counts = find_what_sees(scene, patches, work, sinks);
+  } catch (const Cancelled&) {
+    throw Interrupted(interrupt.signal(), fmt::format("sees: interrupted after {} of {} pairs; no file was written",
+                                                      grouped(last.done), grouped(last.total)));
+  }
+  report.seconds = seconds();
+  report.memory = peak_memory();
+  return report;
+}
+
+void add_sees(CLI::App& program) {
+  const auto options = std::make_shared<SeesOptions>();
+  CLI::App& sees = *program.add_subcommand(
+      "sees", "Tell of all pairs of patches of a mesh file which see each other for certain, and which cannot");
+  CLI::Option* scene =
+      sees.add_option("scene,--scene", options->path, "Mesh file, in any format that assimp reads")->type_name("FILE");
+  CLI::Option* rooms = add_number(sees, "--rooms", options->rooms, 1, most_rooms,
+                                  "Instead of a file: so many rooms with doors and furniture, made from --seed")
+                           ->type_name("N");
+  add_number(sees, "--patches", options->choice.patch_size, 1e-30, 1e30,
+             "Triangles are split until no edge is longer (default: a 32nd of the scene)")
+      ->type_name("SIZE");
+  sees.add_flag("--two-sided", options->choice.two_sided,
+                "Patches see on both sides; without it, where the right-hand normal of their triangle points");
+  sees.add_option("--solid", options->choice.solid,
+                  "Objects that are solid, by name or pattern ('wall*'): convex, with 32 corners at most")
+      ->type_name("NAME");
+  add_number(sees, "--rays", options->rays, 1, 1'000'000,
+             "Decide undecided pairs by so many rays each; solids then hide nothing of what lies inside them")
+      ->type_name("S");
+  add_number(sees, "--seed", options->seed, 0, largest_seed, "Seed of --rays and --rooms (default: 1)")->type_name("S");
+  sees.add_option("--out", options->out,
+                  "Write all answers to a file: .npz, for NumPy, or .csv; - is standard output (CSV)")
+      ->type_name("FILE");
+  CLI::Option* svg =
+      sees.add_option("--svg", options->svg,
+                      "Draw patches from above, coloured by what share of the others they see; - is standard "
+                      "output")
+          ->type_name("FILE");
+  sees.add_option("--up", options->up, "With --svg: the axis that points up in the scene (default: z)")
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->type_name("AXIS")
+      ->needs(svg);
+  sees.add_option("--format", options->format, "Output: text, json or csv (default: text)")
+      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->type_name("FORMAT");
+  add_number(sees, "--memory", options->megabytes, 1, 1'000'000, "MB that answers under way may take (default: 256)")
+      ->type_name("MB");
+  add_number(sees, "--threads", options->threads, 0, most_threads,
+             "Threads, 0 for all there are; answers do not depend on it (default: 0)")
+      ->type_name("N");
+  options->isa.add_option(sees);
+  sees.footer(
+      "A pair of patches is clear if nothing stands between them, occluded if one solid hides all, facing away if one\n"
+      "lies behind the plane of the other, and undecided otherwise. The first three are proven; rays tell of "
+      "undecided\n"
+      "pairs how much is seen. Ctrl-C (SIGINT, or SIGTERM) ends it early, without a file; a second one ends it at\n"
+      "once.");
+  sees.callback([options, scene, rooms] {
+    if (scene->count() == 0 && rooms->count() == 0) {
+      throw InvalidArgument("sees: in what file? Give shaftcull sees FILE, or shaftcull sees --rooms 6");
+    }
+    if (scene->count() != 0 && rooms->count() != 0) {
+      throw InvalidArgument(fmt::format("sees: the file {} and --rooms {} do not go together; give one of them",
+                                        options->path, options->rooms));
+    }
+    run(*options);
+  });
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+/// Answers of `shaftcull sees` in files that one process writes while they come.
+#include <array>
+
+#include <fmt/format.h>
+
+#include "npz.hpp"
+#include "output_file.hpp"
+#include "sees_arrays.hpp"
+#include "sees_csv.hpp"
+#include "sees_run.hpp"
+#include "shaftcull/error.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+class NpzSights final : public SightSink {
+ public:
+  NpzSights(const std::string& path, const SeesScene& scene, std::span<const std::uint32_t> order, std::uint32_t rays)
+      : file_(path) {
+    for (NpyFormat& format : answer_arrays(rays)) arrays_.push_back(&file_.add(std::move(format)));
+    append(first_candidate_array, std::span(&no_candidate_before, 1));
+    for (SceneArray& known : scene_arrays(scene, order, rays)) {
+      NpyArray& array = file_.add(std::move(known.format));
+      known.pour([&](std::span<const std::byte> bytes) { array.append(bytes); });
+    }
+  }
+
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
+    rows_.clear();
+    for (const PairBlock& product : batch.products) {
+      rows_.push_back({product.a.first, product.a.count, product.b.first, product.b.count,
+                       static_cast<std::uint32_t>(product.sight)});
+    }
+    append(products_array, std::span<const ProductRow>(rows_));
+    append(undecided_array, batch.undecided.pairs);
+    append(candidates_array, batch.undecided.candidates);
+    ends_.clear();
+    for (std::size_t i = 0; i < batch.undecided.pairs.size(); ++i) {
+      ends_.push_back(candidate_count_ + batch.undecided.first_candidate[i + 1]);
+    }
+    append(first_candidate_array, std::span<const std::uint64_t>(ends_));
+    candidate_count_ += batch.undecided.candidates.size();
+    if (arrays_.size() > seen_array) append(seen_array, seen);
+  }
+
+  void finish() override { file_.finish(); }
+
+ private:
+  using ProductRow = std::array<std::uint32_t, 5>;
+
+  template <class T>
+  void append(AnswerArray array, std::span<const T> rows) {
+    arrays_[array]->append(rows);
+  }
+
+  NpzFile file_;
+  std::vector<NpyArray*> arrays_;  ///< those of answers, by AnswerArray
+  std::uint64_t candidate_count_ = 0;
+  std::vector<ProductRow> rows_;
+  std::vector<std::uint64_t> ends_;
+};
+
+/// Lines of undecided pairs are kept on disk until all others are written.
+class CsvSights final : public SightSink {
+ public:
+  CsvSights(const std::string& path, std::span<const std::uint32_t> order, std::uint32_t rays)
+      : file_(path),
+        undecided_(file_),
+        lines_(
+            order, rays, [this](std::string_view text) { file_.write(text); },
+            [this](std::string_view text) { undecided_.write(text); }) {
+    file_.write(csv_heading(rays));
+  }
+
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override { lines_.take(batch, seen); }
+
+  void finish() override {
+    undecided_.read_all([this](std::string_view text) { file_.write(text); });
+    file_.finish();
+  }
+
+ private:
+  OutputFile file_;
+  Spool undecided_;
+  CsvLines lines_;
+};
+
+}  // namespace
+
+SightForm sight_form(const std::string& path, std::uint64_t patches) {
+  if (path.ends_with(".npz")) return SightForm::npz;
+  if (!path.ends_with(".csv") && !is_stream(path)) {
+    throw InvalidArgument(fmt::format("--out {}: what kind of file? Give a name that ends in .npz or .csv", path));
+  }
+  require_pairs_for_csv(path, patches);
+  return SightForm::csv;
+}
+
+std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
+                                      std::span<const std::uint32_t> order, std::uint32_t rays) {
+  if (sight_form(path, order.size()) == SightForm::npz) return std::make_unique<NpzSights>(path, scene, order, rays);
+  return std::make_unique<CsvSights>(path, order, rays);
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "sees_job.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "isolated_mesh.hpp"
+#include "rooms.hpp"
+#include "shaftcull/shaftcull.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+bool is_output(const std::string& path) { return !path.empty() && is_standard_output(path); }
+
+}  // namespace
+
+SeesJob::SeesJob(const SeesOptions& options)
+    : options_(options),
+      source_(options.rooms != 0 ? fmt::format("{} room{}", options.rooms, options.rooms == 1 ? "" : "s")
+                                 : options.path) {}
+
+void SeesJob::check() const {
+  if ((is_output(options_.out) && is_output(options_.svg)) || (!options_.out.empty() && options_.out == options_.svg)) {
+    throw InvalidArgument(
+        fmt::format("--out {} --svg {}: one cannot be both; give two files", options_.out, options_.svg));
+  }
+}
+
+void SeesJob::prepare() {
+  scene_.emplace(make_sees_scene(
+      options_.rooms != 0 ? make_rooms(options_.rooms, options_.seed) : load_mesh_isolated(options_.path, true),
+      options_.choice, source_));
+  patches_.emplace(scene_->boxes, scene_->planes);
+}
+
+SeesWork SeesJob::work() const { return {options_.rays, options_.seed, options_.megabytes << 20, {}, {}}; }
+
+std::span<SightSink* const> SeesJob::open() {
+  if (!options_.out.empty()) {
+    file_ = sight_file(options_.out, *scene_, patches_->order(), options_.rays);
+    sinks_.push_back(file_.get());
+  }
+  if (SeenShares* const shares = open_shares()) sinks_.push_back(shares);
+  return sinks_;
+}
+
+SeenShares* SeesJob::open_shares() {
+  return options_.svg.empty() ? nullptr : &shares_.emplace(patches_->order(), options_.rays);
+}
+
+std::unique_ptr<OutputFile> SeesJob::open_picture() const {
+  return options_.svg.empty() ? nullptr : std::make_unique<OutputFile>(options_.svg);
+}
+
+void SeesJob::finish(const SeesReport& report, OutputFile* picture) {
+  if (picture != nullptr) {
+    picture->write(svg_of_shares(*scene_, shares_->shares(), static_cast<std::size_t>(options_.up[0] - 'x')));
+    picture->finish();
+  }
+  // Where a file is standard output, the report goes elsewhere.
+  const bool is_taken = is_output(options_.out) || is_output(options_.svg);
+  std::fputs(format_report(report, report_format(options_.format)).c_str(), is_taken ? stderr : stdout);
+}
+
+SeesReport report_of(const SeesScene& scene, const SeesWork& work, const std::string& source) {
+  return {source,
+          std::string(name(active_isa())),
+          scene.mesh.names.size(),
+          scene.mesh.triangles.size(),
+          scene.patches.size(),
+          scene.patch_size,
+          scene.occluders.size(),
+          scene.solids,
+          work.rays,
+          {},
+          0,
+          concurrency(),
+          1,
+          0};
+}
+
+}  // namespace shaftcull::cli

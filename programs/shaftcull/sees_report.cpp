@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "sees_report.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "printable.hpp"
+#include "table.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+/// A kind of pairs, as tables and files call it.
+struct PairKind {
+  const char* words;
+  const char* key;
+  std::uint64_t pairs;
+};
+
+std::vector<PairKind> kinds_of(const SeesReport& report) {
+  const SeesCounts& counts = report.counts;
+  const auto kind = [](Sight sight, std::uint64_t pairs) { return PairKind{name(sight), name(sight), pairs}; };
+  std::vector<PairKind> kinds{kind(Sight::clear, counts.sights.clear), kind(Sight::occluded, counts.sights.occluded),
+                              kind(Sight::facing_away, counts.sights.facing_away),
+                              kind(Sight::undecided, counts.sights.undecided)};
+  if (report.rays != 0) {
+    kinds.push_back({"  by rays visible", "rays_visible", counts.visible});
+    kinds.push_back({"  by rays partly", "rays_partly", counts.partial});
+    kinds.push_back({"  by rays hidden", "rays_hidden", counts.hidden});
+  }
+  return kinds;
+}
+
+double share_of(const SeesReport& report, std::uint64_t pairs) {
+  const std::uint64_t total = report.counts.sights.total();
+  return total == 0 ? 0 : static_cast<double>(pairs) / static_cast<double>(total);
+}
+
+double rate_of(const SeesReport& report) {
+  return report.seconds > 0 ? static_cast<double>(report.counts.sights.total()) / report.seconds : 0;
+}
+
+std::string text_of(const SeesReport& report) {
+  const auto count = [](std::size_t n, const char* noun) {
+    return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
+  };
+  std::string text = fmt::format("{}: {}, {}, {} of at most {:.4g}, {}, {} of them solid\n\n", printable(report.source),
+                                 count(report.objects, "object"), count(report.triangles, "triangle"),
+                                 grouped(report.patches) + " patches", report.patch_size,
+                                 count(report.occluders, "occluder"), grouped(report.solids));
+  Table table({"pairs of patches", "number", "share"});
+  const auto add = [&](const char* words, std::uint64_t pairs) {
+    table.add_row({words, grouped(pairs), fmt::format("{:.3f} %", 100 * share_of(report, pairs))});
+  };
+  for (const PairKind& kind : kinds_of(report)) add(kind.words, kind.pairs);
+  add("all", report.counts.sights.total());
+  text += table.text();
+  return text + fmt::format("\n{:.2f} s, {}pairs/s, {}{}, {}, {} MB of memory{}\n", report.seconds,
+                            prefixed(rate_of(report)), count(static_cast<std::size_t>(report.threads), "thread"),
+                            report.ranks == 1 ? "" : fmt::format(" of {} ranks", report.ranks), report.isa,
+                            grouped((report.memory + 999'999) / 1'000'000),
+                            report.rays == 0 ? "" : fmt::format(", {} a pair", count(report.rays, "ray")));
+}
+
+std::string csv_of(const SeesReport& report) {
+  std::string text = "kind,pairs,share\n";
+  for (const PairKind& kind : kinds_of(report)) {
+    text += fmt::format("{},{},{}\n", kind.key, kind.pairs, share_of(report, kind.pairs));
+  }
+  return text;
+}
+
+std::string json_of(const SeesReport& report) {
+  nlohmann::ordered_json pairs;
+  for (const PairKind& kind : kinds_of(report)) pairs[kind.key] = kind.pairs;
+  pairs["all"] = report.counts.sights.total();
+  const nlohmann::ordered_json root{{"scene", report.source},
+                                    {"objects", report.objects},
+                                    {"triangles", report.triangles},
+                                    {"patches", report.patches},
+                                    {"patch_size", report.patch_size},
+                                    {"occluders", report.occluders},
+                                    {"solids", report.solids},
+                                    {"rays", report.rays},
+                                    {"pairs", std::move(pairs)},
+                                    {"seconds", report.seconds},
+                                    {"pairs_per_second", rate_of(report)},
+                                    {"threads", report.threads},
+                                    {"ranks", report.ranks},
+                                    {"memory", report.memory},
+                                    {"isa", report.isa}};
+  return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+std::string format_report(const SeesReport& report, ReportFormat format) {
+  switch (format) {
+    case ReportFormat::json:
+      return json_of(report);
+    case ReportFormat::csv:
+      return csv_of(report);
+    case ReportFormat::text:
+      break;
+  }
+  return text_of(report);
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+/// What `shaftcull sees` found, in numbers.
+#pragma once
+
+#include <string>
+
+#include "report_format.hpp"
+#include "sees_run.hpp"
+
+namespace shaftcull::cli {
+
+struct SeesReport {
+  std::string source;  ///< the file, or which rooms
+  std::string isa;
+  std::size_t objects;
+  std::size_t triangles;
+  std::size_t patches;
+  double patch_size;
+  std::size_t occluders;
+  std::size_t solids;
+  std::uint32_t rays;
+  SeesCounts counts;
+  double seconds;
+  int threads;  ///< of all ranks
+  int ranks;
+  std::uint64_t memory;  ///< the most bytes that the program had, all in all
+};
+
+/// The whole report, ended by a newline.
+[[nodiscard]] std::string format_report(const SeesReport& report, ReportFormat format);
+
+}  // namespace shaftcull::cli

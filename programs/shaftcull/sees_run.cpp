@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "sees_run.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "sight_rays.hpp"
+
+namespace shaftcull::cli {
+
+/// How many rays of undecided pairs arrive, found where resolve() is called, by many threads, and taken where answers
+/// are delivered. Pairs stay undecided for the library: rays are no proof.
+class UnitQuestion::RayAnswers {
+ public:
+  RayAnswers(const SeesScene& scene, const SeesWork& work)
+      : scene_(scene), rays_(work.rays, work.seed, scene.planes.empty()), stops_(work.stops) {
+    for (const std::vector<std::uint32_t>& triangles : scene.occluder_triangles) {
+      rays_.add_occluder(scene.mesh.triangles, triangles);
+    }
+  }
+
+  void find(const UndecidedPairs& undecided) {
+    if (undecided.pairs.empty()) return;
+    std::vector<std::uint32_t> seen = seen_of(undecided);
+    const std::scoped_lock lock(mutex_);
+    found_.insert_or_assign(key_of(undecided), std::move(seen));
+  }
+
+  std::vector<std::uint32_t> take(const UndecidedPairs& undecided) {
+    if (undecided.pairs.empty()) return {};
+    {
+      const std::scoped_lock lock(mutex_);
+      const auto found = found_.find(key_of(undecided));
+      if (found != found_.end() && found->second.size() == undecided.pairs.size()) {
+        std::vector<std::uint32_t> seen = std::move(found->second);
+        found_.erase(found);
+        return seen;
+      }
+    }
+    return seen_of(undecided);
+  }
+
+ private:
+  /// No pair is in two batches, so its first one tells a batch from others.
+  static std::uint64_t key_of(const UndecidedPairs& undecided) {
+    return std::uint64_t{undecided.pairs.front().a} << 32 | undecided.pairs.front().b;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> seen_of(const UndecidedPairs& undecided) const {
+    std::vector<std::uint32_t> seen(undecided.pairs.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (stops_ && stops_()) throw Cancelled("rays were cancelled");
+      const std::size_t first = undecided.first_candidate[i];
+      seen[i] = rays_.seen(scene_.patches, undecided.pairs[i].a, undecided.pairs[i].b,
+                           undecided.candidates.subspan(first, undecided.first_candidate[i + 1] - first));
+    }
+    return seen;
+  }
+
+  const SeesScene& scene_;
+  SightRays rays_;
+  const std::function<bool()>& stops_;
+  std::mutex mutex_;
+  std::map<std::uint64_t, std::vector<std::uint32_t>> found_;
+};
+
+namespace {
+
+/// Keeps what a unit answers.
+class UnitKeeper final : public SightSink {
+ public:
+  explicit UnitKeeper(UnitAnswer& answer) : answer_(answer) {}
+
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override {
+    for (const PairBlock& product : batch.products) {
+      for (const std::uint32_t n : {product.a.first, product.a.count, product.b.first, product.b.count,
+                                    static_cast<std::uint32_t>(product.sight)}) {
+        answer_.products.push_back(n);
+      }
+    }
+    const UndecidedPairs& undecided = batch.undecided;
+    const std::uint64_t before = answer_.candidates.size();
+    for (std::size_t i = 0; i != undecided.pairs.size(); ++i) {
+      answer_.undecided.push_back(undecided.pairs[i]);
+      answer_.ends.push_back(before + undecided.first_candidate[i + 1]);
+    }
+    answer_.candidates.insert(answer_.candidates.end(), undecided.candidates.begin(), undecided.candidates.end());
+    answer_.seen.insert(answer_.seen.end(), seen.begin(), seen.end());
+  }
+  void finish() override {}
+
+ private:
+  UnitAnswer& answer_;
+};
+
+}  // namespace
+
+SeesCounts& SeesCounts::operator+=(const SeesCounts& more) noexcept {
+  for (const Sight sight : {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away}) {
+    sights.of(sight) += more.sights.of(sight);
+  }
+  visible += more.visible;
+  partial += more.partial;
+  hidden += more.hidden;
+  return *this;
+}
+
+SeesCounts::Numbers SeesCounts::numbers() const noexcept {
+  return {sights.undecided, sights.clear, sights.occluded, sights.facing_away, visible, partial, hidden};
+}
+
+SeesCounts SeesCounts::of(std::span<const std::uint64_t, 7> numbers) noexcept {
+  return {{numbers[0], numbers[1], numbers[2], numbers[3]}, numbers[4], numbers[5], numbers[6]};
+}
+
+UnitQuestion::UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work)
+    : scene_(scene), patches_(patches), rays_(work.rays) {
+  options_.memory = work.memory;
+  // Proofs and rays are of one scene: a ray that starts inside a solid does not meet its front.
+  options_.solids_around_ends = work.rays == 0;
+  if (work.rays == 0) return;
+  ray_answers_ = std::make_unique<RayAnswers>(scene, work);
+  options_.resolve = [this](const UndecidedPairs& undecided, std::span<Sight>) { ray_answers_->find(undecided); };
+}
+
+UnitQuestion::~UnitQuestion() = default;
+
+SeesCounts UnitQuestion::deliver(std::size_t unit, std::span<SightSink* const> sinks,
+                                 const std::function<bool(const VisibilityProgress&)>& progress) {
+  SeesCounts counts;
+  VisibilityOptions options = options_;
+  options.progress = progress;
+  if (rays_ == 0 && sinks.empty()) {
+    counts.sights = patches_.count(unit, scene_.occluders, options);
+    return counts;
+  }
+  const auto take = [&](const SightBatch& batch) {
+    const std::vector<std::uint32_t> seen =
+        rays_ == 0 ? std::vector<std::uint32_t>() : ray_answers_->take(batch.undecided);
+    for (const std::uint32_t n : seen) ++(n == 0 ? counts.hidden : n == rays_ ? counts.visible : counts.partial);
+    for (SightSink* const sink : sinks) sink->take(batch, seen);
+  };
+  counts.sights = patches_.answer(unit, scene_.occluders, take, options);
+  return counts;
+}
+
+SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
+                          std::span<SightSink* const> sinks) {
+  UnitQuestion question(scene, patches, work);
+  SeesCounts counts;
+  const std::uint64_t total = patches.pairs();
+  std::uint64_t before = 0;
+  std::function<bool(const VisibilityProgress&)> progress;
+  if (work.progress) {
+    progress = [&](const VisibilityProgress& now) { return work.progress({before + now.done, total}); };
+  }
+  for (std::size_t unit = 0; unit != patches.units(); ++unit) {
+    counts += question.deliver(unit, sinks, progress);
+    before += patches.pairs_of(unit);
+  }
+  for (SightSink* const sink : sinks) sink->finish();
+  return counts;
+}
+
+UnitAnswer answer_of(UnitQuestion& question, std::size_t unit) {
+  UnitAnswer answer;
+  UnitKeeper keeper(answer);
+  SightSink* const sinks[] = {&keeper};
+  const SeesCounts counts = question.deliver(unit, sinks, {});
+  const SeesCounts::Numbers numbers = counts.numbers();
+  answer.counts.assign(numbers.begin(), numbers.end());
+  return answer;
+}
+
+SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks) {
+  const SeesCounts counts = SeesCounts::of(std::span(answer.counts).first<7>());
+  if (sinks.empty()) return counts;
+  std::vector<PairBlock> products;
+  for (std::size_t i = 0; i < answer.products.size(); i += 5) {
+    const std::uint32_t* const row = &answer.products[i];
+    products.push_back({{row[0], row[1]}, {row[2], row[3]}, static_cast<Sight>(row[4])});
+  }
+  std::vector<std::size_t> first_candidate{0};
+  first_candidate.insert(first_candidate.end(), answer.ends.begin(), answer.ends.end());
+  const SightBatch batch{products, {answer.undecided, first_candidate, answer.candidates}};
+  for (SightSink* const sink : sinks) sink->take(batch, answer.seen);
+  return counts;
+}
+
+SeenShares::SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays)
+    : order_(order), most_(rays == 0 ? 1 : rays), sums_(order.size()) {}
+
+void SeenShares::take(const SightBatch& batch, std::span<const std::uint32_t> seen) {
+  const auto add = [&](const PatchRun& run, std::uint32_t others) {
+    for (const std::uint32_t patch : order_.subspan(run.first, run.count)) sums_[patch] += most_ * others;
+  };
+  for (const PairBlock& product : batch.products) {
+    if (product.sight != Sight::clear) continue;
+    add(product.a, product.b.count);
+    add(product.b, product.a.count);
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    sums_[batch.undecided.pairs[i].a] += seen[i];
+    sums_[batch.undecided.pairs[i].b] += seen[i];
+  }
+}
+
+void SeenShares::finish() {
+  const double all = static_cast<double>(most_) * static_cast<double>(std::max<std::size_t>(sums_.size(), 2) - 1);
+  for (const std::uint64_t sum : sums_) shares_.push_back(static_cast<double>(sum) / all);
+}
+
+}  // namespace shaftcull::cli

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+/// Asks what sees what, and hands answers to files and pictures while they come.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "sees_blocks.hpp"
+#include "sees_scene.hpp"
+#include "shaftcull/visibility.hpp"
+
+namespace shaftcull::cli {
+
+/// How it is asked.
+struct SeesWork {
+  std::uint32_t rays = 0;  ///< of each pair that is undecided; then no solid blocks pairs of a patch that it holds
+  std::uint64_t seed = 1;
+  std::size_t memory = std::size_t{256} << 20;
+  /// As VisibilityOptions::progress.
+  std::function<bool(const VisibilityProgress&)> progress;
+  /// Whether to end now, which throws Cancelled; asked by many threads, also while rays are cast.
+  std::function<bool()> stops;
+};
+
+/// How many pairs there are of each kind. The last three are parts of the undecided ones, and 0 without rays.
+struct SeesCounts {
+  SightCounts sights;
+  std::uint64_t visible = 0;  ///< all of their rays arrive
+  std::uint64_t partial = 0;  ///< some do
+  std::uint64_t hidden = 0;   ///< none does
+
+  SeesCounts& operator+=(const SeesCounts& more) noexcept;
+
+  /// As they are stored and added up: undecided, clear, occluded, facing away; by rays visible, partly, hidden.
+  using Numbers = std::array<std::uint64_t, 7>;
+  [[nodiscard]] Numbers numbers() const noexcept;
+  [[nodiscard]] static SeesCounts of(std::span<const std::uint64_t, 7> numbers) noexcept;
+};
+
+/// Takes answers while they come.
+class SightSink {
+ public:
+  SightSink() = default;
+  SightSink(const SightSink&) = delete;
+  SightSink& operator=(const SightSink&) = delete;
+  virtual ~SightSink() = default;
+
+  /// `seen` has for each undecided pair of the batch how many of its rays arrive; it is empty without rays.
+  virtual void take(const SightBatch& batch, std::span<const std::uint32_t> seen) = 0;
+  /// All answers were taken.
+  virtual void finish() = 0;
+};
+
+/// Asks in the caller's task_arena. Throws Cancelled if the progress callback says so, and what sinks throw.
+[[nodiscard]] SeesCounts find_what_sees(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work,
+                                        std::span<SightSink* const> sinks);
+
+/// The answers of one unit, as they are kept until those of others are there.
+struct UnitAnswer {
+  std::vector<std::uint64_t> counts;      ///< SeesCounts::Numbers
+  std::vector<std::uint32_t> products;    ///< five a product: runs of two patches, and what they see
+  std::vector<PatchPair> undecided;       ///< pairs
+  std::vector<std::uint64_t> ends;        ///< of each pair, where its candidates end
+  std::vector<std::uint32_t> candidates;  ///< of all pairs
+  std::vector<std::uint32_t> seen;        ///< of each pair with rays, how many arrive
+
+  /// As batch::BlockStore wants them.
+  template <class Self>
+  [[nodiscard]] static auto arrays(Self& self) {
+    return std::tie(self.counts, self.products, self.undecided, self.ends, self.candidates, self.seen);
+  }
+};
+
+/// Asks about units one by one, in the caller's task_arena.
+class UnitQuestion {
+ public:
+  UnitQuestion(const SeesScene& scene, const SeesBlocks& patches, const SeesWork& work);
+  UnitQuestion(const UnitQuestion&) = delete;
+  UnitQuestion& operator=(const UnitQuestion&) = delete;
+  ~UnitQuestion();
+
+  /// Hands answers to sinks while they come. `progress` may be empty.
+  SeesCounts deliver(std::size_t unit, std::span<SightSink* const> sinks,
+                     const std::function<bool(const VisibilityProgress&)>& progress);
+
+ private:
+  class RayAnswers;
+
+  const SeesScene& scene_;
+  const SeesBlocks& patches_;
+  VisibilityOptions options_;
+  std::uint32_t rays_;
+  std::unique_ptr<RayAnswers> ray_answers_;
+};
+
+/// All answers of a unit.
+[[nodiscard]] UnitAnswer answer_of(UnitQuestion& question, std::size_t unit);
+
+/// Hands such answers to sinks, and gives their counts.
+SeesCounts hand_over(const UnitAnswer& answer, std::span<SightSink* const> sinks);
+
+/// What kinds of files of answers there are.
+enum class SightForm : std::uint8_t { npz, csv };
+
+/// What kind of file a path names, by the end of the name: .npz or .csv. A stream (output_file.hpp) whose name does not
+/// say is CSV. Throws InvalidArgument for another name, or if a CSV file cannot have all pairs of so many patches.
+[[nodiscard]] SightForm sight_form(const std::string& path, std::uint64_t patches);
+
+/// A sink that writes such a file of all pairs. `order` is that of the patches, `rays` is 0 without. Throws
+/// InvalidArgument as sight_form(), and for a file that cannot be made.
+[[nodiscard]] std::unique_ptr<SightSink> sight_file(const std::string& path, const SeesScene& scene,
+                                                    std::span<const std::uint32_t> order, std::uint32_t rays);
+
+/// What share of the others each patch sees: of pairs that are clear all; of those with rays the share of the rays that
+/// arrive; of others nothing.
+class SeenShares final : public SightSink {
+ public:
+  SeenShares(std::span<const std::uint32_t> order, std::uint32_t rays);
+
+  void take(const SightBatch& batch, std::span<const std::uint32_t> seen) override;
+  void finish() override;
+
+  /// What was taken of each patch until now; for answers that several processes take, to be added up before finish().
+  [[nodiscard]] std::span<std::uint64_t> sums() noexcept { return sums_; }
+  /// One for each patch, from 0 to 1, when all answers were taken.
+  [[nodiscard]] std::span<const double> shares() const noexcept { return shares_; }
+
+ private:
+  std::span<const std::uint32_t> order_;
+  std::uint64_t most_;               ///< what one other patch can add: its rays, or 1 without
+  std::vector<std::uint64_t> sums_;  ///< integers, so that their order does not matter
+  std::vector<double> shares_;
+};
+
+/// An SVG picture of the scene as seen along axis `up`, from where it points: patches that face there, in the colour
+/// of their share.
+[[nodiscard]] std::string svg_of_shares(const SeesScene& scene, std::span<const double> shares, std::size_t up);
+
+}  // namespace shaftcull::cli

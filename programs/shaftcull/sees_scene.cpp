@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "sees_scene.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mesh_parts.hpp"
+#include "name_pattern.hpp"
+#include "name_search.hpp"
+#include "shaftcull/error.hpp"
+#include "shaftcull/triangles.hpp"
+#include "solid_shape.hpp"
+
+namespace shaftcull::cli {
+namespace {
+
+constexpr std::size_t triangles_of_a_group = 32;
+
+/// Which objects the names are of: all of that name, or those that match a pattern with * or ?.
+std::vector<bool> objects_of(const MeshScene& mesh, std::span<const std::string> names, const std::string& source) {
+  std::vector<bool> chosen(mesh.names.size(), false);
+  for (const std::string& name : names) {
+    const auto same = std::find(mesh.names.begin(), mesh.names.end(), name);
+    if (same != mesh.names.end()) {
+      chosen[static_cast<std::size_t>(same - mesh.names.begin())] = true;
+      continue;
+    }
+    bool found = false;
+    for (std::size_t i = 0; i < mesh.names.size(); ++i) {
+      if (!matches(name, mesh.names[i])) continue;
+      chosen[i] = true;
+      found = true;
+    }
+    if (found) continue;
+    throw InvalidArgument(fmt::format("--solid {}: {} has no object of that name; its object{} {}", name, source,
+                                      mesh.names.size() == 1 ? " is" : "s are", closest_names(name, mesh.names)));
+  }
+  return chosen;
+}
+
+class OccluderMaker {
+ public:
+  explicit OccluderMaker(SeesScene& scene) : scene_(scene) {}
+
+  void make(const std::vector<bool>& is_solid) {
+    add_groups(is_solid);
+    add_solids(is_solid);
+  }
+
+ private:
+  void add_groups(const std::vector<bool>& is_solid) {
+    std::vector<MeshTriangle> parted = scene_.mesh.triangles;
+    const std::size_t parts = divide_into_parts(parted, triangles_of_a_group).size();
+    std::vector<std::vector<std::uint32_t>> groups(parts);
+    for (std::size_t i = 0; i < parted.size(); ++i) {
+      if (!is_solid[parted[i].object]) groups[parted[i].part].push_back(static_cast<std::uint32_t>(i));
+    }
+    std::vector<Triangle> triangles;
+    std::vector<std::size_t> first{0};
+    for (std::vector<std::uint32_t>& group : groups) {
+      if (group.empty()) continue;
+      for (const std::uint32_t i : group) triangles.push_back({parted[i].vertex});
+      first.push_back(triangles.size());
+      scene_.occluder_triangles.push_back(std::move(group));
+    }
+    if (!triangles.empty()) scene_.occluders.add_triangles(TriangleStream(triangles).view(), first);
+  }
+
+  void add_solids(const std::vector<bool>& is_solid) {
+    std::vector<std::vector<std::uint32_t>> of_object(is_solid.size());
+    for (std::size_t i = 0; i < scene_.mesh.triangles.size(); ++i) {
+      const std::uint32_t object = scene_.mesh.triangles[i].object;
+      if (is_solid[object]) of_object[object].push_back(static_cast<std::uint32_t>(i));
+    }
+    std::vector<Box> boxes;
+    std::vector<Vec3> corners;
+    std::vector<std::size_t> first{0};
+    std::vector<std::vector<std::uint32_t>> of_boxes;
+    std::vector<std::vector<std::uint32_t>> of_hulls;
+    for (std::size_t object = 0; object < is_solid.size(); ++object) {
+      if (!is_solid[object]) continue;
+      std::vector<MeshTriangle> triangles;
+      for (const std::uint32_t i : of_object[object]) triangles.push_back(scene_.mesh.triangles[i]);
+      const SolidShape shape = solid_shape(triangles);
+      if (!shape.refusal.empty()) {
+        throw InvalidArgument(
+            fmt::format("--solid: '{}' cannot be solid: {}", scene_.mesh.names[object], shape.refusal));
+      }
+      if (shape.is_box) {
+        boxes.push_back(scene_.mesh.boxes[object]);
+        of_boxes.push_back(std::move(of_object[object]));
+      } else {
+        corners.insert(corners.end(), shape.corners.begin(), shape.corners.end());
+        first.push_back(corners.size());
+        of_hulls.push_back(std::move(of_object[object]));
+      }
+    }
+    if (!boxes.empty()) scene_.occluders.add_solids(boxes);
+    if (!corners.empty()) scene_.occluders.add_solid_hulls(corners, first);
+    scene_.solids = of_boxes.size() + of_hulls.size();
+    for (auto* const list : {&of_boxes, &of_hulls}) {
+      for (std::vector<std::uint32_t>& triangles : *list) scene_.occluder_triangles.push_back(std::move(triangles));
+    }
+  }
+
+  SeesScene& scene_;
+};
+
+}  // namespace
+
+SeesScene make_sees_scene(MeshScene mesh, const SeesChoice& choice, const std::string& source) {
+  SeesScene scene{std::move(mesh), choice.patch_size, {}, {}, {}, {}, {}, 0};
+  if (scene.patch_size == 0) scene.patch_size = usual_patch_size(scene.mesh);
+  scene.patches = split_into_patches(scene.mesh.triangles, scene.patch_size);
+  if (scene.patches.empty()) {
+    throw InvalidArgument(fmt::format("{}: no triangle has an area, so there are no patches", source));
+  }
+  scene.boxes.reserve(scene.patches.size());
+  for (const MeshPatch& patch : scene.patches) {
+    scene.boxes.push_back(box_of(patch));
+    if (!choice.two_sided) scene.planes.push_back(plane_of(scene.mesh.triangles[patch.triangle]));
+  }
+  OccluderMaker(scene).make(objects_of(scene.mesh, choice.solid, source));
+  return scene;
+}
+
+}  // namespace shaftcull::cli
