@@ -20,6 +20,11 @@ if(WIN32)
   set(shaftcull_system windows)
 endif()
 
+# Debian's Python has Debian's packages, whichever Python comes first in the PATH.
+find_program(SHAFTCULL_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(SHAFTCULL_SYSTEM_PYTHON python3)
+mark_as_advanced(SHAFTCULL_SYSTEM_PYTHON)
+
 # The best instruction set of this machine, as far as the build has it. An emulator has them all.
 list(GET isas -1 shaftcull_best_set)
 if("avx512" IN_LIST isas AND CMAKE_SYSTEM_NAME STREQUAL "Linux")

@@ -12,11 +12,8 @@ shaftcull_test(batch
 target_link_libraries(test_batch PRIVATE shaftcull_batch HDF5::HDF5 nlohmann_json::nlohmann_json)
 add_dependencies(test_batch shaftcull_cli)  # which the tests below run
 
-# Where NumPy, h5py or MPI is missing, these are skipped. Debian's Python has its packages, whichever one comes first.
-find_program(SHAFTCULL_BATCH_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
-find_program(SHAFTCULL_BATCH_PYTHON python3)
-mark_as_advanced(SHAFTCULL_BATCH_PYTHON)
-if(SHAFTCULL_BATCH_PYTHON)
+# Where NumPy, h5py or MPI is missing, these are skipped.
+if(SHAFTCULL_SYSTEM_PYTHON)
   set(launcher "")
   if(MPI_CXX_FOUND AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")  # Open MPI leaves memory behind, which would be told
     set(launcher ${MPIEXEC_EXECUTABLE})
@@ -26,7 +23,7 @@ if(SHAFTCULL_BATCH_PYTHON)
       continue()  # they write to memory of their own
     endif()
     add_test(NAME batch.${case}
-      COMMAND ${SHAFTCULL_BATCH_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/run.py ${case} $<TARGET_FILE:shaftcull_cli> "${launcher}")
+      COMMAND ${SHAFTCULL_SYSTEM_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/run.py ${case} $<TARGET_FILE:shaftcull_cli> "${launcher}")
     set_tests_properties(batch.${case} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
   endforeach()
 else()
