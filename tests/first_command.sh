@@ -180,7 +180,7 @@ called "cmake --build $work/project/build/arm64"
 called "--target test_same_bits"
 called "ctest --preset arm64"
 
-# For Windows, nothing is emulated or drawn: neither qemu nor gnuplot is asked for.
+# For Windows, nothing is emulated: qemu is not asked for.
 action=(test --preset windows --only same_bits)
 windows_needs="libz-mingw-w64-dev libboost-dev"
 scenario="test of Windows, sudo"
@@ -274,6 +274,19 @@ system apt-get dpkg-query sudo c++ cmake ninja
 run 1 APT_RESULT=100 INSTALLED="$needed $optional libopenmpi-dev python3-numpy"
 says "apt-get install --no-install-recommends libhdf5-openmpi-dev openmpi-bin libxxhash-dev python3-h5py"
 not_called cmake
+
+action=(report)
+scenario="report, sudo, but no network"
+system apt-get dpkg-query sudo c++ cmake ninja
+run 1 APT_RESULT=100 INSTALLED=python3
+says "apt-get install --no-install-recommends python3-matplotlib"
+not_called cmake
+
+scenario="report, another distribution"
+system
+run 1
+says "not found: python3."
+says "Python 3.9 with Matplotlib 3.6"
 
 [[ $failures -eq 0 ]] || exit 1
 echo "All scenarios as expected."

@@ -18,7 +18,7 @@ set(quick_tests
   symbols[.].* units)
 set(ci_tests
   allocation.* "calls[.](scalar|aarch64)" many[.].* many_tree[.].* options[.].* tree[.].* tree_building[.].* out_of_memory tree_memory visibility_memory
-  "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" hash.best
+  "cli([.].*)?" "batch|batch[.](model|numpy|ranks|trees|sees)" budget[.].* docs "docs[.]links" "c([._].*)?" python[.].* "packages[.](conan|vcpkg)" report hash.best
   "emulated[.][^.]*[.]isa"
   "embedding[.](neon|big_endian|strict|no_build_type|refused|cross|package)")
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address")
@@ -37,7 +37,7 @@ list(JOIN ci_tests "|" ci_tests)
 
 # Entries that do not run the library have the label `sources`: planted faults do not concern them (mutation/mutate.py).
 set(sources_tests architecture check_steps compilers dependencies docs "docs[.]links" documents "documents[.](links|tuning)" fetches first_command
-  headers packages[.].* symbols[.].* units c[.]header c[.]symbols cli[.]manual python[.]stubs budget[.].*)
+  headers packages[.].* symbols[.].* units c[.]header c[.]symbols cli[.]manual python[.]stubs budget[.].* report)
 list(JOIN sources_tests "|" sources_tests)
 
 # All that CTest runs, and what the layers run of it.

@@ -31,6 +31,14 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CMAKE_CXX_FLAGS AND SHAFTCULL_WIT
     message(STATUS "No test packages.conan: there is no python3 on this machine")
   endif()
 endif()
+# The page of plots of the benchmark.
+if(SHAFTCULL_SYSTEM_PYTHON)
+  add_test(NAME report COMMAND ${SHAFTCULL_SYSTEM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/bench/report_test.py)
+  set_tests_properties(report PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 ENVIRONMENT MPLCONFIGDIR=${CMAKE_CURRENT_BINARY_DIR}/matplotlib)
+else()
+  message(STATUS "No test report: there is no python3 on this machine")
+endif()
+
 add_test(NAME compilers COMMAND ${CMAKE_COMMAND} -D ROOT=${PROJECT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/compilers.cmake)
 add_test(NAME units COMMAND ${CMAKE_COMMAND} -D KERNEL=${PROJECT_SOURCE_DIR}/kernel -P ${CMAKE_CURRENT_SOURCE_DIR}/units.cmake)
 

@@ -24,7 +24,8 @@ arm64_packages=(qemu-user:qemu-aarch64 g++-aarch64-linux-gnu:aarch64-linux-gnu-g
 s390x_packages=(qemu-user:qemu-s390x g++-s390x-linux-gnu:s390x-linux-gnu-g++)
 riscv64_packages=(qemu-user:qemu-riscv64 g++-riscv64-linux-gnu:riscv64-linux-gnu-g++)
 windows_packages=(g++-mingw-w64-x86-64-posix:x86_64-w64-mingw32-g++-posix wine64)
-# The Python package is not built without the first three; some of its tests are skipped without the others.
+# The Python package is not built without the first three. Some of its tests are skipped without the others, and the test of the
+# report page is without Matplotlib.
 python_packages=(python3-dev python3-numpy pybind11-dev python3-pytest python3-build python3-setuptools python3-wheel mypy
   python3-mpi4py openmpi-bin python3-dask python3-matplotlib)
 
