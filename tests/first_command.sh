@@ -143,7 +143,7 @@ says "building"
 
 # This system knows two of the packages that tests of embedding need. They are not of one group.
 action=(test --layer all)
-tests_need="clang libgtest-dev libgmock-dev libbenchmark-dev qemu-user gnuplot-nox valgrind doxygen mkdocs mkdocs-material"
+tests_need="clang libgtest-dev libgmock-dev libbenchmark-dev qemu-user valgrind doxygen mkdocs mkdocs-material"
 knows() { stand_in apt-cache '[[ $2 == clang-19 || $2 == g++-12-multilib ]]'; }
 
 scenario="all tests, sudo"

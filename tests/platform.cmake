@@ -50,7 +50,7 @@ if(WIN32)
     "     Stack, of calls: no thread can be given a stack that was painted before\n"
     "     ForkedChild, of calls: there is no fork()\n"
     "     wide: pages that nobody wrote to are not all the same one\n"
-    "     bench_report, interrupted_program, output and sees_posix, of cli: gnuplot, NumPy, devices and signals of POSIX\n"
+    "     interrupted_program, output and sees_posix, of cli: NumPy, devices and signals of POSIX\n"
     "     c.clang: C is compiled by the toolchain's own compiler")
 elseif(shaftcull_wasm)
   message(STATUS "Tests that are left out in WebAssembly:\n"

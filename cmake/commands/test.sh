@@ -30,9 +30,9 @@ use_packages_of() {
       if [[ $1 == clang || ($1 == release && $2 == @(ci|all)) ]]; then packages+=("${clang_packages[@]}"); fi
       if [[ $1 != release || $2 == @(ci|all) || $3 == @(cli|batch) ]]; then for_program; fi
       if [[ $1 != release || $2 == all || $3 == @(bench|paper) ]]; then for_bench; fi
-      # Tests on emulated processors, of plots and of instruction budgets are skipped without them.
-      if [[ $2 == @(ci|all) || $3 == @(cli|budget) ]] && command -v apt-get >/dev/null; then
-        packages+=(qemu-user:qemu-x86_64 gnuplot-nox:gnuplot)
+      # Tests on emulated processors and of instruction budgets are skipped without them.
+      if [[ $2 == @(ci|all) || $3 == budget ]] && command -v apt-get >/dev/null; then
+        packages+=(qemu-user:qemu-x86_64)
         if [[ $1 == release ]]; then packages+=(valgrind:valgrind "${docs_packages[@]}"); fi
       fi
       ;;

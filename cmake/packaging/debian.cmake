@@ -86,7 +86,6 @@ if(TARGET shaftcull_cli)
     "exact culling of boxes by shafts - program"
     "This package has a program that culls mesh files, draws shafts, gathers
 statistics, and compares answers with exact rational arithmetic.")
-  set(CPACK_DEBIAN_SHAFTCULL_PROGRAM_PACKAGE_SUGGESTS gnuplot-nox)
 endif()
 
 # The module is built for one version of Python. The preset `package` names Debian's folder for it.

@@ -29,11 +29,9 @@ namespace {
 using namespace shaftcull::cli;
 
 #ifdef SHAFTCULL_CLI_WITH_VERIFY
-constexpr std::array subcommands{add_demo, add_cull,   add_sees, add_batch,       add_stats,
-                                 add_draw, add_verify, add_hash, add_bench_report};
+constexpr std::array subcommands{add_demo, add_cull, add_sees, add_batch, add_stats, add_draw, add_verify, add_hash};
 #else
-constexpr std::array subcommands{add_demo,  add_cull, add_sees, add_batch,
-                                 add_stats, add_draw, add_hash, add_bench_report};
+constexpr std::array subcommands{add_demo, add_cull, add_sees, add_batch, add_stats, add_draw, add_hash};
 #endif
 
 std::string version() {

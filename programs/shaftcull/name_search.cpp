@@ -11,7 +11,7 @@
 namespace shaftcull::cli {
 namespace {
 
-constexpr std::size_t most_names_shown = 9;  // as many as there are subcommands
+constexpr std::size_t most_names_shown = 9;  // no fewer than there are subcommands
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

@@ -15,7 +15,6 @@ void add_batch(CLI::App& program);
 void add_stats(CLI::App& program);
 void add_draw(CLI::App& program);
 void add_hash(CLI::App& program);
-void add_bench_report(CLI::App& program);
 void add_verify(CLI::App& program);  ///< in builds that found GMP
 
 /// Exit codes of the program.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Files with names that not every system takes for granted, and files as text editors of Windows write them.
+/// Files with names that not every system takes for granted, and the ends of lines in files of text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,19 +90,6 @@ TEST(CliTextFiles, HaveTheSameLineEndsOnEverySystem) {
   }
   EXPECT_THAT(output_of({"draw"}), testing::AllOf(HasSubstr("\n"), Not(HasSubstr("\r"))));
   EXPECT_THAT(refusal_of({"fly"}), Not(HasSubstr("\r")));
-}
-
-TEST(CliTextFiles, MayBeReadWithCarriageReturns) {
-  std::string summary;
-  for (const char c : bytes_of_file(SHAFTCULL_STORED_SUMMARY))
-    summary += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  const ScratchFolder folder;
-  const Outcome outcome = run_program(
-      {"bench-report", "--in", folder.write(foreign + ".json", summary), "--out", folder.path(foreign + ".html")});
-  // The summary was read, whether there is a gnuplot here or not.
-  if (outcome.exit_code != 0) {
-    EXPECT_THAT(outcome.error, HasSubstr("there is no gnuplot"));
-  }
 }
 
 }  // namespace
