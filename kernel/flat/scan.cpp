@@ -70,16 +70,23 @@ void Scan::for_each_chunk(std::size_t chunk, const Visit& visit) const {
 template <class Visit>
 SHAFTCULL_NOINLINE void Scan::for_each_chunk_of_view(std::size_t chunk, const Visit& visit) const {
   const bool both = asks_for_inside(question_);
+  const BoundStreams& bounds = bounds_.streams;
   std::uint64_t kept[bit_words(chunk_bounds)];
   std::uint64_t inside[bit_words(chunk_bounds)];
-  for (std::size_t first = 0; first != bounds_.streams.count;) {
-    const BoundSlice part = bounds_.streams.slice(first, std::min(chunk, bounds_.streams.count - first));
-    test_(shaft_.shaft(), part.stream, part.count, kept, both ? inside : nullptr);
-    left_out_.clear(first, part.count, kept);
-    if (both) left_out_.clear(first, part.count, inside);
-    if (!visit(ScannedChunk{first, bit_words(part.count), kept, inside})) return;
-    first += part.count;
+  // The first chunk has the pointers of the view: reading copies that have just been written would cost a small view
+  // as much as its test.
+  const float* const* stream = bounds.stream;
+  const float* part[9];
+  for (std::size_t first = 0; first != bounds.count;) {
+    const std::size_t size = std::min(chunk, bounds.count - first);
+    test_(shaft_.shaft(), stream, size, kept, both ? inside : nullptr);
+    left_out_.clear(first, size, kept);
+    if (both) left_out_.clear(first, size, inside);
+    if (!visit(ScannedChunk{first, bit_words(size), kept, inside})) return;
+    first += size;
     chunk = std::min(2 * chunk, chunk_bounds);
+    for (std::size_t r = 0; r != bounds.rows; ++r) part[r] = bounds.stream[r] + first;
+    stream = part;
   }
 }
 
