@@ -8,6 +8,7 @@
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "support/arguments.hpp"
+#include "support/compiler.hpp"
 #include "support/float_environment.hpp"
 #include "tree/answers.hpp"
 #include "verbs/asked.hpp"
@@ -60,6 +61,26 @@ void write_plain_bits(const CompiledShaft& shaft, const BoxView& boxes, std::uin
   kernel::active_kernels().boxes(kernel::data_of(shaft), boxes.stream.data(), boxes.count, kept, inside);
 }
 
+// Verbs of bits about all boxes of a view are short, and have no large stack: any other query goes on here.
+
+SHAFTCULL_NOINLINE void cull_bounds(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
+                                    const Query& query) {
+  const Asked asked("cull", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
+  require_bits(asked, "kept", kept);
+  write_bits(asked, kept.data(), nullptr);
+}
+
+SHAFTCULL_NOINLINE void classify_bounds(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
+                                        std::span<std::uint64_t> inside, const Query& query) {
+  const bool wants_kept = !kept.empty();
+  const Asked asked("classify", {&shaft, 1}, bounds, wants_kept ? Question::kept_and_inside : Question::inside, query,
+                    kernel::takes_candidates);
+  if (wants_kept) require_bits(asked, "kept", kept);
+  require_bits(asked, "inside", inside);
+  kernel::require_apart("classify", "kept", bytes_of(kept), "inside", bytes_of(inside));
+  write_bits(asked, wants_kept ? kept.data() : nullptr, inside.data());
+}
+
 }  // namespace
 
 void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept, const Query& query) {
@@ -69,9 +90,7 @@ void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint6
     kernel::require_words("kept", kept, boxes->count);
     return write_plain_bits(shaft, *boxes, kept.data(), nullptr);
   }
-  const Asked asked("cull", {&shaft, 1}, bounds, Question::kept, query, kernel::takes_candidates);
-  require_bits(asked, "kept", kept);
-  write_bits(asked, kept.data(), nullptr);
+  cull_bounds(shaft, bounds, kept, query);
 }
 
 void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
@@ -85,12 +104,7 @@ void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::u
     kernel::require_apart("classify", "kept", bytes_of(kept), "inside", bytes_of(inside));
     return write_plain_bits(shaft, *boxes, wants_kept ? kept.data() : nullptr, inside.data());
   }
-  const Asked asked("classify", {&shaft, 1}, bounds, wants_kept ? Question::kept_and_inside : Question::inside, query,
-                    kernel::takes_candidates);
-  if (wants_kept) require_bits(asked, "kept", kept);
-  require_bits(asked, "inside", inside);
-  kernel::require_apart("classify", "kept", bytes_of(kept), "inside", bytes_of(inside));
-  write_bits(asked, wants_kept ? kept.data() : nullptr, inside.data());
+  classify_bounds(shaft, bounds, kept, inside, query);
 }
 
 std::size_t count(const CompiledShaft& shaft, const Bounds& bounds, const Query& query) {
