@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/dependency.cmake)
 # alone. Only those of x86 need xsimd.
 set(shaftcull_is_x86 FALSE)
 set(shaftcull_is_arm FALSE)
-if(CMAKE_SIZEOF_VOID_P EQUAL 8 AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+if(CMAKE_SIZEOF_VOID_P EQUAL 8)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     set(shaftcull_is_x86 TRUE)
   elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")

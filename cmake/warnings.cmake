@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Turns on the warnings that all of this project's own code is free of.
 function(shaftcull_warnings target)
-  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    return()
-  endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
   if(SHAFTCULL_JOIN_SOURCES AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     target_compile_options(${target} PRIVATE -Wno-shadow)  # of names in another source of the group

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "exact/gap.hpp"
-#include "support/compiler_vector.hpp"
+#include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
 
@@ -15,7 +15,7 @@ using Two = CompilerVector<double, 2>::Type;
 inline double sum(Two x) noexcept { return x[0] + x[1]; }
 
 /// x where it is positive, and 0 elsewhere; without a branch, which would be mispredicted.
-inline Two where_positive(Two x, Two condition) noexcept { return where(condition > 0, x, Two{}); }
+inline Two where_positive(Two x, Two condition) noexcept { return condition > 0 ? x : Two{}; }
 
 inline double larger(double x, double y) noexcept { return x < y ? y : x; }
 

@@ -13,7 +13,6 @@
 
 #include "simd/operations.hpp"
 #include "support/compiler.hpp"
-#include "support/compiler_vector.hpp"
 
 namespace shaftcull::kernel {
 
@@ -270,8 +269,8 @@ struct PortableFloats {
     return a;
   }
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return a * b + c; }
-  static Vector minimum(Vector a, Vector b) noexcept { return where(a < b, a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return where(a > b, a, b); }
+  static Vector minimum(Vector a, Vector b) noexcept { return a < b ? a : b; }
+  static Vector maximum(Vector a, Vector b) noexcept { return a > b ? a : b; }
   static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
   static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {

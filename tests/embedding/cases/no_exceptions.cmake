@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# A program and a library without exceptions: the same answers, and a handler is told of errors. Vectors are arrays here, as where
-# a compiler has none of its own. Each source is compiled by itself, so that it has to include what it needs.
+# A program and a library without exceptions: the same answers, and a handler is told of errors. Each source is compiled by itself,
+# so that it has to include what it needs.
 needs(g++ -fno-exceptions)
 configure(g++ -D CMAKE_BUILD_TYPE=Debug -D SHAFTCULL_JOIN_SOURCES=OFF -D SHAFTCULL_WITH_EXCEPTIONS=OFF -D SHAFTCULL_BUILD_C=ON
-  -D CMAKE_CXX_FLAGS=-DSHAFTCULL_COMPILER_VECTORS=0 -D PARENT_OPTIONS=-fno-exceptions
+  -D PARENT_OPTIONS=-fno-exceptions
   -D PARENT_MORE=${CMAKE_CURRENT_LIST_DIR}/../parent/handler.cmake)
 build()
 answers()

@@ -17,6 +17,10 @@ foreach(part IN ITEMS "-Ofast" "-ffinite-math-only" "-freciprocal-math"
   fails("${is_wrong}" ${compile} ${part} ${header})
 endforeach()
 
+needs(clang++-19)
+fails("shaftcull is compiled by g++ or clang" clang++-19 --target=x86_64-pc-windows-msvc -std=c++20 -fsyntax-only -x c++
+  ${SHAFTCULL}/kernel/support/compiler.hpp)
+
 needs(g++ -m32)
 set(compile g++ -std=c++20 -m32 -fsyntax-only -x c++)
 fails("on 32-bit x86 compile with -msse2 -mfpmath=sse" ${compile} -mfpmath=387 ${header})
