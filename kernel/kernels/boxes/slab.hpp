@@ -18,13 +18,13 @@ inline constexpr float outside_for_certain = -1.0F;
 /// How many constraints bound t from above: so many, or what the shaft says. Loops over whole words know it when they
 /// are compiled; what tests less is compiled once for all shafts.
 inline constexpr unsigned any_uppers = 7;
-template <unsigned known>
+template <class L, unsigned known>
 struct Uppers {
   static constexpr unsigned count = known;
   explicit Uppers(const ShaftData& /*shaft*/) noexcept {}
 };
-template <>
-struct Uppers<any_uppers> {
+template <class L>
+struct Uppers<L, any_uppers> {
   unsigned count;
   explicit Uppers(const ShaftData& shaft) noexcept : count(shaft.slab_uppers) {}
 };
@@ -45,7 +45,7 @@ struct Slab {
   Vector narrower;  ///< 1 ∓ the margin, in the relative form
   Vector wider;
   Vector direction;  ///< of the first face, in the endless form: −0 if it moves down
-  [[no_unique_address]] Uppers<known_uppers> uppers;
+  [[no_unique_address]] Uppers<L, known_uppers> uppers;
 
   Slab(const ShaftData& shaft, float error_margin, bool exactly) noexcept
       : margin(L::all(error_margin)), two_margins(L::all(2 * error_margin)), uppers(shaft) {
