@@ -25,20 +25,10 @@ struct Floats : x86::FloatsOf<Set> {
   static std::uint64_t spread_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pdep_u64(bits, mask); }
 };
 
-struct Integers16 {
-  using Floats = avx2::Floats;
-  using Vector = xsimd::batch<std::int16_t, xsimd::fma3<xsimd::avx2>>;
-  static constexpr unsigned width = 16;
-  static constexpr unsigned vectors = 4;
+struct Integers16 : x86::XsimdIntegers16<Floats, xsimd::fma3<xsimd::avx2>> {
   static constexpr std::size_t fewest_shafts_on_grid = 5;
   static constexpr std::size_t fewest_tests_on_grid = 6144;
 
-  static Vector load(const std::int16_t* p) noexcept { return Vector::load_aligned(p); }
-  static Vector all(std::int16_t a) noexcept { return Vector(a); }
-  static Vector add(Vector a, Vector b) noexcept { return a + b; }
-  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector minimum(Vector a, Vector b) noexcept { return xsimd::min(a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return xsimd::max(a, b); }
   // xsimd 8 has ssub(), but not without optimisation.
   static Vector subtract_saturated(Vector a, Vector b) noexcept { return _mm256_subs_epi16(a, b); }
   static Vector multiply(Vector a, Vector b) noexcept { return _mm256_mulhrs_epi16(a, b); }

@@ -24,15 +24,10 @@ using FormationFloats = x86::FloatsOf<Set>;
 
 struct Integers16;
 
-struct Floats {
-  using Vector = xsimd::batch<float, xsimd::avx512bw>;
-  using Mask = xsimd::batch_bool<float, xsimd::avx512bw>;
+struct Floats : x86::XsimdFloats<Floats, xsimd::avx512bw> {
   using EightFloats = avx512::EightFloats;
   using Integers16 = avx512::Integers16;
-  static constexpr unsigned width = 16;
 
-  static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
-  static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
     const __m256i sixteen = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
     return _mm512_i32gather_ps(_mm512_cvtepu16_epi32(sixteen), p, sizeof(float));
@@ -100,42 +95,17 @@ struct Floats {
   static std::uint64_t packed_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pext_u64(bits, mask); }
   static std::uint64_t spread_bits(std::uint64_t bits, std::uint64_t mask) noexcept { return _pdep_u64(bits, mask); }
 
-  static Vector all(float a) noexcept { return Vector(a); }
-  static Vector add(Vector a, Vector b) noexcept { return a + b; }
-  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
-  static Vector divide(Vector a, Vector b) noexcept { return a / b; }
-  static Vector square_root(Vector a) noexcept { return xsimd::sqrt(a); }
   // xsimd 8 multiplies, and then adds.
   static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_ps(a, b, c); }
-  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and
-  // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept { return _mm512_min_ps(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return _mm512_max_ps(a, b); }
-  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
-  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return _mm512_castsi512_ps(_mm512_max_epu32(_mm512_castps_si512(a), _mm512_castps_si512(b)));
   }
-  static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
-  static Vector floor(Vector a) noexcept { return xsimd::floor(a); }
-  static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
-  static float smallest(Vector a) noexcept {
-    return folded(a, [](__m128 x, __m128 y) { return _mm_min_ps(x, y); });
-  }
-  static float largest(Vector a) noexcept {
-    return folded(a, [](__m128 x, __m128 y) { return _mm_max_ps(x, y); });
-  }
 
-  static Mask less(Vector a, Vector b) noexcept { return a < b; }
-  static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
-  static Mask both(Mask a, Mask b) noexcept { return a & b; }
-  static Mask either(Mask a, Mask b) noexcept { return a | b; }
-  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }
   static std::uint64_t bits(Mask mask) noexcept { return static_cast<__mmask16>(mask); }
   static unsigned lowest_bit(std::uint64_t word) noexcept { return static_cast<unsigned>(_tzcnt_u64(word)); }
 
-  static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
   /// Packing saturates, which keeps signs. It works on quarters, whose fours of bytes are then put in order.
   static std::uint64_t signs(const Vector (&of)[4]) noexcept {
     const __m512i bytes =
@@ -192,35 +162,24 @@ struct Floats {
     }
   };
 
- private:
-  static __m256 lower_half(Vector a) noexcept { return _mm512_castps512_ps256(a); }
-  static __m256 upper_half(Vector a) noexcept { return _mm512_extractf32x8_ps(a, 1); }
-  /// All lanes put together by one(x, y), lane by lane of four.
+  // For the templates of xsimd_vectors.hpp.
   template <class One>
-  static float folded(Vector a, One one) noexcept {
+  static __m128 folded_to_four(Vector a, One one) noexcept {
     const auto fours_of = [&](__m256 half) {
       return one(_mm256_castps256_ps128(half), _mm256_extractf128_ps(half, 1));
     };
-    const __m128 fours = one(fours_of(lower_half(a)), fours_of(upper_half(a)));
-    const __m128 pairs = one(fours, _mm_movehl_ps(fours, fours));
-    return _mm_cvtss_f32(one(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
+    return one(fours_of(lower_half(a)), fours_of(upper_half(a)));
   }
+
+ private:
+  static __m256 lower_half(Vector a) noexcept { return _mm512_castps512_ps256(a); }
+  static __m256 upper_half(Vector a) noexcept { return _mm512_extractf32x8_ps(a, 1); }
 };
 
-struct Integers16 {
-  using Floats = avx512::Floats;
-  using Vector = xsimd::batch<std::int16_t, xsimd::avx512bw>;
-  static constexpr unsigned width = 32;
-  static constexpr unsigned vectors = 2;
+struct Integers16 : x86::XsimdIntegers16<Floats, xsimd::avx512bw> {
   static constexpr std::size_t fewest_shafts_on_grid = 8;  // floats are quick here
   static constexpr std::size_t fewest_tests_on_grid = 16384;
 
-  static Vector load(const std::int16_t* p) noexcept { return Vector::load_aligned(p); }
-  static Vector all(std::int16_t a) noexcept { return Vector(a); }
-  static Vector add(Vector a, Vector b) noexcept { return a + b; }
-  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector minimum(Vector a, Vector b) noexcept { return xsimd::min(a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return xsimd::max(a, b); }
   // xsimd 8 has ssub(), but not without optimisation.
   static Vector subtract_saturated(Vector a, Vector b) noexcept { return _mm512_subs_epi16(a, b); }
   static Vector multiply(Vector a, Vector b) noexcept { return _mm512_mulhrs_epi16(a, b); }

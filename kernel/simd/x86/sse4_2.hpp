@@ -9,11 +9,10 @@
 
 // A name of its own for each set, so that none of xsimd's inline functions is shared with another one.
 #define xsimd xsimd_sse4_2
-#include <xsimd/xsimd.hpp>
-
 #include "simd/left_packing.hpp"
 #include "simd/operations.hpp"
 #include "simd/portable.hpp"
+#include "simd/x86/xsimd_vectors.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel::sse4_2 {
@@ -28,15 +27,10 @@ struct EightFloats : PortableEightFloats<Set> {
 
 struct Integers16;
 
-struct Floats {
-  using Vector = xsimd::batch<float, xsimd::sse4_2>;
-  using Mask = xsimd::batch_bool<float, xsimd::sse4_2>;
+struct Floats : x86::XsimdFloats<Floats, xsimd::sse4_2> {
   using EightFloats = sse4_2::EightFloats;
   using Integers16 = sse4_2::Integers16;
-  static constexpr unsigned width = 4;
 
-  static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
-  static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
     return _mm_setr_ps(p[index[0]], p[index[1]], p[index[2]], p[index[3]]);
   }
@@ -98,89 +92,39 @@ struct Floats {
     __m128i from_;
   };
 
-  static Vector all(float a) noexcept { return Vector(a); }
-  static Vector add(Vector a, Vector b) noexcept { return a + b; }
-  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
-  static Vector divide(Vector a, Vector b) noexcept { return a / b; }
-  static Vector square_root(Vector a) noexcept { return xsimd::sqrt(a); }
-  static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return xsimd::fma(a, b, c); }
-  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and
-  // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept { return _mm_min_ps(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return _mm_max_ps(a, b); }
-  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
-  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return _mm_castsi128_ps(_mm_max_epu32(_mm_castps_si128(a), _mm_castps_si128(b)));
   }
-  static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
-  static Vector floor(Vector a) noexcept { return xsimd::floor(a); }
-  static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
-  static float smallest(Vector a) noexcept {
-    const __m128 pairs = _mm_min_ps(a, _mm_movehl_ps(a, a));
-    return _mm_cvtss_f32(_mm_min_ps(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
-  }
-  static float largest(Vector a) noexcept {
-    const __m128 pairs = _mm_max_ps(a, _mm_movehl_ps(a, a));
-    return _mm_cvtss_f32(_mm_max_ps(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
-  }
 
-  static Mask less(Vector a, Vector b) noexcept { return a < b; }
-  static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
-  static Mask both(Mask a, Mask b) noexcept { return a & b; }
-  static Mask either(Mask a, Mask b) noexcept { return a | b; }
-  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }
   static std::uint64_t bits(Mask mask) noexcept { return static_cast<std::uint32_t>(_mm_movemask_ps(mask)); }
   static unsigned lowest_bit(std::uint64_t word) noexcept {
     return static_cast<unsigned>(trailing_zeros(word | std::uint64_t{1} << 63));
   }
 
-  static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
   static std::uint64_t signs(const Vector (&of)[4]) noexcept { return signs(packed(of)); }
 
-  /// Signs of four vectors are packed into one and read at once: each vector read by itself would take a port of the
-  /// arithmetic, and so would a comparison.
-  class SignCollector {
-   public:
-    explicit SignCollector(Vector limit) noexcept : limit_(limit) {}
+  using SignCollector = x86::PackedSignCollector<Floats>;
 
-    std::uint64_t collect(const Vector (&of)[4]) noexcept {
-      const Vector beyond[4] = {limit_ - of[0], limit_ - of[1], limit_ - of[2], limit_ - of[3]};
-      const __m128i yes = packed(of);
-      decided_ = _mm_and_si128(decided_, _mm_or_si128(yes, packed(beyond)));
-      return signs(yes);
-    }
-    [[nodiscard]] bool any_undecided() const noexcept { return signs(decided_) != 0xffff; }
-
-   private:
-    Vector limit_;
-    __m128i decided_ = _mm_set1_epi32(-1);
-  };
-
- private:
+  // For the templates of xsimd_vectors.hpp.
+  using PackedSigns = __m128i;
   /// The signs of four vectors, as those of bytes: packing saturates, which keeps signs.
   static __m128i packed(const Vector (&of)[4]) noexcept {
     return _mm_packs_epi16(_mm_packs_epi32(_mm_castps_si128(of[0]), _mm_castps_si128(of[1])),
                            _mm_packs_epi32(_mm_castps_si128(of[2]), _mm_castps_si128(of[3])));
   }
   static std::uint64_t signs(__m128i bytes) noexcept { return static_cast<std::uint32_t>(_mm_movemask_epi8(bytes)); }
+  template <class One>
+  static __m128 folded_to_four(Vector a, One /*one*/) noexcept {
+    return a;
+  }
 };
 
-struct Integers16 {
-  using Floats = sse4_2::Floats;
-  using Vector = xsimd::batch<std::int16_t, xsimd::sse4_2>;
-  static constexpr unsigned width = 8;
-  static constexpr unsigned vectors = 8;
+struct Integers16 : x86::XsimdIntegers16<Floats, xsimd::sse4_2> {
   static constexpr std::size_t fewest_shafts_on_grid = 5;
   static constexpr std::size_t fewest_tests_on_grid = 6144;
 
-  static Vector load(const std::int16_t* p) noexcept { return Vector::load_aligned(p); }
-  static Vector all(std::int16_t a) noexcept { return Vector(a); }
-  static Vector add(Vector a, Vector b) noexcept { return a + b; }
-  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector minimum(Vector a, Vector b) noexcept { return xsimd::min(a, b); }
-  static Vector maximum(Vector a, Vector b) noexcept { return xsimd::max(a, b); }
   // xsimd 8 has ssub(), but not without optimisation.
   static Vector subtract_saturated(Vector a, Vector b) noexcept { return _mm_subs_epi16(a, b); }
   static Vector multiply(Vector a, Vector b) noexcept { return _mm_mulhrs_epi16(a, b); }

@@ -13,12 +13,8 @@
 #include <cstdint>
 #include <cstring>
 
-#ifndef xsimd
-#error "the header of an instruction set says what xsimd is called there"
-#endif
-#include <xsimd/xsimd.hpp>
-
 #include "simd/left_packing.hpp"
+#include "simd/x86/xsimd_vectors.hpp"
 
 namespace shaftcull::kernel::x86 {
 
@@ -153,14 +149,12 @@ struct EightFloatsOf {
 };
 
 template <class Set>
-struct FloatsOf {
-  using Vector = xsimd::batch<float, xsimd::fma3<xsimd::avx2>>;
-  using Mask = xsimd::batch_bool<float, xsimd::fma3<xsimd::avx2>>;
+struct FloatsOf : XsimdFloats<FloatsOf<Set>, xsimd::fma3<xsimd::avx2>> {
+  using Shared = XsimdFloats<FloatsOf, xsimd::fma3<xsimd::avx2>>;
+  using typename Shared::Mask;
+  using typename Shared::Vector;
   using EightFloats = EightFloatsOf<Set>;
-  static constexpr unsigned width = 8;
 
-  static Vector load(const float* p) noexcept { return Vector::load_unaligned(p); }
-  static void store(float* p, Vector a) noexcept { a.store_unaligned(p); }
   static Vector gather(const float* p, const std::uint16_t* index) noexcept {
     const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(index));
     return _mm256_i32gather_ps(p, _mm256_cvtepu16_epi32(eight), sizeof(float));
@@ -219,68 +213,21 @@ struct FloatsOf {
     __m256i from_;
   };
 
-  static Vector all(float a) noexcept { return Vector(a); }
-  static Vector add(Vector a, Vector b) noexcept { return a + b; }
-  static Vector subtract(Vector a, Vector b) noexcept { return a - b; }
-  static Vector multiply(Vector a, Vector b) noexcept { return a * b; }
-  static Vector divide(Vector a, Vector b) noexcept { return a / b; }
-  static Vector square_root(Vector a) noexcept { return xsimd::sqrt(a); }
-  static Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return xsimd::fma(a, b, c); }
-  // Not by xsimd, whose min() and max() give the first of two equal values or if either is NaN from version 14 on, and
-  // before that the second.
   static Vector minimum(Vector a, Vector b) noexcept { return _mm256_min_ps(a, b); }
   static Vector maximum(Vector a, Vector b) noexcept { return _mm256_max_ps(a, b); }
-  static Vector minimum_of_computed(Vector a, Vector b) noexcept { return minimum(a, b); }
-  static Vector maximum_of_computed(Vector a, Vector b) noexcept { return maximum(a, b); }
   static Vector maximum_of_bits(Vector a, Vector b) noexcept {
     return _mm256_castsi256_ps(_mm256_max_epu32(_mm256_castps_si256(a), _mm256_castps_si256(b)));
   }
-  static Vector magnitude(Vector a) noexcept { return xsimd::abs(a); }
-  static Vector floor(Vector a) noexcept { return xsimd::floor(a); }
-  static Vector flip_sign(Vector a, Vector b) noexcept { return a ^ b; }
-  static float smallest(Vector a) noexcept {
-    const __m128 fours = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
-    const __m128 pairs = _mm_min_ps(fours, _mm_movehl_ps(fours, fours));
-    return _mm_cvtss_f32(_mm_min_ps(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
-  }
-  static float largest(Vector a) noexcept {
-    const __m128 fours = _mm_max_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
-    const __m128 pairs = _mm_max_ps(fours, _mm_movehl_ps(fours, fours));
-    return _mm_cvtss_f32(_mm_max_ps(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
-  }
 
-  static Mask less(Vector a, Vector b) noexcept { return a < b; }
-  static Mask less_equal(Vector a, Vector b) noexcept { return a <= b; }
-  static Mask both(Mask a, Mask b) noexcept { return a & b; }
-  static Mask either(Mask a, Mask b) noexcept { return a | b; }
-  static Vector choose(Mask mask, Vector a, Vector b) noexcept { return xsimd::select(mask, a, b); }
   static std::uint64_t bits(Mask mask) noexcept { return static_cast<std::uint32_t>(_mm256_movemask_ps(mask)); }
   static unsigned lowest_bit(std::uint64_t word) noexcept { return static_cast<unsigned>(_tzcnt_u64(word)); }
 
-  static Vector either_negative(Vector a, Vector b) noexcept { return xsimd::select(b < Vector(0.0F), b, a); }
   static std::uint64_t signs(const Vector (&of)[4]) noexcept { return signs(packed(of)); }
 
-  /// Signs of four vectors are packed into one and read at once: each vector read by itself would take a port of the
-  /// arithmetic, and so would a comparison.
-  class SignCollector {
-   public:
-    explicit SignCollector(Vector limit) noexcept : limit_(limit) {}
+  using SignCollector = PackedSignCollector<FloatsOf>;
 
-    std::uint64_t collect(const Vector (&of)[4]) noexcept {
-      const Vector beyond[4] = {limit_ - of[0], limit_ - of[1], limit_ - of[2], limit_ - of[3]};
-      const __m256i yes = packed(of);
-      decided_ = _mm256_and_si256(decided_, _mm256_or_si256(yes, packed(beyond)));
-      return signs(yes);
-    }
-    [[nodiscard]] bool any_undecided() const noexcept { return signs(decided_) != 0xffffffff; }
-
-   private:
-    Vector limit_;
-    __m256i decided_ = _mm256_set1_epi32(-1);
-  };
-
- private:
-  static __m256i numbers() noexcept { return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7); }
+  // For the templates of xsimd_vectors.hpp.
+  using PackedSigns = __m256i;
   /// The signs of four vectors, as those of bytes in another order: packing saturates, which keeps signs.
   static __m256i packed(const Vector (&of)[4]) noexcept {
     return _mm256_packs_epi16(_mm256_packs_epi32(_mm256_castps_si256(of[0]), _mm256_castps_si256(of[1])),
@@ -291,6 +238,13 @@ struct FloatsOf {
     const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
     return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order)));
   }
+  template <class One>
+  static __m128 folded_to_four(Vector a, One one) noexcept {
+    return one(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+  }
+
+ private:
+  static __m256i numbers() noexcept { return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7); }
 };
 
 }  // namespace shaftcull::kernel::x86
