@@ -20,6 +20,13 @@ inline std::vector<Isa> isas_under_test() {
   return std::getenv("SHAFTCULL_EXPECTED_ISA") != nullptr ? std::vector<Isa>{active_isa()} : available_isas();
 }
 
+/// All there are, whether this build has them or not.
+inline std::vector<Isa> all_isas() {
+  std::vector<Isa> isas;
+  for (unsigned i = 0; name(static_cast<Isa>(i)) != "unknown"; ++i) isas.push_back(static_cast<Isa>(i));
+  return isas;
+}
+
 /// Selects an instruction set until the end of the scope.
 class UseIsa {
  public:

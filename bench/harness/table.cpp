@@ -2,7 +2,6 @@
 #include "harness/table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -12,11 +11,10 @@
 #include <fmt/format.h>
 
 #include "harness/verdict.hpp"
+#include "shaftcull/isa.hpp"
 
 namespace shaftcull::bench {
 namespace {
-
-constexpr std::array<const char*, 6> instruction_sets{"scalar", "portable128", "sse4_2", "avx2", "avx512", "neon"};
 
 /// 5.1 G, 103 M: three digits and a prefix.
 std::string speed_text(double per_second) {
@@ -39,22 +37,20 @@ std::string cell(const std::string& text, int width) { return fmt::format("{:>{}
 
 struct Split {
   std::string row;
-  std::string isa;  ///< empty if the name does not end with an instruction set
+  std::optional<Isa> isa;  ///< if the name ends with one
 };
 
 Split split(const std::string& name) {
   const std::size_t slash = name.rfind('/');
-  for (const char* isa : instruction_sets) {
-    if (slash != std::string::npos && name.substr(slash + 1) == isa) return {name.substr(0, slash), isa};
-  }
-  return {name, {}};
+  if (slash == std::string::npos) return {name, {}};
+  return {name.substr(0, slash), isa_from_name(name.substr(slash + 1))};
 }
 
 void print_list(const Suite& suite, const Results& results) {
   fmt::print("\n{:<42}{:>12}{:>12}{:>12}\n", "", "per second", "ns each", "vs paper");
   for (const Entry& entry : suite.entries()) {
     const std::optional<double> speed = results.per_second(entry.name);
-    if (!speed || !split(entry.name).isa.empty()) continue;
+    if (!speed || split(entry.name).isa) continue;
     fmt::print("{:<42}{}{}{}\n", entry.name, cell(speed_text(*speed), 12),
                cell(fmt::format("{:.2f}", 1e9 / *speed), 12),
                cell(ratio_text(results.ratio(entry.name, entry.paper)), 12));
@@ -64,26 +60,24 @@ void print_list(const Suite& suite, const Results& results) {
 /// Benchmarks whose names end with an instruction set: one row for all sets.
 void print_by_instruction_set(const Suite& suite, const Results& results) {
   std::vector<std::string> rows;
-  std::set<std::string> measured;
+  std::set<Isa> columns;
   for (const Entry& entry : suite.entries()) {
     const auto [row, isa] = split(entry.name);
-    if (isa.empty() || !results.per_second(entry.name)) continue;
-    measured.insert(isa);
+    if (!isa || !results.per_second(entry.name)) continue;
+    columns.insert(*isa);
     if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
   }
-  std::vector<const char*> columns(instruction_sets.begin(), instruction_sets.end());
-  std::erase_if(columns, [&](const char* isa) { return !measured.contains(isa); });
   if (rows.empty()) return;
   fmt::print("\n{:<42}", "per second, vs paper");
-  for (const char* isa : columns) fmt::print("{:>19}", isa);
+  for (const Isa isa : columns) fmt::print("{:>19}", name(isa));
   fmt::print("\n");
   for (const std::string& row : rows) {
     fmt::print("{:<42}", row);
-    for (const char* isa : columns) {
+    for (const Isa isa : columns) {
       std::string text = "–";
       for (const Entry& entry : suite.entries()) {
         const std::optional<double> speed = results.per_second(entry.name);
-        if (entry.name != row + '/' + isa || !speed) continue;
+        if (entry.name != fmt::format("{}/{}", row, name(isa)) || !speed) continue;
         text = fmt::format("{} {:>8}", speed_text(*speed), ratio_text(results.ratio(entry.name, entry.paper)));
       }
       fmt::print("{}", cell(text, 19));

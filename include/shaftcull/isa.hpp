@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// The instruction sets that the kernels are compiled for, and the choice among them.
 ///
-/// The best one that the processor *and* the operating system support is taken at the first call that
-/// needs one. The environment variable SHAFTCULL_ISA (scalar, portable128, sse4_2, avx2, avx512 or neon) or
-/// select_isa() forces another. A variable that cannot be followed is not an error, since a user may have set it for
-/// another program or another machine: the best one is taken, and isa_choice() says why. Answers do not depend on the
-/// choice; only speed does.
+/// The best one that the processor *and* the operating system support is taken at the first call that needs one. The
+/// environment variable SHAFTCULL_ISA, which holds a name such as avx2, or select_isa() forces another. A variable that
+/// cannot be followed is not an error, since a user may have set it for another program or another machine: the best
+/// one is taken, and isa_choice() says why. Answers do not depend on the choice; only speed does.
 ///
 /// The choice is about the tests and formation, and the loops that count and list their bits. Packing streams and
 /// checking records use SSE2 on x86-64 whatever is chosen, since every such processor has it.
@@ -27,14 +26,13 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 enum class Isa : std::uint8_t {
   scalar,       ///< one float at a time
   portable128,  ///< four floats, by the compiler
-  sse4_2,       ///< four floats
-  avx2,         ///< eight floats
-  avx512,       ///< sixteen floats
+  sse4_2,       ///< four floats; needs POPCNT, too
+  avx2,         ///< eight floats; needs FMA, BMI and BMI2, too
+  avx512,       ///< sixteen floats: F, CD, DQ, BW and VL; needs those of avx2, too
   neon,         ///< four floats
 };
 
-/// "scalar", "portable128", "sse4_2" (which includes POPCNT), "avx2" (which includes FMA, BMI and BMI2), "avx512"
-/// (those and F, CD, DQ, BW and VL) or "neon"; "unknown" for a value that is no enumerator.
+/// "avx2" for Isa::avx2; "unknown" for a value that is no enumerator.
 [[nodiscard]] SHAFTCULL_EXPORT std::string_view name(Isa isa) noexcept;
 
 /// The instruction set of that name, in upper or lower case, or nothing.

@@ -10,15 +10,12 @@
 #include "shaftcull/error.hpp"
 
 namespace shaftcull::cli {
-namespace {
 
 std::string available_names() {
   std::string names;
   for (const Isa isa : available_isas()) names += fmt::format("{}{}", names.empty() ? "" : ", ", name(isa));
   return names;
 }
-
-}  // namespace
 
 std::vector<Isa> instruction_sets(const std::vector<std::string>& names) {
   const std::vector<Isa> available = available_isas();
@@ -41,7 +38,7 @@ std::vector<Isa> instruction_sets(const std::vector<std::string>& names) {
 void InstructionSet::add_option(CLI::App& subcommand) {
   subcommand
       .add_option("--isa", name_,
-                  "Instruction set: scalar, portable128, sse4_2, avx2, avx512 or neon (default: the best there is)")
+                  fmt::format("Instruction set; this machine has {} (default: the last)", available_names()))
       ->type_name("NAME");
 }
 

@@ -11,6 +11,9 @@
 
 namespace shaftcull::cli {
 
+/// The instruction sets that this machine has, slowest first: "scalar, sse4_2, avx2".
+[[nodiscard]] std::string available_names();
+
 /// Those that a run compares: those that are named; else that of SHAFTCULL_ISA, if this machine has it; else all that
 /// it has. Throws InvalidArgument for a name of none of these.
 [[nodiscard]] std::vector<Isa> instruction_sets(const std::vector<std::string>& names);

@@ -17,6 +17,7 @@
 
 #include "batch/launcher.hpp"
 #include "complaint.hpp"
+#include "instruction_set.hpp"
 #include "interrupt.hpp"
 #include "name_search.hpp"
 #include "shaftcull/isa.hpp"
@@ -84,7 +85,8 @@ int run(const std::vector<std::string>& words) {
   program.set_version_flag("--version", version, "Tell the version, and which instruction set runs");
   program.require_subcommand(1);
   program.footer(
-      "SHAFTCULL_ISA=scalar|portable128|sse4_2|avx2|avx512|neon in the environment forces an instruction set.\n"
+      "SHAFTCULL_ISA in the environment forces an instruction set; this machine has " + available_names() +
+      ".\n"
       "Exit code: 0; 2 if an option, the environment or a file cannot be used; 128 + the signal's number if SIGINT or\n"
       "SIGTERM ended demo, verify or hash, which then show what they have, sees or batch; 1 after any other failure.");
   for (const auto add : subcommands) add(program);

@@ -13,6 +13,7 @@
 
 #include "caught.hpp"
 #include "environment.hpp"
+#include "instruction_sets.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/isa.hpp"
 
@@ -21,8 +22,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-constexpr Isa all_isas[] = {Isa::scalar, Isa::portable128, Isa::sse4_2, Isa::avx2, Isa::avx512, Isa::neon};
 
 bool is_available(Isa isa) {
   const std::vector<Isa> available = available_isas();
@@ -60,7 +59,7 @@ TEST(IsaChoice, TheBestOneIsPickedIfNothingIsSaid) {
 
 TEST(IsaChoice, NothingBeyondTheBestOneIsAvailableAndAllBelowOfTheSameProcessorAre) {
   const auto is_of_x86 = [](Isa isa) { return isa == Isa::sse4_2 || isa == Isa::avx2 || isa == Isa::avx512; };
-  for (const Isa isa : all_isas) {
+  for (const Isa isa : all_isas()) {
     const bool is_of_another_processor = best_expected() == Isa::neon && is_of_x86(isa);
     EXPECT_EQ(is_available(isa), isa <= best_expected() && !is_of_another_processor) << name(isa);
   }
@@ -79,7 +78,7 @@ TEST(IsaChoice, TheEnvironmentIsReadInAnyCase) {
 }
 
 TEST(IsaChoice, AnUnavailableOneLeavesTheBestThereIsAndIsSaid) {
-  for (const Isa isa : all_isas) {
+  for (const Isa isa : all_isas()) {
     if (is_available(isa)) continue;
     EXPECT_EXIT(say_choice(name(isa).data()), testing::ExitedWithCode(0),
                 AllOf(HasSubstr(chosen(best_expected())), HasSubstr("asked: " + std::string(name(isa))),
@@ -95,7 +94,7 @@ TEST(IsaChoice, AnUnknownOneLeavesTheBestThereIsAndIsSaid) {
 }
 
 TEST(IsaChoice, ACallForAnUnavailableOneThrowsAndListsWhatThereIs) {
-  for (const Isa isa : all_isas) {
+  for (const Isa isa : all_isas()) {
     if (is_available(isa)) continue;
     const auto error = caught([&] { select_isa(isa); });
     ASSERT_TRUE(error) << name(isa) << " was accepted";
