@@ -37,7 +37,7 @@ check() {
   (
     root=$work/project jobs=2 command_line=()
     source "$root/cmake/commands/install.sh"
-    source "$root/cmake/commands/test.sh"
+    source "$root/cmake/commands/steps.sh"
     may_install=${with_install-yes}
     ci_steps=("${@:3}") all_steps=("${@:3}")
     "check_$2"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Makes what is given to users: packages and the page. Sourced by cmake/run.
+# Makes what is given to users: packages, the page, the documentation. Sourced by cmake/run.
 
-# make_packages [--check]: Debian packages in build/packages; or such as are tried out, in build/packages-tried. These are less
+# package [--check]: Debian packages in build/packages; or such as are tried out, in build/packages-tried. These are less
 # optimised, so that they are compiled in two thirds of the time.
-make_packages() {
+command_package() {
   local python compile link targets folder=packages optimised="-O3 -DNDEBUG" build
   command -v dpkg-deb >/dev/null ||
     stop "cmake/run: only Debian and its like make Debian packages. docs/packages.md has other ways to install."
@@ -44,8 +44,8 @@ make_packages() {
   if [[ ${1:-} == --check ]]; then tests/packages/check.sh "$root/build/$folder"; fi
 }
 
-# make_page [--check]
-make_page() {
+# page [--check]
+command_page() {
   local work
   packages=("${web_packages[@]}" npm:npm)
   needed_elsewhere="$needed_for_web and npm"
@@ -69,4 +69,12 @@ make_page() {
     rm -rf "$work/node_modules" "$root/build/page"
   fi
   if [[ ${1:-} == --check ]]; then "$root/bindings/web/tests/check.sh" "$root/build"; fi
+}
+
+# docs: the documentation as a site, build/docs/index.html
+command_docs() {
+  packages=("${docs_packages[@]}")
+  needed_elsewhere="Doxygen, MkDocs 1.4 and its theme Material"
+  install_missing
+  "$root/cmake/site/build.sh" "$root/build/docs-work" "$root/build/docs"
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What looks at the sources: format, licences, clang-tidy, documentation. Sourced by cmake/run.
+# Looks at the sources: format, licences, clang-tidy. Sourced by cmake/run.
 
 # licence -i | --dry-run: adds to each source the line that says its licence, behind what runs a script; or fails if one lacks it.
 # Sources of examples stay as they are, for pages show them whole, to be copied.
@@ -26,8 +26,8 @@ licence() {
   done
 }
 
-# format_sources [--check]
-format_sources() {
+# format [--check]
+command_format() {
   local how
   # The version is part of the style: each formats a little differently.
   packages=(clang-format-14:clang-format-14)
@@ -44,8 +44,8 @@ format_sources() {
     stop "" "cmake/run: not all sources are formatted. ./cmake/run format does it."
 }
 
-# tidy_sources [--changed | file…]
-tidy_sources() {
+# tidy [--changed | file…]
+command_tidy() {
   local how=() sources changed base word
   for_library
   for_program
@@ -72,12 +72,4 @@ tidy_sources() {
     [[ ${#sources[@]} -gt 0 ]] || { echo "cmake/run: no source has changed" && exit 0; }
   fi
   printf '%s\0' "${sources[@]}" | xargs -0 -P "$jobs" -n 1 clang-tidy-14 -p "$root/build/tidy" --quiet "${how[@]}"
-}
-
-# make_docs: the documentation as a site, build/docs/index.html
-make_docs() {
-  packages=("${docs_packages[@]}")
-  needed_elsewhere="Doxygen, MkDocs 1.4 and its theme Material"
-  install_missing
-  "$root/cmake/site/build.sh" "$root/build/docs-work" "$root/build/docs"
 }

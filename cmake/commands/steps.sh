@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+# The steps of ./cmake/run test --ci and --all, each of them a command of ./cmake/run. Sourced by cmake/run.
+
+# Those of --ci are begun in this order, two at a time; the page comes last, as its tests ask the program that the first of them
+# builds.
+ci_steps=(
+  "test --layer ci"
+  "format --check"
+  "tidy --changed"
+  "test --preset asan --layer ci"
+  "test --preset tsan --layer ci"
+  "package --check"
+  "bare"
+  "page --check"
+)
+all_steps=(
+  "format --check"
+  "docs"
+  "test --layer all"
+  "page --check"
+  "package --check"
+  "package"
+  "test --preset asan"
+  "test --preset tsan"
+  "test --preset clang"
+  "test --preset debug"
+  "test --preset serial"
+  "fuzz 1800"
+  "verify 20000000"
+  "test --preset wasm"
+  "test --preset windows"
+  "test --preset arm64"
+  "test --preset s390x"
+  "mutate"
+  "tidy"
+  "bare ./cmake/run demo && ./cmake/run test"
+)
+
+# run_step STEP: ./cmake/run with the words of the step. Its output goes to a file, and from there to the standard output when the
+# step has ended, so that outputs of two steps do not mix; what it installs is announced at once. Adds a line to the table of steps.
+run_step() {
+  local start=$SECONDS status=0 result=passed words log first=()
+  read -ra words <<<"$1"
+  if [[ ${words[0]} == bare && ${#words[@]} -gt 1 ]]; then words=(bare "${1#bare }"); fi
+  if [[ ! $may_install ]]; then first=(--no-install); fi
+  log=$(mktemp)
+  echo "begins: ./cmake/run $1"
+  SHAFTCULL_STEP=yes "$root/cmake/run" "${first[@]}" "${words[@]}" 3>&1 </dev/null >"$log" 2>&1 || status=$?
+  case $status in
+    0) ;;
+    77) result=skipped ;;
+    *) result=FAILED ;;
+  esac
+  if [[ $record_changes ]] && [[ $(state_of_sources) != "$sources" ]]; then result="$result, while sources changed"; fi
+  {
+    flock 9
+    printf '%s\t%s\t%d\t%s\n' "$sources" "$result" $((SECONDS - start)) "$1" >>"$record"
+    printf '\n==== ./cmake/run %s: %s\n' "$1" "$result"
+    cat "$log"
+  } 9>>"$record"
+  rm "$log"
+  [[ $status -eq 0 || $status -eq 77 ]]
+}
+
+# print_steps: the table of the steps that were run on these sources, the last time each.
+print_steps() {
+  printf '\n'
+  awk -F '\t' -v sources="$sources" '
+    $1 == sources { if (!($4 in result)) order[++n] = $4; result[$4] = $2; seconds[$4] = $3 }
+    END { for (i = 1; i <= n; ++i) printf "%-7s %6d s  ./cmake/run %s\n", result[order[i]], seconds[order[i]], order[i] }' "$record"
+  printf '%-7s %6d s  in all\n' "" "$SECONDS"
+}
+
+# check_ci: the steps of .ci/run. When one has failed, no other is begun.
+check_ci() {
+  local step failed=
+  record=$(mktemp)
+  record_changes=
+  sources=here
+  trap 'print_steps; rm -f "$record"' EXIT
+  trap 'exit 130' INT
+  for step in "${ci_steps[@]}"; do
+    while [[ $(jobs -rp | wc -l) -ge 2 ]]; do wait -n || failed=yes; done
+    [[ ! $failed ]] || break
+    run_step "$step" &
+  done
+  while [[ $(jobs -p | wc -l) -gt 0 ]]; do wait -n || failed=yes; done
+  [[ ! $failed ]]
+}
+
+# state_of_sources: a word that changes with the sources.
+state_of_sources() {
+  (cd "$root" && { git rev-parse HEAD && git diff HEAD && git ls-files --others --exclude-standard -z | xargs -0 -r sha1sum; } |
+    sha1sum | cut -c 1-12)
+}
+
+# check_all: all steps, one after the other, for hours. Steps that have passed on the same sources are not run again, so that a run can
+# be stopped and goes on when the same command is given. A step that fails does not stop the others.
+check_all() {
+  local step failed=0
+  record=$root/build/all_checks.tsv
+  record_changes=yes
+  mkdir -p "$root/build"
+  touch "$record"
+  sources=$(state_of_sources) || stop "cmake/run: test --all asks git which sources it has tested, and git does not answer here."
+  trap print_steps EXIT
+  trap 'exit 130' INT
+  for step in "${all_steps[@]}"; do
+    if awk -F '\t' -v sources="$sources" -v step="$step" '
+      $1 == sources && $4 == step { passed = $2 == "passed" } END { exit !passed }' "$record"; then continue; fi
+    run_step "$step" || failed=1
+  done
+  exit $failed
+}
