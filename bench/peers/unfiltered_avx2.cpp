@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compiled/shaft_data.hpp"
-#include "kernels/boxes/slab.hpp"
+#include "kernels/boxes/slab_interval.hpp"
+#include "kernels/shared/word.hpp"
 #include "peers/unfiltered.hpp"
 #include "simd/x86/avx2.hpp"
 #include "support/compiler.hpp"

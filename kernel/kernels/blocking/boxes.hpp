@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "exact/blocking.hpp"
-#include "kernels/boxes/slab.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"

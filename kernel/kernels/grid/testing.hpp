@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "kernels/boxes/outside_one_by_one.hpp"
-#include "kernels/boxes/slab.hpp"
+#include "kernels/boxes/slab_stages.hpp"
 #include "kernels/grid/forming.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/table.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "exact/hull.hpp"
-#include "kernels/boxes/slab.hpp"
 #include "kernels/hulls/planes.hpp"
 #include "kernels/shared/word.hpp"
 #include "support/compiler.hpp"

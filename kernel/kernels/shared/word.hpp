@@ -40,6 +40,21 @@ constexpr std::uint64_t lanes_of(unsigned offset) noexcept {
   return (L::width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << L::width) - 1) << offset;
 }
 
+/// Positions of consecutive words. operator()(w) is the position of the first bound of word w.
+template <class L>
+struct ConsecutiveWords {
+  std::size_t first = 0;
+  unsigned rest = 0;  ///< bounds of one more word, which they do not fill
+
+  std::size_t operator()(std::size_t w) const noexcept { return first + w * word_bits; }
+};
+
+/// The last bounds of `count`, if they do not fill a word.
+template <class L>
+ConsecutiveWords<L> consecutive_words(std::size_t count) noexcept {
+  return {.rest = static_cast<unsigned>(count % word_bits)};
+}
+
 /// How the vectors of a word of 64 bounds are read.
 template <class L>
 struct WholeWord {
@@ -117,6 +132,21 @@ void in_whole_words(const float* const* stream, std::size_t count, std::uint64_t
   if (rest == 0) return;
   const PaddedWord<L, streams> last(stream, count - rest, rest, padding);
   stage(last.stream(), 1, bits + words);
+}
+
+/// Writes the bits that a stage starts from: those of an earlier stage, or ones for all `count` bounds.
+template <class L>
+void copy_or_set(const std::uint64_t* from, std::size_t count, std::uint64_t* bits) noexcept {
+  for (std::size_t w = 0; w < words_of(count); ++w) bits[w] = from != nullptr ? from[w] : ~std::uint64_t{0};
+  if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
+}
+
+/// Runs a first stage, stage(stream, words, bits), which reads whole words and writes bits, on `count` bounds.
+template <class L, unsigned streams, class Stage>
+void begin_in_whole_words(const float* const* stream, std::size_t count, std::uint64_t* bits,
+                          const float (&padding)[streams], Stage stage) noexcept {
+  in_whole_words<L>(stream, count, bits, padding, stage);
+  if (count % word_bits != 0) bits[count / word_bits] &= first_bits(count % word_bits);
 }
 
 /// Calls decide(lane), an exact predicate, for every bit of `lanes`, and returns the bits for which it was true. A

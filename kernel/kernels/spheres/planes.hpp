@@ -5,9 +5,10 @@
 #include <cfloat>
 #include <cmath>
 
+#include "compiled/slab.hpp"
 #include "exact/predicates.hpp"
 #include "kernels/boxes/planes.hpp"
-#include "kernels/boxes/slab.hpp"
+#include "kernels/forming/slab.hpp"
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {

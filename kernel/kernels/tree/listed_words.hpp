@@ -2,7 +2,7 @@
 /// Whole words of bounds, wherever they lie: what a walk through a bounds tree asks at each level.
 #pragma once
 
-#include "kernels/boxes/slab.hpp"
+#include "kernels/boxes/slab_stages.hpp"
 #include "kernels/hulls/stages.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"

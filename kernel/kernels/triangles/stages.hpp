@@ -7,7 +7,7 @@
 
 #include "exact/triangle.hpp"
 #include "kernels/boxes/contact.hpp"
-#include "kernels/boxes/slab.hpp"
+#include "kernels/boxes/slab_stages.hpp"
 #include "kernels/hulls/stages.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
