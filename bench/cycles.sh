@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 # compile SET COMPILER [flag…]: $work/SET.s
 compile() {
   "${@:2}" -std=c++20 -O3 -DNDEBUG -ffp-contract=off -fvisibility=hidden -fPIC -fno-asynchronous-unwind-tables -w \
-    -I "$root/include" -I "$root/kernel" -S "$root/kernel/kernels/sets/$1.cpp" -o "$work/$1.s"
+    -I "$root/include" -I "$root/kernel" -S "$root/kernel/kernels/sets/$1_kernels.cpp" -o "$work/$1.s"
 }
 compile avx2 g++ -mavx2 -mfma -mbmi -mbmi2
 compile neon aarch64-linux-gnu-g++

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Checks which folder of kernel/ includes which, against the table in docs/architecture.md, and that bindings include the public
-# headers only. Given: KERNEL, the library's sources; BINDINGS, the folder of the interfaces for other languages; PAGE, that
-# document.
+# Checks which folder of kernel/ includes which, against the table in docs/architecture.md, that no two files of kernel/ have the
+# same name, and that bindings include the public headers only. Given: KERNEL, the library's sources; BINDINGS, the folder of the
+# interfaces for other languages; PAGE, that document.
 cmake_minimum_required(VERSION 3.22)
 
 # Rows of the table: | `folder/` | what it holds | `folder`, `folder` |. A semicolon would end a list's item.
@@ -46,9 +46,17 @@ set(knows_threads parallel)
 set(knows_vectors simd kernels)
 set(control_register support/float_environment.hpp)  # reads and writes it by what xmmintrin.h has for that
 set(includes 0)
+set(names "")  # of files; a header and its source have one
 foreach(folder IN LISTS existing)
   file(GLOB_RECURSE sources RELATIVE ${KERNEL} ${KERNEL}/${folder}/*.hpp ${KERNEL}/${folder}/*.cpp)
   foreach(source IN LISTS sources)
+    cmake_path(GET source STEM name)
+    cmake_path(REMOVE_EXTENSION source OUTPUT_VARIABLE path)
+    if(name IN_LIST names AND NOT "${path_of_${name}}" STREQUAL path)
+      message(SEND_ERROR "kernel/${source} has the name of kernel/${path_of_${name}}")
+    endif()
+    list(APPEND names ${name})
+    set(path_of_${name} ${path})
     file(STRINGS ${KERNEL}/${source} lines REGEX "^ *# *include|tbb::|xsimd::|__m(128|256|512)")
     foreach(line IN LISTS lines)
       if(line MATCHES "^ *# *include \"([^\"]+)\"")

@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.22)
 
 # What a page tells its reader to write.
-set(examples kernel/simd/arm/neon.hpp kernel/kernels/sets/neon.cpp)
+set(examples kernel/simd/arm/neon.hpp kernel/kernels/sets/neon_kernels.cpp)
 
 file(GLOB pages ${ROOT}/*.md ${ROOT}/docs/*.md)
 file(GLOB_RECURSE more ${ROOT}/kernel/*.md ${ROOT}/bench/*.md ${ROOT}/tests/*.md)

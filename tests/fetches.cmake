@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.22)
 
 set(sources_of_walks tree/walk.cpp)
 set(other_sources
-  flat/batch_job.cpp flat/scan.cpp tree/build.cpp tree/query.cpp tree/regions.cpp tree/update.cpp)
+  flat/batch_job.cpp flat/scan.cpp tree/build.cpp tree/regions.cpp tree/tree_query.cpp tree/update.cpp)
 
 # disassemble(SOURCE): sets tokens to the functions of its object file, and what they fetch after that.
 function(disassemble source)

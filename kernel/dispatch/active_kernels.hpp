@@ -2,7 +2,7 @@
 /// The kernels that calls run: those of the instruction set that is selected.
 #pragma once
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 
 namespace shaftcull::kernel {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "dispatch/active_kernels.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/error.hpp"
 #include "support/compiler.hpp"
 #include "support/fail.hpp"

@@ -5,8 +5,8 @@
 
 #include "compiled/shaft_box.hpp"
 #include "exact/added.hpp"
-#include "exact/contact.hpp"
 #include "exact/edge.hpp"
+#include "exact/open_contact.hpp"
 #include "exact/predicates.hpp"
 
 namespace shaftcull::kernel {

@@ -4,7 +4,7 @@
 /// Every predicate starts again from the floats that the user gave (MovingFaces), never from compiled coefficients, and
 /// returns the answer of real arithmetic. Coordinates of the bound that are infinite or NaN put no constraint on it
 /// unless they are beyond a face of the shaft box. What is outside follows the shaft's contact: with Contact::open what
-/// only touches is (exact/contact.hpp). Inside does not.
+/// only touches is (exact/open_contact.hpp). Inside does not.
 #pragma once
 
 #include "compiled/moving_faces.hpp"

@@ -7,9 +7,9 @@
 
 #include "compiled/moving_faces.hpp"
 #include "exact/added.hpp"
-#include "exact/contact.hpp"
 #include "exact/expansion.hpp"
 #include "exact/measured.hpp"
+#include "exact/open_contact.hpp"
 #include "exact/orientation.hpp"
 #include "support/compiler.hpp"
 

@@ -10,7 +10,7 @@
 #include "flat/grid_group.hpp"
 #include "flat/shaft_tests.hpp"
 #include "flat/tiling.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "parallel/task_memory.hpp"
 
 namespace shaftcull::kernel {

@@ -13,8 +13,8 @@
 #include "compiled/shaft_data.hpp"
 #include "flat/tiling.hpp"
 #include "kernels/grid/forming.hpp"
-#include "kernels/table.hpp"
-#include "query/bounds.hpp"
+#include "kernels/kernel_table.hpp"
+#include "query/bound_streams.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {

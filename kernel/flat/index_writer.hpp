@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 
 namespace shaftcull::kernel {
 

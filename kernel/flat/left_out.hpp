@@ -10,7 +10,7 @@
 #include <span>
 
 #include "flat/scanned_bounds.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/options.hpp"
 #include "support/compiler.hpp"
 

@@ -10,7 +10,7 @@
 #include "compiled/with_planes.hpp"
 #include "flat/left_out.hpp"
 #include "flat/scanned_bounds.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/bound_test.hpp"
 #include "query/options.hpp"
 #include "query/outputs.hpp"

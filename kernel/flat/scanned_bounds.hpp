@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "query/bounds.hpp"
+#include "query/bound_streams.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "compiled/shaft_data.hpp"
 #include "flat/scan.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/bound_test.hpp"
 #include "query/options.hpp"
 

@@ -7,8 +7,8 @@
 /// bits are set on average.
 #pragma once
 
+#include "kernels/kernel_table.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/table.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {

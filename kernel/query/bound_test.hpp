@@ -9,8 +9,8 @@
 #include "compiled/contact.hpp"
 #include "compiled/shaft_data.hpp"
 #include "compiled/with_planes.hpp"
-#include "kernels/table.hpp"
-#include "query/bounds.hpp"
+#include "kernels/kernel_table.hpp"
+#include "query/bound_streams.hpp"
 #include "query/question.hpp"
 #include "support/compiler.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "compiled/shaft_data.hpp"
-#include "query/bounds.hpp"
+#include "query/bound_streams.hpp"
 #include "query/question.hpp"
 #include "shaftcull/query.hpp"
 

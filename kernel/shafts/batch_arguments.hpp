@@ -8,7 +8,7 @@
 #include <string>
 
 #include "formation/usable_plane.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/compiled.hpp"
 #include "support/fail.hpp"
 #include "support/telling_instead.hpp"

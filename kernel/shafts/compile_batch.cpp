@@ -8,7 +8,7 @@
 #include "compiled/contact.hpp"
 #include "compiled/shaft_data.hpp"
 #include "dispatch/active_kernels.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shafts/batch_arguments.hpp"
 #include "simd/baseline_four_floats.hpp"

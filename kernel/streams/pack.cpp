@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "streams/access.hpp"
+#include "streams/stream_access.hpp"
 #include "streams/strided_reader.hpp"
 #include "streams/view_reader.hpp"
 #include "support/arguments.hpp"

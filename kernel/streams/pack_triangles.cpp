@@ -7,8 +7,8 @@
 #include <string>
 
 #include "shaftcull/error.hpp"
-#include "streams/access.hpp"
 #include "streams/pack.hpp"
+#include "streams/stream_access.hpp"
 #include "streams/strided_reader.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"

@@ -5,9 +5,9 @@
 
 #include "shaftcull/streams.hpp"
 #include "shaftcull/triangles.hpp"
-#include "streams/access.hpp"
 #include "streams/pack.hpp"
 #include "streams/rows.hpp"
+#include "streams/stream_access.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 #include "support/padding.hpp"

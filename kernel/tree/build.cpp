@@ -8,8 +8,8 @@
 #include "support/compiler.hpp"
 #include "support/large_memory.hpp"
 #include "tree/entries.hpp"
-#include "tree/order.hpp"
 #include "tree/regions.hpp"
+#include "tree/tree_order.hpp"
 #include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {

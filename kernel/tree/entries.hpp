@@ -7,14 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "parallel/task_memory.hpp"
 #include "shaftcull/streams.hpp"
 #include "tree/parts.hpp"
 
 namespace shaftcull::kernel {
 
-/// Entries, in separate streams (kernels/table.hpp).
+/// Entries, in separate streams (kernels/kernel_table.hpp).
 using EntryStreams = std::array<float*, entry_streams>;
 
 /// What the last stream holds of an index.

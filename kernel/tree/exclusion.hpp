@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/options.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"

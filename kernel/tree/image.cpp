@@ -11,13 +11,13 @@
 #include "parallel/parallel.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/tree_image.hpp"
-#include "streams/access.hpp"
+#include "streams/stream_access.hpp"
 #include "support/arguments.hpp"
 #include "support/checksum.hpp"
 #include "support/fail.hpp"
 #include "support/index_range.hpp"
 #include "support/text.hpp"
-#include "tree/access.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/triangle_parts.hpp"
 
 namespace shaftcull::kernel {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"
 #include "tree/parts.hpp"

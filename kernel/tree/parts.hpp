@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/tree.hpp"
-#include "streams/access.hpp"
+#include "streams/stream_access.hpp"
 #include "tree/layers.hpp"
 #include "tree/leaf_places.hpp"
 #include "tree/tree_array.hpp"

@@ -15,8 +15,8 @@
 #include "support/large_memory.hpp"
 #include "tree/build.hpp"
 #include "tree/entries.hpp"
-#include "tree/order.hpp"
 #include "tree/source.hpp"
+#include "tree/tree_order.hpp"
 #include "tree/write_leaves.hpp"
 
 namespace shaftcull::kernel {

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "tree/entries.hpp"
 
 namespace shaftcull::kernel {
@@ -26,7 +26,7 @@ struct Halves {
   Part high;
 };
 
-/// Halves a part at `cut`, a place within it, as SplitKernels in kernels/table.hpp says.
+/// Halves a part at `cut`, a place within it, as SplitKernels in kernels/kernel_table.hpp says.
 Halves split(const Part& part, std::size_t cut, const Kernels& kernels) noexcept;
 
 /// The same halves, made by all threads of the caller's arena. Worth it for parts of at least so many entries.

@@ -13,9 +13,9 @@
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
-#include "tree/access.hpp"
 #include "tree/build.hpp"
 #include "tree/source.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/update.hpp"
 
 namespace shaftcull {

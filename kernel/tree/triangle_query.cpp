@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "query/bound_test.hpp"
-#include "tree/query.hpp"
+#include "tree/tree_query.hpp"
 
 namespace shaftcull::kernel {
 namespace {

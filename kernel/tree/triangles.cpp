@@ -11,7 +11,7 @@
 #include "parallel/parallel.hpp"
 #include "shaftcull/error.hpp"
 #include "shaftcull/tree.hpp"
-#include "streams/access.hpp"
+#include "streams/stream_access.hpp"
 #include "support/exact_floats.hpp"
 #include "support/fail.hpp"
 #include "support/index_range.hpp"

@@ -12,7 +12,7 @@
 
 #include "compiled/contact.hpp"
 #include "compiled/with_planes.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/question.hpp"
 #include "support/compiler.hpp"
 #include "support/prefetch.hpp"

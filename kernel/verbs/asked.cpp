@@ -7,7 +7,7 @@
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
 #include "shaftcull/error.hpp"
-#include "streams/access.hpp"
+#include "streams/stream_access.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
 

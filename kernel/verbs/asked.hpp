@@ -9,12 +9,12 @@
 
 #include "compiled/shaft_data.hpp"
 #include "flat/scan.hpp"
-#include "kernels/table.hpp"
-#include "query/bounds.hpp"
+#include "kernels/kernel_table.hpp"
+#include "query/bound_streams.hpp"
 #include "query/options.hpp"
 #include "query/question.hpp"
 #include "shaftcull/query.hpp"
-#include "tree/query.hpp"
+#include "tree/tree_query.hpp"
 
 namespace shaftcull::kernel {
 

@@ -15,7 +15,7 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/occluded.hpp"
 #include "support/arguments.hpp"
-#include "tree/answers.hpp"
+#include "tree/tree_answers.hpp"
 #include "verbs/asked.hpp"
 #include "verbs/each_shaft.hpp"
 #include "verbs/task_lists.hpp"

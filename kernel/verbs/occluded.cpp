@@ -14,7 +14,7 @@
 #include "support/fail.hpp"
 #include "support/float_environment.hpp"
 #include "support/text.hpp"
-#include "tree/answers.hpp"
+#include "tree/tree_answers.hpp"
 #include "verbs/asked.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {

@@ -2,7 +2,7 @@
 /// keeps() and classify() of one bound.
 #include "compiled/answers.hpp"
 #include "dispatch/active_kernels.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/cull.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"

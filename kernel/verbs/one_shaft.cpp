@@ -10,7 +10,7 @@
 #include "support/arguments.hpp"
 #include "support/compiler.hpp"
 #include "support/float_environment.hpp"
-#include "tree/answers.hpp"
+#include "tree/tree_answers.hpp"
 #include "verbs/asked.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {

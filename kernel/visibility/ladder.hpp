@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/function_ref.hpp"
 #include "shaftcull/visibility.hpp"
 #include "visibility/occluders.hpp"

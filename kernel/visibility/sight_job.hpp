@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "shaftcull/visibility.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/sight_set.hpp"

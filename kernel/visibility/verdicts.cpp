@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "visibility/arguments.hpp"
+#include "visibility/visibility_arguments.hpp"
 
 namespace shaftcull::kernel {
 namespace {

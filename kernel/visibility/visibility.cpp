@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "visibility/arguments.hpp"
 #include "visibility/run.hpp"
+#include "visibility/visibility_arguments.hpp"
 
 namespace shaftcull {
 namespace {

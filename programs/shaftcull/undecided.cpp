@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "kernels/table_of.hpp"
+#include "kernels/table_of_set.hpp"
 #include "simd/scalar.hpp"
 
 namespace shaftcull::cli {

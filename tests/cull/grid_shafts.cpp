@@ -13,7 +13,7 @@
 #include "dispatch/active_kernels.hpp"
 #include "instruction_sets.hpp"
 #include "kernels/grid/forming.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "oracle/cases/shafts.hpp"
 #include "oracle/grid_answers.hpp"
 #include "oracle/random.hpp"

@@ -27,7 +27,7 @@
 #include "oracle/open_contact.hpp"
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
-#include "query/bounds.hpp"
+#include "query/bound_streams.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/many.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "dispatch/active_kernels.hpp"
 #include "instruction_sets.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "oracle/random.hpp"
 
 namespace shaftcull {

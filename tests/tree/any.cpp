@@ -12,9 +12,9 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
-#include "tree/access.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/walked.hpp"
 
 namespace shaftcull {

@@ -12,10 +12,10 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
-#include "tree/access.hpp"
 #include "tree/flat.hpp"
+#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
-#include "tree/volumes.hpp"
+#include "tree/tree_access.hpp"
 
 namespace shaftcull {
 namespace {

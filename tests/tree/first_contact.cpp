@@ -15,9 +15,9 @@
 #include "message_of.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/hull.hpp"
-#include "tree/access.hpp"
-#include "tree/first_contact.hpp"
+#include "tree/first_contact_walk.hpp"
 #include "tree/scenes.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/walked.hpp"
 
 namespace shaftcull {

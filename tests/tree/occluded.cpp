@@ -13,9 +13,9 @@
 #include "message_of.hpp"
 #include "sanitizers.hpp"
 #include "shaftcull/occluded.hpp"
-#include "tree/access.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/walked.hpp"
 
 namespace shaftcull {

@@ -15,7 +15,7 @@
 #include "dispatch/active_kernels.hpp"
 #include "float_modes.hpp"
 #include "instruction_sets.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/tree.hpp"
 #include "support/float_environment.hpp"

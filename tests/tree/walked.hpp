@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compiled/shaft_data.hpp"
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/question.hpp"
 #include "shaftcull/compiled.hpp"
 #include "tree/exclusion.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compiled/slab.hpp"
-#include "kernels/forming/slab.hpp"
+#include "kernels/forming/slab_constraints.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {

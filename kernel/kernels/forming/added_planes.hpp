@@ -13,7 +13,7 @@
 #include <cstring>
 
 #include "compiled/shaft_data.hpp"
-#include "kernels/forming/slab.hpp"
+#include "kernels/forming/slab_constraints.hpp"
 
 namespace shaftcull::kernel {
 

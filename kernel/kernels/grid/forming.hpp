@@ -16,8 +16,8 @@
 #include <cstdint>
 
 #include "compiled/shaft_data.hpp"
-#include "kernels/forming/slab.hpp"
-#include "kernels/table.hpp"
+#include "kernels/forming/slab_constraints.hpp"
+#include "kernels/kernel_table.hpp"
 
 namespace shaftcull::kernel {
 

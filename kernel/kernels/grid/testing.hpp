@@ -7,8 +7,8 @@
 #include "kernels/boxes/outside_one_by_one.hpp"
 #include "kernels/boxes/slab_stages.hpp"
 #include "kernels/grid/forming.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/table.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {

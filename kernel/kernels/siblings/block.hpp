@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Which of sibling shafts a solid box blocks.
 ///
-/// As kernels/blocking/boxes.hpp tests many boxes with one shaft: lo(t) > box.lo and hi(t) < box.hi, where lo(t) > x
-/// bounds t from below if lo grows.
+/// As kernels/blocking/blocking_boxes.hpp tests many boxes with one shaft: lo(t) > box.lo and hi(t) < box.hi, where
+/// lo(t) > x bounds t from below if lo grows.
 #pragma once
 
 #include "exact/pair.hpp"

@@ -2,7 +2,7 @@
 /// Forming sibling shafts.
 #pragma once
 
-#include "kernels/blocking/boxes.hpp"
+#include "kernels/blocking/blocking_boxes.hpp"
 #include "kernels/shared/word.hpp"
 #include "kernels/siblings/siblings.hpp"
 

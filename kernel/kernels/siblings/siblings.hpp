@@ -5,8 +5,9 @@
 /// bounds, and each shaft with others: so lanes are shafts here, and a bound is in all lanes.
 ///
 /// A shaft's box moves from box a to box b, t from 0 to 1. Constraints on t that concern different axes separate it
-/// from a bound, or let it pass through one (docs/exactness.md). As for occluded boxes (kernels/blocking/boxes.hpp),
-/// one that bounds t from below by s and one that bounds 1 − t from below by u leave no t if s + u is 1 or more.
+/// from a bound, or let it pass through one (docs/exactness.md). As for occluded boxes
+/// (kernels/blocking/blocking_boxes.hpp), one that bounds t from below by s and one that bounds 1 − t from below by u
+/// leave no t if s + u is 1 or more.
 #pragma once
 
 #include <cstddef>

@@ -8,10 +8,10 @@
 #include "compiled/shaft_data.hpp"
 #include "compiled/with_planes.hpp"
 #include "kernels/boxes/slab_stages.hpp"
-#include "kernels/hulls/stages.hpp"
+#include "kernels/hulls/hull_stages.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/spheres/planes.hpp"
+#include "kernels/spheres/sphere_planes.hpp"
 #include "support/padding.hpp"
 
 namespace shaftcull::kernel {

@@ -7,7 +7,7 @@
 
 namespace shaftcull::kernel {
 
-/// As CompressIndices in kernels/table.hpp. No branch depends on the bits: it would be mispredicted.
+/// As CompressIndices in kernels/kernel_table.hpp. No branch depends on the bits: it would be mispredicted.
 template <class L>
 std::size_t compress_indices(const std::uint32_t* from, std::uint64_t bits, std::uint32_t* out) noexcept {
   const std::uint32_t* const start = out;

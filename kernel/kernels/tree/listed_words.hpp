@@ -3,11 +3,11 @@
 #pragma once
 
 #include "kernels/boxes/slab_stages.hpp"
-#include "kernels/hulls/stages.hpp"
+#include "kernels/hulls/hull_stages.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/spheres/planes.hpp"
-#include "kernels/table.hpp"
+#include "kernels/spheres/sphere_planes.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {

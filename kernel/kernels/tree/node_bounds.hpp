@@ -8,7 +8,7 @@
 
 namespace shaftcull::kernel {
 
-/// As NodeBounds in kernels/table.hpp, for boxes: smallest lo, largest hi.
+/// As NodeBounds in kernels/kernel_table.hpp, for boxes: smallest lo, largest hi.
 template <class L>
 std::uint64_t node_bounds_of_boxes(const float* const* stream, std::size_t words, float* const* node) noexcept {
   std::uint64_t gaps = 0;
@@ -45,8 +45,8 @@ float rounding_of(float x) noexcept {
   return fabsf(x) * 0x1p-23F + 0x1p-149F;
 }
 
-/// As NodeBounds in kernels/table.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word: what
-/// is subtracted grows more slowly than what it is subtracted from, so the smallest stays the smallest. Padding (a
+/// As NodeBounds in kernels/kernel_table.hpp, for spheres: centre ∓ radius, rounded outwards. That is done once a word:
+/// what is subtracted grows more slowly than what it is subtracted from, so the smallest stays the smallest. Padding (a
 /// negative radius) is left out.
 template <class L>
 std::uint64_t node_bounds_of_spheres(const float* const* stream, std::size_t words, float* const* node) noexcept {

@@ -8,8 +8,8 @@
 
 #include <cmath>
 
+#include "kernels/kernel_table.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/table.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {

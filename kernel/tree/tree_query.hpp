@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "query/options.hpp"
 #include "query/question.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/float_environment.hpp"
-#include "tree/access.hpp"
 #include "tree/exclusion.hpp"
+#include "tree/tree_access.hpp"
 #include "tree/triangle_parts.hpp"
 #include "tree/visitors.hpp"
 #include "tree/walk.hpp"

@@ -7,8 +7,8 @@
 
 #include "compiled/slab.hpp"
 #include "exact/predicates.hpp"
-#include "kernels/boxes/planes.hpp"
-#include "kernels/forming/slab.hpp"
+#include "kernels/boxes/box_planes.hpp"
+#include "kernels/forming/slab_constraints.hpp"
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {

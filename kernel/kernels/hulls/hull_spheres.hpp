@@ -2,8 +2,8 @@
 /// Spheres against a convex hull, by distances from its planes.
 #pragma once
 
-#include "exact/hull.hpp"
-#include "kernels/hulls/planes.hpp"
+#include "exact/convex_hull.hpp"
+#include "kernels/hulls/hull_depths.hpp"
 #include "kernels/shared/word.hpp"
 
 namespace shaftcull::kernel {

@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "exact/blocking.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/shared/two_axes.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/table.hpp"
 #include "kernels/tree/listed_words.hpp"
 #include "support/compiler.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tree/answers.hpp"
+#include "tree/tree_answers.hpp"
 
 #include <algorithm>
 

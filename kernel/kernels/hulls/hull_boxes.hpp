@@ -2,8 +2,8 @@
 /// Boxes against a convex hull: outside by near corners, inside by far ones, exactly.
 #pragma once
 
-#include "exact/hull.hpp"
-#include "kernels/hulls/planes.hpp"
+#include "exact/convex_hull.hpp"
+#include "kernels/hulls/hull_depths.hpp"
 #include "kernels/shared/word.hpp"
 #include "support/compiler.hpp"
 

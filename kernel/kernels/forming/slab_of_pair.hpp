@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The slab constraints of one shaft: its six faces in the lanes of one vector.
 ///
-/// The arithmetic of slab.hpp, operation by operation, so that a shaft formed alone has the bits of one formed in a
+/// The arithmetic of slab_constraints.hpp, operation by operation, so that a shaft formed alone has the bits of one formed in a
 /// batch.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "kernels/forming/slab.hpp"
+#include "kernels/forming/slab_constraints.hpp"
 
 namespace shaftcull::kernel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "tree/query.hpp"
+#include "tree/tree_query.hpp"
 
-#include "tree/first_contact.hpp"
+#include "tree/first_contact_walk.hpp"
 
 namespace shaftcull::kernel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// A k-d tree whose leaves are nodes of 64: halves are split at the median of the axis on which they are spread out
 /// most, moved to a multiple of a whole node, so that nodes of all levels are cells of it.
-#include "tree/order.hpp"
+#include "tree/tree_order.hpp"
 
 #include "parallel/parallel.hpp"
 #include "tree/parts.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact/hull.hpp"
+#include "exact/convex_hull.hpp"
 
 #include <cmath>
 #include <limits>

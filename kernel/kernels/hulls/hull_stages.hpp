@@ -2,8 +2,8 @@
 /// The stages of a convex hull's tests, on the bounds of one block.
 #pragma once
 
-#include "kernels/hulls/boxes.hpp"
-#include "kernels/hulls/spheres.hpp"
+#include "kernels/hulls/hull_boxes.hpp"
+#include "kernels/hulls/hull_spheres.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
 #include "support/compiler.hpp"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #include "support/index_range.hpp"
 #include "tree/entries.hpp"
 

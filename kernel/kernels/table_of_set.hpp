@@ -2,27 +2,27 @@
 /// The table of an instruction set: which functions, on its vectors, are its kernels.
 #pragma once
 
-#include "kernels/blocking/boxes.hpp"
+#include "kernels/blocking/blocking_boxes.hpp"
 #include "kernels/boxes/box_stages.hpp"
 #include "kernels/forming/added_planes.hpp"
-#include "kernels/forming/pair.hpp"
+#include "kernels/forming/slab_of_pair.hpp"
 #include "kernels/grid/testing.hpp"
+#include "kernels/kernel_table.hpp"
 #include "kernels/set_bits.hpp"
 #include "kernels/shared/block_tests.hpp"
 #include "kernels/siblings/block.hpp"
 #include "kernels/siblings/facing.hpp"
 #include "kernels/siblings/form.hpp"
 #include "kernels/siblings/keep.hpp"
-#include "kernels/siblings/pack.hpp"
-#include "kernels/spheres/boxes_around.hpp"
+#include "kernels/siblings/sibling_packing.hpp"
+#include "kernels/spheres/boxes_around_spheres.hpp"
 #include "kernels/spheres/sphere_stages.hpp"
-#include "kernels/table.hpp"
 #include "kernels/tree/compress_indices.hpp"
 #include "kernels/tree/keep_layers.hpp"
 #include "kernels/tree/listed_words.hpp"
 #include "kernels/tree/node_bounds.hpp"
 #include "kernels/tree/partition.hpp"
-#include "kernels/triangles/stages.hpp"
+#include "kernels/triangles/triangle_stages.hpp"
 
 namespace shaftcull::kernel {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "exact/triangle.hpp"
-#include "kernels/boxes/contact.hpp"
+#include "kernels/boxes/box_contact.hpp"
 #include "kernels/boxes/slab_stages.hpp"
-#include "kernels/hulls/stages.hpp"
+#include "kernels/hulls/hull_stages.hpp"
 #include "kernels/shared/survivors.hpp"
 #include "kernels/shared/word.hpp"
-#include "kernels/triangles/boxes_around.hpp"
+#include "kernels/triangles/boxes_around_triangles.hpp"
 #include "kernels/triangles/separating_axes.hpp"
 #include "support/compiler.hpp"
 

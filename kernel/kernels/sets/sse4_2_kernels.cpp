@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "simd/baseline.hpp"
 #ifndef SHAFTCULL_COMPILED_FOR_AVX2
-#include "kernels/table_of.hpp"
+#include "kernels/table_of_set.hpp"
 #include "simd/x86/sse4_2.hpp"
 #else
-#include "kernels/table.hpp"
+#include "kernels/kernel_table.hpp"
 #endif
 
 namespace shaftcull::kernel::sse4_2 {

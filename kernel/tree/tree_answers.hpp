@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "tree/query.hpp"
+#include "tree/tree_query.hpp"
 
 namespace shaftcull::kernel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "visibility/arguments.hpp"
+#include "visibility/visibility_arguments.hpp"
 
 #include "support/arguments.hpp"
 #include "support/fail.hpp"

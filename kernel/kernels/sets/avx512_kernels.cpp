@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "kernels/table_of_set.hpp"
 #include "simd/x86/avx512.hpp"
-#include "kernels/table_of.hpp"
 
 namespace shaftcull::kernel::avx512 {
 
