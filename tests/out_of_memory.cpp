@@ -20,7 +20,7 @@
 #include "shaftcull/shaftcull.hpp"
 #include "tree/flat.hpp"
 #include "tree/scenes.hpp"
-#include "tree/kinds.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

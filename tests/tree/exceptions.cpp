@@ -13,9 +13,9 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 #include "tree/tree_access.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

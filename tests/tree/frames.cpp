@@ -14,8 +14,8 @@
 #include "shaftcull/tree.hpp"
 #include "shaftcull/tree_image.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

@@ -29,8 +29,8 @@
 #include "shaftcull/error.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "support/checksum.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

@@ -17,9 +17,9 @@
 #include "shaftcull/many.hpp"
 #include "shaftcull/tree.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 #include "tree/tree_access.hpp"
+#include "tree/volumes.hpp"
 #include "tree/walked.hpp"
 
 namespace shaftcull {

@@ -15,9 +15,9 @@
 #include "shaftcull/shaftcull.hpp"
 #include "support/float_environment.hpp"
 #include "tree/build.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
 #include "tree/source.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

@@ -10,8 +10,8 @@
 #include "columns.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/tree.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

@@ -14,8 +14,8 @@
 #include "shaftcull/cull.hpp"
 #include "shaftcull/many.hpp"
 #include "tree/flat.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

@@ -16,8 +16,8 @@
 #include "shaftcull/query.hpp"
 #include "shaftcull/tree.hpp"
 #include "support/overlap.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {

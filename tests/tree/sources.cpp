@@ -13,8 +13,8 @@
 #include "columns.hpp"
 #include "message_of.hpp"
 #include "shaftcull/tree.hpp"
-#include "tree/kinds.hpp"
 #include "tree/scenes.hpp"
+#include "tree/volumes.hpp"
 
 namespace shaftcull {
 namespace {
