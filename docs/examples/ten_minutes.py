@@ -44,7 +44,7 @@ hidden = sc.Shafts.shadow(lamp, scene[0])
 hull = sc.ConvexHull([[0, 0, 0], [4, 0, 0], [0, 9, 0], [5, 5, 5]])
 print(tree.count(sweep), tree.count(sunlit), tree.count(hidden), tree.count(hull))
 
-index, time = tree.first(sweep)
+index, time = tree.first_contact(sweep)
 if index >= 0:
     print(f"first box {index}, after {time:.2f} of the way")
 # [[end]]

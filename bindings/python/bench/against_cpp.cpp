@@ -31,7 +31,7 @@ void call(const std::string& name, std::span<const shaftcull::CompiledShaft> sha
   } else if (name == "tree count") {
     numbers.resize(shafts.size());
     shaftcull::count_many(shafts, tree, numbers);
-  } else if (name == "tree first") {
+  } else if (name == "tree first_contact") {
     std::vector<shaftcull::FirstContact> contacts(shafts.size());
     shaftcull::first_contact_many(shafts, tree, contacts);
   } else if (name == "flat count") {

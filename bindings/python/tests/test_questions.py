@@ -255,7 +255,7 @@ def test_layers_are_changed_and_forgotten(holder, boxes, a, b):
 
 def test_questions_refuse_options_that_mean_nothing_to_them(holder, a, b):
     shafts = sc.Shafts.between(a, b)
-    wrong = [(verb, "limit") for verb in ("cull", "any", "classify", "count_classified", "list_classified", "first")]
+    wrong = [(verb, "limit") for verb in ("cull", "any", "classify", "count_classified", "list_classified", "first_contact")]
     wrong += [(verb, "limit") for verb in ("occluded", "find_occluder")]
     wrong += [(verb, "only") for verb in ("occluded", "find_occluder", "list_occluders")]
     wrong += [(verb, "triangle_test") for verb in ("first_contact", "occluded", "find_occluder", "list_occluders")]
@@ -332,7 +332,7 @@ def test_nothing_and_no_shafts_are_fine(boxes, a):
     for make in HOLDERS.values():
         empty = make(none)
         assert len(empty) == 0 and empty.count(a, a).sum() == 0 and empty.cull(a, a).shape == (len(a), 0)
-        assert empty.first(a[0], a[0]) == (-1, np.inf)
+        assert empty.first_contact(a[0], a[0]) == (-1, np.inf)
         empty.set_layers([])
         assert empty.count(a, a, layer_mask=1, only=[], exclude=[], exclude_mask=np.zeros(0, bool)).sum() == 0
         holder = make(boxes)
