@@ -16,15 +16,15 @@ for i, kept in enumerate(boxes.cull(shaft)):  # element i: box i may stand betwe
 # [[many shafts]]
 ends = np.array([lamp, table, [9, 9, 9, 9, 9, 9]], np.float32)
 shafts = sc.Shafts.between(ends, ends, pairs=[[0, 1], [0, 2], [1, 2]])
-offsets, indices = boxes.list(shafts)  # in parallel; shaft s keeps indices[offsets[s]:offsets[s + 1]]
-for s in range(len(shafts)):
-    print(f"shaft {s} keeps {offsets[s + 1] - offsets[s]}")
+lists = boxes.list(shafts)  # in parallel; shaft s keeps the boxes of lists[s]
+for s, kept in enumerate(lists):
+    print(f"shaft {s} keeps {len(kept)}")
 # [[end]]
 
 # [[tree]]
 tree = sc.BoxTree(scene)  # sorted once; asked the same questions
-offsets, indices = tree.list(shafts, exclude=2)  # box 2 is left out
-print(f"{offsets[1]} without box 2, {'some' if tree.any(shafts[0]) else 'none'} with it")
+lists = tree.list(shafts, exclude=2)  # box 2 is left out
+print(f"{len(lists[0])} without box 2, {'some' if tree.any(shafts[0]) else 'none'} with it")
 # [[end]]
 
 # [[frames]]

@@ -58,7 +58,7 @@ def main():
                         times["c++"].append(there)
                 here, there = statistics.median(times["python"]), statistics.median(times["c++"])
                 ratio = statistics.median(x / y for x, y in zip(times["python"], times["c++"]))
-                print(f"{name:12} Python {here * 1e3:8.2f} ms   C++ {there * 1e3:8.2f} ms   ratio {ratio:.3f}")
+                print(f"{name:18} Python {here * 1e3:8.2f} ms   C++ {there * 1e3:8.2f} ms   ratio {ratio:.3f}")
             cpp.stdin.close()
 
 

@@ -19,9 +19,9 @@ def tree_of(bounds):
 
 def lists(bounds, shafts, first, end):
     rows = np.load(shafts, mmap_mode="r")[first:end]
-    offsets, indices = tree_of(bounds).list(shaftcull.Shafts.between(rows[:, :6], rows[:, 6:]))
-    row = np.repeat(np.arange(end - first), np.diff(offsets).astype(int))
-    return offsets, indices[np.lexsort((indices, row))]  # a tree lists them in its own order
+    found = tree_of(bounds).list(shaftcull.Shafts.between(rows[:, :6], rows[:, 6:]))
+    row, index = found.pairs().T
+    return found.offsets, index[np.lexsort((index, row))]  # a tree lists them in its own order
 
 
 def main(bounds, shafts, out, block=16_384):

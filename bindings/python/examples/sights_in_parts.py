@@ -26,11 +26,11 @@ def tasks(patches, parts):
 
 
 def answers(patches, between, task):
-    """Undecided pairs by the indices of all patches, how many candidates each has, these, and how many pairs of a kind."""
+    """Undecided pairs by the indices of all patches, the candidates of each, and how many pairs there are of each kind."""
     a, b = task
     found = shaftcull.visibility(patches[a], None if b is None else patches[b], occluders=between)
     pairs = np.stack([a[found.undecided[:, 0]], (a if b is None else b)[found.undecided[:, 1]]], axis=1)
-    return pairs, np.diff(found.offsets), found.candidates, np.array(list(found.counts.values()))
+    return pairs, found.candidates, np.array(list(found.counts.values()))
 
 
 def main():
@@ -42,7 +42,7 @@ def main():
     mine = tasks(patches, parts=8)[world.rank :: world.size]
     parts = world.gather([answers(patches, between, task) for task in mine])
     if world.rank == 0:
-        counts = sum(part[3] for share in parts for part in share)
+        counts = sum(part[2] for share in parts for part in share)
         print("%d undecided, %d clear, %d occluded, %d facing away" % tuple(counts))
     return parts
 

@@ -13,9 +13,9 @@ shafts, and ask:
 Answers are those of real arithmetic for the float32 given, and the same bits on every machine.
 """
 
+from shaftcull._lists import IndexLists
 from shaftcull._shaftcull import (
     BadBound,
-    Occluders,
     Bounds,
     Boxes,
     BoxStream,
@@ -23,6 +23,7 @@ from shaftcull._shaftcull import (
     BoxView,
     ConvexHull,
     NeedsRefit,
+    Occluders,
     Patches,
     Shafts,
     Spheres,
@@ -42,8 +43,6 @@ from shaftcull._shaftcull import (
     inscribed_box,
     merged_boxes,
     points,
-    round_outwards,
-    round_spheres_outwards,
     select_isa,
     view_planes,
     visibility,
@@ -51,14 +50,15 @@ from shaftcull._shaftcull import (
 
 __all__ = [
     "BadBound",
-    "Occluders",
     "Bounds",
     "Boxes",
     "BoxStream",
     "BoxTree",
     "BoxView",
     "ConvexHull",
+    "IndexLists",
     "NeedsRefit",
+    "Occluders",
     "Patches",
     "Shafts",
     "Spheres",
@@ -78,8 +78,6 @@ __all__ = [
     "inscribed_box",
     "merged_boxes",
     "points",
-    "round_outwards",
-    "round_spheres_outwards",
     "select_isa",
     "view_planes",
     "visibility",

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "answers.hpp"
+#include "queries.hpp"
 
 #include <pybind11/numpy.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "arrays.hpp"
 #include "interrupts.hpp"
 #include "results.hpp"
 
@@ -17,181 +17,256 @@ namespace shaftcull::python {
 
 namespace {
 
-/// Rows of bits that a question writes: one array of bools, or of words if they stay packed, for each kind of bit.
-template <std::size_t Kinds>
+// Calls of the library, for one shaft and for many, which have the same parameters whatever they return.
+template <class Answer>
+using OneShaft = Answer (*)(const CompiledShaft&, const Bounds&, const Query&);
+template <class To>
+using ManyShafts = void (*)(std::span<const CompiledShaft>, const Bounds&, To, const Query&);
+using ListOf = std::size_t (*)(const CompiledShaft&, const Bounds&, std::span<std::uint32_t>, const Query&);
+
+/// Calls one(query) for one shaft, on this thread; or many(shafts, first, query) for chunks of many, which begin at
+/// shaft `first`. Without the interpreter lock.
+template <class One, class Many>
+void run(const Question& question, Chunks chunks, One&& one, Many&& many) {
+  if (question.shafts.one) {
+    const py::gil_scoped_release release;
+    one(question.options.of(0, 1));
+    return;
+  }
+  in_chunks(question.shafts.count, chunks, [&](std::size_t first, std::size_t count) {
+    many(question.shafts.span().subspan(first, count), first, question.options.of(first, count));
+  });
+}
+
+/// An answer for each shaft.
+template <class Answer, class Returned>
+std::vector<Answer> answers(const Question& question, OneShaft<Returned> one, ManyShafts<std::span<Answer>> many) {
+  std::vector<Answer> all(question.shafts.count);
+  run(
+      question, Chunks::side_by_side,
+      [&](const Query& query) { all[0] = one(question.shafts.front(), question.bounds, query); },
+      [&](auto shafts, std::size_t first, const Query& query) {
+        many(shafts, question.bounds, std::span(all).subspan(first, shafts.size()), query);
+      });
+  return all;
+}
+
+/// A number of Python's for one shaft, an array for many: those that of(answer) takes from each.
+template <class Answer, class Of>
+py::object numbers(const Shafts& shafts, const std::vector<Answer>& answers, Of&& of) {
+  std::vector<decltype(of(answers[0]))> taken;
+  taken.reserve(answers.size());
+  for (const Answer& answer : answers) taken.push_back(of(answer));
+  if (shafts.one) return py::cast(taken[0]);
+  return array_of(std::move(taken));
+}
+
+/// A bool for each shaft.
+py::object bools(const Question& question, OneShaft<bool> one, ManyShafts<std::span<std::uint64_t>> many) {
+  std::vector<std::uint8_t> all(question.shafts.count);
+  run(
+      question, Chunks::side_by_side,
+      [&](const Query& query) { all[0] = one(question.shafts.front(), question.bounds, query) ? 1 : 0; },
+      [&](auto shafts, std::size_t first, const Query& query) {
+        std::vector<std::uint64_t> words(bit_words(shafts.size()));
+        many(shafts, question.bounds, words, query);
+        const BitView bits(words);
+        for (std::size_t i = 0; i != shafts.size(); ++i) all[first + i] = bits[i] ? 1 : 0;
+      });
+  return bools_of(question.shafts.one, std::move(all));
+}
+
+/// A row of bits for each shaft, in words.
 class BitRows {
  public:
-  using Spans = std::array<std::span<std::uint64_t>, Kinds>;
-
-  BitRows(const Shafts& shafts, std::size_t bounds, bool packed)
-      : bounds_(bounds), words_(bit_words(bounds)), packed_(packed) {
-    std::vector<py::ssize_t> shape;
-    if (!shafts.one) shape.push_back(static_cast<py::ssize_t>(shafts.count));
-    shape.push_back(static_cast<py::ssize_t>(packed ? words_ : bounds));
-    for (std::size_t kind = 0; kind != Kinds; ++kind) {
-      if (packed) {
-        py::array_t<std::uint64_t> array(shape);
-        memory_[kind] = array.mutable_data();
-        arrays_[kind] = array;
-      } else {
-        py::array_t<bool> array(shape);
-        memory_[kind] = array.mutable_data();
-        arrays_[kind] = array;
-      }
-    }
+  explicit BitRows(const Question& question)
+      : bounds_(question.bounds.size()), row_(bit_words(bounds_)), words_({question.shafts.count, row_}) {
+    memory_ = words_.mutable_data();
   }
 
-  /// Calls write(spans) for rows [first, first + count), without the lock.
-  template <class Write>
-  void fill(std::size_t first, std::size_t count, Write&& write) {
-    Spans spans;
-    std::array<std::vector<std::uint64_t>, Kinds> rows;
-    for (std::size_t kind = 0; kind != Kinds; ++kind) {
-      if (packed_) {
-        spans[kind] = {static_cast<std::uint64_t*>(memory_[kind]) + first * words_, count * words_};
-      } else {
-        rows[kind].resize(count * words_);
-        spans[kind] = rows[kind];
-      }
-    }
-    write(spans);
-    if (packed_) return;
-    for (std::size_t kind = 0; kind != Kinds; ++kind) {
-      for (std::size_t row = 0; row != count; ++row) {
-        unpack(rows[kind].data() + row * words_, bounds_, static_cast<bool*>(memory_[kind]) + (first + row) * bounds_);
-      }
-    }
+  [[nodiscard]] std::span<std::uint64_t> rows(std::size_t first, std::size_t count) const {
+    return {memory_ + first * row_, count * row_};
   }
 
-  [[nodiscard]] const std::array<py::object, Kinds>& arrays() const noexcept { return arrays_; }
+  /// Without the axis of shafts for one.
+  [[nodiscard]] py::object array(const Question& question, bool packed) const {
+    return bits_of(question.shafts.one ? py::object(words_[py::int_(0)]) : py::object(words_), bounds_, packed);
+  }
 
  private:
   std::size_t bounds_;
-  std::size_t words_;
-  bool packed_;
-  std::array<py::object, Kinds> arrays_;
-  std::array<void*, Kinds> memory_{};
+  std::size_t row_;
+  py::array_t<std::uint64_t> words_;
+  std::uint64_t* memory_;
 };
 
-/// Asks one(spans, query) of one shaft, or many(shafts, spans, query) of chunks of them.
-template <std::size_t Kinds, class One, class Many>
-[[nodiscard]] std::array<py::object, Kinds> bit_arrays(const Question& question, bool packed, One&& one, Many&& many) {
-  const Shafts& shafts = question.shafts;
-  BitRows<Kinds> rows(shafts, question.bounds.size(), packed);
-  if (shafts.one) {
-    const py::gil_scoped_release release;
-    rows.fill(0, 1, [&](const auto& spans) { one(spans, question.options.of(0, 1)); });
-  } else {
-    in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-      rows.fill(first, count, [&](const auto& spans) {
-        many(shafts.span().subspan(first, count), spans, question.options.of(first, count));
-      });
-    });
+/// Appends the lists of shafts from `first` on; with first == 0 they replace all that there were.
+void append(IndexLists& all, std::size_t first, IndexLists&& lists) {
+  if (first == 0) {
+    all = std::move(lists);
+    return;
   }
-  return rows.arrays();
+  const std::uint64_t before = all.indices.size();
+  for (std::size_t shaft = 0; shaft != lists.size(); ++shaft) all.offsets.push_back(before + lists.offsets[shaft + 1]);
+  all.indices.insert(all.indices.end(), lists.indices.begin(), lists.indices.end());
 }
 
-/// A bool for each shaft: one(query) of one, or many(shafts, words, query) of chunks.
-template <class One, class Many>
-[[nodiscard]] py::object bools_of(const Question& question, One&& one, Many&& many) {
-  const Shafts& shafts = question.shafts;
-  if (shafts.one) {
-    bool answer = false;
-    {
-      const py::gil_scoped_release release;
-      answer = one(question.options.of(0, 1));
-    }
-    return py::bool_(answer);
-  }
-  py::array_t<bool> array(static_cast<py::ssize_t>(shafts.count));
-  bool* const answers = array.mutable_data();
-  in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-    std::vector<std::uint64_t> words(bit_words(count));
-    many(shafts.span().subspan(first, count), words, question.options.of(first, count));
-    unpack(words.data(), count, answers + first);
-  });
-  return array;
+/// The indices of one shaft, the IndexLists of many.
+py::object found(const Shafts& shafts, IndexLists&& lists, const py::object& times = py::none()) {
+  py::array indices = array_of(std::move(lists.indices));
+  if (!shafts.one) return lists_of(array_of(std::move(lists.offsets)), indices, times);
+  if (times.is_none()) return indices;
+  return py::make_tuple(indices, times);
+}
+
+/// The list of each shaft.
+IndexLists lists_by(const Question& question, ListOf one, ManyShafts<IndexLists&> many) {
+  IndexLists all{{0}, {}};
+  run(
+      question, Chunks::joined,
+      [&](const Query& query) {
+        thread_local std::vector<std::uint32_t> room(1024);  // seldom too short, so that the library seldom runs twice
+        std::size_t size = one(question.shafts.front(), question.bounds, room, query);
+        if (size > room.size()) {
+          room.resize(size);
+          size = one(question.shafts.front(), question.bounds, room, query);
+        }
+        all.indices.assign(room.data(), room.data() + size);
+        all.offsets.push_back(size);
+        if (room.size() > std::size_t{1} << 20) room = std::vector<std::uint32_t>(1024);
+      },
+      [&](auto shafts, std::size_t first, const Query& query) {
+        IndexLists lists;
+        many(shafts, question.bounds, lists, query);
+        append(all, first, std::move(lists));
+      });
+  return all;
+}
+
+/// When the moving boxes reach the bounds of their lists.
+py::array times_of(const Question& question, const IndexLists& lists) {
+  std::vector<float> times(lists.indices.size());
+  const auto enter = [&](std::size_t shaft) {
+    entry_times(question.shafts.span()[shaft], question.bounds, lists[shaft],
+                std::span(times).subspan(static_cast<std::size_t>(lists.offsets[shaft]), lists[shaft].size()));
+  };
+  run(
+      question, Chunks::side_by_side, [&](const Query&) { enter(0); },
+      [&](auto shafts, std::size_t first, const Query&) {
+        for (std::size_t shaft = first; shaft != first + shafts.size(); ++shaft) enter(shaft);
+      });
+  return array_of(std::move(times));
 }
 
 }  // namespace
 
 py::object ask_cull(const Question& question, bool packed) {
-  return bit_arrays<1>(
-      question, packed,
-      [&](const auto& bits, const Query& query) { cull(question.shafts.front(), question.bounds, bits[0], query); },
-      [&](auto shafts, const auto& bits, const Query& query) {
-        cull_many(shafts, question.bounds, bits[0], query);
-      })[0];
+  const BitRows kept(question);
+  run(
+      question, Chunks::side_by_side,
+      [&](const Query& query) { cull(question.shafts.front(), question.bounds, kept.rows(0, 1), query); },
+      [&](auto shafts, std::size_t first, const Query& query) {
+        cull_many(shafts, question.bounds, kept.rows(first, shafts.size()), query);
+      });
+  return kept.array(question, packed);
 }
 
 py::object ask_classify(const Question& question, bool packed) {
-  const auto arrays = bit_arrays<2>(
-      question, packed,
-      [&](const auto& bits, const Query& query) {
-        classify(question.shafts.front(), question.bounds, bits[0], bits[1], query);
+  const BitRows kept(question);
+  const BitRows inside(question);
+  run(
+      question, Chunks::side_by_side,
+      [&](const Query& query) {
+        classify(question.shafts.front(), question.bounds, kept.rows(0, 1), inside.rows(0, 1), query);
       },
-      [&](auto shafts, const auto& bits, const Query& query) {
-        classify_many(shafts, question.bounds, bits[0], bits[1], query);
+      [&](auto shafts, std::size_t first, const Query& query) {
+        const std::size_t count = shafts.size();
+        classify_many(shafts, question.bounds, kept.rows(first, count), inside.rows(first, count), query);
       });
-  return py::make_tuple(arrays[0], arrays[1]);
+  return py::make_tuple(kept.array(question, packed), inside.array(question, packed));
 }
 
-py::object ask_any(const Question& question) {
-  return bools_of(
-      question, [&](const Query& query) { return any(question.shafts.front(), question.bounds, query); },
-      [&](auto shafts, std::span<std::uint64_t> words, const Query& query) {
-        any_many(shafts, question.bounds, words, query);
-      });
-}
+py::object ask_any(const Question& question) { return bools(question, &any, &any_many); }
+
+py::object ask_occluded(const Question& question) { return bools(question, &occluded, &occluded_many); }
 
 py::object ask_count(const Question& question) {
-  const Shafts& shafts = question.shafts;
-  if (shafts.one) {
-    std::size_t answer = 0;
-    {
-      const py::gil_scoped_release release;
-      answer = count(shafts.front(), question.bounds, question.options.of(0, 1));
-    }
-    return py::int_(answer);
-  }
-  std::vector<std::uint64_t> counts(shafts.count);
-  in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t size) {
-    count_many(shafts.span().subspan(first, size), question.bounds, std::span(counts).subspan(first, size),
-               question.options.of(first, size));
-  });
-  return array_of(std::move(counts));
+  const auto counts = answers<std::uint64_t, std::size_t>(question, &count, &count_many);
+  return numbers(question.shafts, counts, [](std::uint64_t count) { return count; });
 }
 
 py::object ask_count_classified(const Question& question) {
-  const Shafts& shafts = question.shafts;
-  if (shafts.one) {
-    KeptCounts counts{};
-    {
-      const py::gil_scoped_release release;
-      counts = count_classified(shafts.front(), question.bounds, question.options.of(0, 1));
-    }
-    return py::make_tuple(counts.overlap, counts.inside);
-  }
-  std::vector<KeptCounts> counts(shafts.count);
-  in_chunks(shafts.count, Chunks::side_by_side, [&](std::size_t first, std::size_t count) {
-    count_classified_many(shafts.span().subspan(first, count), question.bounds, std::span(counts).subspan(first, count),
-                          question.options.of(first, count));
-  });
-  std::vector<std::uint64_t> overlap(shafts.count);
-  std::vector<std::uint64_t> inside(shafts.count);
-  for (std::size_t i = 0; i != shafts.count; ++i) {
-    overlap[i] = counts[i].overlap;
-    inside[i] = counts[i].inside;
-  }
-  return py::make_tuple(array_of(std::move(overlap)), array_of(std::move(inside)));
+  const auto counts = answers<KeptCounts, KeptCounts>(question, &count_classified, &count_classified_many);
+  return py::make_tuple(
+      numbers(question.shafts, counts, [](const KeptCounts& of) -> std::uint64_t { return of.overlap; }),
+      numbers(question.shafts, counts, [](const KeptCounts& of) -> std::uint64_t { return of.inside; }));
 }
 
-py::object ask_occluded(const Question& question) {
-  return bools_of(
-      question, [&](const Query& query) { return occluded(question.shafts.front(), question.bounds, query); },
-      [&](auto shafts, std::span<std::uint64_t> words, const Query& query) {
-        occluded_many(shafts, question.bounds, words, query);
+py::object ask_first_contact(const Question& question) {
+  const auto contacts = answers<FirstContact, FirstContact>(question, &first_contact, &first_contact_many);
+  const auto index = [](const FirstContact& contact) { return contact ? std::int64_t{contact.index} : -1; };
+  return py::make_tuple(numbers(question.shafts, contacts, index),
+                        numbers(question.shafts, contacts, [](const FirstContact& contact) { return contact.time; }));
+}
+
+py::object ask_find_occluder(const Question& question) {
+  std::vector<std::int64_t> occluders(question.shafts.count, -1);
+  const auto find = [&](std::size_t shaft) {
+    const auto index = find_occluder(question.shafts.span()[shaft], question.bounds, question.options.of(shaft, 1));
+    if (index) occluders[shaft] = std::int64_t{*index};
+  };
+  run(
+      question, Chunks::side_by_side, [&](const Query&) { find(0); },
+      [&](auto shafts, std::size_t first, const Query&) {
+        for (std::size_t shaft = first; shaft != first + shafts.size(); ++shaft) find(shaft);
       });
+  return numbers(question.shafts, occluders, [](std::int64_t index) { return index; });
+}
+
+py::object ask_list(const Question& question, bool times) {
+  IndexLists lists = lists_by(question, &list, &list_many);
+  const py::object entered = times ? py::object(times_of(question, lists)) : py::none();
+  return found(question.shafts, std::move(lists), entered);
+}
+
+py::object ask_list_occluders(const Question& question) {
+  return found(question.shafts, lists_by(question, &list_occluders, &list_occluders_many));
+}
+
+py::object ask_list_classified(const Question& question) {
+  const Shafts& shafts = question.shafts;
+  IndexLists overlap{{0}, {}};
+  IndexLists inside{{0}, {}};
+  run(
+      question, Chunks::joined,
+      [&](const Query& query) {
+        const KeptCounts counts = count_classified(shafts.front(), question.bounds, query);
+        overlap.indices.resize(counts.overlap);
+        inside.indices.resize(counts.inside);
+        static_cast<void>(list_classified(shafts.front(), question.bounds, overlap.indices, inside.indices, query));
+      },
+      [&](auto some, std::size_t first, const Query& query) {
+        IndexLists both[2];
+        list_classified_many(some, question.bounds, both[0], both[1], query);
+        append(overlap, first, std::move(both[0]));
+        append(inside, first, std::move(both[1]));
+      });
+  return py::make_tuple(found(shafts, std::move(overlap)), found(shafts, std::move(inside)));
+}
+
+py::object ask_entry_times(Holder& holder, const py::object& shaft, const py::object& indices) {
+  const Shafts shafts = shafts_in(shaft, py::none());
+  if (!shafts.one) {
+    throw py::value_error("entry_times() takes one shaft, shafts[i]; for many, list(shafts, times=True)");
+  }
+  const IndicesIn in = indices_in(indices, "indices", holder.size(), "bounds");
+  const Reading reading(holder.usage);
+  std::vector<float> times(in.indices.size());
+  {
+    const py::gil_scoped_release release;
+    entry_times(shafts.front(), holder.bounds(), in.indices, times);
+  }
+  return array_of(std::move(times));
 }
 
 }  // namespace shaftcull::python

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// NumPy arrays that callers give: what they must be, and where their numbers lie. Nothing is copied that the library
-/// can read where it is, and nothing is rounded.
+/// Arguments that are arrays: which dtypes and shapes are taken, and what refuses the others. Nothing is rounded
+/// silently.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "shaftcull/shaftcull.hpp"
@@ -20,63 +19,48 @@ namespace shaftcull::python {
 
 namespace py = pybind11;
 
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
 /// "(3, 6)"
 [[nodiscard]] std::string shape_of(const py::array& array);
 
-/// Any number of float32 as an array. Arrays must have that dtype; lists and tuples of Python's numbers may hold
-/// whatever is a float32 exactly. TypeError or ValueError otherwise, with what would be right: `name` is that of the
-/// argument, and `rounding` a function of this package that makes float32 of float64, or null.
-[[nodiscard]] py::array_t<float> floats_in(const py::object& given, const std::string& name,
-                                           const char* rounding = nullptr);
+/// ValueError: the argument has its shape, and must have a right one.
+[[noreturn]] void refuse_shape(const std::string& name, const py::array& array, const std::string& right);
 
-/// The same array if its numbers lie one behind the other in memory, else a copy of which they do.
-[[nodiscard]] py::array_t<float> in_c_order(const py::array_t<float>& array);
-
-/// Boxes of an argument. They lie in the memory of `kept`, which they must not outlive.
-struct BoxesIn {
-  std::variant<StridedBoxes, BoxView> where;
-  std::size_t count = 0;
-  bool one = false;  ///< a single box, of shape (6,) or (2, 3)
-  std::vector<py::object> kept;
-  bool copied = false;  ///< whether columns had to be copied to lie in streams
+/// What becomes of numbers that are no float32: they are rounded outwards, or refused with advice.
+struct Rounding {
+  bool outwards;
+  const char* advice;
 };
-/// (n, 6), (n, 2, 3), a tuple (lo, hi) of (n, 3), a tuple of six arrays (n,), or one box: (6,), (2, 3), a tuple of two
-/// (3,).
-[[nodiscard]] BoxesIn boxes_in(const py::object& given, const std::string& name);
 
-struct SpheresIn {
-  std::variant<StridedSpheres, SphereView> where;
-  std::size_t count = 0;
-  bool one = false;
-  std::vector<py::object> kept;
-  bool copied = false;
-};
-/// (n, 4), a tuple (centres, radii) of (n, 3) and (n,), a tuple of four arrays (n,), or one sphere: (4,).
-[[nodiscard]] SpheresIn spheres_in(const py::object& given, const std::string& name);
+/// For arguments that are never rounded outwards.
+inline constexpr Rounding no_rounding{false, "array.astype(numpy.float32) rounds to nearest"};
 
-struct TrianglesIn {
-  std::variant<std::span<const Triangle>, TriangleView, MeshView> where;
-  std::size_t count = 0;
-  std::vector<py::object> kept;
-  bool copied = false;
-  std::vector<std::uint32_t> indices;  ///< of a mesh, if they had to be converted
-};
-/// (n, 3, 3) or (n, 9); with faces (f, 3) of integers: vertices (v, 3).
-[[nodiscard]] TrianglesIn triangles_in(const py::object& given, const py::object& faces, const std::string& name);
+/// The keyword `rounding`: None or 'outwards'.
+[[nodiscard]] Rounding rounding_in(const py::object& rounding);
 
-/// Vectors or points, (n, 3) or one (3,).
+/// An argument as an array of float32; or of float64, if it is to be rounded outwards. Lists and tuples may hold any
+/// number that is a float32. TypeError for others.
+[[nodiscard]] py::array numbers_in(const py::object& given, const std::string& name, const Rounding& rounding);
+
+/// An argument as float32 in C order, aligned: the same memory if it is so already.
+[[nodiscard]] py::array_t<float> floats_in(const py::object& given, const std::string& name);
+
+/// Whether an array holds vectors: (n, 3), or (3,) for one, or nothing at all. ValueError otherwise.
+[[nodiscard]] bool is_one_vector(const py::array& array, const std::string& name);
+
+/// Vectors or points.
 struct VectorsIn {
-  py::array_t<float> array;  // owns the memory, in C order
+  py::array_t<float> array;  // owns the memory
   std::span<const Vec3> vectors;
   bool one = false;
 };
 [[nodiscard]] VectorsIn vectors_in(const py::object& given, const std::string& name);
 
-/// Planes, (n, k, 4), k for each of n boxes, or (k, 4) for the same planes for all; none of None. `boxes` of them.
-[[nodiscard]] std::vector<Plane> planes_in(const py::object& given, const std::string& name, std::size_t boxes);
-
-/// The 16 floats of a matrix of shape (4, 4), row after row.
-[[nodiscard]] py::array_t<float> matrix_in(const py::object& given, const std::string& name);
+/// Planes of each of `count` things, one behind the other; none of None. With 2 axes one plane for each, (n, 4), or
+/// (4,) for all; with 3 axes k planes for each, (n, k, 4), or (k, 4) for all.
+[[nodiscard]] std::vector<Plane> planes_in(const py::object& given, const std::string& name, std::size_t count,
+                                           py::ssize_t axes);
 
 /// Integers of any width. IndexError for one that is negative or not below `limit`, which numbers `things`.
 struct IndicesIn {

@@ -1,27 +1,65 @@
 // SPDX-License-Identifier: MIT
+/// Functions that make boxes: of points, of other solids.
+#include "shaftcull/solids.hpp"
+
+#include <vector>
+
+#include "arrays.hpp"
+#include "bounds_in.hpp"
 #include "module.hpp"
-#include "streams.hpp"
+#include "results.hpp"
 
 namespace shaftcull::python {
 
-void add_box_streams(py::module_& module) {
-  const auto in = [](const py::object& given, const std::string& name) { return boxes_in(given, name); };
-  py::class_<Viewed<BoxView>, HolderOf<Box>> view(module, "BoxView", R"(
-Boxes in arrays of the caller's, which are kept and never copied.
+namespace {
 
-boxes: float32 whose columns are contiguous: (n, 6) in Fortran order, the transpose of (6, n); such (n, 2, 3); a tuple
-    (lo, hi) of such (n, 3); or a tuple of six (n,).
+py::array points(const py::object& given, const py::object& rounding) {
+  const py::array numbers = numbers_in(given, "points", rounding_in(rounding));
+  const bool one = is_one_vector(numbers, "points");
+  const Doubles from(numbers);
+  std::vector<Box> boxes(static_cast<std::size_t>(from.size() / 3));
+  for (std::size_t i = 0; i != boxes.size(); ++i) {
+    for (std::size_t axis = 0; axis != 3; ++axis) {
+      boxes[i].lo[axis] = rounded_down(from.data()[3 * i + axis]);
+      boxes[i].hi[axis] = rounded_up(from.data()[3 * i + axis]);
+    }
+  }
+  return one ? array_of(boxes[0]) : rows_of(std::span<const Box>(boxes));
+}
 
-Values are not checked, and may change between questions. A box with NaN is kept by every shaft.)");
-  add_view<BoxView>(view, "BoxView", "boxes", "a transpose of (6, n), numpy.asfortranarray(boxes), or six arrays (n,)",
-                    in);
+py::array merged(const py::object& given) {
+  const BoxesInStreams boxes(given, "boxes", no_rounding);
+  std::vector<Box> merged;
+  {
+    const py::gil_scoped_release release;
+    for (std::size_t i = 0; i != boxes.count(); ++i) merged.push_back(boxes.view()[i]);
+    merged = merged_boxes(merged);
+  }
+  return rows_of(std::span<const Box>(merged));
+}
 
-  py::class_<Streamed<BoxStream>, HolderOf<Box>> stream(module, "BoxStream", R"(
-A copy of boxes, checked, in separate aligned streams: 24 bytes per box.
+}  // namespace
 
-boxes: float32 (n, 6), (n, 2, 3), a tuple (lo, hi) of (n, 3), or a tuple of six (n,). BadBound, with the index, for NaN
-    or lo > hi; lo = infinity and hi = -infinity on all axes is the empty box.)");
-  add_stream<BoxStream>(stream, "BoxStream", "boxes", in);
+void add_boxes(py::module_& module) {
+  using py::arg;
+  module.def("points", &points, arg("points"), py::kw_only(), arg("rounding") = py::none(), R"(
+Boxes that are points, for viewpoints and point lights: float32 (n, 6) of points (n, 3), or (6,) of (3,).
+
+points: float32. rounding: 'outwards' takes float64, too, and each box contains its point. TypeError or
+    ValueError for others.)");
+  module.def("merged_boxes", &merged, arg("boxes"), R"(
+Larger solid boxes that cover what the given boxes cover and nothing else: pieces of a wall that share a
+face become one. float32 (m, 6); they may overlap.
+
+boxes: float32 (n, 6), or as those of BoxStream. BadBound, with the index, for one that is not finite or has
+    lo > hi. Other threads of Python go on.)");
+  module.def(
+      "inscribed_box",
+      [](const py::object& corners) { return array_of(inscribed_box(vectors_in(corners, "corners").vectors)); },
+      arg("corners"), R"(
+A large box inside the convex hull of points: float32 (6,). It lies in the hull exactly.
+
+corners: float32 (k, 3), 4 to 32 points. ValueError for another number of them, or one that is not finite.)");
 }
 
 }  // namespace shaftcull::python

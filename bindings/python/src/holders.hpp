@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What holds bounds in Python: views and streams, trees. Each knows who uses it (usage.hpp), and gives the Bounds that
-/// questions are about.
+/// What holds bounds in Python: views, streams and trees. Each knows who uses it (usage.hpp), and gives the Bounds that
+/// queries are about.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "bounds_in.hpp"
 #include "interrupts.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "usage.hpp"
@@ -33,10 +33,8 @@ class Holder {
   [[nodiscard]] std::size_t size() const { return bounds().size(); }
 
   [[nodiscard]] virtual bool has_layers() const = 0;
-  /// The layers of all bounds; or of those at `indices`, which are below size(). InvalidArgument if there are more or
-  /// fewer, and for some bounds if there are no layers yet.
-  virtual void set_layers(std::span<const std::uint32_t> layers) = 0;
-  virtual void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) = 0;
+  /// The layers of all bounds, size() of them; or of the bounds at `indices`, as many, where there are layers already.
+  virtual void set_layers(std::span<const std::uint32_t> layers, const std::vector<std::uint32_t>* indices) = 0;
   virtual void clear_layers() = 0;
 
   Usage usage;
@@ -46,92 +44,70 @@ class Holder {
 template <class Bound>
 class HolderOf : public Holder {};
 
-/// The layers of bounds that are looked at one by one.
-class FlatLayers {
- public:
-  [[nodiscard]] std::span<const std::uint32_t> all() const noexcept { return all_; }
-  /// As Holder says, of so many bounds.
-  void set(std::size_t bounds, std::span<const std::uint32_t> layers);
-  void set_some(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers);
-  void clear() noexcept { all_ = {}; }
-
- private:
-  std::vector<std::uint32_t> all_;
-};
-
-/// The bound that a view or a stream is of.
-template <class View>
-using BoundOf = std::remove_cvref_t<decltype(std::declval<const View&>()[0])>;
-
 /// A view, of the caller's arrays or of a stream.
-template <class View>
-class Flat : public HolderOf<BoundOf<View>> {
+template <class Bound>
+class Flat : public HolderOf<Bound> {
  public:
-  [[nodiscard]] Bounds bounds() const override { return {view, layers_.all()}; }
-  [[nodiscard]] bool has_layers() const override { return !layers_.all().empty(); }
-  void set_layers(std::span<const std::uint32_t> layers) override { layers_.set(view.count, layers); }
-  void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) override {
-    layers_.set_some(indices, layers);
+  [[nodiscard]] Bounds bounds() const override { return {view, layers_}; }
+  [[nodiscard]] bool has_layers() const override { return !layers_.empty(); }
+  void set_layers(std::span<const std::uint32_t> layers, const std::vector<std::uint32_t>* indices) override {
+    if (indices == nullptr) layers_.resize(layers.size());
+    for (std::size_t i = 0; i != layers.size(); ++i) layers_[indices == nullptr ? i : (*indices)[i]] = layers[i];
   }
-  void clear_layers() override { layers_.clear(); }
+  void clear_layers() override { layers_ = {}; }
 
-  View view;
+  typename Kind<Bound>::View view;
 
  private:
-  FlatLayers layers_;
+  std::vector<std::uint32_t> layers_;
 };
 
-/// A stream of the library's, with its view.
-template <class Stream>
-class Streamed : public Flat<decltype(std::declval<const Stream&>().view())> {
+/// Arrays of the caller's, which are kept.
+template <class Bound>
+class Viewed : public Flat<Bound> {
  public:
-  explicit Streamed(Stream&& made) : stream(std::move(made)) { this->view = stream.view(); }
-
-  Stream stream;
+  std::vector<py::object> kept;
 };
 
-/// A view of the caller's arrays: a class of its own, so that Python tells it from a stream.
-template <class View>
-class Viewed : public Flat<View> {
+/// A stream of the library's.
+template <class Bound>
+class Streamed : public Flat<Bound> {
  public:
-  std::vector<py::object> kept;  ///< the arrays
+  using Owner = typename Kind<Bound>::Stream;
+
+  explicit Streamed(Owner&& made) : owner(std::move(made)) { this->view = owner.view(); }
+
+  Owner owner;
 };
 
 /// A tree of the library's.
-template <class Bound, class Tree>
+template <class Bound>
 class Planted : public HolderOf<Bound> {
  public:
-  [[nodiscard]] Bounds bounds() const override { return tree; }
+  using Owner = typename Kind<Bound>::Tree;
+
+  explicit Planted(Owner&& made) : owner(std::move(made)) {}
+  [[nodiscard]] Bounds bounds() const override { return owner; }
   [[nodiscard]] bool has_layers() const override {
-    if constexpr (have_layers) return tree.has_layers();
+    if constexpr (have_layers) return owner.has_layers();
     return false;
   }
-  void set_layers(std::span<const std::uint32_t> layers) override {
-    require_layers();
-    if constexpr (have_layers) tree.set_layers(layers);
-  }
-  void set_layers(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> layers) override {
-    require_layers();
-    if constexpr (have_layers) tree.set_layers(indices, layers);
+  void set_layers(std::span<const std::uint32_t> layers, const std::vector<std::uint32_t>* indices) override {
+    if constexpr (have_layers) {
+      begin_parallel();
+      indices == nullptr ? owner.set_layers(layers) : owner.set_layers(*indices, layers);
+    } else {
+      throw InvalidArgument("a tree of triangles has no layers; a stream or a view may have some");
+    }
   }
   void clear_layers() override {
-    if constexpr (have_layers) tree.clear_layers();
+    if constexpr (have_layers) owner.clear_layers();
   }
 
-  Tree tree;
+  Owner owner;
 
  private:
-  static constexpr bool have_layers = requires(Tree & some) { some.clear_layers(); };
-
-  /// In a child of fork() that has no threads it throws, as all parallel calls.
-  static void require_layers() {
-    if (!have_layers) throw InvalidArgument("a tree of triangles has no layers; a stream or a view may have some");
-    begin_parallel();
-  }
+  static constexpr bool have_layers = requires(Owner & tree) { tree.clear_layers(); };
 };
-
-template <class Bound>
-using TreeOf = Planted<Bound, BoundsTree<Bound>>;
-using TriangleTreeHolder = Planted<Triangle, TriangleTree>;
 
 }  // namespace shaftcull::python

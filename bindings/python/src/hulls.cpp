@@ -15,12 +15,6 @@ ClipDepth depth_in(const std::string& depth) {
   throw py::value_error("depth is '" + depth + "'; it must be 'zero_to_one' or 'minus_one_to_one'");
 }
 
-Vec3 vector_in(const py::object& given, const std::string& name) {
-  const VectorsIn in = vectors_in(given, name);
-  if (!in.one) throw py::value_error(name + " has shape " + shape_of(in.array) + "; it must be (3,)");
-  return in.vectors[0];
-}
-
 Hull hull_of(const py::object& points, const py::object& directions) {
   const VectorsIn ends = vectors_in(points, "points");
   const VectorsIn ways = directions.is_none() ? VectorsIn{} : vectors_in(directions, "directions");
@@ -28,8 +22,24 @@ Hull hull_of(const py::object& points, const py::object& directions) {
   return std::make_shared<ConvexHull>(ends.vectors, ways.vectors);
 }
 
+/// A view-projection matrix, whose 16 floats lie row after row.
+py::array_t<float> matrix_in(const py::object& given) {
+  py::array_t<float> matrix = floats_in(given, "matrix");
+  if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) refuse_shape("matrix", matrix, "(4, 4)");
+  return matrix;
+}
+
 std::span<const float, 16> sixteen(const py::array_t<float>& matrix) {
   return std::span<const float, 16>(matrix.data(), 16);
+}
+
+/// What can cast a shadow into a view by light from a point or a direction.
+template <ConvexHull (*Casters)(const ConvexHull&, const Vec3&)>
+Hull casters_of(const ConvexHull& view, const py::object& given, const char* name) {
+  const VectorsIn in = vectors_in(given, name);
+  if (!in.one) refuse_shape(name, in.array, "(3,)");
+  const py::gil_scoped_release release;
+  return std::make_shared<ConvexHull>(Casters(view, in.vectors[0]));
 }
 
 }  // namespace
@@ -37,50 +47,54 @@ std::span<const float, 16> sixteen(const py::array_t<float>& matrix) {
 void add_hulls(py::module_& module) {
   using py::arg;
   py::class_<ConvexHull, Hull>(module, "ConvexHull", R"(
-The convex hull of up to 32 points and directions, which goes where one shaft goes: view frusta, what casts shadows
-into view, volumes between polygons.
+The convex hull of up to 32 points and directions, which goes where one shaft goes: view frusta, volumes
+whose objects cast shadows into view, volumes between polygons.
 
-points: float32 (n, 3). directions: float32 (m, 3); with them the hull has no end that way.
+points: float32 (n, 3), 1 to 32 with the directions. directions: float32 (m, 3), not 0: the hull has no end
+    that way. float64 is a TypeError: a hull of rounded points need not contain the given hull.
 
-Boxes are answered exactly, spheres to the safe side, triangles by their vertices only (test='vertices'). Refused are
-questions for times and for what blocks, and open contact.)")
+Boxes are answered exactly, spheres to the safe side, triangles by their vertices only
+(triangle_test='vertices'). Queries for times and for occluders refuse a hull, and so does open contact.)")
       .def(py::init(&hull_of), arg("points"), arg("directions") = py::none())
       .def_static(
           "frustum",
           [](const py::object& matrix, const std::string& depth) {
-            const py::array_t<float> floats = matrix_in(matrix, "matrix");
+            const py::array_t<float> floats = matrix_in(matrix);
             const ClipDepth in_view = depth_in(depth);
             const py::gil_scoped_release release;
             return std::make_shared<ConvexHull>(frustum(sixteen(floats), in_view));
           },
           arg("matrix"), arg("depth") = "zero_to_one", R"(
-What a view-projection matrix shows.
+The volume that a view-projection matrix shows: a ConvexHull.
 
-matrix: float32 (4, 4), that maps column vectors: matrix @ (x, y, z, 1) is in clip space.
-depth: 'zero_to_one' (Direct3D, Vulkan, Metal) or 'minus_one_to_one' (OpenGL).)")
+matrix: float32 (4, 4) that maps column vectors: matrix @ (x, y, z, 1) is in clip space. Round a matrix of
+    float64 by astype(numpy.float32).
+depth: 'zero_to_one' (Direct3D, Vulkan, Metal) or 'minus_one_to_one' (OpenGL).
+
+TypeError or ValueError for other arguments, and for a matrix that cannot be inverted.)")
       .def(
           "casters",
-          [](const ConvexHull& view, const py::object& light) {
-            const Vec3 position = vector_in(light, "light");
-            const py::gil_scoped_release release;
-            return std::make_shared<ConvexHull>(casters(view, position));
-          },
-          arg("light"), "What can cast a shadow into this view by a light at a point, float32 (3,).")
+          [](const ConvexHull& view, const py::object& light) { return casters_of<&casters>(view, light, "light"); },
+          arg("light"), R"(
+The ConvexHull of all points that can cast a shadow into this view by a light at a point.
+
+light: float32 (3,). TypeError or ValueError for others, and where the hull would need more than 32 corners.)")
       .def(
           "casters_towards",
           [](const ConvexHull& view, const py::object& towards_sun) {
-            const Vec3 direction = vector_in(towards_sun, "towards_sun");
-            const py::gil_scoped_release release;
-            return std::make_shared<ConvexHull>(casters_towards(view, direction));
+            return casters_of<&casters_towards>(view, towards_sun, "towards_sun");
           },
-          arg("towards_sun"), "What can cast a shadow into this view by a sun, whose direction is float32 (3,).")
+          arg("towards_sun"), R"(
+The ConvexHull of all points that can cast a shadow into this view by a sun in a direction.
+
+towards_sun: float32 (3,), not 0. TypeError or ValueError for others.)")
       .def_property_readonly(
           "box", [](const ConvexHull& hull) { return array_of(hull.box()); },
           "float32 (6,): the box around the hull, infinite where directions lead.")
       .def_property_readonly(
-          "points", [](const ConvexHull& hull) { return array_of(hull.points()); }, "float32 (n, 3), as given.")
+          "points", [](const ConvexHull& hull) { return rows_of(hull.points()); }, "float32 (n, 3), as given.")
       .def_property_readonly(
-          "directions", [](const ConvexHull& hull) { return array_of(hull.directions()); }, "float32 (m, 3), as given.")
+          "directions", [](const ConvexHull& hull) { return rows_of(hull.directions()); }, "float32 (m, 3), as given.")
       .def("__repr__", [](const ConvexHull& hull) {
         return "<shaftcull.ConvexHull of " + std::to_string(hull.points().size()) + " points and " +
                std::to_string(hull.directions().size()) + " directions>";
@@ -89,20 +103,14 @@ depth: 'zero_to_one' (Direct3D, Vulkan, Metal) or 'minus_one_to_one' (OpenGL).)"
   module.def(
       "view_planes",
       [](const py::object& matrix, const std::string& depth) {
-        const py::array_t<float> floats = matrix_in(matrix, "matrix");
-        const ViewPlanes planes = view_planes(sixteen(floats), depth_in(depth));
-        py::array_t<float> array({static_cast<py::ssize_t>(planes.count), py::ssize_t{4}});
-        float* to = array.mutable_data();
-        for (const Plane& plane : planes) {
-          for (const float coordinate : plane.normal) *to++ = coordinate;
-          *to++ = plane.offset;
-        }
-        return array;
+        const ViewPlanes planes = view_planes(sixteen(matrix_in(matrix)), depth_in(depth));
+        return rows_of(std::span<const Plane>(planes.begin(), planes.end()));
       },
       arg("matrix"), arg("depth") = "zero_to_one", R"(
-The planes of a view frustum, float32 (k, 4) with k up to 6, normals outwards: to cut shafts to what is in view.
+The planes of a view frustum, with normals outwards, to cut shafts to the view: float32 (k, 4), k up to 6,
+normal and offset.
 
-matrix, depth: as those of ConvexHull.frustum().)");
+matrix, depth: as those of ConvexHull.frustum(). TypeError or ValueError for other arguments.)");
 }
 
 }  // namespace shaftcull::python

@@ -19,7 +19,7 @@ namespace {
 
 /// One shaft may list millions of bounds, so the first chunk is small; smaller where it is asked twice.
 [[nodiscard]] constexpr std::size_t first_chunk(Chunks chunks) { return chunks == Chunks::joined ? 16 : 64; }
-/// Shafts differ, so a chunk is not much larger than what was measured before.
+/// Shafts differ, so a chunk is not much larger than the one before.
 constexpr std::size_t growth = 64;
 constexpr double seconds_a_chunk = 0.5;
 
@@ -35,9 +35,8 @@ void begin_parallel() {
   const pid_t self = getpid();
   if (!process.compare_exchange_strong(none, self) && none != self) {
     throw std::runtime_error(
-        "this process was forked from one that has used shaftcull in parallel, and has none of its threads. Ask one "
-        "shaft "
-        "at a time, or start processes by multiprocessing.get_context(\"spawn\") or \"forkserver\"");
+        "this process was forked from one that has used shaftcull in parallel, and has none of its threads. Pass one "
+        "shaft at a time, or start processes by multiprocessing.get_context(\"spawn\") or \"forkserver\"");
   }
 }
 

@@ -26,7 +26,8 @@ void add_machine(py::module_& module) {
         if (!known) throw py::value_error("there is no instruction set '" + isa + "'; see available_isas()");
         select_isa(*known);
       },
-      py::arg("isa"), "Uses an instruction set from now on, in all threads: one of available_isas().");
+      py::arg("isa"),
+      "Uses an instruction set from now on, in all threads: one of available_isas(). ValueError for another one.");
   module.def("concurrency", &concurrency, "How many threads a call for many shafts uses.");
 }
 

@@ -5,19 +5,15 @@
 
 PYBIND11_MODULE(_shaftcull, module) {
   using namespace shaftcull::python;
-  module.attr("__name__") = "shaftcull";  // where its classes are found, and say that they are
+  module.attr("__name__") = "shaftcull";  // the module that classes name as theirs
   add_errors(module);
   add_hulls(module);
   add_shafts(module);
   add_bounds(module);
-  add_box_streams(module);
-  add_box_trees(module);
-  add_sphere_streams(module);
-  add_sphere_trees(module);
-  add_triangles(module);
+  add_holders(module);
+  add_boxes(module);
+  add_patches(module);
   add_visibility(module);
-  add_solids(module);
-  add_rounding(module);
   add_machine(module);
   module.attr("__name__") = "shaftcull._shaftcull";
 }

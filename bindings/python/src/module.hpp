@@ -12,17 +12,13 @@ namespace py = pybind11;
 
 void add_errors(py::module_& module);
 void add_shafts(py::module_& module);
-void add_kinds(py::class_<Shafts>& shafts);
+void add_volumes(py::class_<Shafts>& shafts);
 void add_hulls(py::module_& module);
 void add_bounds(py::module_& module);
-void add_box_streams(py::module_& module);
-void add_box_trees(py::module_& module);
-void add_sphere_streams(py::module_& module);
-void add_sphere_trees(py::module_& module);
-void add_triangles(py::module_& module);
+void add_holders(py::module_& module);
+void add_boxes(py::module_& module);
+void add_patches(py::module_& module);
 void add_visibility(py::module_& module);
-void add_solids(py::module_& module);
-void add_rounding(py::module_& module);
 void add_machine(py::module_& module);
 
 }  // namespace shaftcull::python

@@ -1,77 +1,72 @@
 // SPDX-License-Identifier: MIT
 #include "patches.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <type_traits>
 #include <variant>
 
-#include "interrupts.hpp"
+#include "bounds_in.hpp"
 #include "results.hpp"
-#include "shafts.hpp"
 
 namespace shaftcull::python {
 
 namespace {
 
-/// One plane a patch: (n, 4), or (4,) for all.
-std::vector<Plane> patch_planes_in(const py::object& given, const std::string& name, std::size_t patches) {
-  if (given.is_none()) return {};
-  const py::array_t<float> array = in_c_order(floats_in(given, name));
-  const bool for_all = array.ndim() == 1 && array.shape(0) == 4;
-  if (!for_all && (array.ndim() != 2 || array.shape(1) != 4 || static_cast<std::size_t>(array.shape(0)) != patches)) {
-    throw py::value_error(name + " has shape " + shape_of(array) + "; it must be (" + std::to_string(patches) +
-                          ", 4), a plane for each patch, or (4,) for all: normal x, y, z and offset");
-  }
-  std::vector<Plane> planes(patches);
-  for (std::size_t i = 0; i != patches; ++i) {
-    const float* const plane = array.data() + (for_all ? 0 : 4 * i);
-    planes[i] = {{plane[0], plane[1], plane[2]}, plane[3]};
-  }
-  return planes;
-}
-
 /// Corners of hulls or polygons: an array (n, k, 3), or a sequence of arrays (k, 3).
 struct CornersIn {
   std::vector<Vec3> corners;
   std::vector<std::size_t> first{0};
+
+  CornersIn(const py::object& given, const std::string& name) {
+    const bool array = py::isinstance<py::array>(given);
+    if (array && py::reinterpret_borrow<py::array>(given).ndim() != 3) {
+      refuse_shape(name, py::reinterpret_borrow<py::array>(given), "(n, k, 3), or a list of arrays (k, 3)");
+    }
+    for (const py::handle one : given) {
+      const std::string its_name = array ? name : name + "[" + std::to_string(first.size() - 1) + "]";
+      const VectorsIn in = vectors_in(py::reinterpret_borrow<py::object>(one), its_name);
+      corners.insert(corners.end(), in.vectors.begin(), in.vectors.end());
+      first.push_back(corners.size());
+    }
+  }
 };
-CornersIn corners_in(const py::object& given, const std::string& name) {
-  CornersIn in;
-  if (py::isinstance<py::array>(given)) {
-    const py::array_t<float> array = in_c_order(floats_in(given, name));
-    if (array.ndim() != 3 || array.shape(2) != 3) {
-      throw py::value_error(name + " has shape " + shape_of(array) +
-                            "; it must be (n, k, 3), or a list of arrays (k, 3)");
-    }
-    const auto corners = static_cast<std::size_t>(array.shape(1));
-    const float* at = array.data();
-    for (py::ssize_t i = 0; i != array.shape(0); ++i) {
-      for (std::size_t corner = 0; corner != corners; ++corner, at += 3) in.corners.push_back({at[0], at[1], at[2]});
-      in.first.push_back(in.corners.size());
-    }
-    return in;
+
+/// Adds triangles, in the groups that are given.
+std::size_t add_triangles(Occluders& to, const py::object& given, const py::object& faces, const py::object& groups) {
+  const BoundsIn<Triangle> in = bounds_in<Triangle>(given, faces);
+  std::vector<std::size_t> first;
+  if (!groups.is_none()) {
+    const IndicesIn ends = indices_in(groups, "groups", in.count + 1, "places where a group can begin or end");
+    first.assign(ends.indices.begin(), ends.indices.end());
   }
-  for (const py::handle& one : given) {
-    const VectorsIn vectors =
-        vectors_in(py::reinterpret_borrow<py::object>(one), name + "[" + std::to_string(in.first.size() - 1) + "]");
-    in.corners.insert(in.corners.end(), vectors.vectors.begin(), vectors.vectors.end());
-    in.first.push_back(in.corners.size());
-  }
-  return in;
+  const py::gil_scoped_release release;
+  return std::visit(
+      [&]<class Where>(const Where& where) {
+        if constexpr (std::is_same_v<Where, TriangleView>) {
+          return to.add_triangles(where, first);
+        } else {
+          return to.add_triangles(TriangleStream(where).view(), first);
+        }
+      },
+      in.where);
+}
+
+std::uint32_t number_of(const OccludersHolder& holder, const py::object& occluder) {
+  const IndicesIn in = indices_in(occluder, "occluder", holder.all->size(), "occluders");
+  if (in.indices.size() != 1) throw py::value_error("occluder must be one number");
+  return in.indices[0];
 }
 
 }  // namespace
 
-PatchSet patches_in(const py::object& boxes, const py::object& planes, const std::string& name,
-                    const std::string& planes_name) {
+PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rounding& rounding,
+                    const std::string& name, const std::string& planes_name) {
   if (py::isinstance<PatchSet>(boxes)) {
     if (!planes.is_none()) throw py::value_error(planes_name + " are given, but " + name + " are Patches already");
     return boxes.cast<PatchSet>();
   }
-  const BoxesInStreams in(boxes, name);
-  const std::vector<Plane> facing = patch_planes_in(planes, planes_name, in.view().count);
+  const BoxesInStreams in(boxes, name, rounding);
+  const std::vector<Plane> facing = planes_in(planes, planes_name, in.count(), 2);
   const py::gil_scoped_release release;
   try {
     return PatchSet(in.view(), facing);
@@ -80,7 +75,7 @@ PatchSet patches_in(const py::object& boxes, const py::object& planes, const std
   }
 }
 
-OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& more) {
+OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& more, const Rounding& rounding) {
   if (py::isinstance<OccludersHolder>(boxes)) {
     for (const py::object* const other :
          {&more.solids, &more.hulls, &more.polygons, &more.triangles, &more.faces, &more.groups}) {
@@ -102,42 +97,22 @@ OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& m
     }
   };
   add(boxes, "occluders", [&](const py::object& given, const char* name) {
-    const BoxesInStreams in(given, name);
-    const py::gil_scoped_release release;
-    return all.add_boxes(in.view());
+    return all.add_boxes(BoxesInStreams(given, name, rounding).view());
   });
   add(more.solids, "solids", [&](const py::object& given, const char* name) {
-    const BoxesInStreams in(given, name);
-    const py::gil_scoped_release release;
-    return all.add_solids(in.view());
+    return all.add_solids(BoxesInStreams(given, name, no_rounding).view());
   });
   add(more.hulls, "hulls", [&](const py::object& given, const char* name) {
-    const CornersIn in = corners_in(given, name);
+    const CornersIn in(given, name);
     const py::gil_scoped_release release;
     return all.add_solid_hulls(in.corners, in.first);
   });
   add(more.polygons, "polygons", [&](const py::object& given, const char* name) {
-    const CornersIn in = corners_in(given, name);
-    const py::gil_scoped_release release;
+    const CornersIn in(given, name);
     return all.add_polygons(in.corners, in.first);
   });
-  add(more.triangles, "triangles", [&](const py::object& given, const char* name) {
-    const TrianglesIn in = triangles_in(given, more.faces, name);
-    std::vector<std::size_t> first;
-    if (!more.groups.is_none()) {
-      const IndicesIn groups = indices_in(more.groups, "groups", in.count + 1, "places where a group can begin or end");
-      first.assign(groups.indices.begin(), groups.indices.end());
-    }
-    const py::gil_scoped_release release;
-    return std::visit(
-        [&]<class Where>(const Where& where) {
-          if constexpr (std::is_same_v<Where, TriangleView>) {
-            return all.add_triangles(where, first);
-          } else {
-            return all.add_triangles(TriangleStream(where).view(), first);
-          }
-        },
-        in.where);
+  add(more.triangles, "triangles", [&](const py::object& given, const char* /*name*/) {
+    return add_triangles(all, given, more.faces, more.groups);
   });
   if (more.triangles.is_none() && (!more.faces.is_none() || !more.groups.is_none())) {
     throw py::value_error("faces and groups are of triangles, which are not given");
@@ -146,30 +121,55 @@ OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& m
   return holder;
 }
 
-py::array order_of(const PatchSet& set) {
-  return array_of(std::vector<std::uint32_t>(set.order().begin(), set.order().end()));
-}
-
-void add_occluders(py::module_& module) {
+void add_patches(py::module_& module) {
   using py::arg;
   const py::object none = py::none();
-  py::class_<OccludersHolder>(module, "Occluders", R"(
-What stands between patches, for several calls of visibility(). It never changes. Occluders are numbered from 0 on: first
-those of `boxes`, then solids, hulls, polygons, and groups of triangles.
+  py::class_<PatchSet>(module, "Patches", R"(
+Patches for several calls of visibility(), in a tree. They never change. len() is their number.
 
-boxes: what may hide something: float32 (n, 6), as everywhere.
-solids: boxes that are solid, as walls are. They make pairs 'occluded', also where several are one larger box together.
-hulls: convex hulls that are solid: (n, k, 3), or a list of (k, 3), of 4 to 32 corners each.
-polygons: flat convex polygons without thickness, by their corners in order: such arrays, of 3 corners or more.
-triangles, faces: a mesh, (n, 3, 3), or vertices (v, 3) with faces (f, 3).
-groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. Without it the library makes groups.)")
+boxes: float32 (n, 6), or as those of BoxStream: around facets, points, or cells of a volume.
+planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points. Planes
+    are never rounded outwards: round those of float64 by astype(numpy.float32).
+rounding: 'outwards' takes boxes of float64, too, and contains them: pairs that are clear or occluded are so
+    as given.
+
+BadBound, with the index, for a box that is not finite or has lo > hi, and for a plane without a normal.
+TypeError or ValueError for other arrays.)")
+      .def(py::init([](const py::object& boxes, const py::object& planes, const py::object& rounding) {
+             return patches_in(boxes, planes, rounding_in(rounding), "boxes", "planes");
+           }),
+           arg("boxes"), arg("planes") = none, py::kw_only(), arg("rounding") = none)
+      .def("__len__", &PatchSet::size)
+      .def_property_readonly("has_planes", &PatchSet::has_planes, "bool: whether the patches have planes.")
+      .def_property_readonly(
+          "order", [](const PatchSet& self) { return copy_of(self.order()); }, R"(
+uint32 (n,): the indices of the patches in the order of the tree, neighbours in space together. A copy.)")
+      .def("__repr__",
+           [](const PatchSet& self) { return "<shaftcull.Patches, " + std::to_string(self.size()) + " of them>"; });
+
+  py::class_<OccludersHolder>(module, "Occluders", R"(
+All that stands between patches, for several calls of visibility(). It never changes. len() is the number of
+occluders, which are numbered from 0 on: first those of `boxes`, then solids, hulls, polygons, and groups of
+triangles.
+
+boxes: around things that may hide something: float32 (n, 6), or as those of BoxStream.
+solids: solid boxes, as walls are. They make pairs 'occluded', also where several are one larger box together.
+hulls: convex hulls that are solid: float32 (n, k, 3), or a list of (k, 3), of 4 to 32 corners each.
+polygons: flat convex polygons without thickness: such arrays, of 3 corners or more in order.
+triangles, faces: a mesh, float32 (n, 3, 3), or vertices (v, 3) with faces, integers (f, 3).
+groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. None: the library makes groups.
+rounding: 'outwards' takes `boxes` of float64, too, and contains them: a pair that is clear is so as given. The
+    others are never rounded outwards, since a larger solid hides too much: use astype(numpy.float32).
+
+BadBound, with the index, for a value that is not finite or lo > hi. TypeError, ValueError or IndexError
+names the argument that does not fit.)")
       .def(py::init([](const py::object& boxes, const py::object& solids, const py::object& hulls,
                        const py::object& polygons, const py::object& triangles, const py::object& faces,
-                       const py::object& groups) {
-             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups});
+                       const py::object& groups, const py::object& rounding) {
+             return occluders_in(boxes, {solids, hulls, polygons, triangles, faces, groups}, rounding_in(rounding));
            }),
            arg("boxes") = none, py::kw_only(), arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
-           arg("triangles") = none, arg("faces") = none, arg("groups") = none)
+           arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("rounding") = none)
       .def("__len__", [](const OccludersHolder& self) { return self.all->size(); })
       .def_property_readonly(
           "first",
@@ -178,49 +178,26 @@ groups: integers (g + 1,): group i has triangles groups[i] to groups[i + 1]. Wit
             for (const auto& [name, number] : self.first) dict[name.c_str()] = number;
             return dict;
           },
-          "The number of the first occluder of each argument that was given: {'solids': 0, 'triangles': 12}, say; "
-          "boxes are 'occluders'.")
+          R"(
+The number of the first occluder of each argument that was given: a dict such as
+{'solids': 0, 'triangles': 12}. Boxes are 'occluders'.)")
       .def(
           "box",
           [](const OccludersHolder& self, const py::object& occluder) {
-            const auto at = indices_in(occluder, "occluder", self.all->size(), "occluders");
-            if (at.indices.size() != 1) throw py::value_error("occluder must be one number");
-            return array_of(self.all->box(at.indices[0]));
+            return array_of(self.all->box(number_of(self, occluder)));
           },
-          arg("occluder"), "The box around one occluder: float32 (6,).")
+          arg("occluder"), "The box around one occluder: float32 (6,). IndexError for a number that names nothing.")
       .def(
           "triangles",
           [](const OccludersHolder& self, const py::object& occluder) {
-            const auto at = indices_in(occluder, "occluder", self.all->size(), "occluders");
-            if (at.indices.size() != 1) throw py::value_error("occluder must be one number");
-            const auto found = self.all->triangles(at.indices[0]);
-            return array_of(std::vector<std::uint32_t>(found.begin(), found.end()));
+            return copy_of(self.all->triangles(number_of(self, occluder)));
           },
-          arg("occluder"), "Which triangles one occluder has: uint32, none if it is no group of triangles.")
+          arg("occluder"), R"(
+The triangles of one occluder: uint32 (k,), none if it is no group of triangles. IndexError for a number
+that names nothing.)")
       .def("__repr__", [](const OccludersHolder& self) {
         return "<shaftcull.Occluders, " + std::to_string(self.all->size()) + " of them>";
       });
-}
-
-void add_patches(py::module_& module) {
-  using py::arg;
-  const py::object none = py::none();
-  py::class_<PatchSet>(module, "Patches", R"(
-Patches for several calls of visibility(), in a tree. They never change.
-
-boxes: float32 (n, 6), as everywhere: around facets, points, or cells of a volume.
-planes: float32 (n, 4), or (4,) for all: normal and offset. A patch faces where its normal points.)")
-      .def(py::init([](const py::object& boxes, const py::object& planes) {
-             return patches_in(boxes, planes, "boxes", "planes");
-           }),
-           arg("boxes"), arg("planes") = none)
-      .def("__len__", &PatchSet::size)
-      .def_property_readonly("has_planes", &PatchSet::has_planes, "Whether the patches have planes.")
-      .def_property_readonly(
-          "order", [](const PatchSet& self) { return order_of(self); },
-          "uint32 (n,): the indices of the patches in the order of the tree, neighbours in space together. A copy.")
-      .def("__repr__",
-           [](const PatchSet& self) { return "<shaftcull.Patches, " + std::to_string(self.size()) + " of them>"; });
 }
 
 }  // namespace shaftcull::python

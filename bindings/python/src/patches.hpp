@@ -14,42 +14,17 @@
 
 namespace shaftcull::python {
 
-/// Boxes of an argument in streams. Errors name the argument.
-class BoxesInStreams {
- public:
-  BoxesInStreams(const py::object& given, const std::string& name) : in_(boxes_in(given, name)) {
-    try {
-      if (const BoxView* const view = std::get_if<BoxView>(&in_.where)) {
-        view_ = *view;
-      } else {
-        packed_ = BoxStream(std::get<StridedBoxes>(in_.where));
-        view_ = packed_.view();
-      }
-    } catch (const BadBound& bad) {
-      const std::string what = bad.what();
-      // Streams also take the empty box, which can be no patch and no occluder.
-      throw BadBound(bad.index(), name + ": " + what.substr(0, what.find(", or the box empty")));
-    }
-  }
-  [[nodiscard]] const BoxView& view() const noexcept { return view_; }
-
- private:
-  BoxesIn in_;
-  BoxStream packed_;
-  BoxView view_;
-};
-
 /// A set of patches: of arrays, or the one that shaftcull.Patches holds. Errors name the arguments.
-PatchSet patches_in(const py::object& boxes, const py::object& planes, const std::string& name,
-                    const std::string& planes_name);
+PatchSet patches_in(const py::object& boxes, const py::object& planes, const Rounding& rounding,
+                    const std::string& name, const std::string& planes_name);
 
 /// What Python knows as shaftcull.Occluders. It never changes.
 struct OccludersHolder {
   std::shared_ptr<const Occluders> all;
-  std::vector<std::pair<std::string, std::size_t>> first;  ///< what each argument's first occluder is
+  std::vector<std::pair<std::string, std::size_t>> first;  ///< the number of each argument's first occluder
 };
 
-/// The arguments that say what stands between.
+/// All arguments that name occluders, except boxes.
 struct OccluderArguments {
   const py::object& solids;
   const py::object& hulls;
@@ -59,13 +34,7 @@ struct OccluderArguments {
   const py::object& groups;
 };
 
-/// Everything that stands between: of arrays, or what shaftcull.Occluders holds. Errors name the arguments.
-OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& more);
-
-/// Its patches in the order of its tree, as Python sees them.
-[[nodiscard]] py::array order_of(const PatchSet& set);
-
-void add_patches(py::module_& module);
-void add_occluders(py::module_& module);
+/// All occluders: of arrays, or those that shaftcull.Occluders holds. Errors name the arguments.
+OccludersHolder occluders_in(const py::object& boxes, const OccluderArguments& more, const Rounding& rounding);
 
 }  // namespace shaftcull::python

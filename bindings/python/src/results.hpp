@@ -5,7 +5,9 @@
 #include <pybind11/numpy.h>
 
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,33 +34,40 @@ template <class Number>
   return py::array_t<InNumPy<Number>>(size, data, capsule);
 }
 
+/// A copy of indices.
+[[nodiscard]] inline py::array copy_of(std::span<const std::uint32_t> indices) {
+  return array_of(std::vector<std::uint32_t>(indices.begin(), indices.end()));
+}
+
+/// Boxes (n, 6), vectors (n, 3), planes (n, 4): the floats that each consists of.
+template <class Struct>
+[[nodiscard]] py::array_t<float> rows_of(std::span<const Struct> structs) {
+  static_assert(std::is_trivially_copyable_v<Struct> && alignof(Struct) == alignof(float));
+  py::array_t<float> array({structs.size(), sizeof(Struct) / sizeof(float)});
+  if (!structs.empty()) std::memcpy(array.mutable_data(), structs.data(), structs.size_bytes());
+  return array;
+}
+
 /// (6,): lo x, lo y, lo z, hi x, hi y, hi z
-[[nodiscard]] inline py::array_t<float> array_of(const Box& box) {
-  py::array_t<float> array(6);
-  for (std::size_t i = 0; i != 3; ++i) {
-    array.mutable_data()[i] = box.lo[i];
-    array.mutable_data()[i + 3] = box.hi[i];
-  }
-  return array;
+[[nodiscard]] inline py::array array_of(const Box& box) { return rows_of(std::span(&box, 1)).attr("ravel")(); }
+
+/// Many lists, as shaftcull.IndexLists. `times` may be None.
+[[nodiscard]] inline py::object lists_of(const py::object& offsets, const py::object& indices,
+                                         const py::object& times = py::none()) {
+  return py::module_::import("shaftcull").attr("IndexLists")(offsets, indices, times);
 }
 
-/// (n, 3)
-[[nodiscard]] inline py::array_t<float> array_of(std::span<const Vec3> vectors) {
-  py::array_t<float> array({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
-  float* to = array.mutable_data();
-  for (const Vec3& vector : vectors) {
-    for (const float coordinate : vector) *to++ = coordinate;
-  }
-  return array;
+/// Rows of so many bits in words of 64, as bools unless they stay packed.
+[[nodiscard]] inline py::object bits_of(const py::object& words, std::size_t bits, bool packed) {
+  if (packed) return words;
+  const py::object unpackbits = py::module_::import("numpy").attr("unpackbits");
+  return unpackbits(words.attr("view")("uint8"), -1, bits, "little").attr("view")("bool");
 }
 
-/// offsets and indices, as a tuple
-[[nodiscard]] inline py::tuple lists_of(IndexLists&& lists) {
-  if (lists.offsets.empty()) lists.offsets.push_back(0);
-  return py::make_tuple(array_of(std::move(lists.offsets)), array_of(std::move(lists.indices)));
+/// A bool of Python's for one shaft, bool (n,) for many.
+[[nodiscard]] inline py::object bools_of(bool one, std::vector<std::uint8_t>&& answers) {
+  if (one) return py::bool_(answers[0] != 0);
+  return array_of(std::move(answers)).attr("view")("bool");
 }
-
-/// Bits as bytes of 0 and 1: `count` of them.
-void unpack(const std::uint64_t* words, std::size_t count, bool* to) noexcept;
 
 }  // namespace shaftcull::python

@@ -15,57 +15,43 @@ py::tuple shape(const Shafts& shafts) { return shafts.one ? py::tuple() : py::ma
   throw py::type_error(std::string(what) + " of shafts of shape (): this is one shaft");
 }
 
-/// Copies of some of the shafts, which keep all hulls.
-Shafts copied(const Shafts& shafts, const std::vector<std::uint32_t>& indices) {
-  ShaftStorage storage{{}, shafts.storage->hulls};
-  storage.compiled.reserve(indices.size());
-  for (const std::uint32_t index : indices) storage.compiled.push_back(shafts.span()[index]);
-  return shafts_of(std::move(storage), false);
-}
-
 Shafts item(const Shafts& shafts, const py::object& key) {
   if (shafts.one) refuse_single("an item");
   if (PyIndex_Check(key.ptr()) != 0 && !py::isinstance<py::array>(key)) {
-    Py_ssize_t index = PyNumber_AsSsize_t(key.ptr(), PyExc_IndexError);
+    const Py_ssize_t index = PyNumber_AsSsize_t(key.ptr(), PyExc_IndexError);
     if (index == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
     const auto count = static_cast<Py_ssize_t>(shafts.count);
     if (index < -count || index >= count) {
       throw py::index_error("index " + std::to_string(index) + " is out of range for " + std::to_string(count) +
                             " shafts");
     }
-    if (index < 0) index += count;
-    return {shafts.storage, shafts.first + static_cast<std::size_t>(index), 1, true};
+    return {shafts.storage, shafts.first + static_cast<std::size_t>(index < 0 ? index + count : index), 1, true};
   }
   if (py::isinstance<py::slice>(key)) {
     std::size_t start = 0;
     std::size_t stop = 0;
     std::size_t step = 0;
     std::size_t length = 0;
-    if (!py::reinterpret_borrow<py::slice>(key).compute(shafts.count, &start, &stop, &step, &length)) {
-      throw py::error_already_set();
-    }
+    if (!py::slice(key).compute(shafts.count, &start, &stop, &step, &length)) throw py::error_already_set();
     if (step == 1) return {shafts.storage, shafts.first + start, length, false};
   }
-  // NumPy knows what else is an index, and refuses what is none.
+  // NumPy reads all other indices, and refuses the rest.
   const py::object all = py::module_::import("numpy").attr("arange")(shafts.count);
   const IndicesIn in = indices_in(all[key], "the index", shafts.count, "shafts");
   if (in.shape.size() != 1) throw py::index_error("shafts have one axis; an index array of them has one, too");
-  return copied(shafts, in.indices);
+  ShaftStorage storage{{}, shafts.storage->hulls};
+  for (const std::uint32_t index : in.indices) storage.compiled.push_back(shafts.span()[index]);
+  return shafts_of(std::move(storage), false);
 }
 
 py::array ends(const Shafts& shafts, Box (CompiledShaft::*end)() const noexcept) {
   if (shafts.one) return array_of((shafts.front().*end)());
-  py::array_t<float> array({static_cast<py::ssize_t>(shafts.count), py::ssize_t{6}});
-  float* to = array.mutable_data();
-  for (const CompiledShaft& shaft : shafts.span()) {
-    const Box box = (shaft.*end)();
-    for (const float coordinate : box.lo) *to++ = coordinate;
-    for (const float coordinate : box.hi) *to++ = coordinate;
-  }
-  return array;
+  std::vector<Box> boxes;
+  for (const CompiledShaft& shaft : shafts.span()) boxes.push_back((shaft.*end)());
+  return rows_of(std::span<const Box>(boxes));
 }
 
-/// A bool for each shaft: an array, or one of Python's.
+/// A bool for each shaft, which ask(shaft) returns.
 template <class Ask>
 py::object bools(const Shafts& shafts, Ask&& ask) {
   std::vector<std::uint8_t> answers(shafts.count);
@@ -73,8 +59,7 @@ py::object bools(const Shafts& shafts, Ask&& ask) {
     const py::gil_scoped_release release;
     for (std::size_t i = 0; i != shafts.count; ++i) answers[i] = ask(shafts.span()[i]) ? 1 : 0;
   }
-  if (shafts.one) return py::bool_(answers[0] != 0);
-  return array_of(std::move(answers)).attr("view")("bool");
+  return bools_of(shafts.one, std::move(answers));
 }
 
 /// Copies of all shafts, after change(shafts).
@@ -99,8 +84,6 @@ Shafts concatenated(const py::sequence& parts) {
   }
   return shafts_of(std::move(storage), false);
 }
-
-std::string text(const py::object& boxes) { return py::str(boxes.attr("tolist")()).cast<std::string>(); }
 
 }  // namespace
 
@@ -128,7 +111,8 @@ Shafts shafts_in(const py::object& shafts, const py::object& b) {
     throw py::type_error(
         "a query takes Shafts, a ConvexHull, or two arguments a and b: the boxes that shafts are between");
   }
-  return between(shafts, b, py::none(), py::none(), py::none(), "closed");
+  return between(shafts, b, py::none(), py::none(), py::none(), "closed",
+                 {false, "Shafts.between() takes rounding='outwards'; array.astype(numpy.float32) rounds to nearest"});
 }
 
 void add_shafts(py::module_& module) {
@@ -136,30 +120,35 @@ void add_shafts(py::module_& module) {
   py::class_<Shafts> shafts(module, "Shafts", R"(
 An array of shafts: of shape (n,), or () for one shaft.
 
-They are made by between(), swept(), swept_infinite(), shadow() and concatenate(), never change, and take 832
-bytes each. An integer as index gives one shaft, a slice of step 1 a view, and other slices and index arrays copies.)");
-  add_kinds(shafts);
+between(), swept(), swept_infinite(), shadow() and concatenate() make shafts, which never change and take
+832 bytes each. An integer as index gives one shaft, a slice of step 1 a view, and others copies.)");
+  add_volumes(shafts);
   shafts
       .def_static("concatenate", &concatenated, arg("parts"), R"(
-All shafts of several Shafts and ConvexHulls, in that order. Hulls are kept as long as the result is.)")
-      .def("__len__",
-           [](const Shafts& self) {
-             if (self.one) refuse_single("len()");
-             return self.count;
-           })
-      .def("__getitem__", &item, arg("key"))
+All shafts of several Shafts and ConvexHulls, in that order: shape (n,). Hulls live as long as the result.
+
+parts: a sequence of Shafts and ConvexHulls. TypeError for others.)")
+      .def(
+          "__len__",
+          [](const Shafts& self) {
+            if (self.one) refuse_single("len()");
+            return self.count;
+          },
+          "How many shafts. TypeError for one shaft, of shape ().")
+      .def("__getitem__", &item, arg("key"), R"(
+One shaft, or several, as NumPy's index gives them: an integer, a slice, an array of integers (k,) or of
+bool (n,). IndexError for one that names nothing.)")
       .def("__repr__",
-           [](const Shafts& self) {
-             std::string repr = "<shaftcull.Shafts of shape " + py::str(shape(self)).cast<std::string>();
-             if (self.one) {
-               repr += ": a " + text(ends(self, &CompiledShaft::a)) + ", b " + text(ends(self, &CompiledShaft::b));
-             }
-             return repr + ">";
+           [](const Shafts& self) -> py::object {
+             if (!self.one) return py::str("<shaftcull.Shafts of shape {}>").format(shape(self));
+             return py::str("<shaftcull.Shafts of shape (): a {}, b {}>")
+                 .format(ends(self, &CompiledShaft::a).attr("tolist")(),
+                         ends(self, &CompiledShaft::b).attr("tolist")());
            })
-      .def_property_readonly("shape", &shape, "(n,), or () for one shaft.")
+      .def_property_readonly("shape", &shape, "A tuple of int: (n,), or () for one shaft.")
       .def_property_readonly(
           "a", [](const Shafts& self) { return ends(self, &CompiledShaft::a); },
-          "float32 (n, 6) or (6,): the boxes where shafts begin. Of a convex hull the box around it.")
+          "float32 (n, 6) or (6,): the boxes where shafts begin; for a convex hull the box around it.")
       .def_property_readonly(
           "b", [](const Shafts& self) { return ends(self, &CompiledShaft::b); },
           "float32 (n, 6) or (6,): where shafts end, rounded to nearest; if they have no end, somewhere on their way.")
@@ -168,14 +157,16 @@ All shafts of several Shafts and ConvexHulls, in that order. Hulls are kept as l
           [](const Shafts& self) {
             return bools(self, [](const CompiledShaft& shaft) { return shaft.contact() == Contact::open; });
           },
-          "bool (n,), or one: whether bounds that only touch a shaft are left out.")
+          "bool (n,), or a bool: whether bounds that only touch a shaft are left out.")
       .def(
           "with_contact",
           [](const Shafts& self, const std::string& contact) {
             const Contact touching = contact_in(contact);
             return changed(self, [touching](std::span<CompiledShaft> all) { set_contact(all, touching); });
           },
-          arg("contact"), "Copies that keep bounds which only touch them ('closed') or do not ('open').")
+          arg("contact"), R"(
+Copies that keep bounds which only touch them ('closed') or do not ('open'). ValueError for other words, and
+for hulls, which have closed contact only.)")
       .def(
           "completed",
           [](const Shafts& self) {
@@ -184,8 +175,8 @@ All shafts of several Shafts and ConvexHulls, in that order. Hulls are kept as l
             });
           },
           R"(
-Copies with their planes worked out, some 65 ns each. It pays where shafts are asked more than once about what is
-inside, or about spheres; answers are the same.)")
+Copies with their planes worked out, about 65 ns each. It pays for shafts of several queries about spheres,
+or about bounds that are inside; answers are the same.)")
       .def(
           "occluded_by_polygon",
           [](const Shafts& self, const py::object& corners) {
@@ -193,9 +184,11 @@ inside, or about spheres; answers are the same.)")
             return bools(self, [&polygon](const CompiledShaft& shaft) { return occluded(shaft, polygon.vectors); });
           },
           arg("corners"), R"(
-Whether a convex polygon hides the one end of a shaft from the other: a wall at any angle. bool (n,), or one.
+Whether a convex polygon hides one end of a shaft from the other: a wall at any angle. bool (n,), or a bool
+for one shaft.
 
-corners: float32 (k, 3) in order, either way round, k >= 3.)");
+corners: float32 (k, 3) in order, either way round, k >= 3. ValueError for fewer or ones that are not finite,
+    and for shafts that are not between boxes. It runs on the calling thread; others go on.)");
 }
 
 }  // namespace shaftcull::python

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "arrays.hpp"
 #include "shaftcull/shaftcull.hpp"
 
 namespace shaftcull::python {
@@ -42,7 +43,8 @@ struct Shafts {
 
 /// Shafts between boxes, of which the one may be one for all of the other; with pairs of indices, between these.
 [[nodiscard]] Shafts between(const py::object& a, const py::object& b, const py::object& pairs,
-                             const py::object& planes_a, const py::object& planes_b, const std::string& contact);
+                             const py::object& planes_a, const py::object& planes_b, const std::string& contact,
+                             const Rounding& rounding);
 
 /// What a query is given: Shafts, a ConvexHull, or boxes a and b.
 [[nodiscard]] Shafts shafts_in(const py::object& shafts, const py::object& b);

@@ -4,8 +4,6 @@
 /// atomics.
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <stdexcept>
 
 namespace shaftcull::python {
@@ -15,38 +13,37 @@ struct Usage {
   bool changing = false;
 };
 
-/// While a call reads an object.
-class Reading {
+/// While a call reads an object, or changes it. Declared before the lock is released.
+template <bool changes>
+class Using {
  public:
-  explicit Reading(Usage& usage) : usage_(usage) {
-    if (usage.changing) {
-      throw std::runtime_error("another thread is changing this object; ask it before or after that, or keep two");
+  explicit Using(Usage& usage) : usage_(usage) {
+    if (usage.changing || (changes && usage.readers != 0)) {
+      throw std::runtime_error(
+          changes ? "another thread uses this object; change it before or after that, or keep two"
+                  : "another thread is changing this object; ask it before or after that, or keep two");
     }
-    ++usage_.readers;
+    if constexpr (changes) {
+      usage.changing = true;
+    } else {
+      ++usage.readers;
+    }
   }
-  Reading(const Reading&) = delete;
-  Reading& operator=(const Reading&) = delete;
-  ~Reading() { --usage_.readers; }
+  Using(const Using&) = delete;
+  Using& operator=(const Using&) = delete;
+  ~Using() {
+    if constexpr (changes) {
+      usage_.changing = false;
+    } else {
+      --usage_.readers;
+    }
+  }
 
  private:
   Usage& usage_;
 };
 
-/// While a call changes an object. Declared before the lock is released.
-class Changing {
- public:
-  explicit Changing(Usage& usage) : usage_(usage) {
-    if (usage.changing || usage.readers != 0) {
-      throw std::runtime_error("another thread uses this object; change it before or after that, or keep two");
-    }
-    usage_.changing = true;
-  }
-  Changing(const Changing&) = delete;
-  Changing& operator=(const Changing&) = delete;
-  ~Changing() { usage_.changing = false; }
-
- private:
-  Usage& usage_;
-};
+using Reading = Using<false>;
+using Changing = Using<true>;
 
 }  // namespace shaftcull::python

@@ -1,54 +1,48 @@
 // SPDX-License-Identifier: MIT
-/// What sees what, of all pairs of patches: the calls.
+/// Which patches see each other: the calls about all pairs, and their answers.
 #include "shaftcull/visibility.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <future>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "interrupts.hpp"
 #include "module.hpp"
 #include "patches.hpp"
+#include "results.hpp"
 #include "shafts.hpp"
-#include "sights.hpp"
 
 namespace shaftcull::python {
 
 namespace {
 
-/// What is asked of whom.
+using py::arg;
+
+constexpr Sight all_sights[] = {Sight::undecided, Sight::clear, Sight::occluded, Sight::facing_away};
+
+/// The arguments of a call.
 struct Asked {
   PatchSet a;
   PatchSet b;
-  bool of_one_set = false;
+  bool of_one_set;
   OccludersHolder occluders;
   VisibilityOptions options;
 
-  Asked(const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
-        const py::object& boxes, const OccluderArguments& more, const std::string& contact, bool solids_around_ends,
-        std::size_t memory)
-      : of_one_set(patches_b.is_none()) {
-    a = patches_in(patches, planes, "patches", "planes");
-    if (of_one_set) {
-      if (!planes_b.is_none()) throw py::value_error("planes_b are given, but no patches_b");
-      b = a;
-    } else {
-      b = patches_in(patches_b, planes_b, "patches_b", "planes_b");
-    }
-    occluders = occluders_in(boxes, more);
-    options.contact = contact_in(contact);
-    options.solids_around_ends = solids_around_ends;
-    options.memory = memory;
+  /// Calls call(a, b, occluders, options), or without b for one set with itself.
+  template <class Call>
+  auto ask(const VisibilityOptions& with, Call&& call) const {
+    return of_one_set ? call(a, *occluders.all, with) : call(a, b, *occluders.all, with);
   }
 };
 
-/// Runs a long call on a thread of its own, while this one hears signals and tells of progress. An exception of either
+/// Runs a long call on a thread of its own, while this one hears signals and reports progress. An exception of either
 /// ends the call.
 template <class Call>
 auto while_hearing(VisibilityOptions options, const py::object& progress, Call&& call) {
@@ -61,7 +55,7 @@ auto while_hearing(VisibilityOptions options, const py::object& progress, Call&&
     done = come.done;
     return !stop;
   };
-  const auto tell = [&] {
+  const auto report = [&] {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (!progress.is_none()) progress(done.load(), total.load());
   };
@@ -75,102 +69,242 @@ auto while_hearing(VisibilityOptions options, const py::object& progress, Call&&
     return answer.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready;
   };
   try {
-    while (!has_ended()) tell();
+    while (!has_ended()) report();
   } catch (...) {
     stop = true;
-    {
-      const py::gil_scoped_release release;
-      answer.wait();
-    }
+    const py::gil_scoped_release release;
+    answer.wait();
     throw;
   }
   auto result = answer.get();
-  tell();
+  report();
   return result;
 }
 
-/// Of all calls that ask of pairs.
-constexpr const char* asked_arguments = R"(
+/// Numbers of pairs by the names of their kinds.
+py::dict counts_of(const SightCounts& counts) {
+  py::dict dict;
+  for (const Sight sight : all_sights) dict[name(sight)] = counts.of(sight);
+  return dict;
+}
 
-patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, of each two of the patches once.
-planes, planes_b: of patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
-occluders: boxes of what may hide something; or Occluders, and then none of the five that follow.
+Sight sight_in(const std::string& text) {
+  for (const Sight sight : all_sights) {
+    if (text == name(sight)) return sight;
+  }
+  throw py::value_error("sight is '" + text + "'; it must be 'undecided', 'clear', 'occluded' or 'facing_away'");
+}
+
+/// What Python knows as shaftcull.Visibility.
+struct Sights {
+  Visibility all;
+  Asked asked;
+
+  /// Calls use(i, j) for each pair of a kind, by the user's indices.
+  template <class Use>
+  void for_each(Sight sight, Use&& use) const {
+    for (const PairBlock& product : all.products) {
+      if (product.sight != sight) continue;
+      for (const std::uint32_t i : asked.a.order().subspan(product.a.first, product.a.count)) {
+        for (const std::uint32_t j : asked.b.order().subspan(product.b.first, product.b.count)) use(i, j);
+      }
+    }
+    if (sight != Sight::undecided) return;
+    for (const PatchPair& pair : all.undecided) use(pair.a, pair.b);
+  }
+};
+
+py::array pairs_of(const Sights& sights, const std::string& name) {
+  const Sight sight = sight_in(name);
+  py::array_t<std::uint32_t> array({static_cast<std::size_t>(sights.all.counts.of(sight)), std::size_t{2}});
+  std::uint32_t* to = array.mutable_data();
+  const py::gil_scoped_release release;
+  sights.for_each(sight, [&to](std::uint32_t i, std::uint32_t j) {
+    *to++ = i;
+    *to++ = j;
+  });
+  return array;
+}
+
+py::object rows_of_bits(const Sights& sights, const std::string& name, bool packed) {
+  const Sight sight = sight_in(name);
+  const std::size_t row = bit_words(sights.asked.b.size());
+  py::array_t<std::uint64_t> words({sights.asked.a.size(), row});
+  {
+    std::uint64_t* const to = words.mutable_data();
+    const py::gil_scoped_release release;
+    std::fill_n(to, sights.asked.a.size() * row, 0);
+    const auto set = [&](std::size_t i, std::size_t j) { to[i * row + j / 64] |= std::uint64_t{1} << j % 64; };
+    sights.for_each(sight, [&](std::uint32_t i, std::uint32_t j) {
+      set(i, j);
+      if (sights.asked.of_one_set) set(j, i);
+    });
+  }
+  return bits_of(words, sights.asked.b.size(), packed);
+}
+
+/// An array in the memory of a vector, which the owner keeps, and of which nobody writes: of each element the number at
+/// `offset`, or so many `numbers` from there on as a second axis.
+template <class Number, class Element>
+py::array seen_in(const py::object& owner, const std::vector<Element>& vector, std::size_t offset = 0,
+                  std::size_t numbers = 0) {
+  static constexpr Number none{};
+  std::vector<std::size_t> shape{vector.size()};
+  std::vector<std::size_t> strides{sizeof(Element)};
+  if (numbers != 0) {
+    shape.push_back(numbers);
+    strides.push_back(sizeof(Number));
+  }
+  const auto* const bytes = reinterpret_cast<const char*>(vector.data()) + offset;
+  const auto* const memory = vector.empty() ? &none : reinterpret_cast<const Number*>(bytes);
+  py::array_t<Number> array(std::move(shape), std::move(strides), memory, owner);
+  array.attr("setflags")(arg("write") = false);
+  return array;
+}
+
+const Visibility& found_in(const py::object& self) { return self.cast<const Sights&>().all; }
+
+void add_sights(py::module_& module) {
+  py::class_<Sights>(module, "Visibility", R"(
+The answers of visibility() for all pairs. pairs() and bits() give the pairs of one kind; `products` and
+`undecided` are the same pairs in less memory. Arrays are read-only, and keep the Visibility alive.)")
+      .def_property_readonly(
+          "counts", [](const Sights& self) { return counts_of(self.all.counts); },
+          "How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int.")
+      .def_property_readonly(
+          "products",
+          [](const py::object& self) {
+            return seen_in<std::uint32_t>(self, found_in(self).products, offsetof(PairBlock, a), 4);
+          },
+          R"(
+Pairs that are decided, in blocks: uint32 (p, 4). A row is first_a, count_a, first_b, count_b: each patch of
+order_a[first_a:first_a + count_a] with each of order_b[first_b:first_b + count_b] is as `sights` says.)")
+      .def_property_readonly(
+          "sights",
+          [](const py::object& self) {
+            return seen_in<std::uint8_t>(self, found_in(self).products, offsetof(PairBlock, sight));
+          },
+          "The kind of all pairs of each product: uint8 (p,): 1 clear, 2 occluded, 3 facing_away.")
+      .def_property_readonly(
+          "undecided",
+          [](const py::object& self) { return seen_in<std::uint32_t>(self, found_in(self).undecided, 0, 2); },
+          "Pairs that are undecided: uint32 (n, 2), indices of patches.")
+      .def_property_readonly(
+          "candidates",
+          [](const py::object& self) -> py::object {
+            if (!self.cast<const Sights&>().asked.options.candidates) return py::none();
+            return lists_of(seen_in<std::ptrdiff_t>(self, found_in(self).first_candidate),
+                            seen_in<std::uint32_t>(self, found_in(self).candidates));
+          },
+          R"(
+The candidates of each undecided pair, which are the occluders that reach between its patches: IndexLists of
+n lists, whose numbers ascend; or None, if there are no candidates.)")
+      .def_property_readonly(
+          "order_a", [](const Sights& self) { return copy_of(self.asked.a.order()); },
+          "The order that products refer to: uint32 (a,), indices of patches. A copy.")
+      .def_property_readonly(
+          "order_b", [](const Sights& self) { return copy_of(self.asked.b.order()); },
+          "The same of patches_b: uint32 (b,); for one set with itself it is order_a.")
+      .def_property_readonly(
+          "occluders", [](const Sights& self) { return self.asked.occluders; }, "What stood between: Occluders.")
+      .def("pairs", &pairs_of, arg("sight"), R"(
+All pairs of one kind: uint32 (n, 2), indices of patches; for one set with itself each pair once.
+
+sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others. Other threads go on.)")
+      .def("bits", &rows_of_bits, arg("sight"), py::kw_only(), arg("packed") = false, R"(
+Which pairs are of one kind: bool (a, b). With packed=True uint64 (a, (b + 63) // 64) instead, 64 pairs to a
+word. For one set with itself both bits of a pair are set.
+
+sight: 'undecided', 'clear', 'occluded' or 'facing_away'; ValueError for others. Other threads go on.)")
+      .def("__repr__", [](const Sights& self) {
+        const SightCounts& counts = self.all.counts;
+        return "<shaftcull.Visibility of " + std::to_string(counts.total()) + " pairs, " +
+               std::to_string(counts.undecided) + " undecided>";
+      });
+}
+
+/// A call about all pairs, whose answer is run(asked, progress, extra…).
+template <class... Extra, class Run, class... Args>
+void add_call(py::module_& module, const char* name, Run run, const std::string& text, const std::string& about_extra,
+              const Args&... args) {
+  const py::object none = py::none();
+  module.def(
+      name,
+      [run](const py::object& patches, const py::object& patches_b, const py::object& planes,
+            const py::object& planes_b, const py::object& occluders, const py::object& solids, const py::object& hulls,
+            const py::object& polygons, const py::object& triangles, const py::object& faces, const py::object& groups,
+            const py::object& rounding, const std::string& contact, bool solids_around_ends, std::size_t memory,
+            const py::object& progress, Extra... extra) {
+        const bool of_one_set = patches_b.is_none();
+        if (of_one_set && !planes_b.is_none()) throw py::value_error("planes_b are given, but no patches_b");
+        const Rounding rounded = rounding_in(rounding);
+        const PatchSet a = patches_in(patches, planes, rounded, "patches", "planes");
+        Asked asked{a,
+                    of_one_set ? a : patches_in(patches_b, planes_b, rounded, "patches_b", "planes_b"),
+                    of_one_set,
+                    occluders_in(occluders, {solids, hulls, polygons, triangles, faces, groups}, rounded),
+                    {}};
+        asked.options.contact = contact_in(contact);
+        asked.options.solids_around_ends = solids_around_ends;
+        asked.options.memory = memory;
+        return run(asked, progress, extra...);
+      },
+      arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
+      arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
+      arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("rounding") = none,
+      arg("contact") = "open", arg("solids_around_ends") = true, arg("memory") = VisibilityOptions().memory,
+      arg("progress") = none, args...,
+      (text + R"(
+
+patches, patches_b: boxes, float32 (n, 6), or Patches. Without patches_b, each two patches are one pair.
+planes, planes_b: for patches that have a side: float32 (n, 4), or (4,) for all; normal and offset.
+occluders: boxes around things that may hide something; or Occluders, and then none of the five that follow.
 solids, hulls, polygons, triangles with faces, groups: what else stands between, as Occluders say.
+rounding: 'outwards' takes boxes of float64, too, of patches and `occluders`, as Patches and Occluders say.
 contact: 'open' leaves out what only touches a shaft, so a patch may lie on an occluder; 'closed' does not.
 solids_around_ends: whether a solid that reaches around a patch makes its pairs 'occluded'.
 memory: bytes that answers under way may take, 1 MB or more.
-progress: is called as progress(done, total) some times a second, on this thread; if it raises, the call ends.)";
+progress: called as progress(done, total) some times a second, on this thread; if it raises, the call ends.)" +
+       about_extra + R"(
 
-void add_collecting(py::module_& module) {
-  using py::arg;
-  const py::object none = py::none();
-  module.def(
-      "visibility",
-      [](const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
-         const py::object& occluders, const py::object& solids, const py::object& hulls, const py::object& polygons,
-         const py::object& triangles, const py::object& faces, const py::object& groups, const std::string& contact,
-         bool solids_around_ends, bool candidates, std::size_t at_most, const py::object& progress) {
-        Asked asked(patches, patches_b, planes, planes_b, occluders,
-                    {solids, hulls, polygons, triangles, faces, groups}, contact, solids_around_ends, at_most);
-        asked.options.candidates = candidates;
-        Visibility all = while_hearing(asked.options, progress, [&asked](const VisibilityOptions& options) {
-          const Occluders& between = *asked.occluders.all;
-          return asked.of_one_set ? collect_visibility(asked.a, between, options)
-                                  : collect_visibility(asked.a, asked.b, between, options);
-        });
-        return std::make_unique<Sights>(
-            Sights{std::move(all), asked.a, asked.b, asked.of_one_set, candidates, asked.occluders});
-      },
-      arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
-      arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
-      arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("contact") = "open",
-      arg("solids_around_ends") = true, arg("candidates") = true, arg("memory") = VisibilityOptions().memory,
-      arg("progress") = none,
-      (std::string(R"(
-What sees what: of every pair of patches, whether nothing stands between ('clear'), one solid hides all ('occluded'), one
-lies behind the plane of the other ('facing_away'), or none of these ('undecided'): those come with their candidates,
-the occluders that reach between. All are exact for the float32 given. Returns a Visibility.)") +
-       asked_arguments + R"(
-candidates: whether undecided pairs come with candidates.)")
-          .c_str());
-}
-
-void add_counting(py::module_& module) {
-  using py::arg;
-  const py::object none = py::none();
-  module.def(
-      "count_visibility",
-      [](const py::object& patches, const py::object& patches_b, const py::object& planes, const py::object& planes_b,
-         const py::object& occluders, const py::object& solids, const py::object& hulls, const py::object& polygons,
-         const py::object& triangles, const py::object& faces, const py::object& groups, const std::string& contact,
-         bool solids_around_ends, std::size_t at_most, const py::object& progress) {
-        const Asked asked(patches, patches_b, planes, planes_b, occluders,
-                          {solids, hulls, polygons, triangles, faces, groups}, contact, solids_around_ends, at_most);
-        return counts_of(while_hearing(asked.options, progress, [&asked](const VisibilityOptions& options) {
-          const Occluders& between = *asked.occluders.all;
-          return asked.of_one_set ? count_visibility(asked.a, between, options)
-                                  : count_visibility(asked.a, asked.b, between, options);
-        }));
-      },
-      arg("patches"), arg("patches_b") = none, py::kw_only(), arg("planes") = none, arg("planes_b") = none,
-      arg("occluders") = none, arg("solids") = none, arg("hulls") = none, arg("polygons") = none,
-      arg("triangles") = none, arg("faces") = none, arg("groups") = none, arg("contact") = "open",
-      arg("solids_around_ends") = true, arg("memory") = VisibilityOptions().memory, arg("progress") = none,
-      (std::string(R"(
-How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict, as the counts of visibility(). It keeps
-nothing of any pair.)") +
-       asked_arguments)
+TypeError, ValueError, IndexError or BadBound names the argument that does not fit. It runs on all
+processors; other threads of Python go on, and Ctrl-C ends it. RuntimeError in a child of fork() whose
+parent has used all processors.)")
           .c_str());
 }
 
 }  // namespace
 
 void add_visibility(py::module_& module) {
-  add_patches(module);
-  add_occluders(module);
   add_sights(module);
-  add_collecting(module);
-  add_counting(module);
+  add_call<bool>(
+      module, "visibility",
+      [](Asked& asked, const py::object& progress, bool candidates) {
+        asked.options.candidates = candidates;
+        Visibility all = while_hearing(asked.options, progress, [&asked](const VisibilityOptions& options) {
+          return asked.ask(options, [](const auto&... of) { return collect_visibility(of...); });
+        });
+        return std::make_unique<Sights>(Sights{std::move(all), std::move(asked)});
+      },
+      R"(
+Which patches see each other. Of every pair: whether nothing stands between ('clear'), one solid hides all
+('occluded'), one lies behind the plane of the other ('facing_away'), or none of these ('undecided'). All
+are exact for the float32 given. Returns a Visibility, which takes 20 bytes for each product, 16 for each
+undecided pair, and 4 for each candidate.)",
+      R"(
+candidates: whether undecided pairs come with candidates, the occluders that reach between.)",
+      arg("candidates") = true);
+  add_call<>(
+      module, "count_visibility",
+      [](Asked& asked, const py::object& progress) {
+        return counts_of(while_hearing(asked.options, progress, [&asked](const VisibilityOptions& options) {
+          return asked.ask(options, [](const auto&... of) { return count_visibility(of...); });
+        }));
+      },
+      R"(
+How many pairs are 'undecided', 'clear', 'occluded' and 'facing_away': a dict of int, as the counts of
+visibility(). It keeps nothing of any pair.)",
+      "");
 }
 
 }  // namespace shaftcull::python

@@ -4,9 +4,9 @@
 import numpy as np
 
 
-def rows(offsets, indices):
-    assert offsets[0] == 0 and offsets[-1] == len(indices)
-    return [indices[first:last] for first, last in zip(offsets, offsets[1:])]
+def rows(lists):
+    assert lists.offsets[0] == 0 and lists.offsets[-1] == len(lists.indices)
+    return list(lists)
 
 
 def lists_of_bits(bits):
@@ -87,15 +87,15 @@ def check(holder, shafts, kept, inside, options):
     np.testing.assert_array_equal(holder.count(shafts, **options), kept.sum(1))
     overlapping, contained = (kept & ~inside), inside
     np.testing.assert_array_equal(holder.count_classified(shafts, **options), [overlapping.sum(1), contained.sum(1)])
-    lists = rows(*holder.list(shafts, **options))
+    lists = rows(holder.list(shafts, **options))
     same_lists(lists, lists_of_bits(kept))
     if "only" in options:
         assert [list(row) for row in lists] == [[i for i in options["only"] if bits[i]] for bits in kept]
     for found, wanted in zip(holder.list_classified(shafts, **options), (overlapping, contained)):
-        same_lists(rows(*found), lists_of_bits(wanted))
+        same_lists(rows(found), lists_of_bits(wanted))
     for limit in (0, 1, 3, 10**9):
         np.testing.assert_array_equal(holder.count(shafts, limit=limit, **options), np.minimum(kept.sum(1), limit))
-        for some, every in zip(rows(*holder.list(shafts, limit=limit, **options)), lists):
+        for some, every in zip(rows(holder.list(shafts, limit=limit, **options)), lists):
             np.testing.assert_array_equal(some, every[:limit])
     for i in (0, len(shafts) // 2, len(shafts) - 1):
         one, mine = shafts[i], of_one(options, i)

@@ -33,9 +33,10 @@ def test_the_page_runs():
         for block in filter(is_python, blocks()):
             exec(compile(block, "docs/python.md", "exec"), names)
             run += 1
-    assert run == 4
+    assert run == 5
     assert printed.getvalue() == "[ True False]\n" and f"`{printed.getvalue().strip()}`" in PAGE
-    assert names["counts"].shape == (500,) and len(names["offsets"]) == 501 and (names["hit"] != -1).any()
+    assert names["counts"].shape == (500,) and len(names["lists"]) == 500 and (names["hit"] != -1).any()
+    assert names["tops"].max() > 50 and names["moves"].shape == (1,)
     assert len(names["clear"]) > 100 and len(names["in_the_way"]) > 0
     assert all(names["sees"].counts[kind] > 100 for kind in ("undecided", "clear"))
 

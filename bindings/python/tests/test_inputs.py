@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: MIT
 """What is taken, what is refused, and how that is said."""
 
+import pickle
+from fractions import Fraction as F
+
 import numpy as np
+import oracle
 import pytest
 import shaftcull as sc
 from conftest import some_boxes
@@ -38,7 +42,6 @@ def layouts(boxes):
         "list": boxes.tolist(),
         "read-only": np.frombuffer(boxes.tobytes(), dtype=np.float32).reshape(-1, 6),
         "memoryview": memoryview(boxes),
-        "rounded": sc.round_outwards(boxes.astype(float)),
     }
 
 
@@ -106,7 +109,7 @@ def test_single_boxes_have_many_shapes():
 
 @pytest.mark.parametrize(
     "dtype, advice",
-    [("float64", "round_outwards"), ("float16", "astype"), ("int64", "astype"), (">f4", "astype"), ("bool", "astype"),
+    [("float64", "rounding='outwards'"), ("float16", "astype"), ("int64", "astype"), (">f4", "astype"), ("bool", "astype"),
      ("complex64", "astype"), ("object", "astype"), ("float128", "astype")],
 )  # fmt: skip
 def test_other_dtypes_are_refused_with_advice(dtype, advice, boxes):
@@ -130,15 +133,15 @@ def test_lists_are_taken_only_if_they_are_float32_exactly():
 
 @pytest.mark.parametrize("shape", [(5,), (7,), (3, 5), (3, 3), (2, 3, 3), (6, 4), (3, 2, 6), (1, 1, 2, 3), ()])
 def test_other_shapes_are_refused_with_all_that_are_taken(shape):
-    with pytest.raises(ValueError, match=r"boxes has shape \(.*it must be \(n, 6\), \(n, 2, 3\), a tuple"):
+    with pytest.raises(ValueError, match=r"boxes has shape \(.*it must be \(n, 6\) of lo and hi, \(n, 2, 3\), a tuple"):
         sc.BoxTree(np.zeros(shape, dtype=np.float32))
 
 
 def test_pairs_and_columns_must_fit():
     zeros = np.zeros((4, 3), dtype=np.float32)
-    with pytest.raises(ValueError, match=r"lo, has shape \(4, 3\), but .*hi, has \(3, 3\)"):
+    with pytest.raises(ValueError, match=r"boxes\[1\] has shape \(3, 3\); it must be that of boxes\[0\], \(4, 3\)"):
         sc.BoxTree((zeros, zeros[:3]))
-    with pytest.raises(ValueError, match=r"boxes\[3\] has shape \(2,\), but boxes\[0\] has \(4,\)"):
+    with pytest.raises(ValueError, match=r"boxes\[3\] has shape \(2,\); it must be that of boxes\[0\], \(4,\)"):
         sc.BoxTree((zeros[:, 0],) * 3 + (zeros[:2, 0],) * 3)
     with pytest.raises(TypeError, match=r"boxes\[1\] has dtype float64"):
         sc.BoxTree((zeros, zeros.astype(float)))
@@ -254,48 +257,211 @@ def test_a_shaft_that_cannot_be_asked_is_named_among_all(a, b, boxes):
             holder.list_occluders(shafts)
 
 
-def test_float64_is_rounded_outwards_on_request():
-    random = np.random.default_rng(12)
-    lo = random.random((1000, 3))
-    boxes = np.hstack([lo, lo + random.random((1000, 3))])
-    rounded = sc.round_outwards(boxes)
-    assert rounded.dtype == np.float32
-    lower, upper = rounded[:, :3].astype(float), rounded[:, 3:].astype(float)
+# float64.
+
+
+def exactly(numbers):
+    return np.array([[F(float(x)) for x in row] for row in numbers])
+
+
+def boxes_of_float64(seed, count=200):
+    random = np.random.default_rng(seed)
+    lo = random.random((count, 3)) * 10
+    boxes = np.hstack([lo, lo + random.random((count, 3))])
+    boxes[0] = (1, 2, 3, 4, 5, 6)  # need not be rounded
+    return boxes
+
+
+def test_boxes_of_float64_are_rounded_outwards_and_no_further():
+    boxes = boxes_of_float64(12)
+    shafts = sc.Shafts.between(boxes, boxes[0], rounding="outwards")
+    lower, upper = shafts.a[:, :3], shafts.a[:, 3:]
     assert (lower <= boxes[:, :3]).all() and (upper >= boxes[:, 3:]).all()
-    assert (np.nextafter(rounded[:, :3], INF).astype(float) > boxes[:, :3]).all()
-    assert (np.nextafter(rounded[:, 3:], -INF).astype(float) < boxes[:, 3:]).all()
-    np.testing.assert_array_equal(sc.round_outwards((boxes[:, :3], boxes[:, 3:])), rounded)
-    np.testing.assert_array_equal(sc.round_outwards(boxes.reshape(-1, 2, 3)), rounded)
-    np.testing.assert_array_equal(sc.round_outwards(boxes[0]), rounded[0])
+    assert (np.nextafter(lower, INF).astype(float) > boxes[:, :3]).all()
+    assert (np.nextafter(upper, -INF).astype(float) < boxes[:, 3:]).all()
+    np.testing.assert_array_equal(shafts.a[0], boxes[0])
+    columns = tuple(boxes.T)
+    mixed = (np.float32(boxes[:, :3]), boxes[:, 3:])
+    pair, fortran = (boxes[:, :3], boxes[:, 3:]), np.asfortranarray(boxes)
+    for given in (boxes.reshape(-1, 2, 3), pair, columns, boxes.tolist(), fortran):
+        np.testing.assert_array_equal(sc.Shafts.between(given, boxes[0], rounding="outwards").a, shafts.a)
+    np.testing.assert_array_equal(sc.Shafts.between(mixed, boxes[0], rounding="outwards").a[:, 3:], upper)
+    one = sc.Shafts.between(boxes[1], boxes[0], rounding="outwards")
+    assert one.shape == () and (one.a == shafts.a[1]).all()
+    huge = [-1e300, 1e300, -np.inf, -1e300, 1e300, np.inf]
     np.testing.assert_array_equal(
-        sc.round_outwards([-1e300, 1e300, -np.inf, -1e300, 1e300, np.inf]),
-        np.float32([-INF, 3.4028235e38, -INF, -3.4028235e38, INF, INF]),
+        sc.BoxTree([huge], rounding="outwards").box, np.float32([-INF, 3.4028235e38, -INF, -3.4028235e38, INF, INF])
     )
-    assert np.isnan(sc.round_outwards([np.nan] * 6)).all()
-    for wrong in (boxes[:, :5], boxes[:, 0], np.zeros((2, 2, 2, 3))):
-        with pytest.raises(ValueError, match="boxes have shape"):
-            sc.round_outwards(wrong)
-    with pytest.raises(TypeError, match="integers"):
-        sc.round_outwards([0, 0, 0, 1, 1, 2**60 + 1])
 
 
-def test_spheres_of_float64_are_rounded_outwards_on_request():
+def test_what_is_outside_for_rounded_bounds_is_outside_for_the_given_ones():
+    boxes, a, b = boxes_of_float64(12), boxes_of_float64(13, 20), boxes_of_float64(14, 20)
+    kept = oracle.bits([oracle.between(x, y) for x, y in zip(a, b)], boxes, oracle.kept)
+    shafts = sc.Shafts.between(a, b, rounding="outwards")
+    tree, stream = sc.BoxTree(boxes, rounding="outwards"), sc.BoxStream(boxes, rounding="outwards")
+    np.testing.assert_array_equal(tree.cull(shafts), stream.cull(shafts))
+    assert (kept <= tree.cull(shafts)).all() and kept.any() and not tree.cull(shafts).all()
+    tree.update(boxes[::-1].copy(), rounding="outwards")
+    stream.update(boxes[:100][::-1], first=100, rounding="outwards")
+    np.testing.assert_array_equal(tree.cull(shafts)[:, ::-1], sc.BoxTree(boxes, rounding="outwards").cull(shafts))
+    np.testing.assert_array_equal(stream.cull(shafts)[:, 100:], tree.cull(shafts)[:, 100:])
+    tree.update(boxes[:1], indices=[7], rounding="outwards")
+    tree.refit()
+    first = sc.BoxTree(boxes[:1], rounding="outwards").cull(shafts)[:, 0]
+    np.testing.assert_array_equal(tree.cull(shafts)[:, 7], first)
+
+
+def test_spheres_of_float64_are_contained():
     random = np.random.default_rng(13)
-    spheres = random.random((1000, 4)) * 10
-    spheres[0] = (1, 2, 3, 4)
-    rounded = sc.round_spheres_outwards(spheres).astype(float)
-    moved = np.linalg.norm(rounded[:, :3] - spheres[:, :3], axis=1)
-    assert (rounded[:, 3] >= spheres[:, 3] + moved).all()
-    assert (rounded[:, 3] <= spheres[:, 3] + 2 * moved + 2e-6).all()
-    np.testing.assert_array_equal(rounded[0], spheres[0])
-    pair = sc.round_spheres_outwards((spheres[:, :3], spheres[:, 3]))
-    np.testing.assert_array_equal(pair.astype(float), rounded)
+    spheres = random.random((300, 4)) * 10
+    ways = random.normal(size=(300, 3))
+    points = np.float32(spheres[:, :3] + ways * (spheres[:, 3:] / np.linalg.norm(ways, axis=1, keepdims=True)))
+    tree = sc.SphereTree(spheres, rounding="outwards")
+    kept = np.diagonal(tree.cull(sc.points(points), sc.points(points)))  # of points, at the surface of a sphere each
+    squares = ((exactly(points) - exactly(spheres[:, :3])) ** 2).sum(1)
+    within = squares <= exactly(spheres[:, 3:])[:, 0] ** 2
+    assert kept[within].all() and 100 < within.sum() < 200
+    assert not kept[squares > exactly(spheres[:, 3:] + 3e-6)[:, 0] ** 2].any() and not kept.all()
+    pair = sc.SphereStream((spheres[:, :3], spheres[:, 3]), rounding="outwards")
+    exact = sc.SphereStream([[1, 2, 3, 4]], rounding="outwards")
+    a, b = some_boxes(2, 40), some_boxes(3, 40)
+    np.testing.assert_array_equal(pair.cull(a, b), tree.cull(a, b))
+    np.testing.assert_array_equal(exact.cull(a, b), sc.SphereStream([[1, 2, 3, 4]]).cull(a, b))
+    with pytest.raises(sc.BadBound, match="sphere 1.*radius"):
+        sc.SphereTree([[0.1, 0, 0, 0], [0.1, 0, 0, -1e-300]], rounding="outwards")
+
+
+def test_swept_bodies_of_float64_are_contained_all_the_way():
+    bodies, by = boxes_of_float64(15, 60), np.random.default_rng(15).normal(size=(60, 3)) * 100
+    shafts = sc.Shafts.swept(bodies, by, rounding="outwards")
+    start, step = exactly(bodies), exactly(by)
+    moved = exactly(shafts.a)
+    rounded = exactly(by.astype(np.float32))  # the displacement of the shafts
+    for t in (F(0), F(1, 3), F(1)):
+        assert (moved[:, :3] + t * rounded <= start[:, :3] + t * step).all()
+        assert (moved[:, 3:] + t * rounded >= start[:, 3:] + t * step).all()
+    assert abs(shafts.a - bodies).max() < 1e-4
+    bodies32, by32 = bodies.astype(np.float32), by.astype(np.float32)
+    np.testing.assert_array_equal(sc.Shafts.swept(bodies32, by32, rounding="outwards").a, bodies32)
+    assert sc.Shafts.swept_infinite(bodies, [0, 0, -1], rounding="outwards").shape == (60,)
+    with pytest.raises(TypeError, match="directions has dtype float64.*rounds to nearest"):
+        sc.Shafts.swept_infinite(bodies, by, rounding="outwards")
+
+
+def test_shadows_and_points_of_float64_are_contained():
+    light, occluder = boxes_of_float64(16, 9) + [[0, 0, 50] * 2], boxes_of_float64(17, 9)
+    shafts = sc.Shafts.shadow(light, occluder, 1.1, rounding="outwards")
+    with pytest.raises(TypeError, match="reach: number 0 is 1.1, which is no float32"):
+        sc.Shafts.shadow(light.astype(np.float32), occluder.astype(np.float32), 1.1)
+    points = np.random.default_rng(18).random((300, 3)) * [10, 10, 12] - [0, 0, 4]
+    boxes = sc.points(points, rounding="outwards")
+    assert (boxes[:, :3] <= points).all() and (boxes[:, 3:] >= points).all() and (boxes[:, :3] < boxes[:, 3:]).any()
+    kept = oracle.bits([oracle.shadow(x, y, 1.1) for x, y in zip(light, occluder)], np.tile(points, 2), oracle.kept)
+    assert kept.any() and (kept <= sc.BoxTree(boxes).cull(shafts)).all()
+    assert sc.points(points[0], rounding="outwards").shape == (6,)
+
+
+def test_patches_and_occluders_of_float64_are_contained():
+    patches, between = boxes_of_float64(19, 40), boxes_of_float64(20, 10)
+    found = sc.visibility(patches, occluders=between, rounding="outwards")
+    same = sc.visibility(sc.Patches(patches, rounding="outwards"), occluders=sc.Occluders(between, rounding="outwards"))
+    assert found.counts == same.counts and found.counts["clear"] > 10
+    assert sc.count_visibility(patches, occluders=between, rounding="outwards") == found.counts
+    np.testing.assert_array_equal(found.occluders.box(3), sc.BoxTree(between[3:4], rounding="outwards").box)
+    for i, j in found.pairs("clear"):
+        assert not any(oracle.kept(oracle.between(patches[i], patches[j]), box) for box in between)
+
+
+@pytest.mark.parametrize(
+    "call, name",
+    [
+        (lambda x: sc.Occluders(solids=x(6), rounding="outwards"), "solids"),
+        (lambda x: sc.Occluders(polygons=[x(3)] * 3, rounding="outwards"), r"polygons\[0\]"),
+        (lambda x: sc.Occluders(triangles=x(9), rounding="outwards"), "triangles"),
+        (lambda x: sc.Patches([[0] * 6] * 3, x(4), rounding="outwards"), "planes"),
+        (lambda x: sc.Shafts.between([0] * 6, [1] * 6, planes_a=x(4), rounding="outwards"), "planes_a"),
+        (lambda x: sc.TriangleTree(x(9)), "triangles"),
+        (lambda x: sc.TriangleStream(x(3), [[0, 1, 2]]), "triangles"),
+        (lambda x: sc.ConvexHull(x(3)), "points"),
+        (lambda x: sc.ConvexHull.frustum(x(4)), "matrix"),
+        (lambda x: sc.view_planes(x(4)), "matrix"),
+        (lambda x: sc.merged_boxes(x(6)), "boxes"),
+        (lambda x: sc.inscribed_box(x(3)), "corners"),
+    ],
+)
+def test_what_cannot_be_rounded_outwards_is_refused(call, name):
+    with pytest.raises(TypeError, match=f"{name} has dtype float64; it must be float32: .*astype.* rounds to nearest"):
+        call(lambda columns: np.full((3, columns), 0.1))
+
+
+def test_the_error_for_float64_says_what_would_be_right():
+    boxes, spheres = boxes_of_float64(12), np.full((3, 4), 0.1)
+    for call, advice in (
+        (lambda: sc.BoxTree(boxes), "rounding='outwards'"),
+        (lambda: sc.SphereStream(spheres), "rounding='outwards'"),
+        (lambda: sc.Shafts.swept(boxes, boxes[:, :3]), "rounding='outwards'"),
+        (lambda: sc.BoxView(np.asfortranarray(boxes)), "a BoxStream copies, and may round"),
+        (lambda: sc.SphereView(np.asfortranarray(spheres)), "a SphereStream copies"),
+        (lambda: sc.BoxTree([]).count(boxes, boxes), r"Shafts.between\(\) takes rounding='outwards'"),
+    ):
+        with pytest.raises(TypeError, match=f"has dtype float64; it must be float32: .*{advice}"):
+            call()
+    with pytest.raises(ValueError, match="rounding is 'up'; it must be 'outwards' or None"):
+        sc.BoxTree(boxes, rounding="up")
+    with pytest.raises(TypeError, match="integers that are no float64"):
+        sc.BoxTree([[0, 0, 0, 1, 1, 2**60 + 1]], rounding="outwards")
+    with pytest.raises(sc.BadBound, match="box 1: lo.x is not a number") as raised:
+        sc.BoxTree([[0.1] * 6, [np.nan] * 6], rounding="outwards")
+    assert raised.value.index == 1
+
+
+# Results.
+
+
+def test_many_lists_are_one_object(boxes, a, b):
+    tree = sc.BoxTree(boxes)
+    shafts = sc.Shafts.between(a, b)
+    lists = tree.list(shafts, times=True)
+    assert isinstance(lists, sc.IndexLists) and len(lists) == 40
+    assert lists.offsets.dtype == np.int64 and lists.indices.dtype == np.uint32 and lists.times.dtype == np.float32
+    assert lists.offsets.shape == (41,) and lists.indices.shape == lists.times.shape == (lists.offsets[-1],)
+    rows = [tree.list(shafts[i]) for i in range(40)]
+    assert 0 in map(len, rows) and max(map(len, rows)) > 3
+    for i, (row, wanted) in enumerate(zip(lists, rows)):
+        for found in (row, lists[i], lists[i - 40], lists[np.int64(i)]):
+            assert found.dtype == np.uint32 and np.shares_memory(found, lists.indices) == (len(wanted) > 0)
+            np.testing.assert_array_equal(found, wanted)
+    pairs = lists.pairs()
+    assert pairs.dtype == np.uint32 and pairs.shape == (len(lists.indices), 2)
+    np.testing.assert_array_equal(pairs, [(i, bound) for i, row in enumerate(rows) for bound in row])
+    kept = np.zeros((40, len(boxes)), dtype=bool)
+    kept[tuple(pairs.T)] = True
+    np.testing.assert_array_equal(kept, tree.cull(shafts))
+    assert repr(lists) == f"<shaftcull.IndexLists of 40 shafts, {len(pairs)} indices, with times>"
+    for wrong, error in ((40, IndexError), (-41, IndexError), (1.5, TypeError), (slice(3), TypeError)):
+        with pytest.raises(error):
+            lists[wrong]
+    overlap, inside = tree.list_classified(shafts)
+    for some in (overlap, inside, tree.list_occluders(shafts), tree.list(shafts)):
+        assert isinstance(some, sc.IndexLists) and len(some) == 40 and some.times is None
+    none = tree.list(shafts[:0])
+    assert len(none) == 0 and list(none) == [] and none.pairs().shape == (0, 2)
+
+
+def test_lists_are_pickled_and_made_again(boxes, a, b):
+    lists = sc.BoxTree(boxes).list(sc.Shafts.between(a, b), times=True)
+    for same in (pickle.loads(pickle.dumps(lists)), sc.IndexLists(lists.offsets, lists.indices, lists.times)):
+        assert type(same) is sc.IndexLists
+        for name in ("offsets", "indices", "times"):
+            np.testing.assert_array_equal(getattr(same, name), getattr(lists, name))
 
 
 def test_results_own_their_memory(boxes, a, b):
     tree = sc.BoxTree(boxes)
     shafts = sc.Shafts.between(a, b)
-    results = [*tree.list(shafts, times=True), tree.cull(shafts), tree.count(shafts), *tree.first_contact(shafts), tree.order]
+    lists = tree.list(shafts, times=True)
+    results = [lists.offsets, lists.indices, lists.times, tree.cull(shafts), tree.count(shafts)]
+    results += [*tree.first_contact(shafts), tree.order]
     copies = [result.copy() for result in results]
     tree.update(boxes[::-1].copy())
     del tree, shafts

@@ -103,6 +103,7 @@ def test_a_change_while_another_thread_asks_is_refused(million):
     try:
         deadline = time.monotonic() + 60
         while time.monotonic() < deadline:
+            time.sleep(0.001)  # the other thread's turn
             try:
                 tree.update(million)
             except RuntimeError as error:
@@ -159,9 +160,10 @@ def test_memory_is_given_back(million):
         "views": (lambda: sc.BoxView(np.asfortranarray(million)), 24e6),
     }
     for what, (ask, size) in asking.items():
-        ask()
+        for _ in range(6):  # allocators keep some memory at first
+            ask()
         before = resident()
-        for _ in range(6):
+        for _ in range(10):
             ask()
         assert resident() - before < 2.5 * size, what
 
@@ -273,9 +275,9 @@ def pairs(count):
 def answers(boxes, of):
     tree = sc.BoxTree(boxes)
     shafts = sc.Shafts.between(boxes, boxes, pairs=of)
-    offsets, indices = tree.list(shafts, exclude_each=of)
+    lists = tree.list(shafts, exclude_each=of)
     first, times = tree.first_contact(shafts, exclude_each=of)
-    return np.diff(offsets), indices, first, times, tree.occluded(shafts)
+    return np.diff(lists.offsets), lists.indices, first, times, tree.occluded(shafts)
 """
 
 

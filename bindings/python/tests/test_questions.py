@@ -41,11 +41,11 @@ def test_bits_counts_lists_and_times_are_those_of_the_definition(kind, holder, b
     np.testing.assert_array_equal(holder.count(shafts), kept.sum(1))
     np.testing.assert_array_equal(holder.count(shafts, limit=3), np.minimum(kept.sum(1), 3))
     np.testing.assert_array_equal(holder.any(shafts), kept.any(1))
-    same_lists(rows(*holder.list(shafts)), lists_of_bits(kept))
-    offsets, indices, times = holder.list(shafts, times=True)
-    for shaft, row, entered in zip(defined, rows(offsets, indices), np.split(times, offsets[1:-1])):
+    same_lists(rows(holder.list(shafts)), lists_of_bits(kept))
+    lists = holder.list(shafts, times=True)
+    for shaft, row, entered in zip(defined, rows(lists), np.split(lists.times, lists.offsets[1:-1])):
         np.testing.assert_array_equal(entered, [oracle.entry_time(shaft, boxes[i]) for i in row])
-    for some, every in zip(rows(*holder.list(shafts, limit=2)), rows(*holder.list(shafts))):
+    for some, every in zip(rows(holder.list(shafts, limit=2)), rows(holder.list(shafts))):
         np.testing.assert_array_equal(some, every[:2])
     found, when = holder.first_contact(shafts)
     wanted = [oracle.first(shaft, boxes) for shaft in defined]
@@ -64,39 +64,37 @@ def test_inside_is_that_of_the_definition(kind, holder, boxes, a, b):
     np.testing.assert_array_equal(overlapping, (kept & ~inside).sum(1))
     np.testing.assert_array_equal(contained, inside.sum(1))
     overlapping, contained = holder.list_classified(shafts)
-    same_lists(rows(*overlapping), lists_of_bits(kept & ~inside))
-    same_lists(rows(*contained), lists_of_bits(inside))
+    same_lists(rows(overlapping), lists_of_bits(kept & ~inside))
+    same_lists(rows(contained), lists_of_bits(inside))
     np.testing.assert_array_equal(holder.cull(shafts.completed()), kept)
 
 
 def test_one_shaft_has_the_answers_of_its_row(holder, boxes, a, b):
     shafts = sc.Shafts.between(a * 2, b * 2)
-    offsets, indices = holder.list(shafts)
+    lists = holder.list(shafts)
     for i in range(len(shafts)):
-        one = shafts[i]
+        one, row = shafts[i], lists[i]
         np.testing.assert_array_equal(holder.cull(one), holder.cull(shafts)[i])
         np.testing.assert_array_equal(holder.classify(one), np.array(holder.classify(shafts))[:, i])
         assert holder.count(one) == holder.count(shafts)[i] and isinstance(holder.count(one), int)
         assert holder.count(one, limit=2) == holder.count(shafts, limit=2)[i]
         assert holder.any(one) is bool(holder.any(shafts)[i])
         assert holder.count_classified(one) == tuple(x[i] for x in holder.count_classified(shafts))
-        row = indices[offsets[i] : offsets[i + 1]]
         np.testing.assert_array_equal(holder.list(one), row)
         np.testing.assert_array_equal(holder.list(one, limit=3), row[:3])
         np.testing.assert_array_equal(holder.list(one, times=True)[1], holder.entry_times(one, row))
-        for mine, (starts, all_of_them) in zip(holder.list_classified(one), holder.list_classified(shafts)):
-            np.testing.assert_array_equal(mine, all_of_them[starts[i] : starts[i + 1]])
+        for mine, all_of_them in zip(holder.list_classified(one), holder.list_classified(shafts)):
+            np.testing.assert_array_equal(mine, all_of_them[i])
         assert holder.first_contact(one) == tuple(x[i] for x in holder.first_contact(shafts))
         np.testing.assert_array_equal(holder.list(one, only=row[::-1]), row[::-1])
         assert holder.occluded(one) is bool(holder.occluded(shafts)[i])
         assert holder.find_occluder(one) == holder.find_occluder(shafts)[i]
-        starts, blocking = holder.list_occluders(shafts)
-        np.testing.assert_array_equal(holder.list_occluders(one), blocking[starts[i] : starts[i + 1]])
+        np.testing.assert_array_equal(holder.list_occluders(one), holder.list_occluders(shafts)[i])
 
 
 def test_boxes_ask_as_shafts_between_them_do(holder, a, b):
     np.testing.assert_array_equal(holder.cull(a, b), holder.cull(sc.Shafts.between(a, b)))
-    np.testing.assert_array_equal(holder.list(a, b[0])[1], holder.list(sc.Shafts.between(a, b[0]))[1])
+    np.testing.assert_array_equal(holder.list(a, b[0]).pairs(), holder.list(sc.Shafts.between(a, b[0])).pairs())
     assert holder.count(a[0], b[0]) == holder.count(a, b)[0]
 
 
@@ -105,7 +103,7 @@ def test_only_candidates_are_listed_in_their_order(holder, boxes, a, b):
     candidates = np.random.default_rng(5).permutation(len(boxes))[:70]
     kept = holder.cull(shafts)
     wanted = [[i for i in candidates if row[i]] for row in kept]
-    found = rows(*holder.list(shafts, only=candidates))
+    found = rows(holder.list(shafts, only=candidates))
     assert [list(row) for row in found] == wanted
 
 
@@ -126,7 +124,7 @@ def test_a_wall_blocks_and_a_post_does_not():
             shafts = sc.Shafts.between([[-5, 0, 0, -4, 1, 1]] * 2, [[5, 0, 0, 6, 1, 1], [-5, 5, 5, -4, 6, 6]])
             np.testing.assert_array_equal(holder.occluded(shafts), [by >= 0, False])
             np.testing.assert_array_equal(holder.find_occluder(shafts), [by, -1])
-            np.testing.assert_array_equal(holder.list_occluders(shafts)[1], [by] if by >= 0 else [])
+            np.testing.assert_array_equal(holder.list_occluders(shafts)[0], [by] if by >= 0 else [])
     square = [[0, -9, -9], [0, 9, -9], [1, 9, 9], [1, -9, 9]]
     np.testing.assert_array_equal(shafts.occluded_by_polygon(square), [True, False])
     assert shafts[0].occluded_by_polygon(square) is True
@@ -182,8 +180,8 @@ def test_first_contact_is_among_the_bounds_that_options_leave(holder, boxes, a, 
         np.testing.assert_array_equal(found, [index for _, index in reached])
         entered = [np.inf if i < 0 else oracle.entry_time(shaft, boxes[i]) for shaft, (_, i) in zip(defined, reached)]
         np.testing.assert_array_equal(when, np.float32(entered))
-        offsets, indices, all_times = holder.list(shafts, times=True, **options)
-        for row, mine, first in zip(rows(offsets, indices), np.split(all_times, offsets[1:-1]), entered):
+        lists = holder.list(shafts, times=True, **options)
+        for row, mine, first in zip(rows(lists), np.split(lists.times, lists.offsets[1:-1]), entered):
             assert len(row) == len(mine) and mine.min(initial=np.inf) == first
     me = int(kept[3].argmax())
     assert holder.first_contact(shafts[3], exclude=me) == tuple(x[3] for x in holder.first_contact(shafts, exclude=me))
@@ -207,12 +205,12 @@ def test_solids_are_left_out_as_other_bounds_are():
             (dict(layer_mask=3, exclude=1, exclude_each=[2, 0]), [[0], []]),
         ):
             np.testing.assert_array_equal(holder.occluded(shafts, **options), [len(row) > 0 for row in wanted])
-            blocking = rows(*holder.list_occluders(shafts, **options))
+            blocking = rows(holder.list_occluders(shafts, **options))
             same_lists(blocking, wanted)
             np.testing.assert_array_equal(
                 holder.find_occluder(shafts, **options), [row[0] if len(row) else -1 for row in blocking]
             )
-            for some, every in zip(rows(*holder.list_occluders(shafts, limit=1, **options)), blocking):
+            for some, every in zip(rows(holder.list_occluders(shafts, limit=1, **options)), blocking):
                 np.testing.assert_array_equal(some, every[:1])
         assert holder.occluded(shafts[0], exclude=0) is True and holder.occluded(shafts[0], exclude=[0, 1]) is False
         assert holder.find_occluder(shafts[0], layer_mask=2) == 1 and holder.find_occluder(shafts[0], layer_mask=4) == -1
@@ -271,21 +269,21 @@ def test_questions_refuse_options_that_mean_nothing_to_them(holder, a, b):
 def test_many_shafts_asked_in_chunks_have_the_answers_of_rows(million):
     boxes = million[:2000]
     tree, shafts = sc.BoxTree(boxes), sc.Shafts.between(million[:20000], million[20000:40000])
-    offsets, indices = tree.list(shafts)
+    lists = tree.list(shafts)
     counts = tree.count(shafts)
-    np.testing.assert_array_equal(np.diff(offsets), counts)
+    np.testing.assert_array_equal(np.diff(lists.offsets), counts)
     random = np.random.default_rng(7)
     each, masks = random.integers(0, 2000, (20000, 3)), random.integers(0, 32, 20000)
-    each[:, 0] = indices[np.minimum(offsets[:-1], len(indices) - 1)]
+    each[:, 0] = lists.indices[np.minimum(lists.offsets[:-1], len(lists.indices) - 1)]
     tree.set_layers(layers_of(2000))
     some = tree.count(shafts, exclude_each=each, layer_mask=masks)
-    starts, fewer = tree.list(shafts, exclude_each=each, layer_mask=masks)
-    np.testing.assert_array_equal(np.diff(starts), some)
+    fewer = tree.list(shafts, exclude_each=each, layer_mask=masks)
+    np.testing.assert_array_equal(np.diff(fewer.offsets), some)
     for i in (0, 15, 16, 17, 63, 64, 1039, 1040, 4159, 4160, 19999):
-        np.testing.assert_array_equal(indices[offsets[i] : offsets[i + 1]], tree.list(shafts[i]))
+        np.testing.assert_array_equal(lists[i], tree.list(shafts[i]))
         assert counts[i] == tree.count(shafts[i])
         mine = dict(exclude=each[i], layer_mask=masks[i])
-        np.testing.assert_array_equal(fewer[starts[i] : starts[i + 1]], tree.list(shafts[i], **mine))
+        np.testing.assert_array_equal(fewer[i], tree.list(shafts[i], **mine))
         assert some[i] == tree.count(shafts[i], **mine)
 
 
@@ -336,8 +334,8 @@ def test_nothing_and_no_shafts_are_fine(boxes, a):
         empty.set_layers([])
         assert empty.count(a, a, layer_mask=1, only=[], exclude=[], exclude_mask=np.zeros(0, bool)).sum() == 0
         holder = make(boxes)
-        offsets, indices = holder.list(none, none)
-        assert list(offsets) == [0] and len(indices) == 0
+        lists = holder.list(none, none)
+        assert list(lists.offsets) == [0] and len(lists.indices) == len(lists) == 0
         holder.set_layers(layers_of(len(boxes)))
-        assert len(holder.list(none, none, exclude_each=np.empty((0, 2), int), layer_mask=[])[1]) == 0
+        assert len(holder.list(none, none, exclude_each=np.empty((0, 2), int), layer_mask=[])) == 0
         assert holder.cull(none, none).shape == (0, len(boxes)) and len(holder.first_contact(none, none)[0]) == 0

@@ -11,6 +11,7 @@ import sys
 
 import pytest
 import shaftcull
+from stubs import docstring, member, with_docstrings
 
 PACKAGE = pathlib.Path(shaftcull.__file__).resolve().parent
 STUBS = ast.parse((PACKAGE / "__init__.pyi").read_text())
@@ -42,23 +43,17 @@ def declared():
                     yield f"{node.name}.{member.name}", member
 
 
-def found(name):
-    """A function of the module as its docstring's first line, which pybind11 writes of what the function takes."""
-    thing = shaftcull
-    for part in name.split("."):
-        thing = inspect.getattr_static(thing, part)
-        if isinstance(thing, (staticmethod, classmethod)):
-            thing = thing.__func__
-    return thing
+def signature(thing):
+    """What a function takes: pybind11 writes it in the first line of the docstring."""
+    return f"function{inspect.signature(thing)}" if inspect.isfunction(thing) else thing.__doc__.splitlines()[0]
 
 
 @pytest.mark.parametrize("name, stub", declared(), ids=[name for name, _ in declared()])
 def test_stubs_have_the_parameters_of_the_module(name, stub):
-    thing = found(name)
+    thing = member(name.split("."))
     if isinstance(thing, property) or name.endswith(".__len__"):
         return
-    first = thing.__doc__.splitlines()[0]
-    named, keywords = parameters(ast.parse(f"def {first}: ...").body[0])
+    named, keywords = parameters(ast.parse(f"def {signature(thing)}: ...").body[0])
     wanted_named, wanted_keywords = parameters(stub)
     assert [(argument, default) for argument, default in named] == wanted_named
     assert keywords == wanted_keywords
@@ -66,6 +61,8 @@ def test_stubs_have_the_parameters_of_the_module(name, stub):
 
 def test_stubs_name_all_that_there_is():
     wanted = {name for name, _ in declared()}
+    classes = [node for node in STUBS.body if isinstance(node, ast.ClassDef)]
+    wanted |= {f"{node.name}.{x.target.id}" for node in classes for x in node.body if isinstance(x, ast.AnnAssign)}
     for name in shaftcull.__all__:
         thing = getattr(shaftcull, name)
         if inspect.isclass(thing) and not issubclass(thing, Exception):
@@ -74,23 +71,29 @@ def test_stubs_name_all_that_there_is():
                     assert f"{name}.{member}" in wanted
         elif not inspect.isclass(thing) and name != "__version__":
             assert name in wanted
-    classes = {node.name for node in STUBS.body if isinstance(node, ast.ClassDef)}
-    assert classes == {name for name in shaftcull.__all__ if inspect.isclass(getattr(shaftcull, name))}
+    assert {node.name for node in classes} == {name for name in shaftcull.__all__ if inspect.isclass(getattr(shaftcull, name))}
     public = {name for name in vars(shaftcull) if not name.startswith("_")}
     assert public | {"__version__"} == set(shaftcull.__all__)
 
 
+def test_stubs_have_the_docstrings_of_the_module():
+    """Change them in the module; stubs.py, in this folder, copies them."""
+    stubs = (PACKAGE / "__init__.pyi").read_text()
+    assert with_docstrings(stubs) == stubs
+    assert not [line for line in stubs.splitlines() if len(line) > 120]
+
+
 def test_everything_has_a_description():
-    for name, _ in declared():
-        if "__" in name:
-            continue
-        thing = found(name)
-        # Of a function the first line is what it takes.
-        text = thing.__doc__ if isinstance(thing, property) else thing.__doc__.split("\n", 1)[1]
-        assert len(text.split()) > 2, name
+    for name, stub in declared():
+        text = docstring(member(name.split(".")))
+        assert "__" in name or len(text.split()) > 2, name
+        # Calls that take arguments say what refuses them.
+        names, keywords = parameters(stub)
+        if "__" not in name and len(names) + len(keywords) > ("." in name):
+            assert re.search("Errors|Error|BadBound", text), name
     for name in shaftcull.__all__:
         if inspect.isclass(getattr(shaftcull, name)):
-            assert getattr(shaftcull, name).__doc__.strip()
+            assert docstring(getattr(shaftcull, name))
 
 
 def test_mypy_agrees(tmp_path):
@@ -117,7 +120,7 @@ def test_a_program_that_uses_it_passes_the_type_checker(tmp_path):
         "import shaftcull\n"
         "tree = shaftcull.BoxTree(np.zeros((3, 6), dtype=np.float32))\n"
         "shafts = shaftcull.Shafts.between([0] * 6, [1] * 6, contact='open')\n"
-        "offsets, indices = tree.list(shafts[:1], exclude_each=[[0, 1]])\n"
+        "lists = tree.list(shafts[:1], exclude_each=[[0, 1]])\n"
         "reveal_type(tree.order)\n"
         "tree.list(shafts, owner=3)\n"
     )

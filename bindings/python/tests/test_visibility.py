@@ -75,7 +75,7 @@ def check(found, a, b, planes_a, planes_b, occluders, hiding, contact="open"):
         if said[i, j] == "undecided":
             at = np.flatnonzero((found.undecided == (i, j)).all(1))
             assert len(at) == 1
-            assert list(found.candidates[found.offsets[at[0]] : found.offsets[at[0] + 1]]) == wanted
+            assert list(found.candidates[at[0]]) == wanted
     assert len(said) == number == sum(found.counts.values())
     assert {kind: found.counts[kind] for kind in KINDS} == {kind: list(said.values()).count(kind) for kind in KINDS}
     return found.counts
@@ -141,11 +141,12 @@ def test_products_orders_and_bits_are_of_the_same_pairs():
 def test_answers_outlive_what_they_are_of():
     found = sc.visibility(some_boxes(1, 70), occluders=some_boxes(3, 9))
     pairs, wanted = found.undecided, found.undecided.copy()
-    candidates, wanted_candidates = found.candidates, found.candidates.copy()
+    candidates = found.candidates
+    wanted_candidates = candidates.pairs()
     del found
     sc.visibility(some_boxes(5, 70), occluders=some_boxes(6, 9))
     np.testing.assert_array_equal(pairs, wanted)
-    np.testing.assert_array_equal(candidates, wanted_candidates)
+    np.testing.assert_array_equal(candidates.pairs(), wanted_candidates)
     assert len(pairs) > 100
 
 
@@ -189,7 +190,7 @@ def test_occluders_of_all_sorts():
     assert found.counts["occluded"] == 1 and len(found.occluders) == 7
     assert "Occluders, 7 of them" in repr(occluders) and "1 pairs, 0 undecided" in repr(found)
     without = sc.visibility(ends, occluders=box, candidates=False)
-    assert without.offsets is None and without.candidates is None and len(without.undecided) == 1
+    assert without.candidates is None and len(without.undecided) == 1
 
 
 def test_patches_are_kept_for_several_calls():
@@ -319,16 +320,15 @@ def test_parts_have_the_answers_of_the_whole():
 
 
 def check_parts(whole, answers):
-    def by_pair(pairs, counts, candidates):
-        lists = np.split(candidates, np.cumsum(counts)[:-1]) if len(counts) else []
-        return {tuple(sorted(pair)): list(found) for pair, found in zip(pairs.tolist(), lists)}
+    def by_pair(pairs, candidates):
+        return {tuple(sorted(pair)): list(found) for pair, found in zip(pairs.tolist(), candidates)}
 
     merged = {}
-    for pairs, counts, candidates, _ in answers:
-        part = by_pair(pairs, counts, candidates)
+    for pairs, candidates, _ in answers:
+        part = by_pair(pairs, candidates)
         assert len(part) == len(pairs) and not merged.keys() & part.keys()
         merged |= part
-    wanted = by_pair(whole.undecided, np.diff(whole.offsets), whole.candidates)
+    wanted = by_pair(whole.undecided, whole.candidates)
     assert merged == wanted and len(wanted) > 100
     # Patches have no planes, so one thing is true of each pair.
     np.testing.assert_array_equal(sum(counts for *_, counts in answers), list(whole.counts.values()))
