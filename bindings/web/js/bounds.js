@@ -201,7 +201,7 @@ const asTree = (Base) => class extends Base {
     });
   }
 
-  get sah_ratio() {
+  get sahRatio() {
     const {module} = this;
     const ratio = module.resultsOf(8);
     module.call('shaftcull_tree_sah_ratio', this.handle, ratio);
