@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a Occluders holds.
+/// The contents of Occluders.
 #pragma once
 
 #include <array>
