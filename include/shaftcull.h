@@ -1,49 +1,50 @@
 // SPDX-License-Identifier: MIT
-/// shaftcull in C: shafts between boxes and of moving boxes, convex hulls, and what bounds they keep.
+/// shaftcull in C: shafts between boxes and of moving boxes, convex hulls, and the bounds that they keep.
 ///
-/// docs/c.md has an example. What each answer means is said once, in the C++ headers beside this one: `cull.hpp`,
-/// `many.hpp`, `query.hpp` and so on. Here it is said what a call reads, writes, allocates and refuses.
+/// docs/c.md has an example. The C++ headers beside this one define each answer: `cull.hpp`, `many.hpp`, `query.hpp`
+/// and so on. This header defines what a call reads, writes, allocates and refuses.
 ///
 /// Objects. A *shaft* is an entry of an array, shaftcull_shafts, which aligns its memory itself. *Bounds*,
-/// shaftcull_bounds, are boxes, spheres or triangles, in one of three holders: a view of the caller's own memory, a
-/// stream that owns a checked and aligned copy, or a tree. Every question takes bounds of any holder, with the same
-/// options, and gives the same answer. Each object is made by a function that says so, and freed by the one that has
-/// its type's name and `_free`.
+/// shaftcull_bounds, are boxes, spheres or triangles in one of three holders: a view of the caller's own memory, a
+/// stream that owns a checked and aligned copy, or a tree. Every query takes bounds in any holder, with the same
+/// options, and gives the same answer. Each object is freed by the function that has its type's name and `_free`.
 ///
-/// Positions in messages of calls for some shafts of an array count from the first of these.
+/// One shaft or many. Most functions take a range of an array: `count` shafts from `first` on. They write one row or
+/// one element per shaft, in the order of the range. Positions in messages count from `first` on. A query about one
+/// shaft runs on the calling thread, unless it fills a shaftcull_lists; a query about more shafts runs in parallel, on
+/// oneTBB if the library was built with it. Results do not depend on the number of threads.
 ///
-/// Errors. A function that can fail returns a shaftcull_status: SHAFTCULL_OK, or why not. Then
-/// shaftcull_error_message() says what is wrong, where, and what would be right. Nothing was written unless the
-/// function says otherwise, and objects are as they were. Pointers must not be NULL unless the function says so; an
-/// array of 0 elements may be. Every function with a status refuses a NULL with SHAFTCULL_INVALID_ARGUMENT. It checks
-/// all sizes, indices and enumerators, and of floats what the function says. It cannot check that memory is as large as
-/// said, nor that a handle was not freed.
-/// Every such function can return SHAFTCULL_OUT_OF_MEMORY if it allocates, its message included.
+/// Errors. A function that can fail returns a shaftcull_status: SHAFTCULL_OK, or the kind of the error. Then
+/// shaftcull_error_message() says what is wrong, where, and what would be right. A function that fails writes nothing
+/// and leaves objects as they were, unless its comment says otherwise. Pointers must not be NULL unless the comment
+/// allows it; an array of 0 elements may be NULL. Every function with a status refuses a NULL pointer with
+/// SHAFTCULL_INVALID_ARGUMENT. It checks all sizes, indices and enumerators, and floats as its comment says. It cannot
+/// check that memory is as large as the caller says, nor that a handle was not freed. Every function that allocates can
+/// return SHAFTCULL_OUT_OF_MEMORY.
 ///
-/// Threads. Whatever takes an object as `const` may be called from many threads at once. Whatever takes it without may
-/// not, while another thread uses that object. Different objects are independent. The functions named `…_many`, and
-/// those that build and update trees, run in parallel on oneTBB if the library was built with it. They may be called
-/// from tasks of the caller's own. No call takes more than 64 KiB of the stack.
+/// Threads. Functions that take an object as `const` may be called from many threads at once. Functions that take it
+/// without `const` may not be called while another thread uses that object. Different objects are independent. Queries
+/// about several shafts, and functions that build and update trees, may be called from the caller's own oneTBB tasks.
+/// No call takes more than 64 KiB of the stack.
 ///
-/// Allocation. Questions of one shaft allocate nothing, unless they say so. Those of many shafts that write bits or
-/// numbers allocate what oneTBB needs for tasks; if there is no memory for that, what they were to write holds
-/// anything. shaftcull_query says what candidates take.
+/// Allocation. Queries about one shaft allocate nothing, except where a comment says so. Queries about several shafts
+/// allocate what oneTBB needs for tasks, and their results if these go into a shaftcull_lists. If memory runs out,
+/// bits and numbers are unspecified. The comment of shaftcull_query has the cost of candidates.
 ///
-/// Results. Bits: bit i % 64 of word i / 64 is bound i, and shaftcull_bit_words(count) words hold them; the call wants
-/// exactly so many. Bits past the last bound are zero. Rows of many shafts are one behind the other. Lists: a call
-/// that lists into the caller's memory writes as many results as there is room for, and tells how many there are,
-/// whether they fit or not. Room for 0 is legal, and then the array may be NULL. Room behind the last result may be
-/// overwritten with anything.
+/// Results. Bits: bit i % 64 of word i / 64 stands for bound i, and a row has shaftcull_bit_words(number of bounds)
+/// words, no more and no fewer. Bits past the last bound are 0. Rows lie one behind the other. Lists: a call that lists
+/// into the caller's memory writes as many results as there is room for, and gives their full number, whether they fit
+/// or not. The room may be 0, and then the array may be NULL. Room behind the last result may be overwritten.
 ///
-/// Indices are 32 bits wide. A tree holds at most 2³² − 1 bounds; more are refused. A view or stream may have more:
-/// it is asked for bits and counts, and calls that list its bounds or find first contact refuse it. Ask views of its
-/// parts then, and add to their indices where each part begins.
+/// Indices are 32 bits wide. A tree holds at most 2³² − 1 bounds. A view or stream may have more: queries for bits and
+/// counts take it, and queries that list its bounds or find first contact refuse it. Make views of its parts for these,
+/// and add the position at which each part begins to the indices.
 ///
-/// Enumerators are fixed-width integers with the constants below. Structs are plain, and on machines of 64 bits every
-/// byte of them belongs to a field. Fields named `reserved` must be 0.
+/// Enumerators are fixed-width integers with the constants below. Structs are plain, and on 64-bit machines every byte
+/// of a struct belongs to a field. Fields named `reserved` must be 0.
 ///
-/// Compatibility. Within a major version, functions, constants and uses of reserved fields are added, and nothing is
-/// changed or taken away. While the major version is 0, a new minor version may change what there is.
+/// Compatibility. Within a major version, functions, constants and uses of reserved fields are added; nothing is
+/// changed or removed. While the major version is 0, a new minor version may change anything.
 #ifndef SHAFTCULL_H
 #define SHAFTCULL_H
 
@@ -52,7 +53,7 @@
 /* SHAFTCULL_SHARED comes with the CMake target, and with pkg-config's flags, where the library is a shared one. */
 /* shaftcull_c_EXPORTS comes with the sources of a shared library that CMake builds. */
 #if !defined(SHAFTCULL_SHARED)
-/// Stands before each function: makes it visible in a shared library.
+/// Stands before each function of the library: makes it visible in a shared one.
 #define SHAFTCULL_API
 #elif !defined(_WIN32)
 #define SHAFTCULL_API __attribute__((visibility("default")))
@@ -71,49 +72,49 @@ extern "C" {
 /// Why a call failed, or SHAFTCULL_OK.
 typedef int32_t shaftcull_status;
 enum {
-  SHAFTCULL_OK = 0,               /* It did not. */
+  SHAFTCULL_OK = 0,               /* It did not fail. */
   SHAFTCULL_INVALID_ARGUMENT = 1, /* An argument breaks a rule of the function. */
-  SHAFTCULL_BAD_BOUND = 2,        /* A bound or point in the caller's memory cannot be used: NaN, lo > hi, and so on;
-                                     or a shaft of a batch cannot be formed. shaftcull_error_position() says which. */
-  SHAFTCULL_NEEDS_REFIT = 3,      /* A tree was asked between an update by index and shaftcull_tree_refit(). */
+  SHAFTCULL_BAD_BOUND = 2,        /* A bound or point in the caller's memory cannot be used (NaN, lo > hi and so on), or
+                                     one of several shafts cannot be formed: the one at shaftcull_error_position(). */
+  SHAFTCULL_NEEDS_REFIT = 3,      /* A query came between an update by index and shaftcull_tree_refit(). */
   SHAFTCULL_OUT_OF_MEMORY = 4,    /* No memory was left. */
   SHAFTCULL_STOPPED = 5,          /* A callback returned something else than 0. */
-  SHAFTCULL_INTERNAL_ERROR = 6    /* A fault of the library or of the system; the message says what is known. */
+  SHAFTCULL_INTERNAL_ERROR = 6    /* A fault of the library or of the system; the message has the details. */
 };
 
-/// What shaftcull_error_position() and shaftcull_find_occluder() give where there is none.
+/// The result of shaftcull_error_position(), shaftcull_find_occluder() and shaftcull_first_contact() where there is
+/// none.
 #define SHAFTCULL_NONE UINT64_MAX
 
 /// The version that this header belongs to, to compare with shaftcull_version(): major · 1,000,000 + minor · 1,000 +
 /// patch.
 #define SHAFTCULL_HEADER_VERSION 1000
 
-/// The version of the library that runs, as SHAFTCULL_HEADER_VERSION. Never fails. O(1).
+/// The version of the running library, as SHAFTCULL_HEADER_VERSION. Never fails. O(1).
 SHAFTCULL_API uint32_t shaftcull_version(void);
 
 /// The same as text, "0.1.0". Valid for ever. Never fails. O(1).
 SHAFTCULL_API const char* shaftcull_version_string(void);
 
-/// What the last call of this thread that failed says: what is wrong, where, and what would be right. Empty if none
-/// failed. UTF-8; valid until the next call of this thread that fails. Never NULL, never fails. O(1).
+/// The message of this thread's last call that failed: what is wrong, where, and what would be right. Empty if none
+/// failed. UTF-8; valid until this thread's next call that fails. Never NULL, never fails. O(1).
 SHAFTCULL_API const char* shaftcull_error_message(void);
 
-/// The position of the bad bound, if the last call of this thread that failed returned SHAFTCULL_BAD_BOUND: counted
-/// from 0 in the array that it came from. Otherwise SHAFTCULL_NONE. Never fails. O(1).
+/// The position of the bad bound or shaft, counted from 0 in its array, if this thread's last call that failed returned
+/// SHAFTCULL_BAD_BOUND. Otherwise SHAFTCULL_NONE. Never fails. O(1).
 SHAFTCULL_API uint64_t shaftcull_error_position(void);
 
-/// What a build without exceptions (SHAFTCULL_WITH_EXCEPTIONS=OFF) calls in place of returning why a call failed: the
-/// status that it would return, and what shaftcull_error_message() and shaftcull_error_position() say. It ends the
-/// program in its own way: the library cannot go on, and does not leave things as they were. Where it returns, the
-/// program ends. A callback that ends a call is told of, too.
+/// A build without exceptions (SHAFTCULL_WITH_EXCEPTIONS=OFF) calls a handler instead of returning a status. The
+/// handler gets that status, and the values of shaftcull_error_message() and shaftcull_error_position(). It must end
+/// the program in its own way, since objects are not left as they were. If it returns, the library ends the program. It
+/// is also called where a callback ends a call.
 typedef void (*shaftcull_error_handler)(shaftcull_status status, const char* message, uint64_t position);
 
-/// Sets the handler, and returns the one before. NULL, as at first: the message goes to standard error, and the program
-/// ends. Builds with exceptions never call it. Never fails. O(1).
+/// Sets the handler, and returns the one before. With NULL, as at first, the message goes to standard error, and the
+/// program ends. Builds with exceptions never call the handler. Never fails. O(1).
 SHAFTCULL_API shaftcull_error_handler shaftcull_set_error_handler(shaftcull_error_handler handler);
 
-/// The name of a status, "bad bound" say; "unknown status" for a number that is none. Valid for ever. Never fails.
-/// O(1).
+/// The name of a status, for example "bad bound"; "unknown status" for any other number. Valid for ever. Never fails.
 SHAFTCULL_API const char* shaftcull_status_name(shaftcull_status status);
 
 /* ---- Values ---- */
@@ -130,15 +131,15 @@ typedef struct shaftcull_sphere {
   float radius;    /* 0 or more */
 } shaftcull_sphere;
 
-/// Three vertices. Which way round they are says nothing.
+/// A triangle. The order of its vertices has no meaning.
 typedef struct shaftcull_triangle {
-  float vertex[3][3]; /* in any order */
+  float vertex[3][3]; /* x, y, z of each */
 } shaftcull_triangle;
 
 /// A half-space: normal·p ≤ offset is its inside. The normal need not have unit length.
 typedef struct shaftcull_plane {
   float normal[3]; /* points out of the half-space */
-  float offset;    /* what normal·p is on the plane */
+  float offset;    /* the value of normal·p on the plane */
 } shaftcull_plane;
 
 /// Two boxes, by their positions in arrays.
@@ -147,35 +148,35 @@ typedef struct shaftcull_index_pair {
   uint32_t b; /* in the array of boxes b */
 } shaftcull_index_pair;
 
-/// How many bounds overlap a shaft and how many are inside. Kept are both together.
+/// How many bounds overlap a shaft, and how many are inside. The shaft keeps both.
 typedef struct shaftcull_kept_counts {
-  uint64_t overlap; /* not outside, and not inside either */
+  uint64_t overlap; /* neither outside nor inside */
   uint64_t inside;  /* inside entirely */
 } shaftcull_kept_counts;
 
-/// What a moving box reaches first, and when; the time is rounded down. Nothing: SHAFTCULL_NONE, +∞ and 0.
+/// The bound that a moving box reaches first, and the time, rounded down. If there is none: SHAFTCULL_NONE, +∞ and 0.
 typedef struct shaftcull_contact_found {
   uint64_t index; /* of the bound */
   float time;     /* of first contact */
-  uint32_t found; /* 1, or 0 for nothing */
+  uint32_t found; /* 1, or 0 for none */
 } shaftcull_contact_found;
 
-/// What becomes of a bound that touches a shaft without reaching into it.
+/// Whether a shaft keeps bounds that touch it without reaching into it.
 typedef uint32_t shaftcull_contact;
 enum {
-  SHAFTCULL_CONTACT_CLOSED = 0, /* It is kept. */
-  SHAFTCULL_CONTACT_OPEN = 1    /* It is outside, unless relative interiors meet. */
+  SHAFTCULL_CONTACT_CLOSED = 0, /* It keeps them. */
+  SHAFTCULL_CONTACT_OPEN = 1    /* They are outside, unless relative interiors meet. */
 };
 
-/// What a shaft says of one bound.
+/// The answer of a shaft for one bound.
 typedef uint32_t shaftcull_answer;
 enum {
-  SHAFTCULL_OUTSIDE = 0, /* Nothing of it is in the shaft. */
+  SHAFTCULL_OUTSIDE = 0, /* No part of the bound is in the shaft. */
   SHAFTCULL_OVERLAP = 1, /* A part of it is, or it touches. */
   SHAFTCULL_INSIDE = 2   /* All of it is. */
 };
 
-/// Which form of a shaft decides outside, of boxes and spheres. Answers are the same; speed is not.
+/// The form of a shaft that decides which boxes and spheres are outside. Answers are the same; speed is not.
 typedef uint32_t shaftcull_form;
 enum {
   SHAFTCULL_FORM_SLAB = 0,  /* the shaft as a moving box: always faster */
@@ -196,156 +197,87 @@ enum {
   SHAFTCULL_DEPTH_MINUS_ONE_TO_ONE = 1 /* −w ≤ z ≤ w: OpenGL */
 };
 
-/// How the edges that need a joining plane are found. All give the same shaft.
-typedef uint32_t shaftcull_formation;
-enum {
-  SHAFTCULL_FORMATION_SEARCH = 0,  /* all pairs of faces are compared */
-  SHAFTCULL_FORMATION_TABLE64 = 1, /* two colours a face are looked up */
-  SHAFTCULL_FORMATION_TABLE729 = 2 /* three colours a face are looked up */
-};
+/// The number of 64-bit words that hold one bit per bound. Never fails. O(1).
+static inline uint64_t shaftcull_bit_words(uint64_t bounds) { return bounds / 64 + (bounds % 64 != 0); }
 
-/// The order in which joining planes are tested. It changes speed, never answers.
-typedef uint32_t shaftcull_plane_order;
-enum {
-  SHAFTCULL_ORDER_UNSORTED = 0,       /* as they are formed */
-  SHAFTCULL_ORDER_BY_VOLUME = 1,      /* first the plane that cuts most off */
-  SHAFTCULL_ORDER_BY_ADDED_VOLUME = 2 /* first the one that cuts most off what is left */
-};
-
-/// The number of 64-bit words that hold one bit for each of `bounds` bounds. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_bit_words(uint64_t bounds);
-
-/* ---- Helpers for boxes and planes. None allocates more than it says. ---- */
+/* ---- Boxes and planes ---- */
 
 /// The smallest box around `count` points, 3 floats each; the empty box if there are none. SHAFTCULL_BAD_BOUND for the
 /// first point with a NaN. O(count); allocates a copy of the points.
 SHAFTCULL_API shaftcull_status shaftcull_box_around(const float* points, uint64_t count, shaftcull_box* box);
 
-/// The smallest box around both. The empty box adds nothing. No coordinate may be NaN. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_joined(const shaftcull_box* a, const shaftcull_box* b, shaftcull_box* box);
-
-/// The box moved by a vector of 3 floats, rounded outwards. Refuses a vector that is not finite. O(1).
+/// The box moved by a vector of 3 floats, rounded outwards. Refuses a vector that is not finite. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_translated(const shaftcull_box* box, const float by[3], shaftcull_box* moved);
 
-/// The box with every face moved out by a distance, rounded outwards. Refuses a negative or infinite one. O(1).
+/// The box with every face moved out by a distance, rounded outwards. Refuses a negative or infinite distance. O(1); no
+/// allocation.
 SHAFTCULL_API shaftcull_status shaftcull_inflated(const shaftcull_box* box, float by, shaftcull_box* inflated);
 
-/// The planes of a view-projection matrix, normals outwards: up to six of them into `planes`, and how many into
-/// `count`. The matrix has 4 rows of 4 floats, row after row, and maps column vectors; matrices of other conventions
-/// have to be transposed. Refuses a matrix that is not finite or leaves nothing in view. O(1).
+/// The planes of a view-projection matrix, normals outwards: up to six of them into `planes`, and their number into
+/// `count`. The matrix has 4 rows of 4 floats, row after row, and maps column vectors; transpose a matrix of another
+/// convention. Refuses a matrix that is not finite or leaves nothing in view. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_view_planes(const float matrix[16], shaftcull_clip_depth depth,
                                                      shaftcull_plane planes[6], uint64_t* count);
 
-/* ---- One formed shaft, with its planes ---- */
+/// Solid boxes joined to larger ones, which cover the same space: pieces of a wall that share a face become one box
+/// (solids.hpp). Writes as many of these as there is room for into `merged`, and their full number into `merged_count`.
+/// SHAFTCULL_BAD_BOUND for a box that is not finite with lo ≤ hi. About O(n log n); allocates a copy and the result.
+SHAFTCULL_API shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes, uint64_t count, shaftcull_box* merged,
+                                                      uint64_t room, uint64_t* merged_count);
 
-/// What a shaft is formed for; leaving an answer out makes forming cheaper, and asking for it is then refused.
-typedef struct shaftcull_shaft_options {
-  shaftcull_formation formation; /* how it is formed */
-  shaftcull_plane_order order;   /* how its planes are sorted */
-  uint32_t outside;              /* 1: what is kept may be asked */
-  uint32_t inside;               /* 1: what is inside may be asked */
-  uint32_t spheres;              /* 1: spheres may be asked about */
-  shaftcull_contact contact;     /* what becomes of what only touches */
-  shaftcull_form form;           /* what decides outside */
-  uint32_t reserved[1];          /* 0 */
-} shaftcull_shaft_options;
-
-/// A joining plane: it cuts the edge between two neighbouring faces off the shaft's box. Faces 0, 1, 2 are lo x, y, z;
-/// 3, 4, 5 are hi x, y, z.
-typedef struct shaftcull_joining_plane {
-  shaftcull_plane plane; /* the normal points out of the shaft */
-  uint32_t red;          /* the face that only the first box touches */
-  uint32_t blue;         /* the face that only the second box touches */
-} shaftcull_joining_plane;
-
-/// What a formed shaft is made of.
-typedef struct shaftcull_shaft_info {
-  shaftcull_box a;                 /* as given */
-  shaftcull_box b;                 /* as given */
-  shaftcull_box box;               /* the smallest box around both */
-  shaftcull_shaft_options options; /* what it was formed for */
-  uint64_t joining_planes;         /* how many; at most 8 */
-  uint64_t added_planes;           /* how many; at most 16 */
-} shaftcull_shaft_info;
-
-/// A shaft between two boxes, formed with its planes. It answers nothing itself: put it into an array by
-/// shaftcull_shafts_set_formed().
-typedef struct shaftcull_shaft shaftcull_shaft;
-
-/// All answers, the quickest formation, closed contact. Never fails.
-SHAFTCULL_API shaftcull_shaft_options shaftcull_default_shaft_options(void);
-
-/// Forms the shaft between boxes `a` and `b`. `options` may be NULL: the default ones. Refuses boxes that are not
-/// finite or have lo > hi, and options that ask for no answer. Freed by shaftcull_shaft_free(). O(1).
-SHAFTCULL_API shaftcull_status shaftcull_shaft_create(const shaftcull_box* a, const shaftcull_box* b,
-                                                      const shaftcull_shaft_options* options, shaftcull_shaft** shaft);
-
-/// Frees a shaft; does nothing for NULL. Arrays that it was put into keep their copy.
-SHAFTCULL_API void shaftcull_shaft_free(shaftcull_shaft* shaft);
-
-/// Adds a half-space that bounds must also meet: a bound fully outside of it is outside. At most 16. Refuses a plane
-/// that is not finite or has no normal. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_shaft_add_plane(shaftcull_shaft* shaft, const shaftcull_plane* plane);
-
-/// Boxes, options and numbers of planes. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_shaft_describe(const shaftcull_shaft* shaft, shaftcull_shaft_info* info);
-
-/// The joining planes, in the order in which they are tested: up to 8 into `planes`, and how many into `count`. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_shaft_joining_planes(const shaftcull_shaft* shaft,
-                                                              shaftcull_joining_plane planes[8], uint64_t* count);
-
-/// The added planes, in the order in which they were added: up to 16 into `planes`, and how many into `count`. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_shaft_added_planes(const shaftcull_shaft* shaft, shaftcull_plane planes[16],
-                                                            uint64_t* count);
-
-/// The volume that a joining plane cuts off a box, in the coordinates' unit cubed. Refuses faces that are no
-/// neighbours. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_culled_volume(const shaftcull_box* box, const shaftcull_joining_plane* plane,
-                                                       double* volume);
+/// A large box inside the convex hull of 4 to 32 points, 3 floats each. It lies in the hull exactly: no coordinate is
+/// rounded outwards. Refuses another number of points, and a point that is not finite. O(n³): about 20 µs for 8 points,
+/// 2 ms for 32; allocates.
+SHAFTCULL_API shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box);
 
 /* ---- Convex hulls ---- */
 
-/// The convex hull of up to 32 points and directions: view frusta, what casts shadows into view, volumes between
-/// polygons or turned boxes. It answers nothing itself: put it into an array by shaftcull_shafts_set_hull().
+/// The convex hull of up to 32 points and directions: view frusta, casters of shadows, volumes between polygons or
+/// turned boxes. Queries take it as a shaft: shaftcull_shafts_set_hull() puts it into an array.
 typedef struct shaftcull_hull shaftcull_hull;
 
-/// The hull of `point_count` points, 3 floats each, and of what lies from them along `direction_count` directions. With
-/// no direction `directions` may be NULL. For a frustum, pass its eight corners; for two polygons or turned boxes, the
-/// corners of both. Refuses no points, more than 32 in all, what is not finite, and a direction of 0. O(n³): some 3 µs
-/// for 8 points, 150 µs for 32. Allocates some 8 KB. Freed by shaftcull_hull_free().
+/// The hull of `point_count` points, 3 floats each, extended without end along `direction_count` directions, which may
+/// be none. For a frustum, pass its eight corners; for two polygons or turned boxes, the corners of both. Refuses a
+/// hull without points, more than 32 points and directions, values that are not finite, and a direction of 0. O(n³):
+/// about 3 µs for 8 points, 150 µs for 32. Allocates about 8 KB. Freed by shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_create(const float* points, uint64_t point_count, const float* directions,
                                                      uint64_t direction_count, shaftcull_hull** hull);
 
-/// What a view-projection matrix shows; the matrix is as for shaftcull_view_planes(). Without a far plane the hull has
-/// no end. Refuses a matrix that is not finite or not invertible, or of a corner that is not in front of the eye. Some
-/// 3 µs; allocates some 8 KB. Freed by shaftcull_hull_free().
+/// The view of a view-projection matrix, as for shaftcull_view_planes(). Without a far plane the hull has no end.
+/// Refuses a matrix that is not finite or not invertible, and one with a corner that is not in front of the eye. About
+/// 3 µs; allocates about 8 KB. Freed by shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_frustum(const float matrix[16], shaftcull_clip_depth depth,
                                                          shaftcull_hull** hull);
 
-/// What can cast a shadow into `view` by a light at a point of 3 floats. Refuses a light that is not finite, and a view
-/// of 32 points and directions. Time and allocation of shaftcull_hull_create(). Freed by shaftcull_hull_free().
+/// All that can cast a shadow into `view` by a light at a point of 3 floats. Refuses a light that is not finite, and a
+/// view of 32 points and directions. Time and allocation as for shaftcull_hull_create(). Freed by
+/// shaftcull_hull_free().
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters(const shaftcull_hull* view, const float light[3],
                                                          shaftcull_hull** hull);
 
-/// What can cast a shadow into `view` by a sun in a direction of 3 floats, which is not 0. As
+/// All that can cast a shadow into `view` by a sun in a direction of 3 floats, which is not 0. Otherwise as
 /// shaftcull_hull_of_casters().
 SHAFTCULL_API shaftcull_status shaftcull_hull_of_casters_towards(const shaftcull_hull* view, const float towards_sun[3],
                                                                  shaftcull_hull** hull);
 
-/// Frees a hull; does nothing for NULL. Arrays that it was put into keep what they need of it.
+/// Frees a hull; does nothing for NULL. Arrays of shafts keep what they need of it.
 SHAFTCULL_API void shaftcull_hull_free(shaftcull_hull* hull);
 
-/// The box around the hull, infinite where directions lead. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_hull_box(const shaftcull_hull* hull, shaftcull_box* box);
+/// The parts of a hull. Pointers are valid until the hull is freed.
+typedef struct shaftcull_hull_info {
+  uint64_t point_count;     /* of points */
+  uint64_t direction_count; /* of directions */
+  const float* points;      /* 3 floats each, as they were given */
+  const float* directions;  /* 3 floats each, as they were given; NULL if there are none */
+  shaftcull_box box;        /* the box around the hull, infinite where directions lead */
+} shaftcull_hull_info;
 
-/// Points, then directions, as they were given: 3 floats each into `floats`, which has room for 96, and how many of
-/// each into the two counts. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_hull_points(const shaftcull_hull* hull, float floats[96],
-                                                     uint64_t* point_count, uint64_t* direction_count);
+/// Points, directions and box of a hull. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_hull_describe(const shaftcull_hull* hull, shaftcull_hull_info* info);
 
 /* ---- Bounds: views, streams and trees of boxes, spheres or triangles ---- */
 
-/// What bounds are.
+/// The kind of bounds.
 typedef uint32_t shaftcull_bound_kind;
 enum {
   SHAFTCULL_BOXES = 1,    /* shaftcull_box */
@@ -353,7 +285,7 @@ enum {
   SHAFTCULL_TRIANGLES = 3 /* shaftcull_triangle */
 };
 
-/// What holds bounds.
+/// The holder of bounds.
 typedef uint32_t shaftcull_holder;
 enum {
   SHAFTCULL_VIEW = 1,   /* the caller's own memory */
@@ -364,178 +296,194 @@ enum {
 /// Bounds of one kind in one holder.
 typedef struct shaftcull_bounds shaftcull_bounds;
 
-/// How the bounds lie in memory that a source names.
+/// How the bounds of a source lie in memory.
 typedef uint32_t shaftcull_source_kind;
 enum {
   SHAFTCULL_SOURCE_BOXES = 1,     /* lo at `first`, hi at `second`, 3 floats each */
   SHAFTCULL_SOURCE_CENTRES = 2,   /* boxes: centre at `first`, half extent at `second`, 3 floats each */
   SHAFTCULL_SOURCE_SPHERES = 3,   /* centre at `first`, 3 floats, and radius at `second` */
   SHAFTCULL_SOURCE_TRIANGLES = 4, /* 9 floats at `first` */
-  SHAFTCULL_SOURCE_MESH = 5,      /* vertices of 3 floats at `first`; triangle i has those that indices 3 i to 3 i + 2
-                                     name */
+  SHAFTCULL_SOURCE_MESH = 5,      /* vertices of 3 floats at `first`; indices 3 i to 3 i + 2 name those of triangle i */
   SHAFTCULL_SOURCE_BOUNDS = 6     /* `bounds`: all of a view or stream, or the leaves of a tree, in its order */
 };
 
 /// Bounds in the caller's memory, for a call to read. Record i is at byte `first + i * stride`, and at
-/// `second + i * stride`: any stride, any alignment. So members of the caller's own structs can be named. Nothing is
-/// kept: memory need not outlive the call. Fields that the kind does not name must be 0.
+/// `second + i * stride`, with any stride and any alignment, so a source can name members of the caller's own structs.
+/// Calls keep no pointer to that memory. Fields that the kind does not have must be 0.
 typedef struct shaftcull_source {
   shaftcull_source_kind kind;     /* which of the following fields are read */
   uint32_t reserved;              /* 0 */
-  uint64_t count;                 /* of bounds; of SHAFTCULL_SOURCE_BOUNDS it must be 0, since these know it */
+  uint64_t count;                 /* of bounds; 0 for SHAFTCULL_SOURCE_BOUNDS, which have their own */
   const void* first;              /* of record 0, as the kind says */
   const void* second;             /* of record 0, as the kind says */
   uint64_t stride;                /* bytes from one record to the next */
-  const uint32_t* indices;        /* of a mesh: three a triangle */
+  const uint32_t* indices;        /* three per triangle of a mesh */
   uint64_t vertex_count;          /* of a mesh */
   const shaftcull_bounds* bounds; /* of SHAFTCULL_SOURCE_BOUNDS */
 } shaftcull_source;
 
-/// The source of an array of boxes. Never fails; reads nothing yet.
-SHAFTCULL_API shaftcull_source shaftcull_boxes(const shaftcull_box* boxes, uint64_t count);
+/// The source of an array of boxes. Never fails; reads no box.
+static inline shaftcull_source shaftcull_boxes(const shaftcull_box* boxes, uint64_t count) {
+  const shaftcull_source source = {SHAFTCULL_SOURCE_BOXES, 0, count, boxes, boxes ? boxes->hi : 0,
+                                   sizeof(shaftcull_box),  0, 0,     0};
+  return source;
+}
 
-/// The source of an array of spheres. Never fails; reads nothing yet.
-SHAFTCULL_API shaftcull_source shaftcull_spheres(const shaftcull_sphere* spheres, uint64_t count);
+/// The source of an array of spheres. Never fails; reads no sphere.
+static inline shaftcull_source shaftcull_spheres(const shaftcull_sphere* spheres, uint64_t count) {
+  const shaftcull_source source = {SHAFTCULL_SOURCE_SPHERES, 0, count, spheres, spheres ? &spheres->radius : 0,
+                                   sizeof(shaftcull_sphere), 0, 0,     0};
+  return source;
+}
 
-/// The source of an array of triangles. Never fails; reads nothing yet.
-SHAFTCULL_API shaftcull_source shaftcull_triangles(const shaftcull_triangle* triangles, uint64_t count);
+/// The source of an array of triangles. Never fails; reads no triangle.
+static inline shaftcull_source shaftcull_triangles(const shaftcull_triangle* triangles, uint64_t count) {
+  const shaftcull_source source = {SHAFTCULL_SOURCE_TRIANGLES, 0, count, triangles, 0,
+                                   sizeof(shaftcull_triangle), 0, 0,     0};
+  return source;
+}
 
-/// The source of an indexed mesh of `count` triangles: 3 floats a vertex, 3 indices a triangle. Never fails; reads
-/// nothing yet.
-SHAFTCULL_API shaftcull_source shaftcull_mesh(const float* vertices, uint64_t vertex_count, const uint32_t* indices,
-                                              uint64_t count);
+/// The source of an indexed mesh of `count` triangles: 3 floats per vertex, 3 indices per triangle. Never fails; reads
+/// no vertex.
+static inline shaftcull_source shaftcull_mesh(const float* vertices, uint64_t vertex_count, const uint32_t* indices,
+                                              uint64_t count) {
+  const shaftcull_source source = {SHAFTCULL_SOURCE_MESH, 0,       count,        vertices, 0,
+                                   3 * sizeof(float),     indices, vertex_count, 0};
+  return source;
+}
 
-/// The source of bounds that there are. Never fails; reads nothing yet.
-SHAFTCULL_API shaftcull_source shaftcull_source_of(const shaftcull_bounds* bounds);
+/// The source of existing bounds. Never fails; reads none of them.
+static inline shaftcull_source shaftcull_source_of(const shaftcull_bounds* bounds) {
+  const shaftcull_source source = {SHAFTCULL_SOURCE_BOUNDS, 0, 0, 0, 0, 0, 0, 0, bounds};
+  return source;
+}
 
 /// A view of `count` bounds in the caller's memory, as separate streams of `count` floats each. Boxes have 6: lo x, y,
 /// z, hi x, y, z. Spheres have 4: centre x, y, z, radius. Triangles have 9: x, y, z of vertex 0, then 1, then 2. The
-/// memory must outlive the view's use; each question reads the values as they are then, and never checks them. With a
-/// count of 0 streams may be NULL. Freed by shaftcull_bounds_free(). O(1).
+/// memory must outlive the view's use; each query reads the values of that moment, and never checks them. With a count
+/// of 0 `streams` may be NULL. Freed by shaftcull_bounds_free(). O(1).
 SHAFTCULL_API shaftcull_status shaftcull_view_create(shaftcull_bound_kind kind, const float* const* streams,
                                                      uint64_t count, shaftcull_bounds** bounds);
 
-/// Points a view at other memory, of the same kind of bounds. Layers stay those that they are: set them again, or clear
-/// them, if the count is another one. O(1); no allocation.
+/// Points a view at other memory, of the same kind of bounds. Layers stay as they are: set them again if the count has
+/// changed. O(1); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_view_set(shaftcull_bounds* view, const float* const* streams, uint64_t count);
 
-/// A stream of the bounds of a source. SHAFTCULL_BAD_BOUND for the first that has a NaN, lo > hi, a negative radius or
-/// half extent, or is not finite where it must be. O(count); allocates 24 bytes a box, 16 a sphere, 36 a triangle, and
-/// 36 more on the way for SHAFTCULL_SOURCE_TRIANGLES. Freed by shaftcull_bounds_free().
+/// A stream of the bounds of a source. If a source of boxes, spheres or triangles has a count and no data (NULL in
+/// `first` and `second`), they are empty bounds, which no shaft keeps, for shaftcull_bounds_update() to fill.
+/// SHAFTCULL_BAD_BOUND for the first bound that has a NaN, lo > hi, a negative radius or half extent, or is not finite
+/// where it must be. O(count); allocates 24 bytes per box, 16 per sphere and 36 per triangle, and 36 more for the time
+/// of the call for SHAFTCULL_SOURCE_TRIANGLES. Freed by shaftcull_bounds_free().
 SHAFTCULL_API shaftcull_status shaftcull_stream_create(const shaftcull_source* source, shaftcull_bounds** bounds);
-
-/// A stream of `count` empty bounds, which no shaft keeps, to be filled by shaftcull_stream_update(). O(count);
-/// allocates as shaftcull_stream_create(). Freed by shaftcull_bounds_free().
-SHAFTCULL_API shaftcull_status shaftcull_stream_create_empty(shaftcull_bound_kind kind, uint64_t count,
-                                                             shaftcull_bounds** bounds);
-
-/// Replaces the bounds of a stream from `first` on by those of a source, which must be of its kind and not lie in its
-/// own memory. The range must lie within the stream. Errors as shaftcull_stream_create(). O(count of the source); no
-/// allocation, except for SHAFTCULL_SOURCE_TRIANGLES. Disjoint ranges may be updated by several threads at once.
-SHAFTCULL_API shaftcull_status shaftcull_stream_update(shaftcull_bounds* stream, uint64_t first,
-                                                       const shaftcull_source* source);
-
-/// A copy, layers included: of a view another view of the same memory, of all else a deep one. O(count). Freed by
-/// shaftcull_bounds_free().
-SHAFTCULL_API shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull_bounds** copy);
-
-/// Frees bounds; does nothing for NULL. The memory that a view looks at stays the caller's.
-SHAFTCULL_API void shaftcull_bounds_free(shaftcull_bounds* bounds);
-
-/// What bounds are and how much memory they hold.
-typedef struct shaftcull_bounds_info {
-  uint64_t count;            /* of bounds */
-  uint64_t memory_bytes;     /* that the library holds, padding included: of a view those of layers alone */
-  shaftcull_bound_kind kind; /* what they are */
-  shaftcull_holder holder;   /* what holds them */
-  uint32_t needs_refit;      /* 1 if a tree was updated by index since the last refit */
-  uint32_t has_layers;       /* 1 if bounds were put into layers */
-} shaftcull_bounds_info;
-
-/// Kind, holder, count and state of bounds. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaftcull_bounds_info* info);
-
-/// Where the floats of bounds are: as many streams as shaftcull_view_create() says for the kind, and NULL in the rest
-/// of `streams`; those of a tree in its order. Valid until the bounds are freed, or a tree is rebuilt; updates show.
-/// O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_bounds_streams(const shaftcull_bounds* bounds, const float* streams[9]);
-
-/// Puts bounds into layers, by which queries can pick (shaftcull_query): bit l of layers[i] says that bound i is in
-/// layer l. There must be one set for each bound. Replaces the layers that there were. Layers belong to indices, stay
-/// when bounds are updated, and are no part of a source. Refuses a tree of triangles. O(n); allocates 4 bytes a bound.
-SHAFTCULL_API shaftcull_status shaftcull_bounds_set_layers(shaftcull_bounds* bounds, const uint32_t* layers,
-                                                           uint64_t count);
-
-/// Puts bound indices[i] into layers[i], for `count` of them; the bounds must have layers. If an index comes twice, the
-/// last counts. Refuses a tree of triangles. O(count), except for the first such call of a tree, which is O(n) and may
-/// allocate an index a bound.
-SHAFTCULL_API shaftcull_status shaftcull_bounds_set_layers_of(shaftcull_bounds* bounds, const uint32_t* indices,
-                                                              const uint32_t* layers, uint64_t count);
-
-/// Forgets all layers, and frees their memory. Refuses a tree of triangles. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_bounds_clear_layers(shaftcull_bounds* bounds);
-
-/// The layers of bounds: (*layers)[i] are those of bound i, or of a tree those of leaf i. NULL if there are none. Valid
-/// until layers are set or cleared, a tree is rebuilt, or the bounds are freed. Refuses a tree of triangles. O(1); no
-/// allocation.
-SHAFTCULL_API shaftcull_status shaftcull_bounds_layers(const shaftcull_bounds* bounds, const uint32_t** layers);
-
-/* ---- Trees ---- */
 
 /// A tree of the bounds of a source. The order depends on the bounds and their positions alone. SHAFTCULL_BAD_BOUND as
 /// for shaftcull_stream_create(). Refuses more than 2³² − 1 bounds. O(n log n), in parallel; holds the bounds, an index
-/// a bound, and about 2 % more. Freed by shaftcull_bounds_free().
+/// per bound, and about 2 % more. Freed by shaftcull_bounds_free().
 SHAFTCULL_API shaftcull_status shaftcull_tree_create(const shaftcull_source* source, shaftcull_bounds** tree);
 
-/// The box around all bounds of a tree, the empty box if there are none. SHAFTCULL_NEEDS_REFIT if it does. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_tree_box(const shaftcull_bounds* tree, shaftcull_box* box);
+/// A copy, layers included: a view of the same memory, or a deep copy of a stream or tree. O(count). Freed by
+/// shaftcull_bounds_free().
+SHAFTCULL_API shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull_bounds** copy);
 
-/// The order of a tree: (*order)[p] is the caller's index of leaf p, for each bound. Valid until the tree is freed,
-/// rebuilt or reordered. NULL if it is empty. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_tree_order(const shaftcull_bounds* tree, const uint32_t** order);
+/// Frees bounds; does nothing for NULL. The memory of a view stays the caller's.
+SHAFTCULL_API void shaftcull_bounds_free(shaftcull_bounds* bounds);
 
-/// Gives every bound of a tree of boxes or spheres a new value, bound i that of the source at i, and refits: O(n), in
-/// parallel. Refuses another number of bounds, and those of the tree itself. If oneTBB cannot start its tasks, the tree
-/// needs a refit, and each bound has its old value or its new one.
-SHAFTCULL_API shaftcull_status shaftcull_tree_update(shaftcull_bounds* tree, const shaftcull_source* source);
+/// Replaces the bounds from `first` on by those of a source, which must be of the same kind and not lie in the same
+/// memory. Takes a stream with any range that lies within it: O(count of the source); several threads may update
+/// disjoint ranges at once. Takes a tree of boxes or spheres with `first` = 0 and all of its bounds, and refits it:
+/// O(n), in parallel. SHAFTCULL_BAD_BOUND as for shaftcull_stream_create(). Allocates nothing, except a copy of
+/// SHAFTCULL_SOURCE_TRIANGLES. If oneTBB cannot start its tasks, the tree needs a refit, and each bound has its old or
+/// its new value.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_update(shaftcull_bounds* bounds, uint64_t first,
+                                                       const shaftcull_source* source);
 
-/// Gives bound indices[i] the value of the source at i, for `count` indices. If an index comes twice, the last counts.
-/// Questions then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). The first call allocates an index a bound.
-/// O(count), except for the first, which is O(n). Refuses triangles, and an index not below the number of bounds.
+/// Puts bounds into layers, by which queries can pick them (shaftcull_query): bit l of layers[i] puts bound indices[i]
+/// into layer l, and out of the layers that it was in. If an index comes twice, the last entry counts; the bounds must
+/// have layers already. With NULL for `indices` the call is about all bounds: `count` is their number, layers[i] is for
+/// bound i, and NULL for `layers` removes all layers. Layers belong to indices, stay when bounds are updated, and are
+/// no part of a source. Refuses a tree of triangles. O(count); the first layers of all bounds allocate 4 bytes per
+/// bound, and so may the first call with indices for a tree, which is O(n).
+SHAFTCULL_API shaftcull_status shaftcull_bounds_set_layers(shaftcull_bounds* bounds, const uint32_t* indices,
+                                                           const uint32_t* layers, uint64_t count);
+
+/// The state of bounds. Pointers are valid until the bounds are freed, layers are set, a view is pointed at other
+/// memory, or a tree is rebuilt or reordered; updates show.
+typedef struct shaftcull_bounds_info {
+  uint64_t count;            /* of bounds */
+  uint64_t memory_bytes;     /* held by the library, padding included: for a view those of layers alone */
+  const float* streams[9];   /* the floats, as in shaftcull_view_create(), a tree's in its order; NULL in the rest */
+  const uint32_t* order;     /* of a tree: order[p] is the caller's index of leaf p; NULL if there are no leaves */
+  const uint32_t* layers;    /* layers[i] are those of bound i, or of a tree's leaf i; NULL if there are none */
+  shaftcull_box box;         /* around a tree; the empty box for a view, a stream, and a tree that needs a refit */
+  shaftcull_bound_kind kind; /* boxes, spheres or triangles */
+  shaftcull_holder holder;   /* view, stream or tree */
+  uint32_t needs_refit;      /* 1 if a tree was updated by index since the last refit */
+  uint32_t reserved;         /* 0 */
+} shaftcull_bounds_info;
+
+/// Describes bounds. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaftcull_bounds_info* info);
+
+/// Gives bound indices[i] of a tree the value of the source at i, for `count` indices. If an index comes twice, the
+/// last value counts. Queries then return SHAFTCULL_NEEDS_REFIT until shaftcull_tree_refit(). O(count), except for the
+/// first call, which is O(n) and allocates an index per bound. Refuses triangles, and an index not below the number of
+/// bounds.
 SHAFTCULL_API shaftcull_status shaftcull_tree_update_some(shaftcull_bounds* tree, const uint32_t* indices,
                                                           uint64_t count, const shaftcull_source* source);
 
 /// Fits the nodes of a tree of boxes or spheres to bounds that were updated by index. O(updated), at most O(n).
 SHAFTCULL_API shaftcull_status shaftcull_tree_refit(shaftcull_bounds* tree);
 
-/// Sorts the bounds of a tree of boxes or spheres as they are now. Indices stay, the order changes. As building.
+/// Sorts the bounds of a tree of boxes or spheres as they are now. Indices stay, the order changes. Time and allocation
+/// as for shaftcull_tree_create().
 SHAFTCULL_API shaftcull_status shaftcull_tree_rebuild(shaftcull_bounds* tree);
 
 /// Gives the bounds of a tree of boxes or spheres new indices, in its order: the index of leaf p becomes p. O(n).
-SHAFTCULL_API shaftcull_status shaftcull_tree_renumber(shaftcull_bounds* tree);
+SHAFTCULL_API shaftcull_status shaftcull_tree_reorder(shaftcull_bounds* tree);
 
 /// How much larger the nodes of a tree of boxes or spheres have become since it was built, 1 at first; at 2 or 3 a
-/// rebuild pays. SHAFTCULL_NEEDS_REFIT if it does. O(n / 64); no allocation.
+/// rebuild pays. SHAFTCULL_NEEDS_REFIT for a tree that does. O(n / 64); no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_tree_sah_ratio(const shaftcull_bounds* tree, double* sah_ratio);
 
 /* ---- Arrays of shafts ---- */
 
-/// An array of test-ready shafts of all kinds, hulls included. 832 bytes a shaft, aligned by the library.
+/// An array of shafts of all kinds, hulls included, ready for queries. 832 bytes per shaft, aligned by the library.
 typedef struct shaftcull_shafts shaftcull_shafts;
 
-/// What is known of one shaft of an array.
+/// An array of `count` shafts that were never formed. Queries refuse such a shaft, by its position. O(count). Freed by
+/// shaftcull_shafts_free().
+SHAFTCULL_API shaftcull_status shaftcull_shafts_create(uint64_t count, shaftcull_shafts** shafts);
+
+/// Frees an array; does nothing for NULL.
+SHAFTCULL_API void shaftcull_shafts_free(shaftcull_shafts* shafts);
+
+/// The number of shafts of an array; 0 for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts);
+
+/// Copies shafts from [source_first, source_first + count) of `source` to [first, first + count) of `shafts`. Both may
+/// be the same array, and ranges may overlap. O(count). If `source` ever held a hull, the first such copy takes O(all
+/// of `shafts`), and allocates as shaftcull_shafts_set_hull().
+SHAFTCULL_API shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first,
+                                                     const shaftcull_shafts* source, uint64_t source_first,
+                                                     uint64_t count);
+
+/// The state of one shaft of an array.
 typedef struct shaftcull_shafts_info {
-  shaftcull_box a;           /* as given; of a moving box where it starts, of a hull the box around it */
-  shaftcull_box b;           /* as given; of a moving box where it ends, rounded to nearest */
+  shaftcull_box a;           /* as given; where a moving box starts; the box around a hull */
+  shaftcull_box b;           /* as given; where a moving box ends, rounded to nearest; the box around a hull */
   uint32_t formed;           /* 1 if it was set */
   uint32_t has_planes;       /* 1 if its joining planes are there */
-  shaftcull_contact contact; /* what becomes of what only touches */
+  shaftcull_contact contact; /* whether it keeps bounds that only touch it */
   uint32_t is_hull;          /* 1 if it is a convex hull */
   shaftcull_form form;       /* what decides outside */
 } shaftcull_shafts_info;
 
-/// Planes for the shafts of a batch: those of a shaft's box a, then those of its box b. Each box has as many as all
-/// others of its array, k = count / boxes, and box i has planes k · i to k · i + k − 1. All zero: none.
+/// Describes a shaft. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_describe(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                         shaftcull_shafts_info* info);
+
+/// Planes that cut shafts: those of a shaft's box a, then those of its box b, 16 per shaft at most. Each box has as
+/// many as all others of its source, k = count / boxes, and box i has planes k · i to k · i + k − 1. All zero: none.
 typedef struct shaftcull_batch_planes {
   const shaftcull_plane* a; /* of the boxes a */
   uint64_t a_count;         /* of all of them */
@@ -543,402 +491,379 @@ typedef struct shaftcull_batch_planes {
   uint64_t b_count;         /* of all of them */
 } shaftcull_batch_planes;
 
-/// An array of `count` shafts that were never formed. Questions refuse such a shaft, by its position. Freed by
-/// shaftcull_shafts_free(). O(count).
-SHAFTCULL_API shaftcull_status shaftcull_shafts_create(uint64_t count, shaftcull_shafts** shafts);
+/* Functions that set shafts from sources of boxes. Both sources may be the same one. Boxes of existing bounds are read
+   where they are; others are copied, which allocates 24 bytes per box unless there is only one. Pairs, vectors and
+   planes are copied, too. */
 
-/// Frees an array; does nothing for NULL.
-SHAFTCULL_API void shaftcull_shafts_free(shaftcull_shafts* shafts);
-
-/// How many shafts an array has; 0 for NULL. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts);
-
-/// Copies shafts from [source_first, source_first + count) of `source` to [first, first + count) of `shafts`. Both may
-/// be the same array, and ranges may overlap. O(count); if `source` ever held a hull, O(all of `shafts`) the first
-/// time, and allocates as shaftcull_shafts_set_hull().
-SHAFTCULL_API shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first,
-                                                     const shaftcull_shafts* source, uint64_t source_first,
-                                                     uint64_t count);
-
-/// What is known of a shaft. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_describe(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                         shaftcull_shafts_info* info);
-
-/// The shaft between boxes `a` and `b`, which are finite with lo ≤ hi. Some 12 ns; no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* shafts, uint64_t shaft,
-                                                            const shaftcull_box* a, const shaftcull_box* b,
+/// Forms the shafts between pairs of boxes. Shaft first + i is between box pairs[i].a of `a` and box pairs[i].b of `b`;
+/// if `pairs` is NULL, between box i of both, which have `count` boxes. `planes` may be NULL: none. SHAFTCULL_BAD_BOUND
+/// for the first pair with a box that is not finite with lo ≤ hi, and for the first centre and half extent that make no
+/// box. Boxes that no pair names may be anything. 5 to 11 ns per shaft of many, about 0.1 µs for one; no allocation for
+/// a shaft of two single boxes.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                            const shaftcull_source* a, const shaftcull_source* b,
+                                                            const shaftcull_index_pair* pairs,
+                                                            const shaftcull_batch_planes* planes,
                                                             shaftcull_contact contact);
 
-/// A formed shaft, with its options, joining planes and added planes. No allocation.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_formed(shaftcull_shafts* shafts, uint64_t shaft,
-                                                           const shaftcull_shaft* formed);
-
-/// What a body sweeps over that moves by a displacement of 3 floats, cut by `plane_count` planes, 16 at most. With none
-/// `planes` may be NULL. Some 0.5 µs; allocates a copy of the planes.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t shaft,
-                                                          const shaftcull_box* body, const float displacement[3],
+/// Forms the shafts that `count` bodies sweep over, each with its displacement of 3 floats. Each body has as many
+/// planes as the others, `plane_count` in all and 16 per body at most. Contact is closed. SHAFTCULL_BAD_BOUND for the
+/// first shaft that cannot be formed. About 0.5 µs per shaft.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                          const shaftcull_source* bodies, const float* displacements,
                                                           const shaftcull_plane* planes, uint64_t plane_count);
 
-/// What a body sweeps over that moves without end in a direction of 3 floats, which is not 0. As
+/// Forms the shafts that bodies sweep over without end, each in its direction of 3 floats, which is not 0. Otherwise as
 /// shaftcull_shafts_set_swept().
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t shaft,
-                                                                   const shaftcull_box* body, const float direction[3],
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t first,
+                                                                   uint64_t count, const shaftcull_source* bodies,
+                                                                   const float* directions,
                                                                    const shaftcull_plane* planes, uint64_t plane_count);
 
-/// All that an occluder can shadow from a light, which is apart from it; up to `*reach` times the distance of the
-/// occluder, 1 or more, or without end if `reach` is NULL. As shaftcull_shafts_set_swept().
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_shadow(shaftcull_shafts* shafts, uint64_t shaft,
-                                                           const shaftcull_box* light, const shaftcull_box* occluder,
-                                                           const float* reach, const shaftcull_plane* planes,
-                                                           uint64_t plane_count);
+/// Forms the shadows of occluders by lights, for pairs of a light and an occluder, which must be apart. A shadow
+/// reaches up to `*reach` times the distance of its occluder, 1 or more, or without end if `reach` is NULL. Contact is
+/// closed. Pairs, planes and errors as for shaftcull_shafts_set_between(); about 0.5 µs per shaft.
+SHAFTCULL_API shaftcull_status shaftcull_shafts_set_shadow(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                           const shaftcull_source* lights,
+                                                           const shaftcull_source* occluders,
+                                                           const shaftcull_index_pair* pairs, const float* reach,
+                                                           const shaftcull_batch_planes* planes);
 
-/// A convex hull. The array keeps what it needs of it, so the hull may be freed. The first hull of an array allocates
-/// 16 bytes for each of its shafts.
+/// Makes one shaft a convex hull. The array keeps what it needs of the hull, which may be freed. The first hull of an
+/// array allocates 16 bytes for each of its shafts.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shafts, uint64_t shaft,
                                                          const shaftcull_hull* hull);
 
-/// The shafts between pairs of boxes, into as many entries from `first` on. Pair i is box pairs[i].a of `a` and box
-/// pairs[i].b of `b`, for `pair_count` pairs; or, if `pairs` is NULL, box i of both, which have `pair_count` boxes, or
-/// any number if that is 0: then there are no shafts.
-/// Sources are of boxes; both may be the same. `planes` may be NULL: none. SHAFTCULL_BAD_BOUND for the first pair with
-/// a box that is not finite, or first box that cannot be packed. Of SHAFTCULL_SOURCE_BOUNDS boxes are read where they
-/// are, and those that no pair names may be anything. Other sources are packed first, which allocates 24 bytes a box.
-/// 5 to 11 ns a shaft. Allocates copies of pairs and planes.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_between_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                                  const shaftcull_source* a, const shaftcull_source* b,
-                                                                  const shaftcull_index_pair* pairs,
-                                                                  uint64_t pair_count,
-                                                                  const shaftcull_batch_planes* planes,
-                                                                  shaftcull_contact contact);
-
-/// What bodies sweep over, into as many entries from `first` on as there are bodies, each with its displacement of 3
-/// floats. Each body has as many planes as the others, `plane_count` in all. SHAFTCULL_BAD_BOUND for the first shaft
-/// that cannot be formed. Some 0.5 µs a shaft; allocates copies of displacements and planes, and packs bodies as
-/// shaftcull_shafts_set_between_batch().
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                                const shaftcull_source* bodies,
-                                                                const float* displacements,
-                                                                const shaftcull_plane* planes, uint64_t plane_count);
-
-/// The same without end, in directions of 3 floats each.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_swept_infinite_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                                         const shaftcull_source* bodies,
-                                                                         const float* directions,
-                                                                         const shaftcull_plane* planes,
-                                                                         uint64_t plane_count);
-
-/// What occluders shadow from lights, for pairs of a light and an occluder; `reach` is one for all, or NULL for no end.
-/// Pairs, planes, errors and allocation as shaftcull_shafts_set_between_batch(); some 0.5 µs a shaft.
-SHAFTCULL_API shaftcull_status shaftcull_shafts_set_shadow_batch(
-    shaftcull_shafts* shafts, uint64_t first, const shaftcull_source* lights, const shaftcull_source* occluders,
-    const shaftcull_index_pair* pairs, uint64_t pair_count, const float* reach, const shaftcull_batch_planes* planes);
-
-/// Computes pending joining planes of `count` shafts from `first` on, some 65 ns each: worth it for shafts that are
-/// asked more than once about inside, in the form of planes, or about some spheres. No allocation.
+/// Computes pending joining planes, about 65 ns per shaft. This pays for shafts that answer more than one query about
+/// inside, in the form of planes, or about some spheres. No allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_complete(shaftcull_shafts* shafts, uint64_t first, uint64_t count);
 
-/// Chooses what becomes of bounds that only touch, for `count` shafts from `first` on. Refuses hulls and shafts that
-/// were never formed, by their position. Some 10 ns each; no allocation.
+/// Chooses whether shafts keep bounds that only touch them. Refuses hulls and shafts that were never formed, by their
+/// position. About 10 ns per shaft; no allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_contact(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                             shaftcull_contact contact);
 
-/// Chooses the form in which `count` shafts from `first` on are asked, and computes planes that are pending if it is
-/// that of planes, which is for comparisons with the paper. Hulls have one form, and stay as they are. Refuses shafts
-/// that were never formed, by their position. No allocation.
+/// Chooses the form that decides outside; that of planes is for comparisons with the paper, and its pending planes are
+/// computed. Hulls have one form, and stay as they are. Refuses shafts that were never formed, by their position. No
+/// allocation.
 SHAFTCULL_API shaftcull_status shaftcull_shafts_set_form(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                          shaftcull_form form);
 
-/* ---- How to ask ---- */
+/* ---- Queries ---- */
 
-/// The options of a question. All zero, or NULL in the place of a pointer to one: all bounds are asked about, in the
-/// usual way. Each option works with bounds of every kind in every holder, except where it says otherwise. A question
-/// to which one means nothing refuses it by name. What a call writes shares no memory with arrays of its query.
+/// The options of a query. If all are zero, or the pointer to them is NULL, the query is about all bounds. Each option
+/// works with bounds of every kind in every holder, except where it says otherwise. A query refuses an option that
+/// means nothing to it, by name. Arrays of options share no memory with outputs.
 typedef struct shaftcull_query {
-  /// Bounds to leave out for all shafts, by index: a moving body itself, say. `exclude_mask` is better for very many.
+  /// Bounds to leave out for all shafts, by index: a moving body itself, for example. `exclude_mask` is better for very
+  /// many.
   const uint32_t* exclude;
   uint64_t exclude_count;
-  /// Bounds to leave out for each shaft: a row of indices for each, one behind the other, all equally long. A shaft's
-  /// own two objects, say. The count is that of all rows together.
+  /// Bounds to leave out for each shaft: one row of indices per shaft, one behind the other, all equally long. For
+  /// example, a shaft's own two objects. The count is that of all rows together.
   const uint32_t* exclude_each;
   uint64_t exclude_each_count;
-  /// Bounds to leave out for all shafts: those whose bits are set. There are 0 words, or shaftcull_bit_words(count of
-  /// bounds).
+  /// Bounds to leave out for all shafts: those whose bits are set. 0 words, or shaftcull_bit_words(number of bounds).
   const uint64_t* exclude_mask;
   uint64_t exclude_mask_words;
-  /// Layers, one set of them for each shaft or one for all: bounds that are in none of them are left out. With a count
-  /// of 0 bounds are asked about whatever their layers. The bounds must have layers (shaftcull_bounds_set_layers()).
+  /// Layers, one mask per shaft or one for all: bounds that are in none of them are left out. With a count of 0 layers
+  /// do not matter. The bounds must have layers (shaftcull_bounds_set_layers()).
   const uint32_t* layer_masks;
   uint64_t layer_mask_count;
-  /// Candidates, by index: only these bounds are asked about, and lists keep their order. NULL and a count of 0: all
-  /// bounds. Not NULL and a count of 0: none. Not for questions about blocking. O(candidates) a shaft. The first such
-  /// question of a tree may be O(n) and allocate an index a bound. Those of many shafts allocate a copy of the
+  /// Candidates, by index: the query is about these bounds only, and lists keep their order. NULL and a count of 0: all
+  /// bounds. Not NULL and a count of 0: none. Queries for occluders refuse it. O(candidates) per shaft. The first such
+  /// query of a tree may be O(n) and allocate an index per bound. Queries about several shafts allocate a copy of the
   /// candidates' bounds.
   const uint32_t* only;
   uint64_t only_count;
-  /// So many results for each shaft at most, those that come first: the question then stops. 0: no limit. For questions
-  /// that count or list what is kept, and for shaftcull_list_occluders() and its twin for many shafts.
+  /// The most results per shaft, those that come first; the query then stops. 0: no limit. For shaftcull_count(),
+  /// shaftcull_list(), shaftcull_list_many() and shaftcull_list_occluders().
   uint64_t limit;
   shaftcull_triangle_test triangle_test; /* of triangles; 0 for other bounds */
   uint32_t reserved_word;                /* 0 */
   uint64_t reserved[4];                  /* 0 */
 } shaftcull_query;
 
-/* Of all questions: `shafts` and `shaft` name one shaft, or `shafts`, `first` and `count` name some. `bounds` are of
-   any kind that the function does not exclude, in any holder. `query` may be NULL. A shaft that was never formed, or
-   was formed without the answer asked for, is refused, and a tree that needs a refit with SHAFTCULL_NEEDS_REFIT. A view
-   or stream takes O(n) a shaft, a tree what it finds. */
+/* For all queries: `bounds` are of any kind that the function does not exclude, in any holder. `query` may be NULL.
+   A shaft that was never formed is refused, and a tree that needs a refit with SHAFTCULL_NEEDS_REFIT. A view or stream
+   takes O(n) per shaft, a tree about as much as it finds. */
 
-/* ---- One shaft, many bounds ---- */
-
-/// Bits of what the shaft keeps: all that is not outside.
-SHAFTCULL_API shaftcull_status shaftcull_cull(const shaftcull_shafts* shafts, uint64_t shaft,
+/// Writes a row of bits per shaft: the bounds that it keeps, which are not outside. `words` are those of all rows,
+/// count · shaftcull_bit_words(number of bounds).
+SHAFTCULL_API shaftcull_status shaftcull_cull(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
                                               uint64_t* kept, uint64_t words);
 
-/// Bits of what the shaft keeps, and of what is inside: `words` words each, in separate memory. `kept` may be NULL:
-/// then only `inside` is written.
-SHAFTCULL_API shaftcull_status shaftcull_classify(const shaftcull_shafts* shafts, uint64_t shaft,
+/// Writes two rows of bits per shaft: the bounds that it keeps, and those that are inside. Each array has `words`
+/// words, as in shaftcull_cull(), in separate memory. `kept` may be NULL: then only `inside` is written.
+SHAFTCULL_API shaftcull_status shaftcull_classify(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                   uint64_t* kept, uint64_t* inside, uint64_t words);
 
-/// How many bounds the shaft keeps.
-SHAFTCULL_API shaftcull_status shaftcull_count(const shaftcull_shafts* shafts, uint64_t shaft,
+/// Writes how many bounds each shaft keeps: `count` numbers.
+SHAFTCULL_API shaftcull_status shaftcull_count(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                               uint64_t* kept_count);
+                                               uint64_t* kept_counts);
 
-/// How many bounds overlap the shaft, and how many are inside.
-SHAFTCULL_API shaftcull_status shaftcull_count_classified(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                          const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                          shaftcull_kept_counts* counts);
+/// Writes how many bounds overlap each shaft, and how many are inside: `count` elements. Queries about several shafts
+/// allocate 16 bytes per shaft.
+SHAFTCULL_API shaftcull_status shaftcull_count_classified(const shaftcull_shafts* shafts, uint64_t first,
+                                                          uint64_t count, const shaftcull_bounds* bounds,
+                                                          const shaftcull_query* query, shaftcull_kept_counts* counts);
 
-/// Whether the shaft keeps any bound, 1 or 0. Stops soon after the first that it finds.
-SHAFTCULL_API shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uint64_t shaft,
+/// Writes a bit per shaft: whether it keeps any bound. `any` has shaftcull_bit_words(count) words; for one shaft, it
+/// becomes 1 or 0. Stops for each shaft soon after the first bound that it finds.
+SHAFTCULL_API shaftcull_status shaftcull_any(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                              const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                             uint32_t* any);
+                                             uint64_t* any);
 
-/// Indices of what the shaft keeps into `kept`, which has room for `room`, and how many there are into `kept_count`:
-/// ascending, or in the order of a tree, or in that of candidates. `kept` may begin where the candidates of the query
-/// begin, which are then overwritten.
+/// Writes the bound that the moving box of each shaft reaches first, and when: `count` elements. Not for hulls, nor for
+/// triangles. Queries about several shafts allocate 8 bytes per shaft.
+SHAFTCULL_API shaftcull_status shaftcull_first_contact(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
+                                                       shaftcull_contact_found* contacts);
+
+/// Writes a bit per shaft: whether one of these solid boxes alone hides one end of the shaft from the other. `occluded`
+/// has shaftcull_bit_words(count) words; for one shaft, it becomes 1 or 0. For boxes, and shafts between two boxes.
+SHAFTCULL_API shaftcull_status shaftcull_occluded(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                  const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                  uint64_t* occluded);
+
+/* ---- Lists ---- */
+
+/// Lists the bounds that one shaft keeps: their indices into `kept`, which has room for `room`, and their full number
+/// into `kept_count`. They ascend, or have the order of a tree or of candidates. `kept` may begin where the candidates
+/// of the query begin, which are then overwritten.
 SHAFTCULL_API shaftcull_status shaftcull_list(const shaftcull_shafts* shafts, uint64_t shaft,
                                               const shaftcull_bounds* bounds, const shaftcull_query* query,
                                               uint32_t* kept, uint64_t room, uint64_t* kept_count);
 
-/// As shaftcull_list(), but what overlaps and what is inside apart, in separate memory.
+/// Lists bounds that overlap one shaft and bounds that are inside apart, in separate memory. Otherwise as
+/// shaftcull_list().
 SHAFTCULL_API shaftcull_status shaftcull_list_classified(const shaftcull_shafts* shafts, uint64_t shaft,
                                                          const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                          uint32_t* overlap, uint64_t overlap_room, uint32_t* inside,
                                                          uint64_t inside_room, shaftcull_kept_counts* counts);
 
-/// The bound that the moving box of the shaft reaches first, and when. Not for hulls, nor for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_first_contact(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                       shaftcull_contact_found* contact);
-
-/// When the moving box of the shaft reaches each of `count` bounds: times[i] is that of bound indices[i], rounded down,
-/// or +∞ if the shaft does not keep it. The two arrays share no memory. Not for hulls, nor for triangles. O(count),
-/// except for the first such call of a tree, which may be O(n) and allocate an index a bound.
-SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                     const shaftcull_bounds* bounds, const uint32_t* indices,
-                                                     float* times, uint64_t count);
-
-/// Whether one of these solid boxes alone hides the one end of the shaft from the other, 1 or 0. For boxes, and shafts
-/// between two boxes.
-SHAFTCULL_API shaftcull_status shaftcull_occluded(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                  const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                  uint32_t* occluded);
-
-/// The index of a box that does, or SHAFTCULL_NONE: in a view or stream the lowest one, in a tree the first in its
-/// order. As shaftcull_occluded().
-SHAFTCULL_API shaftcull_status shaftcull_find_occluder(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                       const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                       uint64_t* index);
-
-/// Indices of all boxes that do, into `blocking`, which has room for `room`, and how many there are into
-/// `blocking_count`. As shaftcull_occluded().
-SHAFTCULL_API shaftcull_status shaftcull_list_occluders(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                        const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                        uint32_t* blocking, uint64_t room, uint64_t* blocking_count);
-
-/* ---- One shaft, one bound ---- */
-
-/// What the shaft says of one box. `inside` 0 asks only whether it is kept, and the answer is then outside or overlap:
-/// some 20 ns. 1 asks for all three answers.
-SHAFTCULL_API shaftcull_status shaftcull_ask_box(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                 const shaftcull_box* box, uint32_t inside, shaftcull_answer* answer);
-
-/// What the shaft says of one sphere. As shaftcull_ask_box().
-SHAFTCULL_API shaftcull_status shaftcull_ask_sphere(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                    const shaftcull_sphere* sphere, uint32_t inside,
-                                                    shaftcull_answer* answer);
-
-/// Whether the shaft keeps one triangle, 1 or 0. Some 100 ns.
-SHAFTCULL_API shaftcull_status shaftcull_ask_triangle(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                      const shaftcull_triangle* triangle, shaftcull_triangle_test test,
-                                                      uint32_t* kept);
-
-/// Whether this one solid box hides the one end of the shaft from the other, 1 or 0. For shafts between two boxes.
-SHAFTCULL_API shaftcull_status shaftcull_occluded_by_box(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                         const shaftcull_box* solid, uint32_t* occluded);
-
-/// Whether a convex polygon does, a wall at any angle, say: `count` corners of 3 floats, three or more, in order,
-/// either way round. O(count), some microseconds; allocates a copy of the corners.
-SHAFTCULL_API shaftcull_status shaftcull_occluded_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft,
-                                                             const float* corners, uint64_t count, uint32_t* occluded);
-
-/* ---- Many shafts, many bounds, in parallel. Results do not depend on the number of threads. ---- */
-
-/// Lists of indices that the library allocates, one for each shaft, one behind the other. Calls use their memory again.
+/// Lists of indices in the library's memory, one per shaft, one behind the other. Calls reuse that memory.
 typedef struct shaftcull_lists shaftcull_lists;
 
-/// Empty lists. Freed by shaftcull_lists_free(). O(1).
+/// Empty lists. O(1). Freed by shaftcull_lists_free().
 SHAFTCULL_API shaftcull_status shaftcull_lists_create(shaftcull_lists** lists);
 
 /// Frees lists; does nothing for NULL.
 SHAFTCULL_API void shaftcull_lists_free(shaftcull_lists* lists);
 
-/// How many lists there are, which is how many shafts were asked; 0 at first and for NULL. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_lists_count(const shaftcull_lists* lists);
+/// All lists. Pointers are valid until the lists are filled again or freed.
+typedef struct shaftcull_lists_info {
+  uint64_t count;          /* of lists: as many as shafts; 0 at first */
+  const uint64_t* offsets; /* list s is indices[offsets[s]] to before indices[offsets[s + 1]]; NULL at first */
+  const uint32_t* indices; /* of all lists; NULL if there are none */
+} shaftcull_lists_info;
 
-/// Where each list begins: what shaft s of those asked keeps are elements offsets[s] to offsets[s + 1] − 1. One more
-/// than there are lists, or NULL if none were made yet. Valid until the lists are filled again or freed. Never fails.
-/// O(1).
-SHAFTCULL_API const uint64_t* shaftcull_lists_offsets(const shaftcull_lists* lists);
+/// Where lists are. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_lists_describe(const shaftcull_lists* lists, shaftcull_lists_info* info);
 
-/// The elements of all lists, or NULL if there are none. Valid as offsets. Never fails. O(1).
-SHAFTCULL_API const uint32_t* shaftcull_lists_indices(const shaftcull_lists* lists);
-
-/// Row s of `kept_rows`, shaftcull_bit_words(count of bounds) words, gets what shaftcull_cull() gives of shaft
-/// first + s. `words` are those of all rows.
-SHAFTCULL_API shaftcull_status shaftcull_cull_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                   const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                   uint64_t* kept_rows, uint64_t words);
-
-/// Rows of shaftcull_classify(): `words` words of each kind, in separate memory. `kept_rows` may be NULL: then only
-/// `inside_rows` is written.
-SHAFTCULL_API shaftcull_status shaftcull_classify_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                       const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                       uint64_t* kept_rows, uint64_t* inside_rows, uint64_t words);
-
-/// kept_counts[s] becomes shaftcull_count() of shaft first + s, for `count` of them.
-SHAFTCULL_API shaftcull_status shaftcull_count_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                    const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                    uint64_t* kept_counts);
-
-/// counts[s] becomes shaftcull_count_classified() of shaft first + s, for `count` of them. Allocates 16 bytes a shaft.
-SHAFTCULL_API shaftcull_status shaftcull_count_classified_many(const shaftcull_shafts* shafts, uint64_t first,
-                                                               uint64_t count, const shaftcull_bounds* bounds,
-                                                               const shaftcull_query* query,
-                                                               shaftcull_kept_counts* counts);
-
-/// Bit s of `any` is set if shaft first + s keeps any bound. `words` is shaftcull_bit_words(count).
-SHAFTCULL_API shaftcull_status shaftcull_any_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
-                                                  const shaftcull_bounds* bounds, const shaftcull_query* query,
-                                                  uint64_t* any, uint64_t words);
-
-/// Lists what each shaft keeps. If it fails, lists are as they were or empty. Allocates what it lists.
+/// Lists the bounds that each shaft keeps. If the call fails, lists are as they were or empty. Allocates the lists.
 SHAFTCULL_API shaftcull_status shaftcull_list_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
                                                    const shaftcull_bounds* bounds, const shaftcull_query* query,
                                                    shaftcull_lists* lists);
 
-/// As shaftcull_list_many(), but what overlaps and what is inside apart, in lists that are not the same ones.
+/// Lists bounds that overlap each shaft and bounds that are inside apart, in two different shaftcull_lists. Otherwise
+/// as shaftcull_list_many().
 SHAFTCULL_API shaftcull_status shaftcull_list_classified_many(const shaftcull_shafts* shafts, uint64_t first,
                                                               uint64_t count, const shaftcull_bounds* bounds,
                                                               const shaftcull_query* query, shaftcull_lists* overlap,
                                                               shaftcull_lists* inside);
 
-/// contacts[s] becomes shaftcull_first_contact() of shaft first + s, for `count` of them. Allocates 8 bytes a shaft.
-/// Not for hulls, nor for triangles.
-SHAFTCULL_API shaftcull_status shaftcull_first_contact_many(const shaftcull_shafts* shafts, uint64_t first,
-                                                            uint64_t count, const shaftcull_bounds* bounds,
-                                                            const shaftcull_query* query,
-                                                            shaftcull_contact_found* contacts);
+/// Lists all solid boxes that alone hide one end of each shaft from the other. Boxes and shafts as for
+/// shaftcull_occluded(), lists as for shaftcull_list_many().
+SHAFTCULL_API shaftcull_status shaftcull_list_occluders(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                        const shaftcull_bounds* solids, const shaftcull_query* query,
+                                                        shaftcull_lists* lists);
 
-/// Bit s of `occluded` is set if a solid box blocks shaft first + s. `words` is shaftcull_bit_words(count). As
-/// shaftcull_occluded().
-SHAFTCULL_API shaftcull_status shaftcull_occluded_many(const shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+/// The index of one such box for one shaft: in a view or stream the lowest, in a tree the first in its order.
+/// SHAFTCULL_NONE if there is none. Boxes and shafts as for shaftcull_occluded().
+SHAFTCULL_API shaftcull_status shaftcull_find_occluder(const shaftcull_shafts* shafts, uint64_t shaft,
                                                        const shaftcull_bounds* solids, const shaftcull_query* query,
-                                                       uint64_t* occluded, uint64_t words);
+                                                       uint64_t* index);
 
-/// Lists what blocks each shaft. If it fails, lists are as they were or empty. As shaftcull_occluded().
-SHAFTCULL_API shaftcull_status shaftcull_list_occluders_many(const shaftcull_shafts* shafts, uint64_t first,
-                                                             uint64_t count, const shaftcull_bounds* solids,
-                                                             const shaftcull_query* query, shaftcull_lists* lists);
+/// Writes when the moving box of one shaft reaches each of `count` bounds: times[i] is that of bound indices[i],
+/// rounded down, or +∞ if the shaft does not keep it. The two arrays share no memory. Not for hulls, nor for triangles.
+/// O(count), except for the first such call of a tree, which may be O(n) and allocate an index per bound.
+SHAFTCULL_API shaftcull_status shaftcull_entry_times(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                     const shaftcull_bounds* bounds, const uint32_t* indices,
+                                                     float* times, uint64_t count);
 
-/* ---- What sees what: of all pairs of patches ---- */
+/* ---- One shaft, one bound ---- */
 
-/// What is said of a pair of patches (visibility.hpp).
+/// The answer of one shaft for one bound: `bound` points to a shaftcull_box, shaftcull_sphere or shaftcull_triangle, as
+/// `kind` says. `test` is that of a triangle; 0 for other bounds. A box takes about 20 ns if it is outside and 50 ns
+/// otherwise, a triangle 100 ns and 0.5 µs. A shaft that answers more than once should be complete
+/// (shaftcull_shafts_complete()). No allocation.
+SHAFTCULL_API shaftcull_status shaftcull_classify_one(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                      shaftcull_bound_kind kind, const void* bound,
+                                                      shaftcull_triangle_test test, shaftcull_answer* answer);
+
+/// Whether this one solid box hides one end of the shaft from the other, 1 or 0. For shafts between two boxes. No
+/// allocation.
+SHAFTCULL_API shaftcull_status shaftcull_occluded_by_box(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                         const shaftcull_box* solid, uint32_t* occluded);
+
+/// Whether a convex polygon does, a wall at any angle for example: `count` corners of 3 floats, three or more, in
+/// order, either way round. O(count), some microseconds; allocates a copy of the corners.
+SHAFTCULL_API shaftcull_status shaftcull_occluded_by_polygon(const shaftcull_shafts* shafts, uint64_t shaft,
+                                                             const float* corners, uint64_t count, uint32_t* occluded);
+
+/* ---- Visibility: which pairs of patches see each other ---- */
+
+/// The answer for a pair of patches (visibility.hpp).
 typedef uint32_t shaftcull_sight;
 enum {
   SHAFTCULL_SIGHT_UNDECIDED = 0,  /* Some occluders stand between them, none of which hides all. */
   SHAFTCULL_SIGHT_CLEAR = 1,      /* Nothing stands between them. */
-  SHAFTCULL_SIGHT_BLOCKED = 2,    /* One solid hides all. */
+  SHAFTCULL_SIGHT_OCCLUDED = 2,   /* One solid hides all. */
   SHAFTCULL_SIGHT_FACING_AWAY = 3 /* One is on or behind the plane of the other. */
 };
 
-/// Patches, in a tree: boxes, each perhaps with a plane; the patch faces where its normal points. It never changes.
+/// The name of an answer, for example "occluded"; "unknown" for any other number. Valid for ever. Never fails. O(1).
+SHAFTCULL_API const char* shaftcull_sight_name(shaftcull_sight sight);
+
+/// Patches, in a tree: boxes, each with or without a plane; a patch faces where its normal points. They never change.
 typedef struct shaftcull_patches shaftcull_patches;
 
-/// What stands between patches. Occluders are numbered in the order in which they are added, from 0 on.
+/// Patches of a source of boxes. `plane_count` is 0, or there is a plane for each patch, which sees what is in front of
+/// it. SHAFTCULL_BAD_BOUND for the first box that is not finite with lo ≤ hi, and the first plane that is not finite or
+/// has no normal. O(n log n); holds about 100 bytes per patch. Freed by shaftcull_patches_free().
+SHAFTCULL_API shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
+                                                        uint64_t plane_count, shaftcull_patches** patches);
+
+/// Frees patches; does nothing for NULL.
+SHAFTCULL_API void shaftcull_patches_free(shaftcull_patches* patches);
+
+/// The state of patches. The pointer is valid until they are freed.
+typedef struct shaftcull_patches_info {
+  uint64_t count;        /* of patches */
+  const uint32_t* order; /* to which runs refer: order[p] is the caller's index of patch p; NULL if there are none */
+} shaftcull_patches_info;
+
+/// Number and order of patches. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_patches_describe(const shaftcull_patches* patches,
+                                                          shaftcull_patches_info* info);
+
+/// All that may stand between patches. Occluders are numbered in the order in which they are added, from 0 on.
 typedef struct shaftcull_occluders shaftcull_occluders;
 
-/// All answers of a call, in the library's memory.
-typedef struct shaftcull_sights shaftcull_sights;
+/// No occluders, to add some. O(1). Freed by shaftcull_occluders_free().
+SHAFTCULL_API shaftcull_status shaftcull_occluders_create(shaftcull_occluders** occluders);
 
-/// Some patches side by side in shaftcull_patches_order().
+/// Frees occluders; does nothing for NULL.
+SHAFTCULL_API void shaftcull_occluders_free(shaftcull_occluders* occluders);
+
+/// The number of occluders; 0 for NULL. Never fails. O(1).
+SHAFTCULL_API uint64_t shaftcull_occluders_count(const shaftcull_occluders* occluders);
+
+/* Functions that add occluders write the number of the first of them to `first`, which may be NULL. They return
+   SHAFTCULL_BAD_BOUND for the first box that is not finite with lo ≤ hi, or corner or triangle that is not finite. They
+   take O(count), and allocate what the occluders hold and a copy for the time of the call. */
+
+/// Adds boxes around things that may hide something, one occluder per box.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_boxes(shaftcull_occluders* occluders,
+                                                             const shaftcull_source* boxes, uint64_t* first);
+
+/// Adds solid boxes, one occluder per box. They make pairs occluded, also where several are one larger box together.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solids(shaftcull_occluders* occluders,
+                                                              const shaftcull_source* boxes, uint64_t* first);
+
+/// Adds solid convex hulls, one occluder per hull: hull i has the corners first_corner[i] to before first_corner[i + 1]
+/// of all `corner_count`, 3 floats each, 4 to 32 corners per hull. `first_corner` has hull_count + 1 numbers, or may be
+/// NULL if there are no hulls.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solid_hulls(shaftcull_occluders* occluders, const float* corners,
+                                                                   uint64_t corner_count, const uint64_t* first_corner,
+                                                                   uint64_t hull_count, uint64_t* first);
+
+/// Adds flat convex polygons by their corners in order, 3 or more each, one occluder per polygon. They make pairs
+/// occluded. Corners as in shaftcull_occluders_add_solid_hulls(). If the corners of a polygon are a little out of
+/// plane, it stands for the triangles that its first corner makes with its other edges. Convexity is not checked.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_polygons(shaftcull_occluders* occluders, const float* corners,
+                                                                uint64_t corner_count, const uint64_t* first_corner,
+                                                                uint64_t polygon_count, uint64_t* first);
+
+/// Adds triangles in groups, one occluder per group: group i has the triangles first_triangle[i] to before
+/// first_triangle[i + 1], which are group_count + 1 numbers. With NULL and 0 the library makes groups of at most 32
+/// neighbours.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluders,
+                                                                 const shaftcull_source* triangles,
+                                                                 const uint64_t* first_triangle, uint64_t group_count,
+                                                                 uint64_t* first);
+
+/// One occluder. The pointer is valid until occluders are added or freed.
+typedef struct shaftcull_occluder_info {
+  const uint32_t* triangles; /* by their positions in the source that they were added from; NULL if there are none */
+  uint64_t triangle_count;   /* of triangles; 0 for boxes, hulls and polygons */
+  shaftcull_box box;         /* around all of it */
+} shaftcull_occluder_info;
+
+/// Box and triangles of one occluder. O(1); no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_occluders_describe(const shaftcull_occluders* occluders, uint64_t occluder,
+                                                            shaftcull_occluder_info* info);
+
+/// Patches that lie side by side in the order of shaftcull_patches_describe().
 typedef struct shaftcull_patch_run {
   uint32_t first; /* position in the order */
   uint32_t count; /* how many */
 } shaftcull_patch_run;
 
 /// One answer for all pairs of a patch of one run and a patch of another.
-typedef struct shaftcull_sight_product {
+typedef struct shaftcull_pair_block {
   shaftcull_patch_run a; /* of set a */
   shaftcull_patch_run b; /* of set b */
   shaftcull_sight sight; /* never undecided */
-} shaftcull_sight_product;
+} shaftcull_pair_block;
 
-/// Pairs that are undecided, by the caller's indices. Candidates of pair i are candidates[first_candidate[i]] to before
-/// candidates[first_candidate[i + 1]], in ascending order. Both are NULL if they were not asked for.
+/// Undecided pairs, by the caller's indices. Candidates of pair i are candidates[first_candidate[i]] to before
+/// candidates[first_candidate[i + 1]], in ascending order. Both are NULL if the options ask for none.
 typedef struct shaftcull_undecided_pairs {
-  const shaftcull_index_pair* pairs; /* of one set with itself, the one that is first in its order is a */
+  const shaftcull_index_pair* pairs; /* for one set with itself, a is the patch that comes first in its order */
   uint64_t count;                    /* of pairs */
   const uint64_t* first_candidate;   /* count + 1 of them */
   const uint32_t* candidates;        /* numbers of occluders */
 } shaftcull_undecided_pairs;
 
-/// Some answers. Valid during the callback only.
+/// A part of the answers, or all of them.
 typedef struct shaftcull_sight_batch {
-  const shaftcull_sight_product* products; /* what is decided */
-  uint64_t product_count;                  /* of products */
-  shaftcull_undecided_pairs undecided;     /* and what is not */
+  const shaftcull_pair_block* products; /* decided pairs */
+  uint64_t product_count;               /* of products */
+  shaftcull_undecided_pairs undecided;  /* all other pairs */
 } shaftcull_sight_batch;
 
-/// How many pairs there are of each kind.
+/// The number of pairs with each answer.
 typedef struct shaftcull_sight_counts {
   uint64_t undecided;   /* SHAFTCULL_SIGHT_UNDECIDED */
   uint64_t clear;       /* SHAFTCULL_SIGHT_CLEAR */
-  uint64_t occluded;    /* SHAFTCULL_SIGHT_BLOCKED */
+  uint64_t occluded;    /* SHAFTCULL_SIGHT_OCCLUDED */
   uint64_t facing_away; /* SHAFTCULL_SIGHT_FACING_AWAY */
 } shaftcull_sight_counts;
 
-/// Gets `user` as it was passed. Returns 0 to go on; anything else ends the call with SHAFTCULL_STOPPED. It may run on
-/// any thread, one call at a time. It must return: no exception and no longjmp may leave it.
+/// Gets a batch, which is valid during the callback only, and `user` as it was passed. Returns 0 to go on; any other
+/// number ends the call with SHAFTCULL_STOPPED. It may run on any thread, one call at a time. It must return: no
+/// exception and no longjmp may leave it.
 typedef int32_t (*shaftcull_sight_callback)(const shaftcull_sight_batch* batch, void* user);
 
-/// May give the final word on undecided pairs, by rays for instance. verdicts[i] is one byte for pair i: a value of
-/// shaftcull_sight, SHAFTCULL_SIGHT_UNDECIDED to begin with. Many threads call it at once, each before its pairs are
-/// delivered. It returns as shaftcull_sight_callback does.
+/// May decide undecided pairs, by rays for example, before they are delivered. verdicts[i] is one byte for pair i: a
+/// value of shaftcull_sight, at first SHAFTCULL_SIGHT_UNDECIDED. Many threads call it at once. It returns as
+/// shaftcull_sight_callback does.
 typedef int32_t (*shaftcull_resolve_callback)(const shaftcull_undecided_pairs* undecided, uint8_t* verdicts,
                                               void* user);
 
-/// Is told some times a second that `done` of `total` pairs were answered. It returns as shaftcull_sight_callback does,
-/// so it can end the call.
+/// Gets the number of pairs answered so far, and of all pairs, some times per second. It returns as
+/// shaftcull_sight_callback does, so it can end the call.
 typedef int32_t (*shaftcull_progress_callback)(uint64_t done, uint64_t total, void* user);
 
-/// How it is done.
+/// The options of visibility.
 typedef struct shaftcull_visibility_options {
-  uint64_t memory;                      /* bytes that answers under way may take, 1 MB or more */
-  shaftcull_contact contact;            /* what becomes of occluders that only touch */
+  uint64_t memory;                      /* bytes for answers under way, 1 MB or more */
+  shaftcull_contact contact;            /* whether occluders that only touch stand between patches */
   uint32_t solids_around_ends;          /* 0: a solid that an end reaches into makes no pair occluded */
   uint32_t candidates;                  /* 1: undecided pairs come with candidates */
   uint32_t reserved;                    /* 0 */
@@ -950,151 +875,67 @@ typedef struct shaftcull_visibility_options {
 /// 256 MB, open contact, solids around ends, candidates, no callbacks. Never fails.
 SHAFTCULL_API shaftcull_visibility_options shaftcull_default_visibility_options(void);
 
-/// The name of what is said of a pair, "occluded" say; "unknown" for a number that is none. Valid for ever. Never
-/// fails. O(1).
-SHAFTCULL_API const char* shaftcull_sight_name(shaftcull_sight sight);
+/* For the functions below: the pairs are those of a patch of `a` and a patch of `b`; if `b` is NULL, each two patches
+   of `a`, once. `options` may be NULL: the default ones. `counts`, the number of pairs with each answer, may be NULL
+   except where there is no other result. They refuse less memory than 1 MB, and return SHAFTCULL_STOPPED if a callback
+   ends the call. They run in parallel, and allocate as the options allow. */
 
-/// Patches of a source of boxes, with `plane_count` planes: 0, or one for each patch, which faces where the normal
-/// points, and sees what is in front. SHAFTCULL_BAD_BOUND for the first box that is not finite with lo ≤ hi, or plane
-/// that is not finite or has no normal. O(n log n); holds some 100 bytes a patch. Freed by shaftcull_patches_free().
-SHAFTCULL_API shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const shaftcull_plane* planes,
-                                                        uint64_t plane_count, shaftcull_patches** patches);
-
-/// Frees patches; does nothing for NULL.
-SHAFTCULL_API void shaftcull_patches_free(shaftcull_patches* patches);
-
-/// How many patches there are; 0 for NULL. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_patches_count(const shaftcull_patches* patches);
-
-/// The order that runs refer to: (*order)[p] is the caller's index of the patch at position p. Valid until the patches
-/// are freed. NULL if there are none. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_patches_order(const shaftcull_patches* patches, const uint32_t** order);
-
-/// No occluders, to add some. Freed by shaftcull_occluders_free(). O(1).
-SHAFTCULL_API shaftcull_status shaftcull_occluders_create(shaftcull_occluders** occluders);
-
-/// Frees occluders; does nothing for NULL.
-SHAFTCULL_API void shaftcull_occluders_free(shaftcull_occluders* occluders);
-
-/// How many occluders there are; 0 for NULL. Never fails. O(1).
-SHAFTCULL_API uint64_t shaftcull_occluders_count(const shaftcull_occluders* occluders);
-
-/// Adds boxes around things that may hide something, one occluder a box. `first` gets the number of the first of them,
-/// here and in those that follow, or may be NULL. SHAFTCULL_BAD_BOUND for what is not finite with lo ≤ hi. O(count).
-SHAFTCULL_API shaftcull_status shaftcull_occluders_add_boxes(shaftcull_occluders* occluders,
-                                                             const shaftcull_source* boxes, uint64_t* first);
-
-/// Adds boxes that are solid, one occluder a box. They make pairs occluded, also where several are one larger box
-/// together. Errors as shaftcull_occluders_add_boxes().
-SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solids(shaftcull_occluders* occluders,
-                                                              const shaftcull_source* boxes, uint64_t* first);
-
-/// Adds convex hulls that are solid, one occluder a hull: hull i has the corners first_corner[i] to before
-/// first_corner[i + 1] of all `corner_count`, 3 floats each. Those are hull_count + 1 numbers, or `first_corner` may be
-/// NULL if there are no hulls; 4 to 32 corners a hull. SHAFTCULL_BAD_BOUND for a corner that is not finite.
-SHAFTCULL_API shaftcull_status shaftcull_occluders_add_solid_hulls(shaftcull_occluders* occluders, const float* corners,
-                                                                   uint64_t corner_count, const uint64_t* first_corner,
-                                                                   uint64_t hull_count, uint64_t* first);
-
-/// Adds flat convex polygons by their corners in order, one occluder a polygon. They make pairs occluded. As
-/// shaftcull_occluders_add_solid_hulls(), with 3 corners or more a polygon. One whose corners are a little out of plane
-/// is the triangles that its first corner makes with its other edges. That it is convex is not checked.
-SHAFTCULL_API shaftcull_status shaftcull_occluders_add_polygons(shaftcull_occluders* occluders, const float* corners,
-                                                                uint64_t corner_count, const uint64_t* first_corner,
-                                                                uint64_t polygon_count, uint64_t* first);
-
-/// Adds triangles in groups, one occluder a group: group i has the triangles first_triangle[i] to before
-/// first_triangle[i + 1], which are group_count + 1 numbers. With NULL and 0 the library makes groups of at most 32
-/// neighbours. SHAFTCULL_BAD_BOUND for a triangle that is not finite. Allocates a copy of 36 bytes a triangle on the
-/// way.
-SHAFTCULL_API shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluders,
-                                                                 const shaftcull_source* triangles,
-                                                                 const uint64_t* first_triangle, uint64_t group_count,
-                                                                 uint64_t* first);
-
-/// The box around one occluder. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_occluders_box(const shaftcull_occluders* occluders, uint64_t occluder,
-                                                       shaftcull_box* box);
-
-/// The triangles of one occluder, by their positions in the source that it was added from: `count` of them, which may
-/// be 0. Valid until the occluders are added to or freed. O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_occluders_triangles(const shaftcull_occluders* occluders, uint64_t occluder,
-                                                             const uint32_t** triangles, uint64_t* count);
-
-/// How many pairs of a patch of `a` and a patch of `b` there are of each kind; of `a` with itself, each two patches
-/// once, if `b` is NULL, here and in those that follow. `options` may be NULL: the default ones. Refuses less memory
-/// than 1 MB. SHAFTCULL_STOPPED if a callback says so.
-SHAFTCULL_API shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                                          const shaftcull_occluders* occluders,
-                                                          const shaftcull_visibility_options* options,
-                                                          shaftcull_sight_counts* counts);
-
-/// Calls back until every pair was in one batch, once, and tells how many there were of each kind; `counts` may be
-/// NULL. Batches come in an order that does not depend on the number of threads. Otherwise as
-/// shaftcull_count_visibility().
+/// Delivers each pair in one batch, once, to `callback`. With NULL for `callback` it only counts. The order of answers
+/// does not depend on the number of threads.
 SHAFTCULL_API shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
                                                     const shaftcull_occluders* occluders,
                                                     const shaftcull_visibility_options* options,
                                                     shaftcull_sight_callback callback, void* user,
                                                     shaftcull_sight_counts* counts);
 
-/// Collects all answers. It may take much memory: 20 bytes a product, and there are some 0.1 to 0.2 as many as pairs.
-/// Otherwise as shaftcull_count_visibility(). Freed by shaftcull_sights_free().
-SHAFTCULL_API shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                                            const shaftcull_occluders* occluders,
-                                                            const shaftcull_visibility_options* options,
-                                                            shaftcull_sights** sights);
-
-/// Frees answers; does nothing for NULL.
-SHAFTCULL_API void shaftcull_sights_free(shaftcull_sights* sights);
-
-/// All answers as one batch, valid until they are freed, and how many there are of each kind; `counts` may be NULL.
-/// O(1); no allocation.
-SHAFTCULL_API shaftcull_status shaftcull_sights_all(const shaftcull_sights* sights, shaftcull_sight_batch* batch,
-                                                    shaftcull_sight_counts* counts);
-
-/// Writes a bit for every pair, rows of shaftcull_bit_words(patches of b) words, one for each patch of `a`: bit j of
-/// row i says whether patches i and j are of the kind `sight`. `words` are those of all rows. Of one set with itself
-/// both bits of a pair are written, and the diagonal is 0. `counts` may be NULL. If it fails, bits hold anything.
-/// Otherwise as shaftcull_count_visibility().
+/// Writes a bit per pair: rows of shaftcull_bit_words(patches of b) words, one for each patch of `a`. Bit j of row i is
+/// set if `sight` is the answer for patches i and j. `words` are those of all rows. For one set with itself both bits
+/// of a pair are written, and the diagonal is 0. If the call fails, bits are unspecified.
 SHAFTCULL_API shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const shaftcull_patches* b,
                                                          const shaftcull_occluders* occluders,
                                                          const shaftcull_visibility_options* options,
                                                          shaftcull_sight sight, uint64_t* bits, uint64_t words,
                                                          shaftcull_sight_counts* counts);
 
-/// Larger solid boxes that cover nothing but what the given ones cover: pieces of a wall that share a face become one
-/// (solids.hpp). Lists as many of them as there is room for, and `merged_count` says how many there are.
-/// SHAFTCULL_BAD_BOUND for a box that is not finite with lo ≤ hi. Some O(n log n).
-SHAFTCULL_API shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes, uint64_t count, shaftcull_box* merged,
-                                                      uint64_t room, uint64_t* merged_count);
+/// All answers of a call, in the library's memory.
+typedef struct shaftcull_visibility_result shaftcull_visibility_result;
 
-/// A large box inside the convex hull of 4 to 32 points, 3 floats each: exactly, no coordinate is rounded outwards.
-/// Refuses another number of points and what is not finite.
-SHAFTCULL_API shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box);
+/// Collects all answers, in memory without a bound: 20 bytes per product, of which there are about a tenth to a fifth
+/// as many as pairs, 16 per undecided pair and 4 per candidate. Freed by shaftcull_visibility_result_free().
+SHAFTCULL_API shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
+                                                            const shaftcull_occluders* occluders,
+                                                            const shaftcull_visibility_options* options,
+                                                            shaftcull_visibility_result** result);
+
+/// Frees answers; does nothing for NULL.
+SHAFTCULL_API void shaftcull_visibility_result_free(shaftcull_visibility_result* result);
+
+/// All answers as one batch, valid until they are freed, and the number of pairs with each; `counts` may be NULL. O(1);
+/// no allocation.
+SHAFTCULL_API shaftcull_status shaftcull_visibility_result_describe(const shaftcull_visibility_result* result,
+                                                                    shaftcull_sight_batch* batch,
+                                                                    shaftcull_sight_counts* counts);
 
 /* ---- Threads and instruction sets ---- */
 
-/// How many threads a call for many shafts would use from here; 1 in a build without oneTBB. Never fails.
+/// How many threads a query about several shafts would use from here; 1 in a build without oneTBB. Never fails.
 SHAFTCULL_API uint32_t shaftcull_concurrency(void);
 
-/// How many instruction sets this build has kernels for and this machine can run: 1 or more. O(1).
-SHAFTCULL_API shaftcull_status shaftcull_isa_count(uint64_t* count);
-
-/// The name of one of these, slowest first, "avx2" say. Valid for ever. O(1).
+/// The name of an instruction set for which this build has kernels and that this machine can run, for example "avx2".
+/// They are numbered from 0 on, slowest first; beyond the last one the name is NULL. Valid for ever. O(1); allocates.
 SHAFTCULL_API shaftcull_status shaftcull_isa_name(uint64_t position, const char** name);
 
 /// The name of the instruction set that calls use from now on, in every thread. Valid for ever. Never fails.
 SHAFTCULL_API const char* shaftcull_active_isa(void);
 
-/// Uses an instruction set from now on, in every thread, by its name in upper or lower case. Safe at any time. Wins
-/// over the environment variable SHAFTCULL_ISA. Answers do not depend on it. Refuses what is not available, and says
-/// what is.
+/// Uses an instruction set from now on, in every thread, by its name in upper or lower case. Safe at any time.
+/// Overrides the environment variable SHAFTCULL_ISA. Answers do not depend on it. Refuses a name that is not available,
+/// with a message that lists those that are.
 SHAFTCULL_API shaftcull_status shaftcull_select_isa(const char* name);
 
-/// What the environment variable SHAFTCULL_ISA asks for, empty if it is not set; and why that cannot be followed, empty
-/// if it can; cut off after 255 and 511 bytes. Both are valid until this thread calls this again. No other thread may
-/// change the environment meanwhile.
+/// The value of the environment variable SHAFTCULL_ISA, empty if it is not set; and the reason why the library cannot
+/// follow it, empty if it can. Cut off after 255 and 511 bytes. Both are valid until this thread's next call. No other
+/// thread may change the environment meanwhile.
 SHAFTCULL_API shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal);
 
 #ifdef __cplusplus

@@ -65,6 +65,12 @@ template <class T>
   return first == nullptr ? std::span<T>() : as_span(first, count, name);
 }
 
+/// Where the elements of a span are; NULL if there are none.
+template <class T>
+[[nodiscard]] T* first_of(std::span<T> elements) noexcept {
+  return elements.empty() ? nullptr : elements.data();
+}
+
 /// An enumerator of type Enum, whose values are 0 to `last` in both languages.
 template <class Enum>
 [[nodiscard]] Enum as_enumerator(std::uint32_t value, Enum last, const char* name, const char* choices) {
@@ -88,6 +94,9 @@ template <class Enum>
   if (test == SHAFTCULL_TRIANGLES_BY_VERTICES) return TriangleTest::vertices;
   refuse("triangle test = " + std::to_string(test) +
          " is none of SHAFTCULL_TRIANGLES_EXACT and SHAFTCULL_TRIANGLES_BY_VERTICES");
+}
+[[noreturn]] inline void refuse_kind(shaftcull_bound_kind kind) {
+  refuse("kind = " + std::to_string(kind) + " is none of SHAFTCULL_BOXES, SHAFTCULL_SPHERES and SHAFTCULL_TRIANGLES");
 }
 /// A number that means yes or no.
 [[nodiscard]] inline bool as_bool(std::uint32_t value, const char* name) {
@@ -138,7 +147,7 @@ template <class Shafts>
   return compiled[static_cast<std::size_t>(shaft)];
 }
 
-/// Some shafts of an array.
+/// A range of an array.
 template <class Shafts>
 [[nodiscard]] auto shafts_from(Shafts* shafts, std::uint64_t first, std::uint64_t count) {
   std::span compiled(given(shafts, "shafts").compiled);
@@ -147,11 +156,6 @@ template <class Shafts>
            " of them, do not lie within the " + std::to_string(compiled.size()) + " shafts of the array");
   }
   return compiled.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
-}
-/// Those that a question for many reads.
-[[nodiscard]] inline std::span<const CompiledShaft> shafts_of(const shaftcull_shafts* shafts, std::uint64_t first,
-                                                              std::uint64_t count) {
-  return shafts_from(shafts, first, count);
 }
 
 }  // namespace shaftcull::binding

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Views and streams, and what is known of all bounds.
+/// Views, streams and trees: making, updating and describing them, and their layers.
 #include <algorithm>
-#include <array>
-#include <concepts>
-#include <memory>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,10 +13,13 @@
 using namespace shaftcull::binding;
 using shaftcull::Box;
 using shaftcull::BoxStream;
+using shaftcull::BoxTree;
 using shaftcull::BoxView;
 using shaftcull::Sphere;
 using shaftcull::SphereStream;
+using shaftcull::SphereTree;
 using shaftcull::SphereView;
+using shaftcull::Triangle;
 using shaftcull::TriangleStream;
 using shaftcull::TriangleTree;
 using shaftcull::TriangleView;
@@ -26,31 +27,15 @@ using shaftcull::TriangleView;
 namespace {
 
 template <class Holder>
-concept View = std::same_as<Holder, BoxView> || std::same_as<Holder, SphereView> || std::same_as<Holder, TriangleView>;
-template <class Holder>
-concept Stream = requires(const Holder& holder) {
-  holder.view();
-};
-
-/// The floats of any holder.
-template <class Holder>
-auto streams_of(const Holder& holder) {
-  if constexpr (View<Holder>) {
-    return holder;
-  } else if constexpr (Stream<Holder>) {
-    return holder.view();
-  } else if constexpr (std::same_as<Holder, TriangleTree>) {
-    return holder.triangles();
-  } else {
-    return holder.leaves();
-  }
-}
-
-template <class Holder>
 constexpr shaftcull_bound_kind kind_of() {
   using Streams = decltype(streams_of(std::declval<const Holder&>()));
   if (std::same_as<Streams, BoxView>) return SHAFTCULL_BOXES;
   return std::same_as<Streams, SphereView> ? SHAFTCULL_SPHERES : SHAFTCULL_TRIANGLES;
+}
+
+template <class Holder>
+constexpr shaftcull_holder holder_of() {
+  return View<Holder> ? SHAFTCULL_VIEW : Stream<Holder> ? SHAFTCULL_STREAM : SHAFTCULL_TREE;
 }
 
 /// A view of the caller's streams.
@@ -70,11 +55,59 @@ AnyView as_view(const float* const* streams, std::uint64_t count) {
   return view;
 }
 
-[[noreturn]] void refuse_kind(shaftcull_bound_kind kind) {
-  refuse("kind = " + std::to_string(kind) + " is none of SHAFTCULL_BOXES, SHAFTCULL_SPHERES and SHAFTCULL_TRIANGLES");
+/// Bounds in the first of these holders that can be made of the source.
+template <class Boxes, class Spheres, class Triangles>
+shaftcull_bounds* new_bounds(const shaftcull_source* source) {
+  shaftcull_bounds* made = nullptr;
+  (void)use_source(as_source(source, "source"), [&made]<class Records>(const Records& records) {
+    if constexpr (std::is_constructible_v<Boxes, const Records&>) {
+      made = new shaftcull_bounds{Boxes(records)};
+    } else if constexpr (std::is_constructible_v<Spheres, const Records&>) {
+      made = new shaftcull_bounds{Spheres(records)};
+    } else {
+      made = new shaftcull_bounds{Triangles(records)};
+    }
+  });
+  return made;
+}
+
+/// A stream of as many empty bounds as the source has records.
+shaftcull_bounds* new_empty_stream(const shaftcull_source& source) {
+  switch (source.kind) {
+    case SHAFTCULL_SOURCE_SPHERES:
+      return new shaftcull_bounds{SphereStream(as_count(source.count, sizeof(Sphere), "spheres"))};
+    case SHAFTCULL_SOURCE_TRIANGLES:
+      return new shaftcull_bounds{TriangleStream(as_count(source.count, sizeof(Triangle), "triangles"))};
+    default:
+      return new shaftcull_bounds{BoxStream(as_count(source.count, sizeof(Box), "boxes"))};
+  }
+}
+
+/// Puts bounds with these indices into other layers.
+void change_layers(std::vector<std::uint32_t>& all, std::span<const std::uint32_t> indices,
+                   std::span<const std::uint32_t> layers) {
+  if (indices.empty()) return;
+  if (all.empty()) refuse("bounds have no layers; give all of them some first, with NULL for indices");
+  for (std::size_t i = 0; i != indices.size(); ++i) {
+    if (indices[i] >= all.size()) {
+      refuse("indices[" + std::to_string(i) + "] = " + std::to_string(indices[i]) +
+             " is not below the number of bounds that have layers, " + std::to_string(all.size()));
+    }
+  }
+  for (std::size_t i = 0; i != indices.size(); ++i) all[indices[i]] = layers[i];
 }
 
 }  // namespace
+
+std::string shaftcull::binding::name_of(const shaftcull_bounds& bounds) {
+  return std::visit(
+      []<class Holder>(const Holder& /*holder*/) {
+        static constexpr const char* kinds[] = {"boxes", "spheres", "triangles"};
+        static constexpr const char* holders[] = {"a view of ", "a stream of ", "a tree of "};
+        return std::string(holders[holder_of<Holder>() - 1]) + kinds[kind_of<Holder>() - 1];
+      },
+      bounds.holder);
+}
 
 extern "C" {
 
@@ -115,58 +148,15 @@ shaftcull_status shaftcull_view_set(shaftcull_bounds* view, const float* const* 
 shaftcull_status shaftcull_stream_create(const shaftcull_source* source, shaftcull_bounds** bounds) {
   return guarded([&] {
     shaftcull_bounds*& out = given(bounds, "bounds");
-    (void)use_source(as_source(source, "source"), [&](const auto& records) {
-      using Records = std::remove_cvref_t<decltype(records)>;
-      if constexpr (std::is_constructible_v<BoxStream, const Records&>) {
-        out = new shaftcull_bounds{BoxStream(records)};
-      } else if constexpr (std::is_constructible_v<SphereStream, const Records&>) {
-        out = new shaftcull_bounds{SphereStream(records)};
-      } else {
-        out = new shaftcull_bounds{TriangleStream(records)};
-      }
-    });
+    out = has_no_data(given(source, "source"), "source") ? new_empty_stream(*source)
+                                                         : new_bounds<BoxStream, SphereStream, TriangleStream>(source);
   });
 }
 
-shaftcull_status shaftcull_stream_create_empty(shaftcull_bound_kind kind, uint64_t count, shaftcull_bounds** bounds) {
+shaftcull_status shaftcull_tree_create(const shaftcull_source* source, shaftcull_bounds** tree) {
   return guarded([&] {
-    shaftcull_bounds*& out = given(bounds, "bounds");
-    switch (kind) {
-      case SHAFTCULL_BOXES:
-        out = new shaftcull_bounds{BoxStream(as_count(count, sizeof(Box), "boxes"))};
-        break;
-      case SHAFTCULL_SPHERES:
-        out = new shaftcull_bounds{SphereStream(as_count(count, sizeof(Sphere), "spheres"))};
-        break;
-      case SHAFTCULL_TRIANGLES:
-        out = new shaftcull_bounds{TriangleStream(as_count(count, sizeof(shaftcull::Triangle), "triangles"))};
-        break;
-      default:
-        refuse_kind(kind);
-    }
-  });
-}
-
-shaftcull_status shaftcull_stream_update(shaftcull_bounds* stream, uint64_t first, const shaftcull_source* source) {
-  return guarded([&] {
-    shaftcull_bounds& bounds = given(stream, "stream");
-    const Source from = as_source(source, "source");
-    const bool fits = std::visit(
-        [&]<class Holder>(Holder& holder) {
-          if constexpr (Stream<Holder>) {
-            return use_source(
-                from, [&](const auto& records) requires requires { holder.update(0, records); } {
-                  holder.update(as_size(first, "first"), records);
-                });
-          } else {
-            return false;
-          }
-        },
-        bounds.holder);
-    if (!fits) {
-      refuse("stream is " + name_of(bounds) + "; a stream is updated, by a source of bounds of its own kind" +
-             " (shaftcull_tree_update() updates trees)");
-    }
+    shaftcull_bounds*& out = given(tree, "tree");
+    out = new_bounds<BoxTree, SphereTree, TriangleTree>(source);
   });
 }
 
@@ -179,37 +169,97 @@ shaftcull_status shaftcull_bounds_copy(const shaftcull_bounds* bounds, shaftcull
 
 void shaftcull_bounds_free(shaftcull_bounds* bounds) { delete bounds; }
 
-shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaftcull_bounds_info* info) {
+shaftcull_status shaftcull_bounds_update(shaftcull_bounds* bounds, uint64_t first, const shaftcull_source* source) {
   return guarded([&] {
-    shaftcull_bounds_info& out = given(info, "info");
-    const shaftcull_bounds& all = given(bounds, "bounds");
+    shaftcull_bounds& all = given(bounds, "bounds");
+    const Source from = as_source(source, "source");
+    const bool fits = std::visit(
+        [&]<class Holder>(Holder& holder) {
+          if constexpr (Stream<Holder>) {
+            return use_source(
+                from, [&](const auto& records) requires requires { holder.update(0, records); } {
+                  holder.update(as_size(first, "first"), records);
+                });
+          } else if constexpr (ChangingTree<Holder>) {
+            if (first != 0) {
+              refuse("first = " + std::to_string(first) + "; all bounds of a tree are updated, from 0 on" +
+                     " (shaftcull_tree_update_some() updates some)");
+            }
+            return use_source(
+                from, [&](const auto& records) requires requires { holder.update(records); } {
+                  holder.update(records);
+                });
+          } else {
+            return false;
+          }
+        },
+        all.holder);
+    if (!fits) {
+      refuse("bounds are " + name_of(all) + "; a stream, or a tree of boxes or spheres, is updated by a source of " +
+             "its own kind of bounds");
+    }
+  });
+}
+
+shaftcull_status shaftcull_bounds_set_layers(shaftcull_bounds* bounds, const uint32_t* indices, const uint32_t* layers,
+                                             uint64_t count) {
+  return guarded([&] {
+    shaftcull_bounds& all = given(bounds, "bounds");
+    const std::span<const uint32_t> which = as_span_if_given(indices, count, "indices");
+    const std::span<const uint32_t> from =
+        indices == nullptr ? as_span_if_given(layers, count, "layers") : as_span(layers, count, "layers");
     std::visit(
-        [&]<class Holder>(const Holder& holder) {
-          out = {};
-          out.kind = kind_of<Holder>();
-          out.count = streams_of(holder).count;
-          out.holder = View<Holder> ? SHAFTCULL_VIEW : Stream<Holder> ? SHAFTCULL_STREAM : SHAFTCULL_TREE;
-          out.memory_bytes = all.layers.size() * sizeof(uint32_t);
-          out.has_layers = all.layers.empty() ? 0 : 1;
-          if constexpr (!View<Holder>) out.memory_bytes += holder.memory_bytes();
-          if constexpr (requires { holder.needs_refit(); }) {
-            out.needs_refit = holder.needs_refit() ? 1 : 0;
-            out.has_layers = holder.has_layers() ? 1 : 0;
+        [&]<class Holder>(Holder& holder) {
+          if constexpr (std::same_as<Holder, TriangleTree>) {
+            refuse("bounds are " + name_of(all) + ", which has no layers; a view or stream of triangles may have some");
+          } else if (indices != nullptr) {
+            if constexpr (ChangingTree<Holder>) {
+              holder.set_layers(which, from);
+            } else {
+              change_layers(all.layers, which, from);
+            }
+          } else if (const std::size_t size = streams_of(holder).count; count != size) {
+            refuse("count = " + std::to_string(count) + ", and bounds are " + name_of(all) + " with " +
+                   std::to_string(size) + " of them; without indices, there must be layers for each");
+          } else if constexpr (!ChangingTree<Holder>) {
+            all.layers = std::vector<std::uint32_t>(from.begin(), from.end());  // `from` may be the same memory
+          } else if (layers != nullptr) {
+            holder.set_layers(from);
+          } else {
+            holder.clear_layers();
           }
         },
         all.holder);
   });
 }
 
-shaftcull_status shaftcull_bounds_streams(const shaftcull_bounds* bounds, const float* streams[9]) {
+shaftcull_status shaftcull_bounds_describe(const shaftcull_bounds* bounds, shaftcull_bounds_info* info) {
   return guarded([&] {
-    (void)given(streams, "streams");
+    shaftcull_bounds_info& out = given(info, "info");
+    const shaftcull_bounds& all = given(bounds, "bounds");
     std::visit(
-        [&](const auto& holder) {
-          const auto view = streams_of(holder);
-          std::fill(std::copy(view.stream.begin(), view.stream.end(), streams), streams + 9, nullptr);
+        [&]<class Holder>(const Holder& holder) {
+          constexpr float infinity = std::numeric_limits<float>::infinity();
+          const auto streams = streams_of(holder);
+          out = {};
+          out.count = streams.count;
+          out.memory_bytes = all.layers.size() * sizeof(uint32_t);
+          std::copy(streams.stream.begin(), streams.stream.end(), out.streams);
+          out.layers = first_of(std::span(all.layers));
+          out.box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+          out.kind = kind_of<Holder>();
+          out.holder = holder_of<Holder>();
+          if constexpr (!View<Holder>) out.memory_bytes += holder.memory_bytes();
+          if constexpr (ChangingTree<Holder>) {
+            out.layers = first_of(holder.layers());
+            out.needs_refit = holder.needs_refit() ? 1 : 0;
+          }
+          if constexpr (requires { holder.order(); }) {
+            out.order = first_of(holder.order());
+            if (out.needs_refit == 0) out.box = converted<shaftcull_box>(holder.box());
+          }
         },
-        given(bounds, "bounds").holder);
+        all.holder);
   });
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+/// Helpers for boxes and planes, and solid boxes.
 #include <algorithm>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "arguments.hpp"
 #include "status.hpp"
@@ -11,19 +14,10 @@ using shaftcull::ViewPlanes;
 
 extern "C" {
 
-uint64_t shaftcull_bit_words(uint64_t bounds) { return bounds / 64 + (bounds % 64 != 0); }
-
 shaftcull_status shaftcull_box_around(const float* points, uint64_t count, shaftcull_box* box) {
   return guarded([&] {
     shaftcull_box& out = given(box, "box");
     out = converted<shaftcull_box>(shaftcull::box_around(as_vectors(points, count, "points")));
-  });
-}
-
-shaftcull_status shaftcull_joined(const shaftcull_box* a, const shaftcull_box* b, shaftcull_box* box) {
-  return guarded([&] {
-    shaftcull_box& out = given(box, "box");
-    out = converted<shaftcull_box>(shaftcull::joined(as_box(a, "a"), as_box(b, "b")));
   });
 }
 
@@ -50,6 +44,26 @@ shaftcull_status shaftcull_view_planes(const float matrix[16], shaftcull_clip_de
     const ViewPlanes view = shaftcull::view_planes(std::span<const float, 16>(matrix, 16), as_depth(depth));
     std::transform(view.begin(), view.end(), planes, converted<shaftcull_plane, shaftcull::Plane>);
     out = view.count;
+  });
+}
+
+shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes, uint64_t count, shaftcull_box* merged,
+                                        uint64_t room, uint64_t* merged_count) {
+  return guarded([&] {
+    const std::span<shaftcull_box> out = as_span(merged, room, "merged");
+    uint64_t& number = given(merged_count, "merged_count");
+    const std::vector<Box> found = shaftcull::merged_boxes(copied<Box>(boxes, count, "boxes"));
+    const std::size_t written = std::min(found.size(), out.size());
+    std::transform(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(written), out.begin(),
+                   [](const Box& box) { return converted<shaftcull_box>(box); });
+    number = found.size();
+  });
+}
+
+shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box) {
+  return guarded([&] {
+    shaftcull_box& out = given(box, "box");
+    out = converted<shaftcull_box>(shaftcull::inscribed_box(as_vectors(corners, count, "corners")));
   });
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cstring>
 #include <memory>
 #include <span>
 #include <utility>
@@ -16,6 +15,10 @@ namespace {
 
 shaftcull_hull* new_hull(ConvexHull&& hull) {
   return new shaftcull_hull{std::make_shared<const ConvexHull>(std::move(hull))};
+}
+
+const float* floats_of(std::span<const Vec3> vectors) noexcept {
+  return vectors.empty() ? nullptr : vectors.front().data();
 }
 
 }  // namespace
@@ -56,27 +59,11 @@ shaftcull_status shaftcull_hull_of_casters_towards(const shaftcull_hull* view, c
 
 void shaftcull_hull_free(shaftcull_hull* hull) { delete hull; }
 
-shaftcull_status shaftcull_hull_box(const shaftcull_hull* hull, shaftcull_box* box) {
+shaftcull_status shaftcull_hull_describe(const shaftcull_hull* hull, shaftcull_hull_info* info) {
   return guarded([&] {
     const ConvexHull& convex = *given(hull, "hull").hull;
-    given(box, "box") = converted<shaftcull_box>(convex.box());
-  });
-}
-
-shaftcull_status shaftcull_hull_points(const shaftcull_hull* hull, float floats[96], uint64_t* point_count,
-                                       uint64_t* direction_count) {
-  static_assert(ConvexHull::max_vertices * 3 == 96);
-  return guarded([&] {
-    const ConvexHull& convex = *given(hull, "hull").hull;
-    (void)given(floats, "floats");
-    uint64_t& points = given(point_count, "point_count");
-    uint64_t& directions = given(direction_count, "direction_count");
-    points = convex.points().size();
-    directions = convex.directions().size();
-    std::memcpy(floats, convex.points().data(), convex.points().size_bytes());
-    if (directions != 0) {
-      std::memcpy(floats + 3 * points, convex.directions().data(), convex.directions().size_bytes());
-    }
+    given(info, "info") = {convex.points().size(), convex.directions().size(), floats_of(convex.points()),
+                           floats_of(convex.directions()), converted<shaftcull_box>(convex.box())};
   });
 }
 

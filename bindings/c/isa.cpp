@@ -18,12 +18,12 @@ namespace {
 /// Names end with a 0, as those of the C++ interface are literals.
 const char* text(Isa isa) noexcept { return shaftcull::name(isa).data(); }
 
-/// What a thread was last told of the environment. Plain memory, so that it may ask while it ends.
-struct Asked {
+/// The last answer to a thread about the environment. Plain memory, so that the thread may ask while it ends.
+struct Choice {
   char asked[256];
   char refusal[512];
 };
-constinit thread_local Asked last_asked = {"", ""};
+constinit thread_local Choice last_choice = {"", ""};
 
 }  // namespace
 
@@ -31,22 +31,11 @@ extern "C" {
 
 uint32_t shaftcull_concurrency() { return static_cast<uint32_t>(shaftcull::concurrency()); }
 
-shaftcull_status shaftcull_isa_count(uint64_t* count) {
-  return guarded([&] {
-    uint64_t& out = given(count, "count");
-    out = shaftcull::available_isas().size();
-  });
-}
-
 shaftcull_status shaftcull_isa_name(uint64_t position, const char** name) {
   return guarded([&] {
     const char*& out = given(name, "name");
     const std::vector<Isa> available = shaftcull::available_isas();
-    if (position >= available.size()) {
-      refuse("position = " + std::to_string(position) + " is not below the number of instruction sets, " +
-             std::to_string(available.size()));
-    }
-    out = text(available[static_cast<std::size_t>(position)]);
+    out = position < available.size() ? text(available[static_cast<std::size_t>(position)]) : nullptr;
   });
 }
 
@@ -70,10 +59,10 @@ shaftcull_status shaftcull_isa_asked(const char** asked, const char** refusal) {
     const char*& asked_out = given(asked, "asked");
     const char*& refusal_out = given(refusal, "refusal");
     const shaftcull::IsaChoice choice = shaftcull::isa_choice();
-    std::snprintf(last_asked.asked, sizeof last_asked.asked, "%s", choice.asked.c_str());
-    std::snprintf(last_asked.refusal, sizeof last_asked.refusal, "%s", choice.refusal.c_str());
-    asked_out = last_asked.asked;
-    refusal_out = last_asked.refusal;
+    std::snprintf(last_choice.asked, sizeof last_choice.asked, "%s", choice.asked.c_str());
+    std::snprintf(last_choice.refusal, sizeof last_choice.refusal, "%s", choice.refusal.c_str());
+    asked_out = last_choice.asked;
+    refusal_out = last_choice.refusal;
   });
 }
 

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
-/// What the handles of the C interface are.
+/// The objects behind the handles of the C interface.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "shaftcull.h"
 #include "shaftcull/shaftcull.hpp"
 
-struct shaftcull_shaft {
-  shaftcull::Shaft formed;
-};
-
-/// Hulls are shared: arrays of shafts that one was put into own it, too.
+/// Hulls are shared: arrays of shafts that hold one own it, too.
 struct shaftcull_hull {
   std::shared_ptr<const shaftcull::ConvexHull> hull;
 };
 
 struct shaftcull_shafts {
   std::vector<shaftcull::CompiledShaft> compiled;
-  /// The hull that each of them refers to; none of them are there until the first hull is.
+  /// The hull to which each of them refers. Empty until the array gets its first hull.
   std::vector<std::shared_ptr<const shaftcull::ConvexHull>> hulls;
 };
 
@@ -30,10 +28,44 @@ struct shaftcull_bounds {
                shaftcull::SphereStream, shaftcull::TriangleStream, shaftcull::BoxTree, shaftcull::SphereTree,
                shaftcull::TriangleTree>
       holder;
-  /// Of a view or stream: none, or as many as there were bounds when they were set. Trees have their own.
+  /// The layers of a view or stream: none, or one set for each bound that there was when they were set. Trees have
+  /// their own.
   std::vector<std::uint32_t> layers{};
 };
 
 struct shaftcull_lists {
   shaftcull::IndexLists lists;
 };
+
+namespace shaftcull::binding {
+
+template <class Holder>
+concept View = std::same_as<Holder, BoxView> || std::same_as<Holder, SphereView> || std::same_as<Holder, TriangleView>;
+template <class Holder>
+concept Stream = requires(const Holder& holder) {
+  holder.view();
+};
+/// A tree of boxes or spheres, which can change. A TriangleTree cannot.
+template <class Holder>
+concept ChangingTree = requires(const Holder& holder) {
+  holder.needs_refit();
+};
+
+/// The floats of any holder.
+template <class Holder>
+auto streams_of(const Holder& holder) {
+  if constexpr (View<Holder>) {
+    return holder;
+  } else if constexpr (Stream<Holder>) {
+    return holder.view();
+  } else if constexpr (ChangingTree<Holder>) {
+    return holder.leaves();
+  } else {
+    return holder.triangles();
+  }
+}
+
+/// "a tree of boxes", for example.
+[[nodiscard]] std::string name_of(const shaftcull_bounds& bounds);
+
+}  // namespace shaftcull::binding

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Arrays of test-ready shafts.
+/// Arrays of shafts.
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -18,51 +18,55 @@ using shaftcull::Plane;
 
 namespace {
 
-/// Shafts [first, first + count) were overwritten by such that refer to no hull.
+/// Called when shafts that refer to no hull have overwritten [first, first + count).
 void let_go_of_hulls(shaftcull_shafts& shafts, std::uint64_t first, std::size_t count) noexcept {
   if (shafts.hulls.empty()) return;
   std::fill_n(shafts.hulls.begin() + static_cast<std::ptrdiff_t>(first), count, nullptr);
 }
 
-/// Sets one shaft to what `make` makes.
-template <class Make>
-shaftcull_status set_one(shaftcull_shafts* shafts, std::uint64_t shaft, Make&& make) noexcept {
-  return guarded([&] {
-    CompiledShaft& out = shaft_at(shafts, shaft);
-    out = make();
-    let_go_of_hulls(*shafts, shaft, 1);
-  });
-}
-
 /// Sets `count` shafts, which `make` writes to the span that it gets.
 template <class Make>
-void set_some(shaftcull_shafts* shafts, std::uint64_t first, std::uint64_t count, Make&& make) {
+void set_range(shaftcull_shafts* shafts, std::uint64_t first, std::uint64_t count, Make&& make) {
   const std::span<CompiledShaft> out = shafts_from(shafts, first, count);
   make(out);
   let_go_of_hulls(*shafts, first, out.size());
 }
 
-/// Planes of a batch, copied.
-struct CopiedBatchPlanes {
-  std::vector<Plane> a;
-  std::vector<Plane> b;
+/// Sets shafts for pairs of boxes: make(boxes a, boxes b, out, planes, pairs…), where pairs are left out if there is
+/// one shaft for each two boxes at the same position.
+template <class Make>
+shaftcull_status set_pairs(shaftcull_shafts* shafts, std::uint64_t first, std::uint64_t count,
+                           const shaftcull_source* a, const char* name_a, const shaftcull_source* b, const char* name_b,
+                           const shaftcull_index_pair* pairs, const shaftcull_batch_planes* planes,
+                           Make&& make) noexcept {
+  return guarded([&] {
+    const BoxesInStreams boxes_a(a, name_a);
+    const BoxesInStreams boxes_b(b, name_b);
+    static constexpr shaftcull_batch_planes no_planes{};
+    const shaftcull_batch_planes& each = planes == nullptr ? no_planes : *planes;
+    const std::vector<Plane> planes_a = as_planes(each.a, each.a_count, "planes.a");
+    const std::vector<Plane> planes_b = as_planes(each.b, each.b_count, "planes.b");
+    const BatchPlanes all_planes{planes_a, planes_b};
+    set_range(shafts, first, count, [&](std::span<CompiledShaft> out) {
+      if (pairs == nullptr && count != 0) {
+        make(boxes_a.view(), boxes_b.view(), out, all_planes);
+      } else {
+        make(boxes_a.view(), boxes_b.view(), out, all_planes, copied<IndexPair>(pairs, count, "pairs"));
+      }
+    });
+  });
+}
 
-  explicit CopiedBatchPlanes(const shaftcull_batch_planes* planes) {
-    if (planes == nullptr) return;
-    a = as_planes(planes->a, planes->a_count, "planes.a");
-    b = as_planes(planes->b, planes->b_count, "planes.b");
-  }
-  [[nodiscard]] BatchPlanes get() const noexcept { return {a, b}; }
-};
-
-/// One of the batches of moving bodies: Batch is called with the views, vectors, shafts and planes.
-template <class Batch>
-void set_moving(shaftcull_shafts* shafts, std::uint64_t first, const shaftcull_source* bodies, const float* vectors,
-                const char* name, const shaftcull_plane* planes, std::uint64_t plane_count, Batch&& batch) {
-  const BatchBoxes boxes(bodies, "bodies");
-  set_some(shafts, first, boxes.view().count, [&](std::span<CompiledShaft> out) {
-    const std::vector<shaftcull::Vec3> copies = as_vectors(vectors, boxes.view().count, name);
-    batch(boxes.view(), copies, out, as_planes(planes, plane_count, "planes"));
+/// Sets shafts of moving bodies: make(bodies, vectors, out, planes).
+template <class Make>
+shaftcull_status set_moving(shaftcull_shafts* shafts, std::uint64_t first, std::uint64_t count,
+                            const shaftcull_source* bodies, const float* vectors, const char* name,
+                            const shaftcull_plane* planes, std::uint64_t plane_count, Make&& make) noexcept {
+  return guarded([&] {
+    const BoxesInStreams boxes(bodies, "bodies");
+    set_range(shafts, first, count, [&](std::span<CompiledShaft> out) {
+      make(boxes.view(), as_vectors(vectors, count, name), out, as_planes(planes, plane_count, "planes"));
+    });
   });
 }
 
@@ -88,7 +92,7 @@ uint64_t shaftcull_shafts_count(const shaftcull_shafts* shafts) {
 shaftcull_status shaftcull_shafts_copy(shaftcull_shafts* shafts, uint64_t first, const shaftcull_shafts* source,
                                        uint64_t source_first, uint64_t count) {
   return guarded([&] {
-    const std::span<const CompiledShaft> from = shafts_of(&given(source, "source"), source_first, count);
+    const std::span<const CompiledShaft> from = shafts_from(&given(source, "source"), source_first, count);
     const std::span<CompiledShaft> to = shafts_from(shafts, first, count);
     if (!source->hulls.empty()) shafts->hulls.resize(shafts->compiled.size());  // the one thing here that may throw
     const bool backwards = shafts == source && first > source_first;
@@ -125,42 +129,44 @@ shaftcull_status shaftcull_shafts_describe(const shaftcull_shafts* shafts, uint6
   });
 }
 
-shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_box* a,
-                                              const shaftcull_box* b, shaftcull_contact contact) {
-  return set_one(shafts, shaft,
-                 [&] { return shaftcull::compile(as_box(a, "a"), as_box(b, "b"), as_contact(contact)); });
+shaftcull_status shaftcull_shafts_set_between(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                              const shaftcull_source* a, const shaftcull_source* b,
+                                              const shaftcull_index_pair* pairs, const shaftcull_batch_planes* planes,
+                                              shaftcull_contact contact) {
+  return set_pairs(shafts, first, count, a, "a", b, "b", pairs, planes,
+                   [contact](const auto& from, const auto& to, std::span<CompiledShaft> out, const auto& added,
+                             const auto&... named) {
+                     shaftcull::compile_batch(from, to, named..., out, added, as_contact(contact));
+                   });
 }
 
-shaftcull_status shaftcull_shafts_set_formed(shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_shaft* formed) {
-  return set_one(shafts, shaft, [&] { return shaftcull::compile(given(formed, "formed").formed); });
+shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                            const shaftcull_source* bodies, const float* displacements,
+                                            const shaftcull_plane* planes, uint64_t plane_count) {
+  return set_moving(shafts, first, count, bodies, displacements, "displacements", planes, plane_count,
+                    [](const auto&... arguments) { shaftcull::swept_batch(arguments...); });
 }
 
-shaftcull_status shaftcull_shafts_set_swept(shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_box* body,
-                                            const float displacement[3], const shaftcull_plane* planes,
-                                            uint64_t plane_count) {
-  return set_one(shafts, shaft, [&] {
-    return shaftcull::swept(as_box(body, "body"), as_vector(displacement, "displacement"),
-                            as_planes(planes, plane_count, "planes"));
-  });
-}
-
-shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t shaft,
-                                                     const shaftcull_box* body, const float direction[3],
+shaftcull_status shaftcull_shafts_set_swept_infinite(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                                     const shaftcull_source* bodies, const float* directions,
                                                      const shaftcull_plane* planes, uint64_t plane_count) {
-  return set_one(shafts, shaft, [&] {
-    return shaftcull::swept_infinite(as_box(body, "body"), as_vector(direction, "direction"),
-                                     as_planes(planes, plane_count, "planes"));
-  });
+  return set_moving(shafts, first, count, bodies, directions, "directions", planes, plane_count,
+                    [](const auto&... arguments) { shaftcull::swept_infinite_batch(arguments...); });
 }
 
-shaftcull_status shaftcull_shafts_set_shadow(shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_box* light,
-                                             const shaftcull_box* occluder, const float* reach,
-                                             const shaftcull_plane* planes, uint64_t plane_count) {
-  return set_one(shafts, shaft, [&] {
-    const std::vector<Plane> copies = as_planes(planes, plane_count, "planes");
-    return reach == nullptr ? shaftcull::shadow(as_box(light, "light"), as_box(occluder, "occluder"), copies)
-                            : shaftcull::shadow(as_box(light, "light"), as_box(occluder, "occluder"), *reach, copies);
-  });
+shaftcull_status shaftcull_shafts_set_shadow(shaftcull_shafts* shafts, uint64_t first, uint64_t count,
+                                             const shaftcull_source* lights, const shaftcull_source* occluders,
+                                             const shaftcull_index_pair* pairs, const float* reach,
+                                             const shaftcull_batch_planes* planes) {
+  return set_pairs(shafts, first, count, lights, "lights", occluders, "occluders", pairs, planes,
+                   [reach](const auto& from, const auto& over, std::span<CompiledShaft> out, const auto& added,
+                           const auto&... named) {
+                     if (reach == nullptr) {
+                       shaftcull::shadow_batch(from, over, named..., out, added);
+                     } else {
+                       shaftcull::shadow_batch(from, over, named..., *reach, out, added);
+                     }
+                   });
 }
 
 shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shafts, uint64_t shaft, const shaftcull_hull* hull) {
@@ -170,70 +176,6 @@ shaftcull_status shaftcull_shafts_set_hull(shaftcull_shafts* shafts, uint64_t sh
     shafts->hulls.resize(shafts->compiled.size());
     out = shared->compiled();
     shafts->hulls[static_cast<std::size_t>(shaft)] = shared;
-  });
-}
-
-shaftcull_status shaftcull_shafts_set_between_batch(shaftcull_shafts* shafts, uint64_t first, const shaftcull_source* a,
-                                                    const shaftcull_source* b, const shaftcull_index_pair* pairs,
-                                                    uint64_t pair_count, const shaftcull_batch_planes* planes,
-                                                    shaftcull_contact contact) {
-  return guarded([&] {
-    const BatchBoxes boxes_a(a, "a");
-    const BatchBoxes boxes_b(b, "b");
-    const CopiedBatchPlanes copies(planes);
-    set_some(shafts, first, pair_count, [&](std::span<CompiledShaft> out) {
-      if (pairs == nullptr && pair_count != 0) {
-        shaftcull::compile_batch(boxes_a.view(), boxes_b.view(), out, copies.get(), as_contact(contact));
-      } else {
-        shaftcull::compile_batch(boxes_a.view(), boxes_b.view(), copied<IndexPair>(pairs, pair_count, "pairs"), out,
-                                 copies.get(), as_contact(contact));
-      }
-    });
-  });
-}
-
-shaftcull_status shaftcull_shafts_set_swept_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                  const shaftcull_source* bodies, const float* displacements,
-                                                  const shaftcull_plane* planes, uint64_t plane_count) {
-  return guarded([&] {
-    set_moving(shafts, first, bodies, displacements, "displacements", planes, plane_count,
-               [](auto&&... arguments) { shaftcull::swept_batch(arguments...); });
-  });
-}
-
-shaftcull_status shaftcull_shafts_set_swept_infinite_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                           const shaftcull_source* bodies, const float* directions,
-                                                           const shaftcull_plane* planes, uint64_t plane_count) {
-  return guarded([&] {
-    set_moving(shafts, first, bodies, directions, "directions", planes, plane_count,
-               [](auto&&... arguments) { shaftcull::swept_infinite_batch(arguments...); });
-  });
-}
-
-shaftcull_status shaftcull_shafts_set_shadow_batch(shaftcull_shafts* shafts, uint64_t first,
-                                                   const shaftcull_source* lights, const shaftcull_source* occluders,
-                                                   const shaftcull_index_pair* pairs, uint64_t pair_count,
-                                                   const float* reach, const shaftcull_batch_planes* planes) {
-  return guarded([&] {
-    const BatchBoxes from(lights, "lights");
-    const BatchBoxes over(occluders, "occluders");
-    const CopiedBatchPlanes copies(planes);
-    set_some(shafts, first, pair_count, [&](std::span<CompiledShaft> out) {
-      if (pairs == nullptr && pair_count != 0) {
-        if (reach == nullptr) {
-          shaftcull::shadow_batch(from.view(), over.view(), out, copies.get());
-        } else {
-          shaftcull::shadow_batch(from.view(), over.view(), *reach, out, copies.get());
-        }
-        return;
-      }
-      const std::vector<IndexPair> indices = copied<IndexPair>(pairs, pair_count, "pairs");
-      if (reach == nullptr) {
-        shaftcull::shadow_batch(from.view(), over.view(), indices, out, copies.get());
-      } else {
-        shaftcull::shadow_batch(from.view(), over.view(), indices, *reach, out, copies.get());
-      }
-    });
   });
 }
 

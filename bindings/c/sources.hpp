@@ -2,9 +2,10 @@
 /// Sources: bounds in the caller's memory, as the C++ interface takes them.
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <span>
-#include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -12,12 +13,16 @@
 
 namespace shaftcull::binding {
 
-/// What a source names. Triangles have been copied.
+/// The bounds of a source. Triangles have been copied.
 using Source = std::variant<StridedBoxes, StridedCentreExtents, StridedSpheres, std::vector<Triangle>, MeshView,
                             BoxView, SphereView, TriangleView>;
 
-/// Throws InvalidArgument for a kind that there is not, for fields that it does not have, and for NULL.
+/// Throws InvalidArgument for an unknown kind, for fields that are not 0 though the kind has no such field, and for a
+/// NULL pointer to records.
 [[nodiscard]] Source as_source(const shaftcull_source* source, const char* name);
+
+/// Whether the source has a count of boxes, spheres or triangles, and no data. Throws for fields as as_source().
+[[nodiscard]] bool has_no_data(const shaftcull_source& source, const char* name);
 
 /// Calls use(records), where the type of records is one that the C++ interface has for the source; false if `use` does
 /// not take that type.
@@ -39,21 +44,22 @@ template <class Use>
       source);
 }
 
-/// Boxes for a batch of shafts: read where they are, if they are in streams, and packed otherwise.
-class BatchBoxes {
+/// The boxes of a source in streams: where they are, if they are in streams, and copied otherwise. Copies of records
+/// are not checked: calls that take the view check the boxes that they use. Copying one box allocates nothing.
+class BoxesInStreams {
  public:
-  BatchBoxes(const shaftcull_source* source, const char* name);
+  BoxesInStreams(const shaftcull_source* source, const char* name);
+  BoxesInStreams(const BoxesInStreams&) = delete;
+  BoxesInStreams& operator=(const BoxesInStreams&) = delete;
   [[nodiscard]] const BoxView& view() const noexcept { return view_; }
 
  private:
+  void copy(const StridedBoxes& records);
+
+  std::array<float, 6> one_{};
+  std::vector<float> many_;
   BoxStream packed_;
   BoxView view_;
 };
-
-/// "boxes", "spheres" or "triangles".
-[[nodiscard]] std::string name_of_kind(shaftcull_bound_kind kind);
-
-/// "a tree of boxes", say.
-[[nodiscard]] std::string name_of(const shaftcull_bounds& bounds);
 
 }  // namespace shaftcull::binding

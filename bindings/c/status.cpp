@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <utility>
 
 #include "shaftcull/error.hpp"
 #include "shaftcull/version.hpp"
@@ -16,7 +15,7 @@ namespace shaftcull::binding {
 
 namespace {
 
-/// What went wrong last in one thread. Plain memory, so that a thread's first error allocates nothing, and its last may
+/// The last error of one thread. Plain memory, so that a thread's first error allocates nothing, and its last may
 /// come while the thread ends.
 struct LastError {
   char message[1024];  ///< cut off if it is longer, as with a very long name in it
@@ -49,8 +48,6 @@ shaftcull_status record(const std::exception& error) noexcept {
 
 std::atomic<shaftcull_error_handler> error_handler{nullptr};
 
-thread_local const TellingInstead::Other* told_instead = nullptr;
-
 }  // namespace
 
 #if defined(__cpp_exceptions)
@@ -65,14 +62,7 @@ shaftcull_status record_exception() noexcept {
 }
 #endif
 
-TellingInstead::TellingInstead(const Other& other) noexcept { told_instead = &other; }
-TellingInstead::~TellingInstead() { told_instead = nullptr; }
-
 void tell_handler(const std::exception& error) {
-  // The handler may leave this call for good, so nothing is told instead of the next error.
-  const TellingInstead::Other* const other = std::exchange(told_instead, nullptr);
-  const auto* const bad = dynamic_cast<const BadBound*>(&error);
-  if (other != nullptr && bad != nullptr) tell_handler((*other)(*bad));
   const shaftcull_status status = record(error);
   if (const shaftcull_error_handler handler = error_handler.load()) {
     handler(status, last_error.message, last_error.position);

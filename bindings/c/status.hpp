@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Errors become statuses here, and nowhere else. In a build without exceptions the caller's handler is told of them.
+/// Errors become statuses here, and nowhere else. In a build without exceptions they go to the caller's handler.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,10 @@
 
 #include "shaftcull.h"
 #include "shaftcull/error.hpp"
-#include "shaftcull/function_ref.hpp"
 
 namespace shaftcull::binding {
 
-/// What a callback that returns something else than 0 is carried out of the library by.
+/// Ends a call of the library because a callback returned something else than 0.
 class Stopped : public std::exception {
  public:
   explicit Stopped(std::int32_t returned) noexcept : returned_(returned) {}
@@ -26,23 +25,10 @@ class Stopped : public std::exception {
 /// Records the exception that is being handled as this thread's last error, and returns its status.
 [[nodiscard]] shaftcull_status record_exception() noexcept;
 
-/// Records an error as this thread's last one, tells the caller's handler, and ends the program if that returns.
+/// Records an error as this thread's last one, calls the caller's handler, and ends the program if that returns.
 [[noreturn]] void tell_handler(const std::exception& error);
 
-/// In a build without exceptions: has tell_handler() tell another error of a BadBound of this thread, until the end of
-/// the scope or the first error. There is one at a time.
-class TellingInstead {
- public:
-  using Other = FunctionRef<BadBound(const BadBound&)>;
-
-  /// `other` must live as long as this.
-  explicit TellingInstead(const Other& other) noexcept;
-  ~TellingInstead();
-  TellingInstead(const TellingInstead&) = delete;
-  TellingInstead& operator=(const TellingInstead&) = delete;
-};
-
-/// Throws an error; in a build without exceptions, tell_handler() of it. kernel/support/fail.hpp does alike.
+/// Throws an error; calls tell_handler() in a build without exceptions. As kernel/support/fail.hpp.
 template <class Error>
 [[noreturn]] void fail(const Error& error) {
 #if defined(__cpp_exceptions)

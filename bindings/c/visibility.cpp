@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What sees what, of all pairs of patches.
+/// Visibility: which pairs of patches see each other.
 #include "shaftcull/visibility.hpp"
 
 #include <algorithm>
@@ -10,12 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "shaftcull/solids.hpp"
 #include "sources.hpp"
 #include "status.hpp"
 
 using namespace shaftcull::binding;
-using shaftcull::Box;
 using shaftcull::Occluders;
 using shaftcull::PairBlock;
 using shaftcull::PatchPair;
@@ -35,8 +33,8 @@ struct shaftcull_occluders {
   Occluders all;
 };
 
-struct shaftcull_sights {
-  std::vector<shaftcull_sight_product> products;
+struct shaftcull_visibility_result {
+  std::vector<shaftcull_pair_block> products;
   std::vector<shaftcull_index_pair> pairs;
   std::vector<std::uint64_t> first_candidate;
   std::vector<std::uint32_t> candidates;
@@ -50,15 +48,13 @@ shaftcull_sight_counts from_sights(const SightCounts& counts) noexcept {
   return {counts.undecided, counts.clear, counts.occluded, counts.facing_away};
 }
 
-shaftcull_sight_product from_product(const PairBlock& product) noexcept {
-  return {{product.a.first, product.a.count},
-          {product.b.first, product.b.count},
-          static_cast<shaftcull_sight>(product.sight)};
+shaftcull_pair_block from_block(const PairBlock& block) noexcept {
+  return {{block.a.first, block.a.count}, {block.b.first, block.b.count}, static_cast<shaftcull_sight>(block.sight)};
 }
 
 shaftcull_index_pair from_pair(const PatchPair& pair) noexcept { return {pair.a, pair.b}; }
 
-/// The same elements in C, behind those that there are.
+/// Appends the same elements in C.
 template <class Out, class In, class Convert>
 void append(std::vector<Out>& out, std::span<const In> in, Convert&& convert) {
   out.resize(out.size() + in.size());
@@ -93,7 +89,7 @@ void go_on_if(std::int32_t returned) {
 }
 
 constexpr const char* sight_enumerators =
-    "SHAFTCULL_SIGHT_UNDECIDED, SHAFTCULL_SIGHT_CLEAR, SHAFTCULL_SIGHT_BLOCKED and SHAFTCULL_SIGHT_FACING_AWAY";
+    "SHAFTCULL_SIGHT_UNDECIDED, SHAFTCULL_SIGHT_CLEAR, SHAFTCULL_SIGHT_OCCLUDED and SHAFTCULL_SIGHT_FACING_AWAY";
 
 [[noreturn]] void refuse_verdict(std::size_t i, unsigned verdict, const PatchPair& pair) {
   refuse("verdicts[" + std::to_string(i) + "] = " + std::to_string(verdict) + ", of patches " + std::to_string(pair.a) +
@@ -131,27 +127,24 @@ VisibilityOptions as_options(const shaftcull_visibility_options* options) {
   return out;
 }
 
-/// Calls one(set) or two(set, set), as `b` is NULL or not.
-template <class One, class Two>
-auto of_one_or_two(const shaftcull_patches* a, const shaftcull_patches* b, One&& one, Two&& two) {
+/// Calls use(set) or use(set, set), as `b` is NULL or not.
+template <class Use>
+auto of_one_or_two(const shaftcull_patches* a, const shaftcull_patches* b, Use&& use) {
   const PatchSet& first = given(a, "a").set;
-  return b == nullptr ? one(first) : two(first, b->set);
+  return b == nullptr ? use(first) : use(first, b->set);
 }
 
 template <class Deliver>
 SightCounts deliver_all(const shaftcull_patches* a, const shaftcull_patches* b, const Occluders& occluders,
                         const VisibilityOptions& options, const Deliver& deliver) {
   return of_one_or_two(
-      a, b, [&](const PatchSet& set) { return shaftcull::visibility(set, occluders, deliver, options); },
-      [&](const PatchSet& set, const PatchSet& other) {
-        return shaftcull::visibility(set, other, occluders, deliver, options);
-      });
+      a, b, [&](const auto&... sets) { return shaftcull::visibility(sets..., occluders, deliver, options); });
 }
 
-/// Makes streams of the boxes of a source, and adds them.
+/// Adds the boxes of a source.
 template <class Add>
 void add_from(const shaftcull_source* source, std::uint64_t* first, Add&& add) {
-  const BatchBoxes boxes(source, "boxes");
+  const BoxesInStreams boxes(source, "boxes");
   const std::size_t number = add(boxes.view());
   if (first != nullptr) *first = number;
 }
@@ -180,15 +173,6 @@ shaftcull_status add_corners(shaftcull_occluders* occluders, const float* corner
   });
 }
 
-const Occluders& occluder_of(const shaftcull_occluders* occluders, std::uint64_t occluder) {
-  const Occluders& all = given(occluders, "occluders").all;
-  if (occluder >= all.size()) {
-    refuse("occluder = " + std::to_string(occluder) + " is not below the number of occluders, " +
-           std::to_string(all.size()));
-  }
-  return all;
-}
-
 }  // namespace
 
 extern "C" {
@@ -211,21 +195,17 @@ shaftcull_status shaftcull_patches_create(const shaftcull_source* boxes, const s
                                           uint64_t plane_count, shaftcull_patches** patches) {
   return guarded([&] {
     shaftcull_patches*& out = given(patches, "patches");
-    const BatchBoxes all(boxes, "boxes");
+    const BoxesInStreams all(boxes, "boxes");
     out = new shaftcull_patches{PatchSet(all.view(), as_planes(planes, plane_count, "planes"))};
   });
 }
 
 void shaftcull_patches_free(shaftcull_patches* patches) { delete patches; }
 
-uint64_t shaftcull_patches_count(const shaftcull_patches* patches) {
-  return patches == nullptr ? 0 : patches->set.size();
-}
-
-shaftcull_status shaftcull_patches_order(const shaftcull_patches* patches, const uint32_t** order) {
+shaftcull_status shaftcull_patches_describe(const shaftcull_patches* patches, shaftcull_patches_info* info) {
   return guarded([&] {
-    const std::span<const uint32_t> all = given(patches, "patches").set.order();
-    given(order, "order") = all.empty() ? nullptr : all.data();
+    const PatchSet& set = given(patches, "patches").set;
+    given(info, "info") = {set.size(), first_of(set.order())};
   });
 }
 
@@ -300,38 +280,17 @@ shaftcull_status shaftcull_occluders_add_triangles(shaftcull_occluders* occluder
   });
 }
 
-shaftcull_status shaftcull_occluders_box(const shaftcull_occluders* occluders, uint64_t occluder, shaftcull_box* box) {
-  return guarded([&] {
-    const Occluders& all = occluder_of(occluders, occluder);
-    given(box, "box") = converted<shaftcull_box>(all.box(static_cast<std::size_t>(occluder)));
-  });
-}
-
-shaftcull_status shaftcull_occluders_triangles(const shaftcull_occluders* occluders, uint64_t occluder,
-                                               const uint32_t** triangles, uint64_t* count) {
-  return guarded([&] {
-    const Occluders& all = occluder_of(occluders, occluder);
-    const uint32_t*& out = given(triangles, "triangles");
-    uint64_t& number = given(count, "count");
-    const std::span<const uint32_t> found = all.triangles(static_cast<std::size_t>(occluder));
-    out = found.empty() ? nullptr : found.data();
-    number = found.size();
-  });
-}
-
-shaftcull_status shaftcull_count_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
-                                            const shaftcull_occluders* occluders,
-                                            const shaftcull_visibility_options* options,
-                                            shaftcull_sight_counts* counts) {
+shaftcull_status shaftcull_occluders_describe(const shaftcull_occluders* occluders, uint64_t occluder,
+                                              shaftcull_occluder_info* info) {
   return guarded([&] {
     const Occluders& all = given(occluders, "occluders").all;
-    const VisibilityOptions with = as_options(options);
-    shaftcull_sight_counts& out = given(counts, "counts");
-    out = from_sights(of_one_or_two(
-        a, b, [&](const PatchSet& set) { return shaftcull::count_visibility(set, all, with); },
-        [&](const PatchSet& set, const PatchSet& other) {
-          return shaftcull::count_visibility(set, other, all, with);
-        }));
+    if (occluder >= all.size()) {
+      refuse("occluder = " + std::to_string(occluder) + " is not below the number of occluders, " +
+             std::to_string(all.size()));
+    }
+    const auto i = static_cast<std::size_t>(occluder);
+    const std::span<const uint32_t> triangles = all.triangles(i);
+    given(info, "info") = {first_of(triangles), triangles.size(), converted<shaftcull_box>(all.box(i))};
   });
 }
 
@@ -341,16 +300,18 @@ shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcul
   return guarded([&] {
     const Occluders& all = given(occluders, "occluders").all;
     const VisibilityOptions with = as_options(options);
-    if (callback == nullptr) refuse("callback is NULL");
-    std::vector<shaftcull_sight_product> products;
+    if (callback == nullptr) {
+      shaftcull_sight_counts& out = given(counts, "counts");
+      out = from_sights(
+          of_one_or_two(a, b, [&](const auto&... sets) { return shaftcull::count_visibility(sets..., all, with); }));
+      return;
+    }
+    std::vector<shaftcull_pair_block> products;
     UndecidedInC undecided;
     const SightCounts found = deliver_all(a, b, all, with, [&](const SightBatch& answers) {
       products.clear();
-      append(products, answers.products, from_product);
-      shaftcull_sight_batch batch{};
-      batch.products = products.data();
-      batch.product_count = products.size();
-      batch.undecided = undecided.of(answers.undecided);
+      append(products, answers.products, from_block);
+      const shaftcull_sight_batch batch{products.data(), products.size(), undecided.of(answers.undecided)};
       go_on_if(callback(&batch, user));
     });
     if (counts != nullptr) *counts = from_sights(found);
@@ -359,17 +320,18 @@ shaftcull_status shaftcull_visibility(const shaftcull_patches* a, const shaftcul
 
 shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const shaftcull_patches* b,
                                               const shaftcull_occluders* occluders,
-                                              const shaftcull_visibility_options* options, shaftcull_sights** sights) {
+                                              const shaftcull_visibility_options* options,
+                                              shaftcull_visibility_result** result) {
   return guarded([&] {
     const Occluders& all = given(occluders, "occluders").all;
     const VisibilityOptions with = as_options(options);
-    shaftcull_sights*& out = given(sights, "sights");
-    auto collected = std::make_unique<shaftcull_sights>();
+    shaftcull_visibility_result*& out = given(result, "result");
+    auto collected = std::make_unique<shaftcull_visibility_result>();
     collected->has_candidates = with.candidates;
     collected->first_candidate.push_back(0);
     collected->counts = from_sights(deliver_all(a, b, all, with, [&](const SightBatch& answers) {
       const UndecidedPairs& undecided = answers.undecided;
-      append(collected->products, answers.products, from_product);
+      append(collected->products, answers.products, from_block);
       append(collected->pairs, undecided.pairs, from_pair);
       const std::size_t before = collected->candidates.size();
       collected->candidates.insert(collected->candidates.end(), undecided.candidates.begin(),
@@ -382,18 +344,14 @@ shaftcull_status shaftcull_collect_visibility(const shaftcull_patches* a, const 
   });
 }
 
-void shaftcull_sights_free(shaftcull_sights* sights) { delete sights; }
+void shaftcull_visibility_result_free(shaftcull_visibility_result* result) { delete result; }
 
-shaftcull_status shaftcull_sights_all(const shaftcull_sights* sights, shaftcull_sight_batch* batch,
-                                      shaftcull_sight_counts* counts) {
+shaftcull_status shaftcull_visibility_result_describe(const shaftcull_visibility_result* result,
+                                                      shaftcull_sight_batch* batch, shaftcull_sight_counts* counts) {
   return guarded([&] {
-    const shaftcull_sights& all = given(sights, "sights");
+    const shaftcull_visibility_result& all = given(result, "result");
     shaftcull_sight_batch& out = given(batch, "batch");
-    out = {};
-    out.products = all.products.data();
-    out.product_count = all.products.size();
-    out.undecided.pairs = all.pairs.data();
-    out.undecided.count = all.pairs.size();
+    out = {all.products.data(), all.products.size(), {all.pairs.data(), all.pairs.size(), nullptr, nullptr}};
     if (all.has_candidates) {
       out.undecided.first_candidate = all.first_candidate.data();
       out.undecided.candidates = all.candidates.data();
@@ -412,31 +370,8 @@ shaftcull_status shaftcull_visibility_bits(const shaftcull_patches* a, const sha
     const Sight kind = as_enumerator(sight, Sight::facing_away, "sight", sight_enumerators);
     const std::span<uint64_t> out = as_span(bits, words, "bits");
     const SightCounts found = of_one_or_two(
-        a, b, [&](const PatchSet& set) { return shaftcull::visibility_bits(set, all, kind, out, with); },
-        [&](const PatchSet& set, const PatchSet& other) {
-          return shaftcull::visibility_bits(set, other, all, kind, out, with);
-        });
+        a, b, [&](const auto&... sets) { return shaftcull::visibility_bits(sets..., all, kind, out, with); });
     if (counts != nullptr) *counts = from_sights(found);
-  });
-}
-
-shaftcull_status shaftcull_merged_boxes(const shaftcull_box* boxes, uint64_t count, shaftcull_box* merged,
-                                        uint64_t room, uint64_t* merged_count) {
-  return guarded([&] {
-    const std::span<shaftcull_box> out = as_span(merged, room, "merged");
-    uint64_t& number = given(merged_count, "merged_count");
-    const std::vector<Box> found = shaftcull::merged_boxes(copied<Box>(boxes, count, "boxes"));
-    const std::size_t written = std::min(found.size(), out.size());
-    std::transform(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(written), out.begin(),
-                   [](const Box& box) { return converted<shaftcull_box>(box); });
-    number = found.size();
-  });
-}
-
-shaftcull_status shaftcull_inscribed_box(const float* corners, uint64_t count, shaftcull_box* box) {
-  return guarded([&] {
-    shaftcull_box& out = given(box, "box");
-    out = converted<shaftcull_box>(shaftcull::inscribed_box(as_vectors(corners, count, "corners")));
   });
 }
 

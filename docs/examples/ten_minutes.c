@@ -21,13 +21,15 @@ int main(void) {
 
   const shaftcull_source source = shaftcull_boxes(scene, 3);
   shaftcull_bounds* boxes = NULL;
-  must(
-      shaftcull_stream_create(&source, &boxes)); /* checked, aligned, one stream a coordinate */
-  shaftcull_shafts* shaft = NULL;                /* an array of one shaft */
+  must(shaftcull_stream_create(&source, &boxes)); /* checked, aligned, in separate streams */
+  shaftcull_shafts* shaft = NULL;                 /* an array of one shaft */
   must(shaftcull_shafts_create(1, &shaft));
-  must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
+  const shaftcull_source from = shaftcull_boxes(&lamp, 1);
+  const shaftcull_source to = shaftcull_boxes(&table, 1);
+  must(shaftcull_shafts_set_between(shaft, 0, 1, &from, &to, NULL, NULL,
+                                    SHAFTCULL_CONTACT_CLOSED));
   uint64_t kept = 0;
-  must(shaftcull_cull(shaft, 0, boxes, NULL, &kept, 1)); /* bit i: box i may stand between */
+  must(shaftcull_cull(shaft, 0, 1, boxes, NULL, &kept, 1)); /* bit i: box i may be between */
   for (int i = 0; i != 3; ++i) printf("box %d %s\n", i, kept >> i & 1 ? "may" : "cannot");
   /* [[end]] */
 
@@ -37,27 +39,29 @@ int main(void) {
   const shaftcull_source end_boxes = shaftcull_boxes(ends, 3);
   shaftcull_shafts* shafts = NULL;
   must(shaftcull_shafts_create(3, &shafts));
-  must(shaftcull_shafts_set_between_batch(shafts, 0, &end_boxes, &end_boxes, pairs, 3, NULL,
-                                          SHAFTCULL_CONTACT_CLOSED));
+  must(shaftcull_shafts_set_between(shafts, 0, 3, &end_boxes, &end_boxes, pairs, NULL,
+                                    SHAFTCULL_CONTACT_CLOSED));
 
   shaftcull_lists* lists = NULL;
   must(shaftcull_lists_create(&lists));
   must(shaftcull_list_many(shafts, 0, 3, boxes, NULL, lists)); /* in parallel */
-  const uint64_t* offsets = shaftcull_lists_offsets(lists);
+  shaftcull_lists_info info;
+  must(shaftcull_lists_describe(lists, &info));
   for (int s = 0; s != 3; ++s) {
-    printf("shaft %d keeps %u\n", s, (unsigned)(offsets[s + 1] - offsets[s]));
+    printf("shaft %d keeps %u\n", s, (unsigned)(info.offsets[s + 1] - info.offsets[s]));
   }
   /* [[end]] */
 
   /* [[tree]] */
   shaftcull_bounds* tree = NULL;
-  must(shaftcull_tree_create(&source, &tree)); /* sorted once; asked the same questions */
+  must(shaftcull_tree_create(&source, &tree)); /* sorted once; takes the same queries */
   const uint32_t floor_box = 2;                /* is left out */
   const shaftcull_query without = {.exclude = &floor_box, .exclude_count = 1};
   must(shaftcull_list_many(shafts, 0, 3, tree, &without, lists));
-  uint32_t any = 0;
-  must(shaftcull_any(shafts, 0, tree, NULL, &any));
-  printf("%u without box 2, %s\n", (unsigned)shaftcull_lists_offsets(lists)[1],
+  must(shaftcull_lists_describe(lists, &info));
+  uint64_t any = 0;
+  must(shaftcull_any(shafts, 0, 1, tree, NULL, &any));
+  printf("%u without box 2, %s\n", (unsigned)info.offsets[1],
          any ? "some with it" : "none with it");
   /* [[end]] */
 
@@ -66,10 +70,11 @@ int main(void) {
   uint64_t count = 0;
   for (int frame = 0; frame != 3; ++frame) {
     for (int i = 0; i != 3; ++i) must(shaftcull_translated(&scene[i], step, &scene[i]));
-    must(shaftcull_tree_update(tree, &source)); /* no memory is taken, nothing is sorted */
+    must(shaftcull_bounds_update(tree, 0, &source)); /* takes no memory, sorts nothing */
     /* Form shafts again: nanoseconds. */
-    must(shaftcull_shafts_set_between(shaft, 0, &lamp, &table, SHAFTCULL_CONTACT_CLOSED));
-    must(shaftcull_count(shaft, 0, tree, NULL, &count));
+    must(shaftcull_shafts_set_between(shaft, 0, 1, &from, &to, NULL, NULL,
+                                      SHAFTCULL_CONTACT_CLOSED));
+    must(shaftcull_count(shaft, 0, 1, tree, NULL, &count));
     printf("frame %d: %u\n", frame, (unsigned)count);
   }
   double sah_ratio = 1;
@@ -84,20 +89,22 @@ int main(void) {
   const float travel[3] = {0, -6, 0};
   const float towards_sun[3] = {-1, 2, -1};
   const float corners[12] = {0, 0, 0, 4, 0, 0, 0, 9, 0, 5, 5, 5};
-  must(shaftcull_shafts_set_swept(kinds, 0, &crate, travel, NULL, 0));
-  must(shaftcull_shafts_set_swept_infinite(kinds, 1, &table, towards_sun, NULL, 0));
-  must(shaftcull_shafts_set_shadow(kinds, 2, &lamp, &scene[0], NULL, NULL, 0));
+  const shaftcull_source body = shaftcull_boxes(&crate, 1);
+  const shaftcull_source first = shaftcull_boxes(&scene[0], 1);
+  must(shaftcull_shafts_set_swept(kinds, 0, 1, &body, travel, NULL, 0));
+  must(shaftcull_shafts_set_swept_infinite(kinds, 1, 1, &to, towards_sun, NULL, 0));
+  must(shaftcull_shafts_set_shadow(kinds, 2, 1, &from, &first, NULL, NULL, NULL));
   shaftcull_hull* hull = NULL;
   must(shaftcull_hull_create(corners, 4, NULL, 0, &hull));
   must(shaftcull_shafts_set_hull(kinds, 3, hull));
   shaftcull_hull_free(hull); /* the array keeps what it needs */
   uint64_t counts[4] = {0};
-  must(shaftcull_count_many(kinds, 0, 4, tree, NULL, counts));
+  must(shaftcull_count(kinds, 0, 4, tree, NULL, counts));
   printf("%u %u %u %u\n", (unsigned)counts[0], (unsigned)counts[1], (unsigned)counts[2],
          (unsigned)counts[3]);
 
   shaftcull_contact_found contact = {0};
-  must(shaftcull_first_contact(kinds, 0, tree, NULL, &contact));
+  must(shaftcull_first_contact(kinds, 0, 1, tree, NULL, &contact));
   const unsigned index = (unsigned)contact.index;
   if (contact.found)
     printf("first box %u, after %.2f of the way\n", index, (double)contact.time);
@@ -107,9 +114,9 @@ int main(void) {
   const shaftcull_box floor = {{-9, -1, -9}, {9, 0, 9}}; /* the table stands on it */
   shaftcull_answer closed = SHAFTCULL_OUTSIDE;
   shaftcull_answer open = SHAFTCULL_OUTSIDE;
-  must(shaftcull_ask_box(shaft, 0, &floor, 0, &closed));
+  must(shaftcull_classify_one(shaft, 0, SHAFTCULL_BOXES, &floor, 0, &closed));
   must(shaftcull_shafts_set_contact(shaft, 0, 1, SHAFTCULL_CONTACT_OPEN));
-  must(shaftcull_ask_box(shaft, 0, &floor, 0, &open));
+  must(shaftcull_classify_one(shaft, 0, SHAFTCULL_BOXES, &floor, 0, &open));
   printf("closed: %d, open: %d\n", closed != SHAFTCULL_OUTSIDE, open != SHAFTCULL_OUTSIDE);
   /* [[end]] */
 
@@ -122,7 +129,7 @@ int main(void) {
 
   /* [[errors]] */
   scene[1].lo[0] = 99; /* beyond hi */
-  if (shaftcull_stream_update(boxes, 0, &source) == SHAFTCULL_BAD_BOUND) {
+  if (shaftcull_bounds_update(boxes, 0, &source) == SHAFTCULL_BAD_BOUND) {
     printf("%s\n", shaftcull_error_message());
   }
   /* [[end]] */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Every question by the C interface, against the C++ one: over random scenes, of bounds of all kinds in all holders,
-/// of all kinds of shafts, with each option and with all of them. Where the C++ interface refuses an option, so does
-/// the one of C, in the same words.
+/// Every query by the C interface, against the C++ one: over random scenes, of bounds of all kinds in all holders, of
+/// all kinds of shafts, with each option and with all of them. Where the C++ interface refuses an option, the C
+/// interface refuses it in the same words.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Shafts {
 
 void make_shafts(Random& random, Shafts& shafts) {
   constexpr std::size_t pairs = 5;
-  constexpr std::size_t all = 2 * pairs + 13;
+  constexpr std::size_t all = 2 + pairs + 2 + 4 + 4 * 2 + 5;
   shafts.c = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{all});
   shaftcull_shafts* const c = shafts.c.get();
   std::uint64_t next = 0;
@@ -66,9 +66,9 @@ void make_shafts(Random& random, Shafts& shafts) {
   };
 
   // Between two boxes.
-  ok(shaftcull_shafts_set_between(c, next, &ca[0], &cb[0], SHAFTCULL_CONTACT_CLOSED));
+  ok(set_between(c, next, ca[0], cb[0]));
   add(compile(a[0], b[0]));
-  ok(shaftcull_shafts_set_between(c, next, &ca[1], &cb[1], SHAFTCULL_CONTACT_OPEN));
+  ok(set_between(c, next, ca[1], cb[1], SHAFTCULL_CONTACT_OPEN));
   add(compile(a[1], b[1], Contact::open));
   const BoxStream stream_a{std::span<const Box>(a)};
   const BoxStream stream_b{std::span<const Box>(b)};
@@ -77,59 +77,56 @@ void make_shafts(Random& random, Shafts& shafts) {
     for (const CompiledShaft& shaft : batch) add(shaft);
   };
   const shaftcull_batch_planes batch_planes{cplanes.data(), pairs, nullptr, 0};
-  ok(shaftcull_shafts_set_between_batch(c, next, &from, &to, nullptr, pairs, &batch_planes, SHAFTCULL_CONTACT_CLOSED));
+  ok(shaftcull_shafts_set_between(c, next, pairs, &from, &to, nullptr, &batch_planes, SHAFTCULL_CONTACT_CLOSED));
   compile_batch(stream_a, stream_b, batch, {.a = planes});
   add_batch();
   const std::vector<shaftcull_index_pair> cpairs{{0, 4}, {3, 1}};
   const std::vector<IndexPair> index_pairs{{0, 4}, {3, 1}};
-  ok(shaftcull_shafts_set_between_batch(c, next, &from, &to, cpairs.data(), 2, nullptr, SHAFTCULL_CONTACT_OPEN));
+  ok(shaftcull_shafts_set_between(c, next, 2, &from, &to, cpairs.data(), nullptr, SHAFTCULL_CONTACT_OPEN));
   batch.resize(2);
   compile_batch(stream_a, stream_b, index_pairs, batch, {}, Contact::open);
   add_batch();
-  Shaft formed(a[2], b[3], {.order = PlaneOrder::by_volume});
-  formed.add_plane(planes[4]);
-  const shaftcull_shaft_options options{SHAFTCULL_FORMATION_TABLE729, SHAFTCULL_ORDER_BY_VOLUME, 1, 1, 1, 0, 0, {0}};
-  const ShaftHandle shaft = made<ShaftHandle>(shaftcull_shaft_create, &ca[2], &cb[3], &options);
-  ok(shaftcull_shaft_add_plane(shaft.get(), &cplanes[4]));
-  ok(shaftcull_shafts_set_formed(c, next, shaft.get()));
-  add(compile(formed));
   shafts.between = shafts.cpp.size();
 
-  // Moving boxes.
+  // Moving boxes, one at a time and two at once.
   const float reach = 2.5F;
-  ok(shaftcull_shafts_set_swept(c, next, &ca[0], vectors[0].data(), cplanes.data(), 1));
+  const auto at = [](const std::vector<shaftcull_box>& boxes, std::size_t i) { return shaftcull_boxes(&boxes[i], 1); };
+  const shaftcull_source first_a = at(ca, 0);
+  const shaftcull_source first_b = at(cb, 0);
+  const shaftcull_source second_a = at(ca, 1);
+  const shaftcull_source second_b = at(cb, 1);
+  ok(shaftcull_shafts_set_swept(c, next, 1, &first_a, vectors[0].data(), cplanes.data(), 1));
   add(swept(a[0], vectors[0], std::span(planes).first(1)));
-  ok(shaftcull_shafts_set_swept_infinite(c, next, &ca[1], vectors[1].data(), nullptr, 0));
+  ok(shaftcull_shafts_set_swept_infinite(c, next, 1, &second_a, vectors[1].data(), nullptr, 0));
   add(swept_infinite(a[1], vectors[1]));
-  ok(shaftcull_shafts_set_shadow(c, next, &ca[2], &cb[2], nullptr, nullptr, 0));
-  add(shadow(a[2], b[2]));
-  ok(shaftcull_shafts_set_shadow(c, next, &ca[3], &cb[3], &reach, cplanes.data(), 2));
-  add(shadow(a[3], b[3], reach, std::span(planes).first(2)));
-  batch.resize(1);
-  const std::span<const Box> last_a = std::span(a).last(1);
-  const shaftcull_source one = shaftcull_boxes(&ca[4], 1);
-  const shaftcull_source other = shaftcull_boxes(&cb[4], 1);
-  const std::span<const Vec3> last_vector = std::span(vectors).last(1);
-  const float* const last_floats = &floats[3 * (pairs - 1)];
-  ok(shaftcull_shafts_set_swept_batch(c, next, &one, last_floats, cplanes.data(), 2));
-  swept_batch(BoxStream(last_a), last_vector, batch, std::span(planes).first(2));
+  ok(shaftcull_shafts_set_shadow(c, next, 1, &first_a, &first_b, nullptr, nullptr, nullptr));
+  add(shadow(a[0], b[0]));
+  const shaftcull_batch_planes shadow_planes{cplanes.data(), 2, cplanes.data() + 2, 1};
+  ok(shaftcull_shafts_set_shadow(c, next, 1, &second_a, &second_b, nullptr, &reach, &shadow_planes));
+  add(shadow(a[1], b[1], reach, std::span(planes).first(3)));
+  const shaftcull_source last_a = shaftcull_boxes(&ca[3], 2);
+  const shaftcull_source last_b = shaftcull_boxes(&cb[3], 2);
+  const BoxStream last_stream_a(std::span<const Box>(a).last(2));
+  const BoxStream last_stream_b(std::span<const Box>(b).last(2));
+  const std::span<const Vec3> last_vectors = std::span(vectors).last(2);
+  const float* const last_floats = &floats[3 * (pairs - 2)];
+  ok(shaftcull_shafts_set_swept(c, next, 2, &last_a, last_floats, cplanes.data(), 4));
+  swept_batch(last_stream_a, last_vectors, batch, std::span(planes).first(4));
   add_batch();
-  ok(shaftcull_shafts_set_swept_infinite_batch(c, next, &one, last_floats, nullptr, 0));
-  swept_infinite_batch(BoxStream(last_a), last_vector, batch);
+  ok(shaftcull_shafts_set_swept_infinite(c, next, 2, &last_a, last_floats, nullptr, 0));
+  swept_infinite_batch(last_stream_a, last_vectors, batch);
   add_batch();
-  ok(shaftcull_shafts_set_shadow_batch(c, next, &one, &other, nullptr, 1, nullptr, nullptr));
-  shadow_batch(BoxStream(last_a), BoxStream(std::span<const Box>(b).last(1)), batch);
+  ok(shaftcull_shafts_set_shadow(c, next, 2, &last_a, &last_b, nullptr, nullptr, nullptr));
+  shadow_batch(last_stream_a, last_stream_b, batch);
   add_batch();
-  const std::vector<shaftcull_index_pair> cpair{{1, 2}};
-  const std::vector<IndexPair> pair{{1, 2}};
-  ok(shaftcull_shafts_set_shadow_batch(c, next, &from, &to, cpair.data(), 1, &reach, nullptr));
-  shadow_batch(stream_a, stream_b, pair, reach, batch);
-  ok(shaftcull_shafts_set_contact(c, next, 1, SHAFTCULL_CONTACT_OPEN));
-  set_contact(batch[0], Contact::open);
+  ok(shaftcull_shafts_set_shadow(c, next, 2, &from, &to, cpairs.data(), &reach, nullptr));
+  shadow_batch(stream_a, stream_b, index_pairs, reach, batch);
+  ok(shaftcull_shafts_set_contact(c, next, 2, SHAFTCULL_CONTACT_OPEN));
+  set_contact(batch, Contact::open);
   add_batch();
   shafts.moving = shafts.cpp.size();
 
-  // Hulls. What C put into its array stays when the hull is freed.
+  // Hulls. They stay in the array of C when they are freed.
   shafts.hulls.reserve(5);  // shafts refer to them where they are
   std::vector<Vec3> corners;
   std::vector<float> corner_floats;
@@ -230,7 +227,7 @@ class Asked {
   bool is_null_;
 };
 
-/// Shafts and bounds as both languages know them.
+/// Shafts and bounds in both languages.
 struct Case {
   const Shafts& shafts;
   const shaftcull_bounds* c;
@@ -239,7 +236,7 @@ struct Case {
   bool has_layers;
 };
 
-/// What is asked of a case.
+/// The queries about a case.
 struct Question {
   const Case& of;
   const Options& options;
@@ -300,13 +297,13 @@ Indices first_of(const Indices& indices, std::size_t size) {
 }
 
 void expect_same(const ListsHandle& given, const IndexLists& expected) {
-  ASSERT_EQ(shaftcull_lists_count(given.get()), expected.size());
-  const std::uint64_t* const offsets = shaftcull_lists_offsets(given.get());
-  ASSERT_EQ(offsets == nullptr, expected.offsets.empty());
-  EXPECT_EQ(Words(offsets, offsets + expected.offsets.size()), expected.offsets);
-  const std::uint32_t* const indices = shaftcull_lists_indices(given.get());
-  ASSERT_EQ(indices == nullptr, expected.indices.empty());
-  EXPECT_EQ(Indices(indices, indices + expected.indices.size()), expected.indices);
+  const shaftcull_lists* const lists = given.get();
+  const shaftcull_lists_info info = described(shaftcull_lists_describe, lists);
+  ASSERT_EQ(info.count, expected.size());
+  ASSERT_EQ(info.offsets == nullptr, expected.offsets.empty());
+  EXPECT_EQ(Words(info.offsets, info.offsets + expected.offsets.size()), expected.offsets);
+  ASSERT_EQ(info.indices == nullptr, expected.indices.empty());
+  EXPECT_EQ(Indices(info.indices, info.indices + expected.indices.size()), expected.indices);
 }
 
 // Of all comparisons below: both calls write over the same values. So results are the same after a call that is
@@ -325,33 +322,33 @@ void compare_bits(const Question& q, std::size_t s) {
   Words given_inside(words, 99);
   both_answer(
       fits, [&] { cull(q.shaft(s), bounds, kept, asked.cpp()); },
-      [&] { return shaftcull_cull(c, s, q.of.c, asked.c(), given_kept.data(), words); });
+      [&] { return shaftcull_cull(c, s, 1, q.of.c, asked.c(), given_kept.data(), words); });
   EXPECT_EQ(given_kept, kept);
   kept.assign(words, 99);
   given_kept.assign(words, 99);
   both_answer(
       fits, [&] { classify(q.shaft(s), bounds, kept, inside, asked.cpp()); },
-      [&] { return shaftcull_classify(c, s, q.of.c, asked.c(), given_kept.data(), given_inside.data(), words); });
+      [&] { return shaftcull_classify(c, s, 1, q.of.c, asked.c(), given_kept.data(), given_inside.data(), words); });
   EXPECT_EQ(given_kept, kept);
   EXPECT_EQ(given_inside, inside);
   inside.assign(words, 99);
   given_inside.assign(words, 99);
   both_answer(
       fits, [&] { classify(q.shaft(s), bounds, {}, inside, asked.cpp()); },
-      [&] { return shaftcull_classify(c, s, q.of.c, asked.c(), nullptr, given_inside.data(), words); });
+      [&] { return shaftcull_classify(c, s, 1, q.of.c, asked.c(), nullptr, given_inside.data(), words); });
   EXPECT_EQ(given_inside, inside);
 
   KeptCounts counts{99, 99};
   shaftcull_kept_counts given_counts{99, 99};
   both_answer(
       fits, [&] { counts = count_classified(q.shaft(s), bounds, asked.cpp()); },
-      [&] { return shaftcull_count_classified(c, s, q.of.c, asked.c(), &given_counts); });
+      [&] { return shaftcull_count_classified(c, s, 1, q.of.c, asked.c(), &given_counts); });
   EXPECT_EQ(as_counts(given_counts), counts);
-  std::uint32_t is_any = 99;
-  std::uint32_t given_any = 99;
+  std::uint64_t is_any = 99;
+  std::uint64_t given_any = 99;
   both_answer(
       fits, [&] { is_any = any(q.shaft(s), bounds, asked.cpp()) ? 1 : 0; },
-      [&] { return shaftcull_any(c, s, q.of.c, asked.c(), &given_any); });
+      [&] { return shaftcull_any(c, s, 1, q.of.c, asked.c(), &given_any); });
   EXPECT_EQ(given_any, is_any);
 }
 
@@ -364,7 +361,7 @@ void compare_lists(const Question& q, std::size_t s) {
   std::uint64_t given_number = 99;
   both_answer(
       q.fits(), [&] { number = count(q.shaft(s), bounds, asked.cpp()); },
-      [&] { return shaftcull_count(c, s, q.of.c, asked.c(), &given_number); });
+      [&] { return shaftcull_count(c, s, 1, q.of.c, asked.c(), &given_number); });
   EXPECT_EQ(given_number, number);
   for (const std::size_t room : {q.size(), std::size_t{3}}) {
     Indices expected(room, 99);
@@ -422,15 +419,14 @@ void compare_many(const Question& q, std::size_t first) {
   Words given_inside(words, 99);
   both_answer(
       fits, [&] { cull_many(cpp, bounds, kept, asked.cpp()); },
-      [&] { return shaftcull_cull_many(c, first, shafts, q.of.c, asked.c(), given_kept.data(), words); });
+      [&] { return shaftcull_cull(c, first, shafts, q.of.c, asked.c(), given_kept.data(), words); });
   EXPECT_EQ(given_kept, kept);
   kept.assign(words, 99);
   given_kept.assign(words, 99);
   both_answer(
       fits, [&] { classify_many(cpp, bounds, kept, inside, asked.cpp()); },
       [&] {
-        return shaftcull_classify_many(c, first, shafts, q.of.c, asked.c(), given_kept.data(), given_inside.data(),
-                                       words);
+        return shaftcull_classify(c, first, shafts, q.of.c, asked.c(), given_kept.data(), given_inside.data(), words);
       });
   EXPECT_EQ(given_kept, kept);
   EXPECT_EQ(given_inside, inside);
@@ -438,22 +434,20 @@ void compare_many(const Question& q, std::size_t first) {
   given_inside.assign(words, 99);
   both_answer(
       fits, [&] { classify_many(cpp, bounds, {}, inside, asked.cpp()); },
-      [&] {
-        return shaftcull_classify_many(c, first, shafts, q.of.c, asked.c(), nullptr, given_inside.data(), words);
-      });
+      [&] { return shaftcull_classify(c, first, shafts, q.of.c, asked.c(), nullptr, given_inside.data(), words); });
   EXPECT_EQ(given_inside, inside);
 
   Words numbers(shafts, 99);
   Words given_numbers(shafts, 99);
   both_answer(
       q.fits(), [&] { count_many(cpp, bounds, numbers, asked.cpp()); },
-      [&] { return shaftcull_count_many(c, first, shafts, q.of.c, asked.c(), given_numbers.data()); });
+      [&] { return shaftcull_count(c, first, shafts, q.of.c, asked.c(), given_numbers.data()); });
   EXPECT_EQ(given_numbers, numbers);
   std::vector<KeptCounts> counts(shafts, KeptCounts{99, 99});
   std::vector<shaftcull_kept_counts> given_counts(shafts, shaftcull_kept_counts{99, 99});
   both_answer(
       fits, [&] { count_classified_many(cpp, bounds, counts, asked.cpp()); },
-      [&] { return shaftcull_count_classified_many(c, first, shafts, q.of.c, asked.c(), given_counts.data()); });
+      [&] { return shaftcull_count_classified(c, first, shafts, q.of.c, asked.c(), given_counts.data()); });
   for (std::size_t s = 0; s != shafts; ++s) {
     EXPECT_EQ(as_counts(given_counts[s]), counts[s]);
   }
@@ -461,7 +455,7 @@ void compare_many(const Question& q, std::size_t first) {
   Words given_any(bit_words(shafts), 99);
   both_answer(
       fits, [&] { any_many(cpp, bounds, any_bits, asked.cpp()); },
-      [&] { return shaftcull_any_many(c, first, shafts, q.of.c, asked.c(), given_any.data(), given_any.size()); });
+      [&] { return shaftcull_any(c, first, shafts, q.of.c, asked.c(), given_any.data()); });
   EXPECT_EQ(given_any, any_bits);
 
   IndexLists lists;
@@ -496,7 +490,7 @@ void compare_times(const Question& q) {
     shaftcull_contact_found given{99, 99, 1};
     both_answer(
         fits, [&] { expected = first_contact(q.shaft(s), bounds, asked.cpp()); },
-        [&] { return shaftcull_first_contact(c, s, q.of.c, asked.c(), &given); });
+        [&] { return shaftcull_first_contact(c, s, 1, q.of.c, asked.c(), &given); });
     EXPECT_EQ(as_contact(given), expected);
     if (!q.options.null) continue;  // entry times have no query
     std::vector<float> times(indices.size(), 99);
@@ -511,14 +505,14 @@ void compare_times(const Question& q) {
   std::vector<shaftcull_contact_found> given(shafts, shaftcull_contact_found{99, 99, 1});
   both_answer(
       fits, [&] { first_contact_many(std::span(q.of.shafts.cpp).first(shafts), bounds, expected, asked.cpp()); },
-      [&] { return shaftcull_first_contact_many(c, 0, shafts, q.of.c, asked.c(), given.data()); });
+      [&] { return shaftcull_first_contact(c, 0, shafts, q.of.c, asked.c(), given.data()); });
   for (std::size_t s = 0; s != shafts; ++s) {
     EXPECT_EQ(as_contact(given[s]), expected[s]);
   }
 }
 
-/// What blocks the shafts that are between two boxes. Spheres, triangles and candidates are refused.
-void compare_blocking(const Question& q) {
+/// Occluders of the shafts that are between two boxes. Spheres, triangles and candidates are refused.
+void compare_occluders(const Question& q) {
   const shaftcull_shafts* const c = q.shafts();
   const Bounds& solids = q.of.cpp;
   const std::size_t shafts = q.of.shafts.between;
@@ -526,11 +520,11 @@ void compare_blocking(const Question& q) {
   const bool fits = lists_fit && q.options.limit == 0;
   for (std::size_t s = q.start; s < shafts; s += q.step) {
     const Asked asked(q.options, s, 1);
-    std::uint32_t is_occluded = 99;
-    std::uint32_t given_occluded = 99;
+    std::uint64_t is_occluded = 99;
+    std::uint64_t given_occluded = 99;
     both_answer(
         fits, [&] { is_occluded = occluded(q.shaft(s), solids, asked.cpp()) ? 1 : 0; },
-        [&] { return shaftcull_occluded(c, s, q.of.c, asked.c(), &given_occluded); });
+        [&] { return shaftcull_occluded(c, s, 1, q.of.c, asked.c(), &given_occluded); });
     EXPECT_EQ(given_occluded, is_occluded);
     std::optional<std::uint32_t> by = 99;
     std::uint64_t given_by = 99;
@@ -538,15 +532,6 @@ void compare_blocking(const Question& q) {
         fits, [&] { by = find_occluder(q.shaft(s), solids, asked.cpp()); },
         [&] { return shaftcull_find_occluder(c, s, q.of.c, asked.c(), &given_by); });
     EXPECT_EQ(given_by, by ? std::uint64_t{*by} : SHAFTCULL_NONE);
-    Indices expected(q.size(), 99);
-    Indices given(q.size(), 99);
-    std::size_t number = 99;
-    std::uint64_t given_number = 99;
-    both_answer(
-        lists_fit, [&] { number = list_occluders(q.shaft(s), solids, expected, asked.cpp()); },
-        [&] { return shaftcull_list_occluders(c, s, q.of.c, asked.c(), given.data(), q.size(), &given_number); });
-    ASSERT_EQ(given_number, number);
-    EXPECT_EQ(first_of(given, number), first_of(expected, number));
   }
   const Asked asked(q.options, 0, shafts);
   const std::span<const CompiledShaft> cpp = std::span(q.of.shafts.cpp).first(shafts);
@@ -554,13 +539,13 @@ void compare_blocking(const Question& q) {
   Words given(expected.size(), 99);
   both_answer(
       fits, [&] { occluded_many(cpp, solids, expected, asked.cpp()); },
-      [&] { return shaftcull_occluded_many(c, 0, shafts, q.of.c, asked.c(), given.data(), given.size()); });
+      [&] { return shaftcull_occluded(c, 0, shafts, q.of.c, asked.c(), given.data()); });
   EXPECT_EQ(given, expected);
   IndexLists expected_lists;
   const ListsHandle given_lists = made<ListsHandle>(shaftcull_lists_create);
   both_answer(
       lists_fit, [&] { list_occluders_many(cpp, solids, expected_lists, asked.cpp()); },
-      [&] { return shaftcull_list_occluders_many(c, 0, shafts, q.of.c, asked.c(), given_lists.get()); });
+      [&] { return shaftcull_list_occluders(c, 0, shafts, q.of.c, asked.c(), given_lists.get()); });
   expect_same(given_lists, expected_lists);
 }
 
@@ -578,7 +563,7 @@ void compare(const Case& of, const std::vector<Options>& all) {
     }
     compare_many(q, o % 2);
     compare_times(q);
-    compare_blocking(q);
+    compare_occluders(q);
   }
 }
 
@@ -658,7 +643,7 @@ void compare_flat(Random& random, const Shafts& shafts, shaftcull_bounds* c, con
   const Indices layers = some_layers(random, view.count);
   compare({shafts, c, view, kind, false}, {each[0], all[0]});
   compare({shafts, c, view, kind, false}, all_at_once(each, false));
-  ok(shaftcull_bounds_set_layers(c, layers.data(), layers.size()));
+  ok(shaftcull_bounds_set_layers(c, nullptr, layers.data(), layers.size()));
   compare({shafts, c, Bounds(view, layers), kind, true}, each);
   compare({shafts, c, Bounds(view, layers), kind, true}, all);
 
@@ -667,14 +652,12 @@ void compare_flat(Random& random, const Shafts& shafts, shaftcull_bounds* c, con
   const Indices changed{1, 2, 8};
   others[1] = 2;
   others[3] = 8;  // the last counts
-  ok(shaftcull_bounds_set_layers_of(c, some.data(), changed.data(), 3));
-  const std::uint32_t* given = nullptr;
-  ok(shaftcull_bounds_layers(c, &given));
+  ok(shaftcull_bounds_set_layers(c, some.data(), changed.data(), 3));
+  const std::uint32_t* const given = described(c).layers;
   EXPECT_EQ(Indices(given, given + view.count), others);
   const BoundsHandle copy = made<BoundsHandle>(shaftcull_bounds_copy, static_cast<const shaftcull_bounds*>(c));
-  ok(shaftcull_bounds_clear_layers(c));
-  ok(shaftcull_bounds_layers(c, &given));
-  EXPECT_EQ(given, nullptr);
+  ok(shaftcull_bounds_set_layers(c, nullptr, nullptr, view.count));
+  EXPECT_EQ(described(c).layers, nullptr);
   compare({shafts, copy.get(), Bounds(view, others), kind, true}, {all[0]});
 }
 
@@ -695,7 +678,7 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   compare_now(all_at_once(each, false));
   const Indices all_layers = some_layers(random, values.size());
   tree.set_layers(all_layers);
-  ok(shaftcull_bounds_set_layers(bounds.get(), all_layers.data(), all_layers.size()));
+  ok(shaftcull_bounds_set_layers(bounds.get(), nullptr, all_layers.data(), all_layers.size()));
   compare_now(each);
   compare_now(all);
 
@@ -703,7 +686,7 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   const auto moved_in_c = as_c(moved);
   const shaftcull_source moved_source = source_of(moved_in_c);
   tree.update(std::span<const Bound>(moved));
-  ok(shaftcull_tree_update(bounds.get(), &moved_source));
+  ok(shaftcull_bounds_update(bounds.get(), 0, &moved_source));
   const Indices some{3, 1, 7};
   const auto three = std::vector(in_c.begin(), in_c.begin() + 3);
   const shaftcull_source three_source = source_of(three);
@@ -711,10 +694,10 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   const std::uint32_t layers[] = {1, 2, 4};
   tree.set_layers(std::span<const std::uint32_t>(some), layers);
   ok(shaftcull_tree_update_some(bounds.get(), some.data(), 3, &three_source));
-  ok(shaftcull_bounds_set_layers_of(bounds.get(), some.data(), layers, 3));
+  ok(shaftcull_bounds_set_layers(bounds.get(), some.data(), layers, 3));
 #if defined(__cpp_exceptions)  // without, errors are no statuses
   std::uint64_t number = 0;
-  EXPECT_EQ(shaftcull_count(shafts.c.get(), 0, bounds.get(), nullptr, &number), SHAFTCULL_NEEDS_REFIT);
+  EXPECT_EQ(shaftcull_count(shafts.c.get(), 0, 1, bounds.get(), nullptr, &number), SHAFTCULL_NEEDS_REFIT);
 #endif
   tree.refit();
   ok(shaftcull_tree_refit(bounds.get()));
@@ -725,19 +708,16 @@ void compare_trees(Random& random, const Shafts& shafts, const std::vector<Bound
   tree.rebuild();
   ok(shaftcull_tree_rebuild(bounds.get()));
   tree.reorder();
-  ok(shaftcull_tree_renumber(bounds.get()));
-  const std::uint32_t* given_layers = nullptr;
-  ok(shaftcull_bounds_layers(bounds.get(), &given_layers));
-  EXPECT_EQ(Indices(given_layers, given_layers + tree.size()), Indices(tree.layers().begin(), tree.layers().end()));
+  ok(shaftcull_tree_reorder(bounds.get()));
+  const shaftcull_bounds_info info = described(bounds.get());
+  EXPECT_TRUE(std::ranges::equal(std::span(info.layers, tree.size()), tree.layers()));
+  EXPECT_TRUE(std::ranges::equal(std::span(info.order, tree.size()), tree.order()));
+  EXPECT_EQ(std::bit_cast<Box>(info.box), tree.box());
   compare_now(few);
   tree.clear_layers();
-  ok(shaftcull_bounds_clear_layers(bounds.get()));
-  ok(shaftcull_bounds_layers(bounds.get(), &given_layers));
-  EXPECT_EQ(given_layers, nullptr);
+  ok(shaftcull_bounds_set_layers(bounds.get(), nullptr, nullptr, tree.size()));
+  EXPECT_EQ(described(bounds.get()).layers, nullptr);
   compare_now(few);
-  shaftcull_box box{};
-  ok(shaftcull_tree_box(bounds.get(), &box));
-  EXPECT_EQ(std::bit_cast<Box>(box), tree.box());
 }
 
 class CAgreesWithCpp : public testing::TestWithParam<Shape> {};
@@ -798,12 +778,15 @@ TEST_P(CAgreesWithCpp, OnTriangles) {
     compare({shafts, c_tree.get(), tree, Kind::triangles, false}, each);  // it has no layers
     compare({shafts, c_tree.get(), tree, Kind::triangles, false}, all_at_once(each, false));
     const std::size_t count = exact ? shafts.moving : shafts.cpp.size();  // hulls take vertices only
+    Words inside(bit_words(triangles.size()));
     for (std::size_t s = 0; s != count; ++s) {
+      classify(shafts.cpp[s], stream, {}, inside, {.triangle_test = test});
       for (std::size_t i = 0; i < triangles.size(); i += 10) {
-        std::uint32_t kept = 99;
-        ok(shaftcull_ask_triangle(shafts.c.get(), s, &in_c[i],
-                                  exact ? SHAFTCULL_TRIANGLES_EXACT : SHAFTCULL_TRIANGLES_BY_VERTICES, &kept));
-        EXPECT_EQ(kept != 0, keeps(shafts.cpp[s], triangles[i], test));
+        shaftcull_answer answer = 99;
+        ok(shaftcull_classify_one(shafts.c.get(), s, SHAFTCULL_TRIANGLES, &in_c[i],
+                                  exact ? SHAFTCULL_TRIANGLES_EXACT : SHAFTCULL_TRIANGLES_BY_VERTICES, &answer));
+        EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, keeps(shafts.cpp[s], triangles[i], test));
+        EXPECT_EQ(answer == SHAFTCULL_INSIDE, (inside[i / 64] >> (i % 64) & 1) != 0);
       }
     }
   }
@@ -825,14 +808,10 @@ TEST_P(CAgreesWithCpp, OnOneBoxSphereOrPolygon) {
     for (std::size_t s = 0; s != shafts.cpp.size(); ++s) {
       const CompiledShaft& shaft = shafts.cpp[s];
       shaftcull_answer answer = 99;
-      ok(shaftcull_ask_box(c, s, &c_box, 1, &answer));
+      ok(shaftcull_classify_one(c, s, SHAFTCULL_BOXES, &c_box, 0, &answer));
       EXPECT_EQ(static_cast<Answer>(answer), classify(shaft, box));
-      ok(shaftcull_ask_box(c, s, &c_box, 0, &answer));
-      EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, keeps(shaft, box));
-      ok(shaftcull_ask_sphere(c, s, &c_sphere, 1, &answer));
+      ok(shaftcull_classify_one(c, s, SHAFTCULL_SPHERES, &c_sphere, 0, &answer));
       EXPECT_EQ(static_cast<Answer>(answer), classify(shaft, sphere));
-      ok(shaftcull_ask_sphere(c, s, &c_sphere, 0, &answer));
-      EXPECT_EQ(answer != SHAFTCULL_OUTSIDE, keeps(shaft, sphere));
       if (s >= shafts.between) continue;
       std::uint32_t hidden = 99;
       ok(shaftcull_occluded_by_box(c, s, &c_box, &hidden));

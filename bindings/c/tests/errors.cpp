@@ -38,8 +38,8 @@ TEST(CErrors, AreOfTheThreadThatMadeTheCall) {
 
 TEST(CErrors, StayUntilTheNextFailure) {
   EXPECT_EQ(shaftcull_select_isa("wrong"), SHAFTCULL_INVALID_ARGUMENT);
-  std::uint64_t count = 0;
-  ok(shaftcull_isa_count(&count));
+  const char* name = nullptr;
+  ok(shaftcull_isa_name(0, &name));
   EXPECT_THAT(shaftcull_error_message(), HasSubstr("wrong"));
 }
 
@@ -91,24 +91,25 @@ TEST(CErrors, SoIsWhatTheEnvironmentAsksFor) {
   EXPECT_THAT(refusal, testing::StartsWith("SHAFTCULL_ISA=zzz"));
 }
 
-TEST(CErrors, OfBatchesSayWhichBoxes) {
+TEST(CErrors, OfSeveralShaftsSayWhichBoxes) {
   const std::vector<Box> good{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {3, 1, 1}}};
   const std::vector<Box> bad{{{0, 0, 0}, {1, 1, 1}}, {{2, 0, 0}, {1, 1, 1}}};
   const std::vector<shaftcull_box> good_in_c = as_c(good);
   const std::vector<shaftcull_box> bad_in_c = as_c(bad);
   const shaftcull_source a = source_of(good_in_c);
   const shaftcull_source b = source_of(bad_in_c);
-  shaftcull_shafts* shafts = nullptr;
-  ok(shaftcull_shafts_create(2, &shafts));
-  EXPECT_EQ(shaftcull_shafts_set_between_batch(shafts, 0, &a, &b, nullptr, 2, nullptr, SHAFTCULL_CONTACT_CLOSED),
+  const ShaftsHandle array = made<ShaftsHandle>(shaftcull_shafts_create, std::uint64_t{2});
+  shaftcull_shafts* const shafts = array.get();
+  EXPECT_EQ(shaftcull_shafts_set_between(shafts, 0, 2, &a, &b, nullptr, nullptr, SHAFTCULL_CONTACT_CLOSED),
             SHAFTCULL_BAD_BOUND);
-  EXPECT_THAT(shaftcull_error_message(), testing::StartsWith("b: box 1"));
+  EXPECT_THAT(shaftcull_error_message(), testing::StartsWith("shaft 1: box b: lo.x = 2"));
   EXPECT_EQ(shaftcull_error_position(), 1U);
+  // Boxes that no pair names may be anything.
+  const shaftcull_index_pair pair{1, 0};
+  ok(shaftcull_shafts_set_between(shafts, 0, 1, &a, &b, &pair, nullptr, SHAFTCULL_CONTACT_CLOSED));
   // Without pairs, there is nothing to form.
-  EXPECT_EQ(shaftcull_shafts_set_between_batch(shafts, 0, &a, &a, nullptr, 0, nullptr, SHAFTCULL_CONTACT_CLOSED),
-            SHAFTCULL_OK);
-  EXPECT_EQ(shaftcull_shafts_set_shadow_batch(shafts, 0, &a, &a, nullptr, 0, nullptr, nullptr), SHAFTCULL_OK);
-  shaftcull_shafts_free(shafts);
+  ok(shaftcull_shafts_set_between(shafts, 0, 0, &a, &a, nullptr, nullptr, SHAFTCULL_CONTACT_CLOSED));
+  ok(shaftcull_shafts_set_shadow(shafts, 0, 0, &a, &a, nullptr, nullptr, nullptr));
 }
 
 #ifndef SHAFTCULL_SHARED  // a shared library shows no more than the interface

@@ -24,12 +24,11 @@ struct FreeHandle {
 };
 using BoundsHandle = std::unique_ptr<shaftcull_bounds, FreeHandle<shaftcull_bounds_free>>;
 using ShaftsHandle = std::unique_ptr<shaftcull_shafts, FreeHandle<shaftcull_shafts_free>>;
-using ShaftHandle = std::unique_ptr<shaftcull_shaft, FreeHandle<shaftcull_shaft_free>>;
 using HullHandle = std::unique_ptr<shaftcull_hull, FreeHandle<shaftcull_hull_free>>;
 using ListsHandle = std::unique_ptr<shaftcull_lists, FreeHandle<shaftcull_lists_free>>;
 using PatchesHandle = std::unique_ptr<shaftcull_patches, FreeHandle<shaftcull_patches_free>>;
 using OccludersHandle = std::unique_ptr<shaftcull_occluders, FreeHandle<shaftcull_occluders_free>>;
-using SightsHandle = std::unique_ptr<shaftcull_sights, FreeHandle<shaftcull_sights_free>>;
+using VisibilityHandle = std::unique_ptr<shaftcull_visibility_result, FreeHandle<shaftcull_visibility_result_free>>;
 
 /// The call must have succeeded.
 inline void ok(shaftcull_status status) {
@@ -65,6 +64,25 @@ inline shaftcull_source source_of(const std::vector<shaftcull_sphere>& spheres) 
 }
 inline shaftcull_source source_of(const std::vector<shaftcull_triangle>& triangles) {
   return shaftcull_triangles(triangles.data(), triangles.size());
+}
+
+/// The state of an object: describe() writes it.
+template <class Info, class Handle>
+Info described(shaftcull_status (*describe)(const Handle*, Info*), const Handle* handle) {
+  Info info{};
+  ok(describe(handle, &info));
+  return info;
+}
+inline shaftcull_bounds_info described(const shaftcull_bounds* bounds) {
+  return described(shaftcull_bounds_describe, bounds);
+}
+
+/// A shaft between two boxes, at a position of an array.
+inline shaftcull_status set_between(shaftcull_shafts* shafts, std::uint64_t shaft, const shaftcull_box& a,
+                                    const shaftcull_box& b, shaftcull_contact contact = SHAFTCULL_CONTACT_CLOSED) {
+  const shaftcull_source from = shaftcull_boxes(&a, 1);
+  const shaftcull_source to = shaftcull_boxes(&b, 1);
+  return shaftcull_shafts_set_between(shafts, shaft, 1, &from, &to, nullptr, nullptr, contact);
 }
 
 }  // namespace shaftcull

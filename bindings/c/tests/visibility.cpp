@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What sees what by the C interface, against the C++ one: all answers, pair by pair.
+/// Visibility by the C interface, against the C++ one: all answers, pair by pair.
 #include "shaftcull/visibility.hpp"
 
 #include <gmock/gmock.h>
@@ -105,13 +105,10 @@ void make_scene(Random& random, Scene& scene) {
   EXPECT_EQ(first, cpp.add_triangles(stream.view()));
   EXPECT_EQ(shaftcull_occluders_count(c), cpp.size());
   for (std::size_t i = 0; i != cpp.size(); ++i) {
-    shaftcull_box box;
-    const std::uint32_t* indices = nullptr;
-    std::uint64_t count = 0;
-    ok(shaftcull_occluders_box(c, i, &box));
-    EXPECT_EQ(std::bit_cast<Box>(box), cpp.box(i));
-    ok(shaftcull_occluders_triangles(c, i, &indices, &count));
-    EXPECT_TRUE(std::ranges::equal(std::span(indices, count), cpp.triangles(i)));
+    shaftcull_occluder_info info;
+    ok(shaftcull_occluders_describe(c, i, &info));
+    EXPECT_EQ(std::bit_cast<Box>(info.box), cpp.box(i));
+    EXPECT_TRUE(std::ranges::equal(std::span(info.triangles, info.triangle_count), cpp.triangles(i)));
   }
 }
 
@@ -122,10 +119,9 @@ void expect_equal(const shaftcull_sight_counts& c, const SightCounts& cpp) {
 void expect_equal(const shaftcull_sight_batch& c, const Visibility& cpp) {
   ASSERT_EQ(c.product_count, cpp.products.size());
   for (std::size_t i = 0; i != cpp.products.size(); ++i) {
-    const shaftcull_sight_product& product = c.products[i];
+    const shaftcull_pair_block& block = c.products[i];
     EXPECT_EQ(
-        (PairBlock{
-            {product.a.first, product.a.count}, {product.b.first, product.b.count}, static_cast<Sight>(product.sight)}),
+        (PairBlock{{block.a.first, block.a.count}, {block.b.first, block.b.count}, static_cast<Sight>(block.sight)}),
         cpp.products[i]);
   }
   ASSERT_EQ(c.undecided.count, cpp.undecided.size());
@@ -160,21 +156,21 @@ TEST(CVisibility, IsThatOfCpp) {
       with.solids_around_ends = round < 3;
       const Visibility wanted = is_of_one_set ? collect_visibility(scene.cpp, scene.occluders_cpp, with)
                                               : collect_visibility(scene.cpp, second, scene.occluders_cpp, with);
-      const auto sights =
-          made<SightsHandle>(shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()), other,
-                             static_cast<const shaftcull_occluders*>(scene.occluders_c.get()),
-                             static_cast<const shaftcull_visibility_options*>(&options));
+      const auto result =
+          made<VisibilityHandle>(shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()),
+                                 other, static_cast<const shaftcull_occluders*>(scene.occluders_c.get()),
+                                 static_cast<const shaftcull_visibility_options*>(&options));
       shaftcull_sight_batch all;
       shaftcull_sight_counts counts;
-      ok(shaftcull_sights_all(sights.get(), &all, &counts));
+      ok(shaftcull_visibility_result_describe(result.get(), &all, &counts));
       expect_equal(all, wanted);
       expect_equal(counts, wanted.counts);
-      ok(shaftcull_count_visibility(scene.c.get(), other, scene.occluders_c.get(), &options, &counts));
+      ok(shaftcull_visibility(scene.c.get(), other, scene.occluders_c.get(), &options, nullptr, nullptr, &counts));
       expect_equal(counts, wanted.counts);
 
-      const std::uint32_t* order = nullptr;
-      ok(shaftcull_patches_order(scene.c.get(), &order));
-      EXPECT_TRUE(std::ranges::equal(std::span(order, shaftcull_patches_count(scene.c.get())), scene.cpp.order()));
+      const shaftcull_patches* const patches = scene.c.get();
+      const shaftcull_patches_info info = described(shaftcull_patches_describe, patches);
+      EXPECT_TRUE(std::ranges::equal(std::span(info.order, info.count), scene.cpp.order()));
       const std::size_t words = scene.cpp.size() * bit_words(second.size());
       std::vector<std::uint64_t> bits(words);
       std::vector<std::uint64_t> wanted_bits(words);
@@ -229,13 +225,13 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
     }
     return 0;
   };
-  const auto sights = made<SightsHandle>(
+  const auto result = made<VisibilityHandle>(
       shaftcull_collect_visibility, static_cast<const shaftcull_patches*>(scene.c.get()),
       static_cast<const shaftcull_patches*>(nullptr), static_cast<const shaftcull_occluders*>(scene.occluders_c.get()),
       static_cast<const shaftcull_visibility_options*>(&options));
   shaftcull_sight_batch all;
   shaftcull_sight_counts counts;
-  ok(shaftcull_sights_all(sights.get(), &all, &counts));
+  ok(shaftcull_visibility_result_describe(result.get(), &all, &counts));
   expect_equal(all, wanted);
 
   SightCounts told;
@@ -245,11 +241,11 @@ TEST(CVisibility, IsResolvedAndDeliveredAsInCpp) {
         auto& sum = *static_cast<SightCounts*>(user);
         sum.undecided += batch->undecided.count;
         for (std::size_t i = 0; i != batch->product_count; ++i) {
-          const shaftcull_sight_product& product = batch->products[i];
-          const std::uint64_t pairs = std::uint64_t{product.a.count} * product.b.count;
-          (product.sight == SHAFTCULL_SIGHT_CLEAR     ? sum.clear
-           : product.sight == SHAFTCULL_SIGHT_BLOCKED ? sum.occluded
-                                                      : sum.facing_away) += pairs;
+          const shaftcull_pair_block& block = batch->products[i];
+          const std::uint64_t pairs = std::uint64_t{block.a.count} * block.b.count;
+          (block.sight == SHAFTCULL_SIGHT_CLEAR      ? sum.clear
+           : block.sight == SHAFTCULL_SIGHT_OCCLUDED ? sum.occluded
+                                                     : sum.facing_away) += pairs;
         }
         return 0;
       },
@@ -268,7 +264,7 @@ TEST(CVisibility, RefusalsSpeakOfWhatTheCallerWrote) {
     return 0;
   };
   shaftcull_sight_counts counts;
-  EXPECT_EQ(shaftcull_count_visibility(scene.c.get(), nullptr, scene.occluders_c.get(), &options, &counts),
+  EXPECT_EQ(shaftcull_visibility(scene.c.get(), nullptr, scene.occluders_c.get(), &options, nullptr, nullptr, &counts),
             SHAFTCULL_INVALID_ARGUMENT);
   EXPECT_THAT(shaftcull_error_message(), testing::AllOf(testing::StartsWith("verdicts[0] = 4, of patches "),
                                                         testing::HasSubstr(", is none of SHAFTCULL_SIGHT_UNDECIDED, "),
@@ -283,7 +279,7 @@ TEST(CVisibility, RefusalsSpeakOfWhatTheCallerWrote) {
   const shaftcull_source boxes = source_of(upside_down);
   shaftcull_patches* patches = nullptr;
   EXPECT_EQ(shaftcull_patches_create(&boxes, nullptr, 0, &patches), SHAFTCULL_BAD_BOUND);
-  EXPECT_STREQ(shaftcull_error_message(), "boxes: box 0: lo.y = 2 is above hi.y = 1; lo must be at most hi");
+  EXPECT_STREQ(shaftcull_error_message(), "patch 0 has lo > hi: lo.y = 2 is above hi.y = 1");
   const std::vector<shaftcull_sphere> spheres(1);
   const shaftcull_source others = source_of(spheres);
   EXPECT_EQ(shaftcull_patches_create(&others, nullptr, 0, &patches), SHAFTCULL_INVALID_ARGUMENT);

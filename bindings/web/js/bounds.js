@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Bounds in streams and trees, and what they are asked.
+// Bounds in streams and trees, and queries about them.
 import {asIndices, checkOptions} from './arguments.js';
 import {Held, made} from './held.js';
 import {optionsOfMany, optionsOfOne, queryOf, bitWords} from './query.js';
 import {allShafts, Hull, oneShaft} from './shafts.js';
 import {meshSource, sourceOf} from './sources.js';
 
-/** What is the same for all bounds. */
+const listsInfoBytes = 16;  // src/layout.cpp
+
+/** Bounds of all kinds. */
 export class Bounds extends Held {
   #kind;
 
@@ -26,31 +28,40 @@ export class Bounds extends Held {
   cull(shaft, options = {}) {
     const {module} = this;
     const kept = module.resultsOf(4 * bitWords(this.length));
-    this.ask('shaftcull_cull', shaft, options, kept, BigInt(bitWords(this.length) / 2));
+    this.askRange('shaftcull_cull', shaft, options, kept, BigInt(bitWords(this.length) / 2));
     return module.words(kept, Math.ceil(this.length / 32));
   }
 
   count(shaft, options = {}) {
     const count = this.module.resultsOf(8);
-    this.ask('shaftcull_count', shaft, options, count);
+    this.askRange('shaftcull_count', shaft, options, count);
     return this.module.number(count);
   }
 
   any(shaft, options = {}) {
-    const any = this.module.resultsOf(4);
-    this.ask('shaftcull_any', shaft, options, any);
+    const any = this.module.resultsOf(8);
+    this.askRange('shaftcull_any', shaft, options, any);
     return this.module.word(any) !== 0;
   }
 
+  /** A list: into the memory that there is, and again if that was too little. */
   list(shaft, options = {}) {
-    return this.listOf('shaftcull_list', shaft, options);
+    const {module} = this;
+    for (let room = 1024;;) {
+      room = Math.max(room, module.resultRoom / 4 - 2);
+      const count = module.resultsOf(8 + 4 * room);
+      this.ask('shaftcull_list', shaft, options, count + 8, BigInt(room), count);
+      const found = module.number(count);
+      if (found <= room) return module.words(count + 8, found);
+      room = found;
+    }
   }
 
   classify(shaft, options = {}) {
     const {module} = this;
     const words = bitWords(this.length);
     const kept = module.resultsOf(8 * words);
-    this.ask('shaftcull_classify', shaft, options, kept, kept + 4 * words, BigInt(words / 2));
+    this.askRange('shaftcull_classify', shaft, options, kept, kept + 4 * words, BigInt(words / 2));
     const used = Math.ceil(this.length / 32);
     return {kept: module.words(kept, used), inside: module.words(kept + 4 * words, used)};
   }
@@ -74,29 +85,20 @@ export class Bounds extends Held {
     const {module} = this;
     allShafts(module, shafts);
     const counts = module.resultsOf(8 * shafts.length);
-    this.askMany('shaftcull_count_many', shafts, options, counts);
+    this.askMany('shaftcull_count', shafts, options, counts);
     return module.numbers(counts, shafts.length);
   }
 
   listMany(shafts, options = {}) {
-    const {module} = this;
-    allShafts(module, shafts);
-    const lists = made(module, 'shaftcull_lists_create');
-    try {
-      this.askMany('shaftcull_list_many', shafts, options, lists);
-      const offsets = module.numbers(module.call('shaftcull_lists_offsets', lists), shafts.length + 1);
-      const indices = module.words(module.call('shaftcull_lists_indices', lists), offsets[shafts.length]);
-      return {offsets, indices};
-    } finally {
-      module.call('shaftcull_lists_free', lists);
-    }
+    allShafts(this.module, shafts);
+    return this.lists((lists) => this.askMany('shaftcull_list_many', shafts, options, lists));
   }
 
   setLayers(layers) {
     const {module} = this;
     const all = asIndices(layers, 'layers');
     module.scratch((scratch) => {
-      module.call('shaftcull_bounds_set_layers', this.handle, scratch.copy(all), BigInt(all.length));
+      module.call('shaftcull_bounds_set_layers', this.handle, 0, scratch.copy(all), BigInt(all.length));
     });
   }
 
@@ -107,50 +109,62 @@ export class Bounds extends Held {
       throw new TypeError(`there are ${all.length} layers for ${which.length} indices; there must be as many of both`);
     }
     module.scratch((scratch) => {
-      module.call('shaftcull_bounds_set_layers_of', this.handle, scratch.copy(which), scratch.copy(all),
+      module.call('shaftcull_bounds_set_layers', this.handle, scratch.copy(which), scratch.copy(all),
                   BigInt(all.length));
     });
   }
 
   clearLayers() {
-    this.module.call('shaftcull_bounds_clear_layers', this.handle);
+    this.module.call('shaftcull_bounds_set_layers', this.handle, 0, 0, BigInt(this.length));
   }
 
   get kind() {
     return this.#kind;
   }
 
-  /** Asks a question of one shaft; values are what the C interface takes behind the query. */
-  ask(question, shaft, options, ...values) {
+  /** Makes a query about one shaft, by its position; values are the arguments of the C interface behind the query. */
+  ask(query, shaft, options, ...values) {
+    this.#askOne(query, oneShaft(this.module, shaft, options.at), shaft, options, values);
+  }
+
+  /** The same by a range, which is that one shaft. */
+  askRange(query, shaft, options, ...values) {
+    this.#askOne(query, [...oneShaft(this.module, shaft, options.at), 1n], shaft, options, values);
+  }
+
+  #askOne(query, asked, shaft, options, values) {
     checkOptions(options, optionsOfOne);
     const {module} = this;
     const test = this.#kind === 'triangles' && shaft instanceof Hull ? 'vertices' : 'exact';
     module.scratch((scratch) => {
-      const query = queryOf(module, scratch, options, 1, this.length, test);
-      module.call(question, ...oneShaft(module, shaft, options.at), this.handle, query, ...values);
+      module.call(query, ...asked, this.handle, queryOf(module, scratch, options, 1, this.length, test), ...values);
     });
   }
 
-  /** Asks it of all shafts of an array. */
-  askMany(question, shafts, options, ...values) {
+  /** The same about all shafts of an array. */
+  askMany(query, shafts, options, ...values) {
     checkOptions(options, optionsOfMany);
     const {module} = this;
     module.scratch((scratch) => {
-      const query = queryOf(module, scratch, options, shafts.length, this.length, 'exact');
-      module.call(question, ...allShafts(module, shafts), this.handle, query, ...values);
+      const all = queryOf(module, scratch, options, shafts.length, this.length, 'exact');
+      module.call(query, ...allShafts(module, shafts), this.handle, all, ...values);
     });
   }
 
-  /** A list: into the memory that there is, and again if that was too little. */
-  listOf(question, shaft, options) {
+  /** Lists that fill(lists) fills, and where each of them begins. */
+  lists(fill) {
     const {module} = this;
-    for (let room = 1024;;) {
-      room = Math.max(room, module.resultRoom / 4 - 2);
-      const count = module.resultsOf(8 + 4 * room);
-      this.ask(question, shaft, options, count + 8, BigInt(room), count);
-      const found = module.number(count);
-      if (found <= room) return module.words(count + 8, found);
-      room = found;
+    const lists = made(module, 'shaftcull_lists_create');
+    try {
+      fill(lists);
+      return module.scratch((scratch) => {
+        const info = scratch.zeros(listsInfoBytes);
+        module.call('shaftcull_lists_describe', lists, info);
+        const offsets = module.numbers(module.word(info + 8), module.number(info) + 1);
+        return {offsets, indices: module.words(module.word(info + 12), offsets[offsets.length - 1])};
+      });
+    } finally {
+      module.call('shaftcull_lists_free', lists);
     }
   }
 }
@@ -160,7 +174,7 @@ export class SphereBounds extends Bounds {
   firstContact(shaft, options = {}) {
     const {module} = this;
     const contact = module.resultsOf(16);
-    this.ask('shaftcull_first_contact', shaft, options, contact);
+    this.askRange('shaftcull_first_contact', shaft, options, contact);
     if (module.word(contact + 12) === 0) return undefined;
     return {index: module.number(contact), time: module.view.getFloat32(contact + 8, true)};
   }
@@ -187,7 +201,7 @@ export class BoxBounds extends SphereBounds {
   }
 
   listOccluders(shaft, options = {}) {
-    return this.listOf('shaftcull_list_occluders', shaft, options);
+    return this.lists((lists) => this.askRange('shaftcull_list_occluders', shaft, options, lists)).indices;
   }
 }
 
@@ -197,7 +211,7 @@ const asTree = (Base) => class extends Base {
     const {module} = this;
     module.scratch((scratch) => {
       const source = sourceOf(module, scratch, this.kind, values, this.kind);
-      module.call('shaftcull_tree_update', this.handle, source.pointer);
+      module.call('shaftcull_bounds_update', this.handle, 0n, source.pointer);
     });
   }
 

@@ -120,11 +120,13 @@ class Shaftcull {
 
 function instructionSets(module) {
   return module.scratch((scratch) => {
-    const out = scratch.zeros(8);
-    module.call('shaftcull_isa_count', out);
-    return Array.from({length: module.number(out)}, (_, i) => {
-      module.call('shaftcull_isa_name', BigInt(i), out);
-      return module.text(module.word(out));
-    });
+    const names = [];
+    const out = scratch.zeros(4);
+    for (;;) {
+      module.call('shaftcull_isa_name', BigInt(names.length), out);
+      const name = module.word(out);
+      if (name === 0) return names;
+      names.push(module.text(name));
+    }
   });
 }

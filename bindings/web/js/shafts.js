@@ -6,8 +6,8 @@ import {sourceOf} from './sources.js';
 
 export const contacts = ['closed', 'open'];
 const depths = ['zero_to_one', 'minus_one_to_one'];
-const infoBytes = 68;  // src/layout.cpp
-const planeBytes = 24;
+const shaftInfoBytes = 68;  // src/layout.cpp
+const hullInfoBytes = 48;
 const maxPlanes = 8;
 
 export class Shafts extends Held {
@@ -25,19 +25,10 @@ export class Shafts extends Held {
     if (!this.#between) throw new TypeError('only shafts between two boxes have joining planes');
     const {module} = this;
     return module.scratch((scratch) => {
-      const info = scratch.zeros(infoBytes);
+      const info = scratch.zeros(shaftInfoBytes);
       module.call('shaftcull_shafts_describe', this.handle, BigInt(at), info);
-      const shaft = made(module, 'shaftcull_shaft_create', info, info + 24, 0);
-      try {
-        const planes = scratch.zeros(maxPlanes * planeBytes);
-        const count = scratch.zeros(8);
-        module.call('shaftcull_shaft_joining_planes', shaft, planes, count);
-        const floats = new Float32Array(4 * module.number(count));
-        for (let i = 0; i !== floats.length / 4; ++i) floats.set(module.floats(planes + i * planeBytes, 4), 4 * i);
-        return floats;
-      } finally {
-        module.call('shaftcull_shaft_free', shaft);
-      }
+      const planes = scratch.zeros(16 * maxPlanes);
+      return module.floats(planes, 4 * module.call('joining_planes', info, info + 24, planes));
     });
   }
 }
@@ -53,12 +44,10 @@ export class Hull extends Held {
     this.#asked = new Shafts(module, 1, false);
     module.call('shaftcull_shafts_set_hull', this.#asked.handle, 0n, handle);
     module.scratch((scratch) => {
-      const floats = scratch.zeros(4 * 96);
-      const counts = scratch.zeros(16);
-      module.call('shaftcull_hull_points', handle, floats, counts, counts + 8);
-      const points = module.number(counts);
-      this.#points = module.floats(floats, 3 * points);
-      this.#directions = module.floats(floats + 12 * points, 3 * module.number(counts + 8));
+      const info = scratch.zeros(hullInfoBytes);
+      module.call('shaftcull_hull_describe', handle, info);
+      this.#points = module.floats(module.word(info + 16), 3 * module.number(info));
+      this.#directions = module.floats(module.word(info + 20), 3 * module.number(info + 8));
     });
   }
 
@@ -80,7 +69,7 @@ export class Hull extends Held {
   }
 }
 
-/** The array and the position of the one shaft that a question is asked of. */
+/** The array and the position of the one shaft of a query. */
 export function oneShaft(module, shaft, at = 0) {
   const shafts = shaft instanceof Hull ? shaft.asked : shaft;
   if (!(shafts instanceof Shafts)) throw new TypeError('a shaft is made by between(), swept(), hull() and so on');
@@ -88,7 +77,7 @@ export function oneShaft(module, shaft, at = 0) {
   return [ofModule(module, shafts, 'the shaft').handle, BigInt(position)];
 }
 
-/** The array of which all shafts are asked. */
+/** The range of all shafts of an array. */
 export function allShafts(module, shafts) {
   if (!(shafts instanceof Shafts)) throw new TypeError('shafts are made by between(), swept() or shadow()');
   return [ofModule(module, shafts, 'the shafts').handle, 0n, BigInt(shafts.length)];
@@ -127,12 +116,11 @@ function planesFor(planes, count) {
 }
 
 function setContact(shafts, contact) {
-  if (contact !== 0) {
-    shafts.module.call('shaftcull_shafts_set_contact', shafts.handle, 0n, BigInt(shafts.length), contact);
-  }
+  const {module} = shafts;
+  if (contact !== 0) module.call('shaftcull_shafts_set_contact', ...allShafts(module, shafts), contact);
 }
 
-/** Shafts for pairs of boxes, which set(shafts, scratch, source of a, source of b, pairs, how many, planes) makes. */
+/** Shafts for pairs of boxes, which set(shafts, scratch, range, source of a, source of b, pairs, planes) makes. */
 function ofPairs(module, a, b, names, options, between, set) {
   let [boxesA, boxesB] = [asFloats(a, 6, names[0]), asFloats(b, 6, names[1])];
   const pairs = options.pairs === undefined ? undefined : asIndices(options.pairs, 'pairs');
@@ -152,7 +140,7 @@ function ofPairs(module, a, b, names, options, between, set) {
       module.view.setUint32(planes, pointer, true);
       module.view.setBigUint64(planes + 8, planeCount, true);
       const named = pairs === undefined ? 0 : scratch.copy(pairs);
-      set(shafts, scratch, sourceA.pointer, sourceB.pointer, named, BigInt(count), planes);
+      set(shafts, scratch, allShafts(module, shafts), sourceA.pointer, sourceB.pointer, named, planes);
     });
   } catch (error) {
     shafts.free();
@@ -164,18 +152,19 @@ function ofPairs(module, a, b, names, options, between, set) {
 export function between(module, a, b, options = {}) {
   checkOptions(options, ['pairs', 'contact', 'planes']);
   const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
-  return ofPairs(module, a, b, ['a', 'b'], options, true, (shafts, scratch, ...what) => {
-    module.call('shaftcull_shafts_set_between_batch', shafts.handle, 0n, ...what, contact);
+  return ofPairs(module, a, b, ['a', 'b'], options, true, (shafts, scratch, range, ...what) => {
+    module.call('shaftcull_shafts_set_between', ...range, ...what, contact);
   });
 }
 
 export function shadow(module, lights, occluders, options = {}) {
   checkOptions(options, ['pairs', 'reach', 'contact', 'planes']);
   const contact = asEnumerator(options.contact ?? 'closed', contacts, 'contact');
-  return ofPairs(module, lights, occluders, ['lights', 'occluders'], options, false, (shafts, scratch, ...what) => {
+  const names = ['lights', 'occluders'];
+  return ofPairs(module, lights, occluders, names, options, false, (shafts, scratch, range, ...what) => {
     const planes = what.pop();
     const reach = options.reach === undefined ? 0 : scratch.copy(asFloatsOf([options.reach], 1, 'reach'));
-    module.call('shaftcull_shafts_set_shadow_batch', shafts.handle, 0n, ...what, reach, planes);
+    module.call('shaftcull_shafts_set_shadow', ...range, ...what, reach, planes);
     setContact(shafts, contact);
   });
 }
@@ -190,7 +179,8 @@ function moving(module, make, bodies, vectors, name, options) {
     module.scratch((scratch) => {
       const source = sourceOf(module, scratch, 'boxes', boxes, 'bodies');
       const [planes, planeCount] = planesFor(options.planes, count);
-      module.call(make, shafts.handle, 0n, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
+      const range = allShafts(module, shafts);
+      module.call(make, ...range, source.pointer, scratch.copy(travels), scratch.copy(planes), planeCount);
       setContact(shafts, contact);
     });
   } catch (error) {
@@ -201,11 +191,11 @@ function moving(module, make, bodies, vectors, name, options) {
 }
 
 export function swept(module, bodies, displacements, options = {}) {
-  return moving(module, 'shaftcull_shafts_set_swept_batch', bodies, displacements, 'displacements', options);
+  return moving(module, 'shaftcull_shafts_set_swept', bodies, displacements, 'displacements', options);
 }
 
 export function sweptInfinite(module, bodies, directions, options = {}) {
-  return moving(module, 'shaftcull_shafts_set_swept_infinite_batch', bodies, directions, 'directions', options);
+  return moving(module, 'shaftcull_shafts_set_swept_infinite', bodies, directions, 'directions', options);
 }
 
 export function hull(module, points, directions = []) {

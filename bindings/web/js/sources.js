@@ -2,23 +2,38 @@
 // Bounds in the caller's arrays, as the C interface reads them.
 import {asFloats, asIndices} from './arguments.js';
 
-const sourceBytes = 64;  // src/layout.cpp
+const sourceBytes = 56;  // src/layout.cpp
 
-/** What is known of each kind of bounds: floats each, and the function that makes a source of them. */
+/** Each kind of bounds: floats each, the constant of the C interface, and where the second part of a record begins. */
 const kinds = {
-  boxes: {floats: 6, source: 'shaftcull_boxes'},
-  spheres: {floats: 4, source: 'shaftcull_spheres'},
-  triangles: {floats: 9, source: 'shaftcull_triangles'},
+  boxes: {floats: 6, kind: 1, second: 12},
+  spheres: {floats: 4, kind: 3, second: 12},
+  triangles: {floats: 9, kind: 4},
 };
+const mesh = 5;
 
-/** A source of bounds of a kind, and how many there are. Valid as long as the scratch memory. */
-export function sourceOf(module, scratch, kind, values, name) {
-  const {floats, source} = kinds[kind];
-  const array = asFloats(values, floats, name);
-  const count = array.length / floats;
+/** Writes a source; pointers of parts that the kind does not have are 0. Valid as long as the scratch memory. */
+function written(module, scratch, {kind, count, first, second = 0, stride, indices = 0, vertexCount = 0}) {
   const pointer = scratch.zeros(sourceBytes);
-  module.call(source, pointer, scratch.copy(array), BigInt(count));
+  const {view} = module;
+  view.setUint32(pointer, kind, true);
+  view.setBigUint64(pointer + 8, BigInt(count), true);
+  view.setUint32(pointer + 16, first, true);
+  view.setUint32(pointer + 20, second, true);
+  view.setBigUint64(pointer + 24, BigInt(stride), true);
+  view.setUint32(pointer + 32, indices, true);
+  view.setBigUint64(pointer + 40, BigInt(vertexCount), true);
   return {pointer, count};
+}
+
+/** A source of bounds of a kind, and how many there are. */
+export function sourceOf(module, scratch, name, values, argument) {
+  const {floats, kind, second} = kinds[name];
+  const array = asFloats(values, floats, argument);
+  const first = scratch.copy(array);
+  return written(module, scratch, {
+    kind, count: array.length / floats, first, second: second && first + second, stride: 4 * floats,
+  });
 }
 
 /** A source of triangles that indices name. */
@@ -26,9 +41,8 @@ export function meshSource(module, scratch, vertices, indices) {
   const points = asFloats(vertices, 3, 'triangles');
   const corners = asIndices(indices, 'indices');
   if (corners.length % 3 !== 0) throw new TypeError(`indices has ${corners.length} numbers, which is no multiple of 3`);
-  const count = corners.length / 3;
-  const pointer = scratch.zeros(sourceBytes);
-  const vertexCount = BigInt(points.length / 3);
-  module.call('shaftcull_mesh', pointer, scratch.copy(points), vertexCount, scratch.copy(corners), BigInt(count));
-  return {pointer, count};
+  return written(module, scratch, {
+    kind: mesh, count: corners.length / 3, first: scratch.copy(points), stride: 12, indices: scratch.copy(corners),
+    vertexCount: points.length / 3,
+  });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sees what, of all pairs of patches.
+// Visibility: which pairs of patches see each other.
 import {asEnumerator, asFloats, checkOptions} from './arguments.js';
 import {made} from './held.js';
 import {contacts} from './shafts.js';
@@ -10,6 +10,8 @@ const names = ['patches', 'planes', 'patchesB', 'planesB', 'boxes', 'solids', 't
 const optionBytes = 40;  // src/layout.cpp
 const batchBytes = 40;
 const countBytes = 32;
+const patchesInfoBytes = 16;
+const occluderInfoBytes = 40;
 const productWords = 5;
 
 /** Objects that are released together. */
@@ -56,19 +58,19 @@ function occludersOf(module, scratch, owned, scene) {
 
 /** The triangles of the scene in each occluder: none in boxes, which come first, and those of a group in the others. */
 function trianglesOf(module, scratch, occluders, boxes) {
-  const [first, count] = [scratch.zeros(8), scratch.zeros(8)];
+  const info = scratch.zeros(occluderInfoBytes);
   const none = new Uint32Array();
   return Array.from({length: Number(module.call('shaftcull_occluders_count', occluders))}, (_, occluder) => {
     if (occluder < boxes) return none;
-    module.call('shaftcull_occluders_triangles', occluders, BigInt(occluder), first, count);
-    return module.words(module.word(first), module.number(count));
+    module.call('shaftcull_occluders_describe', occluders, BigInt(occluder), info);
+    return module.words(module.word(info), module.number(info + 8));
   });
 }
 
 function orderOf(module, scratch, patches) {
-  const order = scratch.zeros(4);
-  module.call('shaftcull_patches_order', patches, order);
-  return module.words(module.word(order), Number(module.call('shaftcull_patches_count', patches)));
+  const info = scratch.zeros(patchesInfoBytes);
+  module.call('shaftcull_patches_describe', patches, info);
+  return module.words(module.word(info + 8), module.number(info));
 }
 
 export function visibility(module, scene) {
@@ -85,11 +87,12 @@ export function visibility(module, scene) {
       const options = scratch.zeros(optionBytes);
       module.call('shaftcull_default_visibility_options', options);
       module.view.setUint32(options + 8, contact, true);
-      const sights = owned.make('shaftcull_sights_free', 'shaftcull_collect_visibility', a, b, occluders, options);
+      const result =
+          owned.make('shaftcull_visibility_result_free', 'shaftcull_collect_visibility', a, b, occluders, options);
       const orderA = orderOf(module, scratch, a);
       const boxes = ((scene.boxes?.length ?? 0) + (scene.solids?.length ?? 0)) / 6;
       const orderB = two ? orderOf(module, scratch, b) : orderA;
-      return new Visibility(module, scratch, sights, orderA, orderB, trianglesOf(module, scratch, occluders, boxes));
+      return new Visibility(module, scratch, result, orderA, orderB, trianglesOf(module, scratch, occluders, boxes));
     });
   } finally {
     owned.release();
@@ -97,10 +100,10 @@ export function visibility(module, scene) {
 }
 
 class Visibility {
-  constructor(module, scratch, sights, orderA, orderB, triangles) {
+  constructor(module, scratch, result, orderA, orderB, triangles) {
     const batch = scratch.zeros(batchBytes);
     const counts = scratch.zeros(countBytes);
-    module.call('shaftcull_sights_all', sights, batch, counts);
+    module.call('shaftcull_visibility_result_describe', result, batch, counts);
     const numbers = module.numbers(counts, sightNames.length);
     this.counts = Object.fromEntries(sightNames.map((name, i) => [name, numbers[i]]));
     this.orderA = orderA;

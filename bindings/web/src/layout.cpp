@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shaftcull.js takes for granted of structs: where their fields are.
+// The places of fields in structs, on which the JavaScript relies.
 #include <cstddef>
 
 #include "shaftcull.h"
@@ -8,12 +8,29 @@ namespace {
 
 static_assert(sizeof(void*) == 4);
 
-static_assert(sizeof(shaftcull_source) <= 64);
+static_assert(sizeof(shaftcull_source) == 56);
+static_assert(offsetof(shaftcull_source, kind) == 0);
+static_assert(offsetof(shaftcull_source, count) == 8);
+static_assert(offsetof(shaftcull_source, first) == 16);
+static_assert(offsetof(shaftcull_source, second) == 20);
+static_assert(offsetof(shaftcull_source, stride) == 24);
+static_assert(offsetof(shaftcull_source, indices) == 32);
+static_assert(offsetof(shaftcull_source, vertex_count) == 40);
+static_assert(SHAFTCULL_SOURCE_BOXES == 1 && SHAFTCULL_SOURCE_SPHERES == 3 && SHAFTCULL_SOURCE_TRIANGLES == 4);
+static_assert(SHAFTCULL_SOURCE_MESH == 5);
+static_assert(sizeof(shaftcull_box) == 24 && offsetof(shaftcull_box, hi) == 12);
+static_assert(sizeof(shaftcull_sphere) == 16 && offsetof(shaftcull_sphere, radius) == 12);
+static_assert(sizeof(shaftcull_triangle) == 36);
+
+static_assert(sizeof(shaftcull_hull_info) == 48);
+static_assert(offsetof(shaftcull_hull_info, point_count) == 0);
+static_assert(offsetof(shaftcull_hull_info, direction_count) == 8);
+static_assert(offsetof(shaftcull_hull_info, points) == 16);
+static_assert(offsetof(shaftcull_hull_info, directions) == 20);
 
 static_assert(sizeof(shaftcull_shafts_info) == 68);
+static_assert(offsetof(shaftcull_shafts_info, a) == 0);
 static_assert(offsetof(shaftcull_shafts_info, b) == 24);
-
-static_assert(sizeof(shaftcull_joining_plane) == 24);
 
 static_assert(sizeof(shaftcull_query) == 128);
 static_assert(offsetof(shaftcull_query, exclude) == 0);
@@ -39,6 +56,18 @@ static_assert(sizeof(shaftcull_contact_found) == 16);
 static_assert(offsetof(shaftcull_contact_found, time) == 8);
 static_assert(offsetof(shaftcull_contact_found, found) == 12);
 
+static_assert(sizeof(shaftcull_lists_info) == 16);
+static_assert(offsetof(shaftcull_lists_info, offsets) == 8);
+static_assert(offsetof(shaftcull_lists_info, indices) == 12);
+
+static_assert(sizeof(shaftcull_patches_info) == 16);
+static_assert(offsetof(shaftcull_patches_info, count) == 0);
+static_assert(offsetof(shaftcull_patches_info, order) == 8);
+
+static_assert(sizeof(shaftcull_occluder_info) == 40);
+static_assert(offsetof(shaftcull_occluder_info, triangles) == 0);
+static_assert(offsetof(shaftcull_occluder_info, triangle_count) == 8);
+
 static_assert(sizeof(shaftcull_visibility_options) == 40);
 static_assert(offsetof(shaftcull_visibility_options, contact) == 8);
 
@@ -47,7 +76,7 @@ static_assert(offsetof(shaftcull_sight_counts, clear) == 8);
 static_assert(offsetof(shaftcull_sight_counts, occluded) == 16);
 static_assert(offsetof(shaftcull_sight_counts, facing_away) == 24);
 
-static_assert(sizeof(shaftcull_sight_product) == 20);
+static_assert(sizeof(shaftcull_pair_block) == 20);
 
 static_assert(offsetof(shaftcull_sight_batch, product_count) == 8);
 static_assert(offsetof(shaftcull_sight_batch, undecided) == 16);
