@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Boxes, spheres and planes: the values that everything else is made of.
+/// Boxes, spheres and planes: the basic values of the library.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// A point or a vector: x, y, z.
 using Vec3 = std::array<float, 3>;
 
-/// An axis-aligned box: all p with lo ≤ p ≤ hi on every axis (closed, so touching boxes meet).
-/// Infinite extents are legal. The *empty* box has lo = +∞ and hi = −∞ on all axes and meets nothing.
+/// An axis-aligned box: all p with lo ≤ p ≤ hi on every axis (closed, so touching boxes meet). Infinite extents are
+/// legal. The *empty* box has lo = +∞ and hi = −∞ on all axes, and meets nothing.
 struct Box {
   Vec3 lo;  ///< the least coordinates
   Vec3 hi;  ///< the greatest coordinates
@@ -21,15 +21,15 @@ struct Box {
 
 /// A ball: all p with |p − centre| ≤ radius. A radius of 0 is a point.
 struct Sphere {
-  Vec3 centre;   ///< its middle
+  Vec3 centre;   ///< its centre point
   float radius;  ///< 0 or more
   friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
-/// A half-space: normal·p ≤ offset is its inside. The normal need not have unit length.
+/// A half-space: all p with normal·p ≤ offset. The normal need not have unit length.
 struct Plane {
   Vec3 normal;   ///< points out of the half-space
-  float offset;  ///< what normal·p is on the plane
+  float offset;  ///< the value of normal·p on the plane
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 

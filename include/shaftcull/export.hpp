@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-/// What a shared library exports: the interface, and nothing else.
+/// The macros by which a shared library exports its interface, and nothing else.
 ///
-/// On systems with ELF and Mach-O files, the library is compiled with hidden visibility. Public headers open
-/// `namespace SHAFTCULL_INTERFACE shaftcull {`, which makes visible whatever is declared in those braces. Sources that
-/// define function templates of the interface do the same, because for these compilers go by the definition. On
-/// Windows, a DLL exports what has SHAFTCULL_EXPORT before it: functions, and classes with functions of their own that
-/// are not inline.
+/// On systems with ELF and Mach-O files, the library is compiled with hidden visibility. Public headers use
+/// SHAFTCULL_INTERFACE in their namespace, which makes all declarations in its braces visible. Sources that define
+/// function templates of the interface do the same, because these compilers use the visibility of the definition. On
+/// Windows, a DLL exports declarations that begin with SHAFTCULL_EXPORT: functions, and classes with functions of their
+/// own that are not inline.
 ///
-/// A static library exports nothing: in two plugins that both link it, each has its own.
+/// A static library exports nothing: each of two plugins that link it has its own copy.
 #pragma once
 
-// SHAFTCULL_SHARED comes with the CMake target and with pkg-config's flags where the library is a shared one;
-// shaftcull_EXPORTS with the sources of a shared library that CMake builds.
+// The CMake target and pkg-config's flags define SHAFTCULL_SHARED if the library is shared. CMake defines
+// shaftcull_EXPORTS for the sources of a shared library.
 #if !defined(SHAFTCULL_SHARED)
-/// Stands in `namespace SHAFTCULL_INTERFACE shaftcull`: makes visible what is in its braces.
+/// Makes the contents of the braces visible in `namespace SHAFTCULL_INTERFACE shaftcull { … }`.
 #define SHAFTCULL_INTERFACE
-/// Stands before each function, and each class with functions that are not inline: a DLL exports them.
+/// Precedes each function, and each class with functions that are not inline, so that a DLL exports them.
 #define SHAFTCULL_EXPORT
 #elif defined(_WIN32)
 #define SHAFTCULL_INTERFACE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What callbacks are passed as.
+/// The type of callback parameters.
 #pragma once
 
 #include <concepts>
@@ -16,24 +16,24 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 template <class Signature>
 class FunctionRef;
 
-/// A function that takes Args and returns what converts to Result.
+/// A function type that takes Args and returns a value that converts to Result.
 template <class Function, class Result, class... Args>
 concept CallableFunction = std::is_function_v<Function> && std::is_invocable_r_v<Result, Function&, Args...>;
 
-/// The same of anything else that can be called: Callable is a type or a reference to one, as a forwarding reference
-/// deduces it. A Reference, the class that is made from it, is none: that is copied.
+/// Any other type that can be called with Args and returns a value that converts to Result. Callable is a type or a
+/// reference, as a forwarding reference deduces it. Reference, the class made from it, is excluded: it is copied.
 template <class Callable, class Reference, class Result, class... Args>
 concept CallableObject =
     !std::same_as<std::remove_cvref_t<Callable>, Reference> && !std::is_function_v<std::remove_reference_t<Callable>> &&
     std::is_invocable_r_v<Result, Callable&, Args...>;
 
-/// A reference to something that can be called with Args and returns a Result: a lambda, a function, a std::function.
+/// A reference to a callable that takes Args and returns a Result: a lambda, a function, a std::function.
 ///
-/// It owns nothing: what it refers to must live as long as it is called. A temporary lambda passed to a call of the
-/// library does, since such calls keep no callback when they return. Two pointers; copied freely; no allocation.
+/// It owns nothing: the callable must live as long as it is called. A temporary lambda passed to a call of the library
+/// does, since such calls keep no callback when they return. Two pointers; copied freely; no allocation.
 ///
-/// It is empty if it was made of an empty std::function or of a null pointer to a function. Calls of the library refuse
-/// an empty one with InvalidArgument.
+/// It is empty if it was made from an empty std::function or from a null pointer to a function. Calls of the library
+/// reject an empty reference with InvalidArgument.
 template <class Result, class... Args>
 class FunctionRef<Result(Args...)> {
  public:
@@ -43,7 +43,7 @@ class FunctionRef<Result(Args...)> {
   FunctionRef(Callable&& callable) noexcept
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_(call_object<std::remove_reference_t<Callable>>) {
-    // What can be made from a null pointer can be empty: pointers to functions, std::function.
+    // Types that can be made from a null pointer can be empty: pointers to functions, std::function.
     if constexpr (std::is_constructible_v<std::remove_cvref_t<Callable>, std::nullptr_t>) {
       if (callable == nullptr) call_ = nullptr;
     }
@@ -54,9 +54,9 @@ class FunctionRef<Result(Args...)> {
   FunctionRef(Function& function) noexcept  // NOLINT(google-explicit-constructor)
       : function_(reinterpret_cast<void (*)()>(&function)), call_(call_function<Function>) {}
 
-  /// Whether there is something to call.
+  /// Whether the reference is not empty.
   [[nodiscard]] explicit operator bool() const noexcept { return call_ != nullptr; }
-  /// Calls what it refers to. It must not be empty.
+  /// Calls the callable. The reference must not be empty.
   Result operator()(Args... args) const { return call_(*this, std::forward<Args>(args)...); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Small helpers for making boxes and planes. All are exact or err to the safe side, whatever floating-point mode the
-/// caller runs in; none allocates; all are safe to call from many threads.
+/// Small helpers that make boxes and planes. Results are exact or err to the safe side, whatever floating-point mode
+/// the caller runs in. No helper allocates; all are safe to call from many threads.
 #pragma once
 
 #include <array>
@@ -15,34 +15,34 @@
 namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// The smallest box around all points; the empty box if there are none. Throws BadBound for the first point with a NaN,
-/// InvalidArgument for a null span that is not empty. O(points.size()).
+/// and InvalidArgument for a null span that is not empty. O(points.size()).
 [[nodiscard]] SHAFTCULL_EXPORT Box box_around(std::span<const Vec3> points);
 
-/// The smallest box around both. The empty box adds nothing. Coordinates must not be NaN.
+/// The smallest box around both boxes. The empty box adds nothing. Coordinates must not be NaN.
 [[nodiscard]] SHAFTCULL_EXPORT Box joined(const Box& a, const Box& b) noexcept;
 
 /// The box moved by a vector: the smallest box of floats that contains the exact result, so lo is rounded down and hi
 /// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite. Coordinates must not be NaN. A face
-/// that would pass the largest float becomes infinite, which no Shaft takes.
+/// that would pass the largest float becomes infinite; Shaft rejects such a box.
 ///
-/// What a box sweeps over is swept() (volumes.hpp), which rounds nothing.
+/// swept() (volumes.hpp) makes the volume that a moving box sweeps over, and rounds nothing.
 [[nodiscard]] SHAFTCULL_EXPORT Box translated(const Box& box, const Vec3& by);
 
 /// The box with every face moved out by a distance, rounded outwards as in translated(). The empty box stays empty.
 /// Throws InvalidArgument if `by` is negative or not finite. Coordinates must not be NaN.
 [[nodiscard]] SHAFTCULL_EXPORT Box inflated(const Box& box, float by);
 
-/// Which depths in clip space are in view.
+/// The range of depths in clip space that is in view.
 enum class ClipDepth : std::uint8_t {
   zero_to_one,       ///< 0 ≤ z ≤ w: Direct3D, Vulkan, Metal, and reversed depth
   minus_one_to_one,  ///< −w ≤ z ≤ w: OpenGL
 };
 
-/// The planes of a view frustum, up to six: left, right, bottom, top, near and far, but for those that cut nothing off,
-/// as the far plane of an infinite projection does.
+/// The planes of a view frustum, up to six: left, right, bottom, top, near and far. Planes that cut nothing off, such
+/// as the far plane of an infinite projection, are left out.
 struct ViewPlanes {
-  std::array<Plane, 6> plane;  ///< the first `count` of them
-  std::size_t count;           ///< how many there are
+  std::array<Plane, 6> plane;  ///< the first `count` are valid
+  std::size_t count;           ///< number of planes
 
   /// For loops over the planes, and spans of them.
   [[nodiscard]] const Plane* begin() const noexcept { return plane.data(); }
@@ -50,15 +50,15 @@ struct ViewPlanes {
 };
 
 /// The planes of a view-projection matrix, normals outwards, ready for Shaft::add_plane(). Normals are not of unit
-/// length. What a camera sees as one exact volume is frustum() (hull.hpp); these planes cut a shaft to what is in view.
+/// length. These planes restrict a shaft to the view; frustum() (hull.hpp) makes the view itself, as one exact volume.
 ///
-/// The matrix has 4 rows of 4 floats, row after row, and maps column vectors: a point p of the world is at
-/// matrix · (p, 1) = (x, y, z, w) in clip space, and in view if −w ≤ x ≤ w, −w ≤ y ≤ w and z is as `depth` says. The
-/// floats of a matrix that is stored column by column (glm), or maps row vectors (DirectXMath), have to be transposed.
+/// The matrix has 4 rows of 4 floats, row after row, and maps column vectors. Point p of the world is at
+/// matrix · (p, 1) = (x, y, z, w) in clip space, and in view if −w ≤ x ≤ w, −w ≤ y ≤ w and z is in the range of
+/// `depth`. Transpose a matrix that is stored column by column (glm) or that maps row vectors (DirectXMath).
 ///
-/// Each coefficient is the sum or difference of two of the matrix, rounded to the nearest float. Throws InvalidArgument
-/// if the matrix is not finite, if a coefficient overflows, if a plane leaves nothing in view, or if `depth` is no
-/// enumerator.
+/// Each coefficient is the sum or difference of two coefficients of the matrix, rounded to the nearest float. Throws
+/// InvalidArgument if the matrix is not finite, if a coefficient overflows, if a plane leaves nothing in view, or if
+/// `depth` is no enumerator.
 ///
 /// G. Gribb and K. Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix", 2001.
 [[nodiscard]] SHAFTCULL_EXPORT ViewPlanes view_planes(std::span<const float, 16> matrix, ClipDepth depth);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// The instruction sets that the kernels are compiled for, and the choice among them.
 ///
-/// The best one that the processor *and* the operating system support is taken at the first call that needs one. The
-/// environment variable SHAFTCULL_ISA, which holds a name such as avx2, or select_isa() forces another. A variable that
-/// cannot be followed is not an error, since a user may have set it for another program or another machine: the best
-/// one is taken, and isa_choice() says why. Answers do not depend on the choice; only speed does.
+/// The first call that needs an instruction set chooses the best that the processor *and* the operating system support.
+/// The environment variable SHAFTCULL_ISA, which holds a name such as avx2, or select_isa() forces another. If the
+/// variable names no available set, the best set is used, and isa_choice() returns the reason. That is not an error,
+/// since a user may have set the variable for another program or machine. The choice affects speed, never answers.
 ///
-/// The choice is about the tests and formation, and the loops that count and list their bits. Packing streams and
-/// checking records use SSE2 on x86-64 whatever is chosen, since every such processor has it.
+/// The choice applies to the tests, to formation, and to the loops that count and list bits. Packing streams and
+/// checking records always use SSE2 on x86-64, since every such processor has it.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// On one processor, the better ones later. `scalar` and `portable128`, four floats in a vector and no intrinsics, run
-/// on any processor; `neon` is that of 64-bit ARM, and the others are those of x86-64. Numbers may change when a set is
-/// added: what is to last is the name.
+/// An instruction set; for one processor, better sets come later. `scalar` and `portable128` (four floats per vector,
+/// no intrinsics) run on any processor. `neon` is for 64-bit ARM, and the others are for x86-64. Numbers may change
+/// when a set is added; names do not.
 enum class Isa : std::uint8_t {
   scalar,       ///< one float at a time
   portable128,  ///< four floats, by the compiler
@@ -32,32 +32,32 @@ enum class Isa : std::uint8_t {
   neon,         ///< four floats
 };
 
-/// "avx2" for Isa::avx2; "unknown" for a value that is no enumerator.
+/// The name of an instruction set: "avx2" for Isa::avx2; "unknown" for a value that is no enumerator.
 [[nodiscard]] SHAFTCULL_EXPORT std::string_view name(Isa isa) noexcept;
 
-/// The instruction set of that name, in upper or lower case, or nothing.
+/// The instruction set with this name, in upper or lower case; std::nullopt if there is none.
 [[nodiscard]] SHAFTCULL_EXPORT std::optional<Isa> isa_from_name(std::string_view text) noexcept;
 
-/// What this build has kernels for and this machine can run, slowest first; never empty.
+/// The instruction sets that this build has kernels for and this machine can run, slowest first; never empty.
 [[nodiscard]] SHAFTCULL_EXPORT std::vector<Isa> available_isas();
 
-/// What calls use from now on, in every thread.
+/// The instruction set that calls in every thread use from now on.
 [[nodiscard]] SHAFTCULL_EXPORT Isa active_isa() noexcept;
 
-/// What was asked for, and what runs.
+/// The requested instruction set, and the set in use.
 struct IsaChoice {
-  std::string asked;  ///< SHAFTCULL_ISA as it is now; empty if it is not set
-  /// Why SHAFTCULL_ISA cannot be followed, with a list of what there is; empty if it can, or is not set.
+  std::string asked;  ///< the present value of SHAFTCULL_ISA; empty if it is not set
+  /// Why SHAFTCULL_ISA cannot be followed, and a list of available sets; empty if it can, or is not set.
   std::string refusal;
   Isa running;  ///< active_isa()
 };
-/// Reads the environment, so no other thread may change it meanwhile. This and available_isas() allocate, and throw
-/// std::bad_alloc if memory runs out.
+/// The present choice. Reads the environment, so no other thread may change it meanwhile. This call and
+/// available_isas() allocate, and throw std::bad_alloc if memory runs out.
 [[nodiscard]] SHAFTCULL_EXPORT IsaChoice isa_choice();
 
-/// Uses `isa` from now on, in every thread; wins over SHAFTCULL_ISA. Safe to call at any time: a call that
-/// is under way goes on with the instruction set it began with.
-/// Throws InvalidArgument, listing what there is, if `isa` is not available.
+/// Makes calls in every thread use `isa` from now on; overrides SHAFTCULL_ISA. Safe to call at any time: a call in
+/// progress continues with the instruction set it began with. Throws InvalidArgument, with a list of the available
+/// sets, if `isa` is not available.
 SHAFTCULL_EXPORT void select_isa(Isa isa);
 
 }  // namespace shaftcull

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// Bounds in arrays of the user's own structs, by the names of their members.
+/// Bounds in arrays of the user's own structs, given by the names of their members.
 ///
 ///     struct Object { float lo[3]; float hi[3]; int id; };
 ///     std::vector<Object> objects = …;
 ///     BoxStream boxes(strided(objects, &Object::lo, &Object::hi));
 ///
-/// What these return refers to the array, which must outlive its use; the types of members are checked when compiling.
-/// Members of other types, or records that no C++ type describes, are given by bytes and stride: StridedBoxes and its
-/// like in streams.hpp.
+/// Results refer to the array, which must outlive their use. The compiler checks member types. For members of other
+/// types, and for records that no C++ type describes, use StridedBoxes and its like in streams.hpp, with bytes and a
+/// stride.
 #pragma once
 
 #include <concepts>
@@ -21,14 +21,13 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// What can be made from x, y and z.
+/// A type that can be made from x, y and z.
 template <class T>
 concept FromThreeFloats = requires {
   T{0.0F, 0.0F, 0.0F};
 };
 
-/// What may hold x, y and z: float[3], std::array<float, 3>, or a class that is made of three floats and as large as
-/// these.
+/// A type that can hold x, y and z: float[3], std::array<float, 3>, or a class made of three floats and as large.
 template <class T>
 concept ThreeFloats = std::same_as<T, float[3]> ||
     (FromThreeFloats<T>&& std::is_class_v<T>&& std::is_standard_layout_v<T> && sizeof(T) == 3 * sizeof(float));
@@ -37,7 +36,7 @@ concept ThreeFloats = std::same_as<T, float[3]> ||
 template <class T>
 concept ObjectArray = std::ranges::contiguous_range<T> && std::ranges::sized_range<T> && std::ranges::borrowed_range<T>;
 
-/// Where the member of the first object is; null if there is none.
+/// The address of a member of the first object; null if there are no objects.
 template <std::ranges::contiguous_range Objects, class T, class Member>
 [[nodiscard]] const void* first_member(const Objects& objects, Member T::*member) noexcept {
   const auto* const first = std::ranges::data(objects);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Trees as bytes: to keep them in files, and to share them among processes.
+/// Trees as bytes, to store in files and to share among processes.
 #pragma once
 
 #include <cstddef>
@@ -12,46 +12,46 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Bytes of the image of a tree, a multiple of 64; those of an empty tree, too. O(1). Throws NeedsRefit if its bounds
-/// were updated since the last refit().
+/// The size in bytes of the image of a tree: a multiple of 64, for an empty tree too. O(1). Throws NeedsRefit if bounds
+/// of the tree were updated since the last refit().
 ///
-/// Tree is a BoundsTree of any kind or a TriangleTree, here and below.
+/// Here and below, Tree is a BoundsTree of any kind or a TriangleTree.
 template <class Tree>
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t image_bytes(const Tree& tree);
 
-/// Writes the image of a tree: its bounds, their order, nodes and layers, as they lie in memory. Trees of the same
-/// bounds that were built alike have the same image to the byte, whatever the number of threads and the instruction
-/// set. O(image_bytes(tree)), in parallel; the image has a checksum. Allocates nothing itself. Throws InvalidArgument
-/// unless `image` has image_bytes(tree) bytes, at any alignment, or if the tree lies in them; NeedsRefit as above. If
-/// oneTBB cannot start its tasks, std::bad_alloc is thrown, and what is in `image` is no image.
+/// Writes the image of a tree: its bounds, their order, nodes and layers, as they lie in memory, and a checksum. Trees
+/// of the same bounds that were built alike have the same image to the byte, whatever the number of threads and the
+/// instruction set. O(image_bytes(tree)), in parallel. Allocates nothing itself. Throws NeedsRefit as above, and
+/// InvalidArgument unless `image` has image_bytes(tree) bytes, at any alignment, or if it shares memory with the tree.
+/// If oneTBB cannot start its tasks, the call throws std::bad_alloc, and `image` holds no image.
 ///
-/// What is written depends on the version of its format and on the order of bytes of the machine. Images are for the
-/// same version of the library, or for those that say that they read it; keep the bounds as well.
+/// The bytes depend on the version of the image format and on the byte order of the machine. An image is for the
+/// library version that wrote it, and for versions that state that they read it. Keep the bounds as well.
 template <class Tree>
 SHAFTCULL_EXPORT void write_image(const Tree& tree, std::span<std::byte> image);
 
-/// What is checked of an image before it is used.
+/// The checks of an image before it is used.
 enum class ImageCheck : std::uint8_t {
-  all,     ///< that it is an image of such a tree, whole, and what was written: O(bytes), some 8 GB/s
-  header,  ///< all but the checksum: O(1). For images that nothing can have damaged: a query of one that was changed
-           ///< may read and write any memory
+  all,     ///< it is a whole image of such a tree, and its checksum is right: O(bytes), about 8 GB/s
+  header,  ///< all except the checksum: O(1). For images that cannot be damaged: a query of a changed image may read
+           ///< and write any memory
 };
 
-/// A tree that lies in an image, of which nothing is copied: a file that was mapped into memory is asked as soon as it
-/// is there, and processes that share the memory share the tree. Queries take tree() as any other, and give the same
-/// answers in the same order, as fast.
+/// A tree that lies in an image, without a copy. A tree in a file can be queried as soon as the file is mapped into
+/// memory, and processes that share the memory share the tree. Queries take tree() as any other tree, with the same
+/// answers in the same order, at the same speed.
 ///
-/// The image is only read, so it may be in memory that cannot be written. It has to stay as long as this. tree() is
-/// const; a copy of it, O(size()), owns its memory and is a tree like others. Queries of one object from many threads
-/// are safe.
+/// The image is only read, so it may be in read-only memory. It must outlive this object. tree() is const; a copy of
+/// it, O(size()), owns its memory and is an ordinary tree. Queries of one object from many threads are safe.
 template <class Tree>
 class TreeInImage {
  public:
-  /// Throws InvalidArgument, which says why, for memory that is null, does not begin at a multiple of 64 bytes or does
-  /// not hold the whole image of a Tree and nothing else; allocates some 500 bytes, std::bad_alloc.
+  /// Refers to the tree in `image`. Throws InvalidArgument, with the reason, for memory that is null, does not begin at
+  /// a multiple of 64 bytes, or is not exactly the whole image of a Tree. Allocates about 500 bytes; may throw
+  /// std::bad_alloc.
   explicit TreeInImage(std::span<const std::byte> image, ImageCheck check = ImageCheck::all);
 
-  /// Valid as long as this.
+  /// The tree. It is valid as long as this object.
   [[nodiscard]] const Tree& tree() const noexcept { return tree_; }
 
  private:

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: MIT
-/// Triangles against shafts: singly, in streams, and in trees of chunks of neighbouring triangles.
+/// Triangles against shafts: single triangles, streams, and trees of chunks of neighbouring triangles.
 ///
-/// A box around a slanted triangle sticks out of it, so that shafts keep more boxes of triangles than triangles. Here
-/// the triangles themselves are tested, in one of two ways (TriangleTest). *By vertices* costs little more than the box
-/// around a triangle, and pays where planes were added to a shaft: a triangle is beyond a plane if its vertices are.
-/// *Exact* says outside of every triangle that has no point in common with the shaft.
+/// The box around a slanted triangle is larger than the triangle, so shafts keep more boxes of triangles than
+/// triangles. The queries here test the triangles themselves, in one of two ways (TriangleTest). The test *by vertices*
+/// costs little more than a test of the box around a triangle, and pays where planes were added to a shaft: a triangle
+/// is beyond a plane if its vertices are. The *exact* test finds every triangle outside that has no point in common
+/// with the shaft.
 ///
-/// Answers of both are exact, the same bits on every instruction set. For all finite floats:
+/// Answers of both tests are exact, the same bits on every instruction set. For all finite floats:
 ///
-/// * `vertices`: outside iff the box around the three vertices is outside of the hull that the shaft was made of, as
-///   cull() of a box says without added planes, or all three vertices are beyond one added plane, n · v > d.
-/// * `exact`: outside iff the triangle, with its edges and interior, has no point in common with the shaft, added
-///   planes left out, or all three vertices are beyond one added plane. Touching is not outside.
+/// * `vertices`: outside iff the box around the three vertices is outside the hull that the shaft was made of, as
+///   cull() of a box answers without added planes, or all three vertices are beyond one added plane, n · v > d.
+/// * `exact`: outside iff the triangle, with its edges and interior, has no point in common with the shaft without
+///   added planes, or all three vertices are beyond one added plane. Touching is not outside.
 ///
-/// Triangles may be degenerate: segments and points, with vertices repeated or in one line. Shafts may be flat, and of
+/// Triangles may be degenerate: segments and points, with vertices repeated or collinear. Shafts may be flat, and of
 /// all kinds that boxes are tested with (volumes.hpp). A convex hull (hull.hpp) answers by vertices only.
 ///
-/// With open contact (set_contact() in compiled.hpp) a triangle that only touches the shaft is outside: by
-/// `vertices` if the box around it is, and by `exact` if the relative interiors of shaft and triangle have no point in
-/// common; by both if no vertex is on the inner side of one added plane, off the plane. The relative interior of a
-/// triangle leaves out its edges; if it is degenerate, that of a segment its ends, and that of a point is the point.
+/// With open contact (set_contact() in compiled.hpp), a triangle that only touches the shaft is outside. By `vertices`,
+/// it is outside if the box around it is outside; by `exact`, if the relative interiors of shaft and triangle have no
+/// point in common; by both, if all three vertices are on or beyond one added plane. The relative interior of a
+/// triangle is the triangle without its edges; of a segment, the segment without its ends; of a point, the point.
 ///
-/// Values of a raw view are not checked. A coordinate that is NaN is left out of the box around the vertices; if all
-/// three of an axis are, the triangle is *empty*, and outside of every shaft. A vertex is not beyond an added plane
-/// that reads a coordinate of it that is not finite. A triangle with a coordinate that is not finite is answered by
-/// vertices even if the exact test is asked for.
+/// Values of a raw view are not checked. The box around the vertices ignores NaN coordinates. If all three coordinates
+/// of an axis are NaN, the triangle is *empty*, and outside every shaft. A vertex is not beyond an added plane that
+/// reads a coordinate of the vertex that is not finite. A triangle with a coordinate that is not finite is answered by
+/// vertices, even in the exact test.
 ///
-/// Inside is a triangle whose three vertices are inside, as points: a shaft is convex. With open contact it must be
-/// kept, too. Verbs, options and errors are those of all bounds (cull.hpp, many.hpp, query.hpp); first contact and
-/// blocking are not asked of triangles.
+/// A triangle is inside iff its three vertices are inside, as points, since a shaft is convex. With open contact it
+/// must be kept, too. Queries, options and errors are those of all bounds (cull.hpp, many.hpp, query.hpp).
+/// first_contact() and occluded() do not take triangles.
 #pragma once
 
 #include <array>
@@ -43,31 +44,31 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Three vertices. Which way round they are says nothing.
+/// Three vertices, in either orientation.
 struct Triangle {
   std::array<Vec3, 3> vertex;  ///< in any order
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
-/// How triangles are tested, as said above.
+/// How triangles are tested, as defined above.
 enum class TriangleTest : std::uint8_t {
   vertices,  ///< the box around the vertices, and added planes
   exact,     ///< the triangle itself
 };
 
 /// `count` triangles in the user's memory as nine separate streams of floats: x, y, z of vertex 0, then of vertex 1,
-/// then of vertex 2. Any alignment of a float, any count from 0 up, nothing past `count` is read: as BoxView.
+/// then of vertex 2. The rules of BoxView for alignment, count and memory apply.
 struct TriangleView {
-  std::array<const float*, 9> stream{};  ///< in the order said above
-  std::size_t count = 0;                 ///< of triangles
+  std::array<const float*, 9> stream{};  ///< in the order above
+  std::size_t count = 0;                 ///< number of triangles
 
-  /// The triangles [first, first + size); the caller keeps that range within `count`.
+  /// The triangles [first, first + size). The caller keeps that range within `count`.
   [[nodiscard]] TriangleView slice(std::size_t first, std::size_t size) const noexcept {
     TriangleView part{stream, size};
     for (const float*& s : part.stream) s += first;
     return part;
   }
-  /// i is below count; not checked.
+  /// Triangle i, for i below the count; not checked.
   [[nodiscard]] Triangle operator[](std::size_t i) const noexcept {
     return {{{{stream[0][i], stream[1][i], stream[2][i]},
               {stream[3][i], stream[4][i], stream[5][i]},
@@ -75,16 +76,16 @@ struct TriangleView {
   }
 };
 
-/// An indexed mesh in the user's memory: vertex i has its three floats at byte `vertices + i * stride`, any stride, any
-/// alignment; triangle i has the vertices that indices 3 i, 3 i + 1 and 3 i + 2 name. A mesh is packed into a stream or
-/// a tree, which are what shafts are asked about.
+/// An indexed mesh in the user's memory. The three floats of vertex i begin at byte `vertices + i * stride`, with any
+/// stride and alignment. Triangle i has the vertices that indices 3 i, 3 i + 1 and 3 i + 2 name. Pack a mesh into a
+/// stream or a tree to query it.
 struct MeshView {
   const void* vertices = nullptr;            ///< the first vertex
   std::size_t stride = sizeof(Vec3);         ///< bytes from one vertex to the next
-  std::size_t vertex_count = 0;              ///< of vertices
-  std::span<const std::uint32_t> indices{};  ///< of vertices, three a triangle
+  std::size_t vertex_count = 0;              ///< number of vertices
+  std::span<const std::uint32_t> indices{};  ///< of vertices, three per triangle
 
-  /// How many triangles it has.
+  /// The number of triangles.
   [[nodiscard]] std::size_t size() const noexcept { return indices.size() / 3; }
 };
 
@@ -94,21 +95,21 @@ struct MeshView {
   return {vertices.data(), sizeof(Vec3), vertices.size(), indices};
 }
 
-/// Triangles in memory of its own: nine streams, each aligned to a cache line, and no two of them at the same place of
-/// a page; 36 bytes a triangle, and at most 127 triangles of padding. Copies are deep, O(size()); moves are O(1) and
+/// Triangles in memory of their own: nine streams, each aligned to a cache line, no two of them at the same offset in a
+/// page. 36 bytes per triangle, and at most 127 triangles of padding. Copies are deep, O(size()). Moves are O(1) and
 /// leave an empty stream.
 ///
-/// Constructors take O(count) and allocate once, nothing for a count of 0. They throw InvalidArgument for null memory
-/// of more than 0 triangles or vertices, for a number of indices that is not a multiple of three, and for an index that
-/// is not below the number of vertices; std::bad_alloc if memory runs out, and std::bad_array_new_length for a count
-/// that no memory can hold. Packing throws BadBound, with the position of the first bad triangle, for a coordinate that
-/// is not finite. Whatever is thrown leaves the stream unchanged. Const members are safe to call from many threads;
-/// update() of disjoint ranges too.
+/// Constructors take O(count) and allocate once, or not at all for a count of 0. They throw InvalidArgument for null
+/// memory of more than 0 triangles or vertices, for a number of indices that is not a multiple of three, and for an
+/// index that is not below the number of vertices; std::bad_alloc if memory runs out; and std::bad_array_new_length for
+/// a count that no memory can hold. Packing throws BadBound, with the position of the first bad triangle, for a
+/// coordinate that is not finite. Every exception leaves the stream unchanged. Const members are safe to call from many
+/// threads, and so is update() of disjoint ranges.
 class SHAFTCULL_EXPORT TriangleStream {
  public:
   TriangleStream() noexcept = default;
-  /// `count` empty triangles: all of NaN, which no shaft keeps. Until update() has replaced them, packing them into a
-  /// tree throws BadBound.
+  /// Makes `count` empty triangles, with NaN coordinates, which no shaft keeps. Packing them into a tree throws
+  /// BadBound until update() has replaced them.
   explicit TriangleStream(std::size_t count);
   explicit TriangleStream(std::span<const Triangle> triangles);
   explicit TriangleStream(const TriangleView& triangles);
@@ -118,24 +119,23 @@ class SHAFTCULL_EXPORT TriangleStream {
   TriangleStream& operator=(TriangleStream other) noexcept;
   ~TriangleStream() = default;
 
-  /// Replaces the triangles from `first` on, as many as are given, in place and without allocation; O(their count).
-  /// Throws InvalidArgument if that range does not lie within size(), if what is given is null or lies in the stream's
-  /// own memory, and as above.
+  /// Replaces the triangles from `first` on by the given ones, in place and without allocation. O(their count). Throws
+  /// as above; InvalidArgument also for a range not within size(), and for memory that is null or in the stream.
   void update(std::size_t first, std::span<const Triangle> triangles);
   void update(std::size_t first, const TriangleView& triangles);
   void update(std::size_t first, const MeshView& mesh);
 
-  /// How many triangles it holds.
+  /// The number of triangles.
   [[nodiscard]] std::size_t size() const noexcept { return view_.count; }
-  /// Bytes of triangles that the stream holds, padding included.
+  /// The bytes of triangles that the stream holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept {
     return size() == 0 ? 0 : (bit_words(size()) | 1U) * 64 * sizeof(Triangle);
   }
-  /// Valid until the stream is assigned to, moved from or destroyed; sees later updates.
+  /// A view that shows later updates. Valid until the stream is assigned to, moved from or destroyed.
   [[nodiscard]] TriangleView view() const noexcept { return view_; }
-  /// So that a stream goes where a view goes.
+  /// Lets a stream be passed as a view.
   operator TriangleView() const noexcept { return view_; }  // NOLINT(google-explicit-constructor)
-  /// i is below size(); not checked.
+  /// Triangle i, for i below the count; not checked.
   [[nodiscard]] Triangle operator[](std::size_t i) const noexcept { return view_[i]; }
 
  private:
@@ -147,22 +147,22 @@ class SHAFTCULL_EXPORT TriangleStream {
 
   TriangleStream(NotWritten, std::size_t count);
 
-  std::unique_ptr<float[], Free> memory_;  // nine rows, one behind the other
-  TriangleView view_;                      // of these rows
+  std::unique_ptr<float[], Free> memory_;  // nine rows, one after the other
+  TriangleView view_;                      // a view of these rows
 };
 
-/// Triangles in memory of its own, sorted so that neighbours in space are neighbours in memory, under a BoxTree of the
-/// boxes around each 32 of them, a *chunk*: dense meshes are passed over chunk by chunk. Answers equal those of a view.
+/// Triangles in memory of their own, sorted so that neighbours in space are neighbours in memory. Each 32 triangles
+/// form a *chunk*. Queries skip whole chunks by a BoxTree of the boxes around them. Answers equal those of a view.
 ///
-/// A tree is not updated: build it again if triangles move, or update() a stream. It has no layers.
+/// A tree is not updated: if triangles move, build it again, or update() a stream. It has no layers.
 ///
-/// Building sorts, O(n log n), in parallel, with some 80 bytes a triangle of memory on the way. The tree then holds 36
-/// bytes a triangle, 4 for its index, and less than one for boxes. It throws what TriangleStream throws, and
-/// InvalidArgument for 2³² triangles or more. Const members and queries are safe to call from many threads. Copies are
-/// deep; moves are O(1) and leave an empty tree.
+/// Building sorts in parallel, O(n log n), with about 80 bytes of scratch memory per triangle. The tree then holds 36
+/// bytes per triangle, 4 per index, and less than 1 per triangle for boxes. It throws the exceptions of TriangleStream,
+/// and InvalidArgument for 2³² triangles or more. Const members and queries are safe to call from many threads. Copies
+/// are deep. Moves are O(1) and leave an empty tree.
 class SHAFTCULL_EXPORT TriangleTree {
  public:
-  static constexpr std::size_t chunk_size = 32;  ///< triangles a chunk
+  static constexpr std::size_t chunk_size = 32;  ///< triangles per chunk
 
   TriangleTree() noexcept;
   /// Copies and sorts the triangles.
@@ -175,13 +175,13 @@ class SHAFTCULL_EXPORT TriangleTree {
   TriangleTree& operator=(TriangleTree&& other) noexcept;
   ~TriangleTree();
 
-  /// How many triangles it holds.
+  /// The number of triangles.
   [[nodiscard]] std::size_t size() const noexcept;
-  /// Bytes that the tree holds, padding included.
+  /// The bytes that the tree holds, padding included.
   [[nodiscard]] std::size_t memory_bytes() const noexcept;
   /// The triangles in tree order. Valid until the tree is assigned to, moved from or destroyed.
   [[nodiscard]] TriangleView triangles() const noexcept;
-  /// order()[p] is the user's index of triangle p of these. Valid as triangles().
+  /// order()[p] is the user's index of triangle p of triangles(). Valid as long as triangles().
   [[nodiscard]] std::span<const std::uint32_t> order() const noexcept;
   /// The smallest box around all triangles; the empty box if there are none. O(1).
   [[nodiscard]] Box box() const;
