@@ -2,23 +2,23 @@
 /// Solid boxes that hide one end of a shaft from the other.
 ///
 /// A box *blocks* a shaft if every segment from a point of the shaft's box a to a point of its box b passes through it:
-/// nothing of one end sees anything of the other. One such box settles a pair of patches, without a ray. What blocks is
-/// *solid*: the caller says which boxes are, by passing no others. Walls and the cores of buildings are; the box around
-/// a triangle, a tree or a table is not.
+/// no point of one end sees any point of the other. One such box decides a pair of patches without a ray. Boxes that
+/// block are *solid*: the caller passes no others. Walls and the cores of buildings are solid; the box around a
+/// triangle, a tree or a table is not.
 ///
-/// *Touching does not block.* A segment passes through a box where their relative interiors meet. So the wall that a
-/// patch lies on does not block it, nor does a segment that runs along a wall. A flat box blocks what crosses it, and a
-/// box that holds an end in its interior blocks all that starts there: leave such boxes out where that is not meant.
+/// *Touching does not block.* A segment passes through a box where their relative interiors meet. So a wall does not
+/// block the patch that lies on it, nor a segment that runs along it. A flat box blocks segments that cross it. A box
+/// that holds an end in its interior blocks all segments that start there: leave it out where that is not intended.
 ///
 /// Answers are exact, as those of cull.hpp, for all finite floats, flat and point-like ends and boxes included. A box
-/// that is empty (lo > hi) or has a NaN blocks nothing, and an infinite one is an unbounded box. Several boxes that
-/// only together block every segment are not found. Planes added to a shaft are left out: what blocks all segments
-/// blocks those that they leave. Only the two boxes are read, so a shaft may have been formed for whatever answers, and
-/// whatever its contact.
+/// that is empty (lo > hi) or has a NaN blocks nothing, and an infinite box is unbounded. Several boxes that only
+/// together block every segment are not found. Planes added to a shaft are ignored: a box that blocks all segments also
+/// blocks those that the planes leave. Only the shaft's two boxes are read, so a shaft may have been formed for any
+/// answers and with any contact.
 ///
-/// Solids are boxes; spheres and triangles are refused. Options, errors, threads, stack and memory that runs out:
-/// query.hpp and many.hpp. Query::only is refused. A shaft that is not between two boxes (volumes.hpp) is refused with
-/// InvalidArgument, by its position.
+/// Solids are boxes; spheres, triangles and Query::only are refused. A shaft that is not between two boxes
+/// (volumes.hpp) is refused with InvalidArgument, by its position. Options, other errors, threads, stack and
+/// std::bad_alloc: query.hpp and many.hpp.
 #pragma once
 
 #include <cstddef>
@@ -34,45 +34,45 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
-/// Whether this one box blocks the shaft. Some tens of nanoseconds. No allocation.
+/// Returns whether one box blocks the shaft. Tens of nanoseconds; no allocation.
 [[nodiscard]] SHAFTCULL_EXPORT bool occluded(const CompiledShaft& shaft, const Box& solid);
 
-/// Whether a convex polygon blocks the shaft: a wall or a roof at any angle. `polygon` has its corners in order, either
-/// way round; corners may be repeated.
+/// Returns whether a convex polygon blocks the shaft: a wall or a roof at any angle. `polygon` has its corners in
+/// order, either way round; corners may be repeated.
 ///
-/// Every segment must go from one side of its plane to the other, within its edges; touching the plane or an edge does
-/// not block. Corners that are floats are seldom in one plane. So the polygon is taken as the triangles that its first
-/// corner makes with each of its other edges, and a segment must pass the planes of all of them. Exact. O(corners),
-/// some microseconds; no allocation. Throws InvalidArgument for fewer than three corners, and for one that is not
-/// finite.
+/// Every segment must go from one side of the polygon's plane to the other, within its edges; touching the plane or an
+/// edge does not block. Corners that are floats are seldom in one plane. So the polygon is treated as the triangles
+/// that its first corner forms with each of its other edges, and a segment must pass the planes of all of them. Exact.
+/// O(corners), a few microseconds; no allocation. Throws InvalidArgument for fewer than three corners, and for a corner
+/// that is not finite.
 [[nodiscard]] SHAFTCULL_EXPORT bool occluded(const CompiledShaft& shaft, std::span<const Vec3> polygon);
 
-/// Whether any of the boxes blocks the shaft. A view is looked through from the first box on, and a tree in nodes that
-/// may hold a box that blocks; both stop soon after they find one. No allocation.
+/// Returns whether any of the boxes blocks the shaft. A view is scanned from the first box on; a tree is searched in
+/// nodes that may hold a box that blocks. Both stop soon after the first one. No allocation.
 [[nodiscard]] SHAFTCULL_EXPORT bool occluded(const CompiledShaft& shaft, const Bounds& solids,
                                              const Query& query = no_options);
 
-/// The index of the box that blocks the shaft: of several in a view the lowest, in a tree the first in tree order
-/// (BoundsTree::order()). Nothing if none does. Throws InvalidArgument for a view of more than 2³² − 1 boxes. Otherwise
-/// as occluded().
+/// Returns the index of a box that blocks the shaft, or nothing if no box does. If several do, it is the lowest index
+/// in a view, and the first in tree order (BoundsTree::order()) in a tree. Throws InvalidArgument for a view of more
+/// than 2³² − 1 boxes. Otherwise as occluded().
 [[nodiscard]] SHAFTCULL_EXPORT std::optional<std::uint32_t> find_occluder(const CompiledShaft& shaft,
                                                                           const Bounds& solids,
                                                                           const Query& query = no_options);
 
-/// Writes the indices of all boxes that block the shaft, ascending or in tree order, and returns how many there are;
-/// results.hpp says what happens if they do not fit. With Query::limit it lists the first that many. No allocation.
-/// Throws InvalidArgument as find_occluder().
+/// Writes the indices of all boxes that block the shaft, ascending or in tree order, and returns their number, also if
+/// they do not fit (results.hpp). With Query::limit, the call lists the first that many. No allocation. Throws
+/// InvalidArgument as find_occluder().
 [[nodiscard]] SHAFTCULL_EXPORT std::size_t list_occluders(const CompiledShaft& shaft, const Bounds& solids,
                                                           std::span<std::uint32_t> blocking,
                                                           const Query& query = no_options);
 
-/// Bit s % 64 of word s / 64 of `occluded` is set iff a box blocks shafts[s]; bits past the last shaft are zero. In
-/// parallel. `occluded` has exactly bit_words(shafts.size()) words. Bits do not depend on the number of threads.
-/// O(shafts · boxes) for a view, though it ends for each shaft as occluded() does.
+/// Writes bit s % 64 of word s / 64 of `occluded`, in parallel: 1 iff a box blocks shafts[s]. Bits past the last shaft
+/// are 0. `occluded` has exactly bit_words(shafts.size()) words. Bits do not depend on the number of threads. O(shafts
+/// · boxes) for a view, though the scan for each shaft stops as in occluded().
 SHAFTCULL_EXPORT void occluded_many(std::span<const CompiledShaft> shafts, const Bounds& solids,
                                     std::span<std::uint64_t> occluded, const Query& query = no_options);
 
-/// Lists for each shaft the boxes that list_occluders() lists, in parallel.
+/// Writes the list of list_occluders(shafts[s], …) to list s, in parallel.
 SHAFTCULL_EXPORT void list_occluders_many(std::span<const CompiledShaft> shafts, const Bounds& solids,
                                           IndexLists& lists, const Query& query = no_options);
 

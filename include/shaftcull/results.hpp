@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// Results of queries: counts, bits, lists; and the rule for results that do not fit.
 ///
-/// A call that lists into a span of the caller's returns the number of results, whether they fit or not. It writes the
-/// first of them, as many as fit, and only counts the others. If the number is larger than the span, call again with
-/// that much room. An empty span is legal: the call then counts. Room behind the last result may be overwritten.
+/// A call that lists into a span returns the number of results, whether they fit or not. It writes the first results,
+/// as many as fit, and only counts the others. If the number is larger than the span, call again with a span of that
+/// size. An empty span is legal: the call then counts. Elements behind the last result may be overwritten.
 ///
-/// A call that lists into a vector or into IndexLists makes the room itself. A call that writes bits, or a number for
-/// each shaft, takes a span of exactly the right size, and throws InvalidArgument for any other.
+/// A call that lists into a vector or into IndexLists makes room itself. A call that writes bits, or one number per
+/// shaft, takes a span of exactly the right size, and throws InvalidArgument for any other.
 #pragma once
 
 #include <bit>
@@ -23,24 +23,24 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 /// The answer of a shaft for one bound.
 enum class Answer : std::uint8_t {
   outside,  ///< no point of the bound is in the shaft
-  overlap,  ///< some points are, or the bound touches the shaft
-  inside,   ///< all points are
+  overlap,  ///< some points of the bound are, or it touches the shaft
+  inside,   ///< all points of the bound are
 };
 
-/// How many bounds there are of each answer. A shaft keeps overlap + inside.
+/// The number of bounds with each answer. A shaft keeps overlap + inside.
 struct KeptCounts {
-  std::size_t overlap;  ///< neither outside nor inside
-  std::size_t inside;   ///< entirely inside the shaft
+  std::size_t overlap;  ///< bounds neither outside nor inside
+  std::size_t inside;   ///< bounds entirely inside the shaft
   friend bool operator==(const KeptCounts&, const KeptCounts&) = default;
 };
 
-/// Bits of bounds, as cull() and its like write them: bit i % 64 of word i / 64 is bound i. Refers to words of the
-/// caller's. Iterating gives the indices of the bits that are set, ascending:
+/// A view of bits, as cull() and related calls write them: bit i % 64 of word i / 64 is the bit of bound i. The caller
+/// owns the words. Iteration gives the indices of the set bits, ascending:
 ///
 ///     for (const std::size_t i : BitView(kept)) …
 class BitView {
  public:
-  /// Walks over the set bits.
+  /// Iterates over the set bits.
   class Iterator {
    public:
     using value_type = std::size_t;                     ///< an index
@@ -84,18 +84,18 @@ class BitView {
   };
 
   constexpr BitView() noexcept = default;
-  /// The bits of these words. Bits behind the last bound must be zero, as all calls leave them.
+  /// A view of these words. Bits behind the last bound must be zero, as all calls leave them.
   constexpr explicit BitView(std::span<const std::uint64_t> words) noexcept : words_(words) {}
 
   /// Bit i, which is below 64 times the number of words; not checked.
   [[nodiscard]] constexpr bool operator[](std::size_t i) const noexcept { return (words_[i / 64] >> i % 64 & 1) != 0; }
-  /// How many bits are set. O(words).
+  /// The number of set bits. O(words).
   [[nodiscard]] constexpr std::size_t count() const noexcept {
     std::size_t set = 0;
     for (const std::uint64_t word : words_) set += static_cast<std::size_t>(std::popcount(word));
     return set;
   }
-  /// The first set bit, and the end of them.
+  /// The first set bit, and the end of the set bits.
   [[nodiscard]] constexpr Iterator begin() const noexcept { return {words_, 0}; }
   [[nodiscard]] constexpr Iterator end() const noexcept { return {words_, words_.size()}; }
 
@@ -105,10 +105,10 @@ class BitView {
 
 /// Index lists in compressed sparse rows: the list of shaft s is indices[offsets[s] … offsets[s + 1]).
 struct IndexLists {
-  std::vector<std::uint64_t> offsets;  ///< shafts + 1 of them, the first 0
-  std::vector<std::uint32_t> indices;  ///< of all lists, one behind the other
+  std::vector<std::uint64_t> offsets;  ///< number of shafts + 1; the first is 0
+  std::vector<std::uint32_t> indices;  ///< all lists, one after another
 
-  /// Walks over the lists.
+  /// Iterates over the lists.
   class Iterator {
    public:
     using value_type = std::span<const std::uint32_t>;  ///< a list
@@ -137,13 +137,13 @@ struct IndexLists {
     std::size_t shaft_ = 0;
   };
 
-  /// How many lists there are: one for each shaft.
+  /// The number of lists: one per shaft.
   [[nodiscard]] std::size_t size() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
-  /// `shaft` is below size(); not checked.
+  /// The list of `shaft`, which is below size(); not checked.
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t shaft) const noexcept {
     return {indices.data() + offsets[shaft], static_cast<std::size_t>(offsets[shaft + 1] - offsets[shaft])};
   }
-  /// The list of the first shaft, and the end of them.
+  /// The list of the first shaft, and the end of the lists.
   [[nodiscard]] Iterator begin() const noexcept { return {*this, 0}; }
   [[nodiscard]] Iterator end() const noexcept { return {*this, size()}; }
 };

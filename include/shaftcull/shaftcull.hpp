@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// All public headers: shafts and hulls; views, streams and trees of boxes, spheres and triangles; the verbs that take
-/// both; what sees what.
+/// All public headers: shafts and hulls; views, streams and trees of boxes, spheres and triangles; queries; visibility
+/// of patches.
 #pragma once
 
 #include "shaftcull/bounds.hpp"

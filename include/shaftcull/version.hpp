@@ -18,5 +18,5 @@
 #define SHAFTCULL_QUOTED(number) SHAFTCULL_QUOTED_AS_IT_IS(number)
 #define SHAFTCULL_QUOTED_AS_IT_IS(number) #number
 
-/// To compare: `#if SHAFTCULL_VERSION >= 1002` asks for 0.1.2 or newer.
+/// The version as one number: `#if SHAFTCULL_VERSION >= 1002` tests for 0.1.2 or newer.
 #define SHAFTCULL_VERSION (SHAFTCULL_VERSION_MAJOR * 1000000 + SHAFTCULL_VERSION_MINOR * 1000 + SHAFTCULL_VERSION_PATCH)
