@@ -13,6 +13,8 @@
 
 namespace SHAFTCULL_INTERFACE shaftcull {
 
+class ConvexHull;
+
 /// A test-ready shaft: 832 bytes, no heap memory, freely copied, never changed by a test. One that is copied from a
 /// ConvexHull (hull.hpp) refers to that hull, which must live as long as the copy is used.
 ///
@@ -29,6 +31,10 @@ class SHAFTCULL_EXPORT CompiledShaft {
   CompiledShaft() noexcept {
     for (std::size_t i = 0; i != answers_size; ++i) storage_[answers_at + i] = std::byte{0};
   }
+
+  // A shaft that is copied from a temporary hull would refer to memory that is gone. Calls do take temporary hulls.
+  CompiledShaft(const ConvexHull&& hull) = delete;  // NOLINT(google-explicit-constructor)
+  CompiledShaft& operator=(const ConvexHull&& hull) = delete;
 
   /// Whether a call made this shaft, or the one that it is a copy of.
   [[nodiscard]] bool formed() const noexcept;

@@ -49,12 +49,15 @@ struct ViewPlanes {
   [[nodiscard]] const Plane* end() const noexcept { return plane.data() + count; }
 };
 
-/// The planes of a view-projection matrix, normals outwards, ready for Shaft::add_plane(). Normals are not of unit
-/// length. These planes restrict a shaft to the view; frustum() (hull.hpp) makes the view itself, as one exact volume.
+/// The planes of a view-projection matrix, normals outwards, ready to cut shafts with: compile(a, b, planes). Normals
+/// are not of unit length. These planes restrict a shaft to the view; frustum() (hull.hpp) makes the view itself, as
+/// one exact volume.
 ///
 /// The matrix has 4 rows of 4 floats, row after row, and maps column vectors. Point p of the world is at
 /// matrix · (p, 1) = (x, y, z, w) in clip space, and in view if −w ≤ x ≤ w, −w ≤ y ≤ w and z is in the range of
-/// `depth`. Transpose a matrix that is stored column by column (glm) or that maps row vectors (DirectXMath).
+/// `depth`. Transpose a matrix that is stored column by column (glm) or that maps row vectors (DirectXMath). Otherwise
+/// its last column has the unit length that its last row should have: this call and frustum() then throw
+/// InvalidArgument.
 ///
 /// Each coefficient is the sum or difference of two coefficients of the matrix, rounded to the nearest float. Throws
 /// InvalidArgument if the matrix is not finite, if a coefficient overflows, if a plane leaves nothing in view, or if

@@ -53,9 +53,10 @@ class SHAFTCULL_EXPORT ConvexHull {
   ~ConvexHull();
 
   /// The hull for queries. Copies of the shaft refer to this hull: they are valid until it is assigned to, moved from
-  /// or destroyed. The shaft's a() and b() are box().
-  [[nodiscard]] const CompiledShaft& compiled() const noexcept { return compiled_; }
-  operator const CompiledShaft&() const noexcept { return compiled_; }  // NOLINT(google-explicit-constructor)
+  /// or destroyed, so shafts are not copied from temporary hulls. The shaft's a() and b() are box().
+  [[nodiscard]] const CompiledShaft& compiled() const& noexcept { return compiled_; }
+  const CompiledShaft& compiled() const&& = delete;
+  operator const CompiledShaft&() const& noexcept { return compiled_; }  // NOLINT(google-explicit-constructor)
 
   /// The smallest box around all points, infinite where directions lead.
   [[nodiscard]] Box box() const noexcept;

@@ -62,6 +62,23 @@ bool is_finite(const Plane& plane) noexcept {
          std::isfinite(plane.offset);
 }
 
+/// Refuses a matrix that is stored column by column. The last row of a perspective measures distance along the
+/// direction of view, so it has a unit normal; that of a parallel projection has none. Transposed, the last column has
+/// it.
+void require_rows(const char* call, std::span<const float, 16> matrix) {
+  const auto length = [&](std::size_t x, std::size_t y, std::size_t z) {
+    return std::hypot(double{matrix[x]}, double{matrix[y]}, double{matrix[z]});
+  };
+  const auto is_unit = [](double of) { return std::fabs(of - 1) < 1e-5; };
+  const double row = length(12, 13, 14);
+  const double column = length(3, 7, 11);
+  if (row == 0 || is_unit(row) || !(column == 0 || is_unit(column))) return;
+  kernel::fail(InvalidArgument(
+      std::string(call) + ": the matrix seems to be stored column by column: its last row has length " +
+      kernel::text(static_cast<float>(row)) + ", its last column " + kernel::text(static_cast<float>(column)) +
+      "; pass it row after row (if it is, divide it by the length of its last row)"));
+}
+
 }  // namespace
 
 Box box_around(std::span<const Vec3> points) {
@@ -126,6 +143,7 @@ ViewPlanes kernel::planes_of_view(const char* call, std::span<const float, 16> m
     if (!std::isfinite(matrix[i]))
       refuse_infinite(std::string(call) + ": matrix[" + std::to_string(i) + "]", matrix[i]);
   }
+  require_rows(call, matrix);
   const float near_share = depth == ClipDepth::zero_to_one ? 0.0F : 1.0F;
   const ClipRule rules[6] = {{"left", 1, 0, 1}, {"right", 1, 0, -1},        {"bottom", 1, 1, 1},
                              {"top", 1, 1, -1}, {"near", near_share, 2, 1}, {"far", 1, 2, -1}};

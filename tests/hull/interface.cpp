@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,13 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 const std::vector<Vec3> tetrahedron = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+
+// A shaft that is copied from a temporary hull would refer to memory that is gone; calls take temporary hulls.
+static_assert(!std::is_convertible_v<ConvexHull, CompiledShaft> && !std::is_constructible_v<CompiledShaft, ConvexHull>);
+static_assert(!std::is_assignable_v<CompiledShaft&, ConvexHull> &&
+              !std::is_convertible_v<const ConvexHull, CompiledShaft>);
+static_assert(std::is_convertible_v<const ConvexHull&, CompiledShaft>);
+static_assert(std::is_invocable_v<decltype([](const CompiledShaft& /*shaft*/) {}), ConvexHull>);
 
 TEST(HullInterface, OpenContactIsRefused) {
   const ConvexHull hull(tetrahedron);

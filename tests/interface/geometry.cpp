@@ -2,6 +2,7 @@
 /// The helpers that make boxes and planes: exact, or off to the safe side and by as little as can be.
 #include "shaftcull/geometry.hpp"
 #include "caught.hpp"
+#include "shaftcull/hull.hpp"
 
 #include <gmock/gmock.h>
 
@@ -180,6 +181,26 @@ TEST(ViewPlanes, FitAShaft) {
   EXPECT_TRUE(keeps(shaft, Box{{-0.5F, -0.5F, -4}, {0.5F, 0.5F, -3}}));
   EXPECT_FALSE(keeps(shaft, Box{{-0.5F, -0.5F, 3}, {0.5F, 0.5F, 4}})) << "behind the camera";
   EXPECT_FALSE(keeps(shaft, Box{{8, -0.5F, -4}, {9, 0.5F, -3}})) << "to the right of what is in view";
+}
+
+TEST(ViewPlanes, RefuseMatricesStoredColumnByColumn) {
+  // The camera is at (2, −1, 7), and looks down −z.
+  constexpr float placed[16] = {1, 0, 0, -2, 0, 2, 0, 2, 0, 0, -1.5F, 8, 0, 0, -1, 7};
+  constexpr float moved_box[16] = {0.25F, 0, 0, 3, 0, 0.5F, 0, 1, 0, 0, -0.125F, 2, 0, 0, 0, 1};
+  for (const auto& matrix : {std::to_array(perspective_gl), std::to_array(infinite_reversed), std::to_array(placed),
+                             std::to_array(moved_box)}) {
+    EXPECT_NO_THROW((void)view_planes(matrix, ClipDepth::minus_one_to_one));
+    std::array<float, 16> columns;
+    for (std::size_t i = 0; i != 16; ++i) columns[i] = matrix[i % 4 * 4 + i / 4];
+    EXPECT_THAT(message_of([&] { (void)view_planes(columns, ClipDepth::minus_one_to_one); }),
+                HasSubstr("view_planes: the matrix seems to be stored column by column"));
+    EXPECT_THAT(message_of([&] { (void)frustum(columns, ClipDepth::minus_one_to_one); }),
+                HasSubstr("frustum: the matrix seems to be stored column by column"));
+    // Multiples of a matrix show the same.
+    std::array<float, 16> multiple = matrix;
+    for (float& coefficient : multiple) coefficient *= 3;
+    EXPECT_NO_THROW((void)view_planes(multiple, ClipDepth::minus_one_to_one));
+  }
 }
 
 TEST(ViewPlanes, RefuseWhatIsNoMatrixOfAView) {
