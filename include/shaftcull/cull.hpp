@@ -88,7 +88,9 @@ SHAFTCULL_EXPORT std::size_t list(const CompiledShaft& shaft, const Bounds& boun
 [[nodiscard]] SHAFTCULL_EXPORT bool keeps(const CompiledShaft& shaft, const Triangle& triangle,
                                           TriangleTest test = TriangleTest::exact);
 
-/// Returns the answer of the shaft for one bound.
+/// Returns the answer of the shaft for one bound. About 30 ns for a box with AVX2. While joining planes are pending
+/// (compiled.hpp), each call computes them for a bound within the box around the shaft, which takes about 80 ns more:
+/// complete() a shaft that classifies many single bounds.
 [[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Box& box);
 [[nodiscard]] SHAFTCULL_EXPORT Answer classify(const CompiledShaft& shaft, const Sphere& sphere);
 

@@ -61,9 +61,24 @@ bool keeps_single(const ShaftData& shaft, const float* const* stream) noexcept {
   return kept != 0;
 }
 
+/// Whether a box, or the centre of a sphere, is not within the box around a shaft between two boxes. Then the bound is
+/// not inside, whatever the joining planes are.
+template <class Stages>
+bool reaches_out(const ShaftData& shaft, const float* const* stream) noexcept {
+  if (shaft.kind != ShaftData::Kind::between) return false;
+  constexpr unsigned hi = Stages::streams == 6 ? 3 : 0;
+  for (unsigned k = 0; k != 3; ++k) {
+    const float below = *stream[k];
+    const float above = *stream[k + hi];
+    if ((below < shaft.a[k] && below < shaft.b[k]) || (above > shaft.a[k + 3] && above > shaft.b[k + 3])) return true;
+  }
+  return false;
+}
+
 template <class L, class Stages>
 Answer classify_single(const ShaftData& shaft, const float* const* stream) noexcept {
   if (!keeps_single<L, Stages>(shaft, stream)) return Answer::outside;
+  if (!shaft.has_planes() && reaches_out<Stages>(shaft, stream)) return Answer::overlap;
   const WithPlanes completed(shaft, true);
   const std::uint64_t kept = 1;
   std::uint64_t inside = 0;
