@@ -65,7 +65,7 @@ bool is_finite(const Plane& plane) noexcept {
 /// Refuses a matrix that is stored column by column. The last row of a perspective measures distance along the
 /// direction of view, so it has a unit normal; that of a parallel projection has none. Transposed, the last column has
 /// it.
-void require_rows(const char* call, std::span<const float, 16> matrix) {
+void require_stored_by_rows(const char* call, std::span<const float, 16> matrix) {
   const auto length = [&](std::size_t x, std::size_t y, std::size_t z) {
     return std::hypot(double{matrix[x]}, double{matrix[y]}, double{matrix[z]});
   };
@@ -143,7 +143,7 @@ ViewPlanes kernel::planes_of_view(const char* call, std::span<const float, 16> m
     if (!std::isfinite(matrix[i]))
       refuse_infinite(std::string(call) + ": matrix[" + std::to_string(i) + "]", matrix[i]);
   }
-  require_rows(call, matrix);
+  require_stored_by_rows(call, matrix);
   const float near_share = depth == ClipDepth::zero_to_one ? 0.0F : 1.0F;
   const ClipRule rules[6] = {{"left", 1, 0, 1}, {"right", 1, 0, -1},        {"bottom", 1, 1, 1},
                              {"top", 1, 1, -1}, {"near", near_share, 2, 1}, {"far", 1, 2, -1}};
