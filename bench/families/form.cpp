@@ -11,7 +11,7 @@
 #include "scenes/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/isa.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include "hashes/hashes.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/occluded.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::hashes {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 

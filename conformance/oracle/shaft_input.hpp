@@ -7,7 +7,7 @@
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 

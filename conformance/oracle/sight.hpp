@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::oracle {
 

@@ -8,10 +8,29 @@
 
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/export.hpp"
-#include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 
 namespace SHAFTCULL_INTERFACE shaftcull {
+
+/// What becomes of a bound that touches a shaft without reaching into it (set_contact() in compiled.hpp).
+enum class Contact : std::uint8_t {
+  closed,  ///< It is kept.
+  /// It is outside. A bound is kept only if its relative interior has a point in common with the shaft's: so the wall
+  /// that a patch lies on is not kept, nor the floor beside it. The relative interior of a flat box is the rectangle
+  /// without its edges, that of a segment leaves out its ends, and that of a point is the point. So a sheet of glass
+  /// across the shaft is kept, and so is a flat box that reaches into a shaft in its own plane.
+  open,
+};
+
+/// Which form of a shaft decides *outside*, of boxes and spheres (set_form() in compiled.hpp). Answers are the same;
+/// speed is not.
+enum class Form : std::uint8_t {
+  slab,    ///< the shaft as a moving box: always faster
+  planes,  ///< the paper's planes with near corners
+};
+
+/// Most planes of the user's own that can be added to a shaft.
+inline constexpr std::size_t max_added_planes = 16;
 
 class ConvexHull;
 
@@ -29,7 +48,7 @@ class SHAFTCULL_EXPORT CompiledShaft {
  public:
   /// Never formed. Writes 8 of the bytes: the others mean nothing until then.
   CompiledShaft() noexcept {
-    for (std::size_t i = 0; i != answers_size; ++i) storage_[answers_at + i] = std::byte{0};
+    for (std::size_t i = 0; i != state_size; ++i) storage_[state_at + i] = std::byte{0};
   }
 
   // A shaft that is copied from a temporary hull would refer to memory that is gone. Calls do take temporary hulls.
@@ -46,8 +65,8 @@ class SHAFTCULL_EXPORT CompiledShaft {
   [[nodiscard]] Box a() const noexcept;
   [[nodiscard]] Box b() const noexcept;
 
-  /// Whether the joining planes are there: from compile(const Shaft&) at once, otherwise from complete() on. false if
-  /// the shaft was never formed.
+  /// Whether the joining planes are there: from complete() on, and in a shaft made of a Shaft (paper.hpp). False if the
+  /// shaft was never formed.
   [[nodiscard]] bool has_planes() const noexcept;
 
   /// Whether bounds that only touch the shaft are kept. Contact::closed if it was never formed.
@@ -60,27 +79,27 @@ class SHAFTCULL_EXPORT CompiledShaft {
   friend struct CompiledShaftLayout;  // checks the numbers below against what the library keeps there
 
   static constexpr std::size_t size = 832;
-  static constexpr std::size_t answers_at = 112;  ///< where the bytes say what the shaft answers: nothing if they are 0
-  static constexpr std::size_t answers_size = 8;
+  static constexpr std::size_t state_at = 112;  ///< of bytes that are 0 in a shaft that was never formed
+  static constexpr std::size_t state_size = 8;
 
   alignas(64) std::byte storage_[size];
 };
 
-/// Compiles a formed shaft, joining planes included. Never fails. Forming a Shaft and compiling it take some 180 ns
-/// together. No allocation; safe to call from many threads.
-[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Shaft& shaft) noexcept;
-
-/// Forms and compiles the shaft between boxes `a` and `b`, ready for queries in slab form: some 12 ns with AVX2.
+/// Forms and compiles the shaft between boxes `a` and `b`: about 12 ns with AVX2. Points, flat, equal, nested and
+/// touching boxes are legal. Throws InvalidArgument if a box is not finite or has lo > hi. No allocation; safe to call
+/// from many threads.
 ///
-/// It answers everything and equals compile(Shaft(a, b)), but for joining planes, which are left pending as those of
-/// compile_batch() are. Throws InvalidArgument as the constructor of Shaft does, if a box is not finite or has lo > hi.
-/// No allocation; safe to call from many threads.
-[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b);
+/// The shaft is ready for queries in slab form. Joining planes are left pending, as those of compile_batch() are.
+///
+/// `planes` are up to max_added_planes half-spaces that bounds must also meet: the plane of an emitter or receiver, a
+/// clip plane. A bound that is fully outside any one of them is outside. Each takes a few nanoseconds. Throws
+/// InvalidArgument for a plane that is not finite or whose normal is zero, by its position, and for more planes.
+[[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes = {});
 
 /// The same with a choice of what becomes of bounds that only touch the shaft: that of set_contact().
 [[nodiscard]] SHAFTCULL_EXPORT CompiledShaft compile(const Box& a, const Box& b, Contact contact);
 
-/// Planes that compile_batch() adds to its shafts as Shaft::add_plane() would: those of a shaft's box a, then those of
+/// Planes that compile_batch() adds to its shafts: those of a shaft's box a, then those of
 /// its box b. The planes of a patch and of what it faces, say.
 ///
 /// Each box has as many as all others of its view, k = a.size() / (number of boxes), and box i has planes k · i to
@@ -92,12 +111,11 @@ struct BatchPlanes {
 
 /// Forms and compiles the shaft of every pair (a[i], b[i]) into out[i], several pairs at once with SIMD.
 ///
-/// The shafts answer everything and equal compile(Shaft(a[i], b[i])) with planes added, but for joining planes, which
-/// are left pending. Tests in plane form, every question about inside, and some spheres need them: spheres against a
-/// shaft with a face that both boxes touch, or nearly, or whose boxes are much farther apart than one of them is from
-/// the origin, or have coordinates above 2⁶⁰. A call computes planes that are pending on the fly: once a shaft, but for
-/// many shafts against a view once a shaft and tile of some 1,000 to 2,500 bounds. complete() a shaft that is to answer
-/// such questions more than once.
+/// The shafts equal those of compile(a[i], b[i], planes). Joining planes are left pending. Tests in plane form, every
+/// question about inside, and some spheres need them: spheres against a shaft with a face that both boxes touch, or
+/// nearly, or whose boxes are much farther apart than one of them is from the origin, or have coordinates above 2⁶⁰. A
+/// call computes planes that are pending on the fly: once a shaft, but for many shafts against a view once a shaft and
+/// tile of some 1,000 to 2,500 bounds. complete() a shaft that is to answer such questions more than once.
 ///
 /// Throws InvalidArgument if the three sizes differ, if planes are not equally many for each box, more than
 /// max_added_planes in all, not finite or without a normal; BadBound for the first pair with a box that is not finite

@@ -43,7 +43,7 @@ SHAFTCULL_EXPORT void cull(const CompiledShaft& shaft, const Bounds& bounds, std
 /// Classifies: `kept` as cull() writes it, and bit i of `inside` set iff bound i is entirely inside the shaft and on
 /// the inner side of every added plane. So outside is not kept, and overlap is kept and not inside. Inside is always
 /// decided by planes. Both spans have bit_words(bounds.size()) words. `kept` may be empty: then only `inside` is
-/// written, which is the only question that a shaft formed for inside alone answers.
+/// written.
 SHAFTCULL_EXPORT void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept,
                                std::span<std::uint64_t> inside, const Query& query = no_options);
 

@@ -17,7 +17,6 @@
 #include "shaftcull/occluded.hpp"
 #include "shaftcull/query.hpp"
 #include "shaftcull/results.hpp"
-#include "shaftcull/shaft.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/strided.hpp"

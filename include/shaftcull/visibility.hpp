@@ -46,7 +46,6 @@
 #include "shaftcull/bounds.hpp"
 #include "shaftcull/export.hpp"
 #include "shaftcull/function_ref.hpp"
-#include "shaftcull/shaft.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/triangles.hpp"
 

@@ -8,16 +8,10 @@
 
 namespace shaftcull::kernel {
 
-void refuse_shaft(const ShaftData& shaft, bool outside, bool inside, std::size_t position) {
-  const std::string which = "shaft " + std::to_string(position);
-  if (!shaft.is_formed()) {
-    kernel::fail(InvalidArgument(which + " was never formed: a default CompiledShaft answers nothing; assign it what " +
-                                 "compile() returns, or pass it to compile_batch()"));
-  }
-  const char* missing = "spheres";
-  if (inside && !shaft.answers_inside) missing = "inside";
-  if (outside && !shaft.answers_outside) missing = "outside";
-  kernel::fail(InvalidArgument(which + " was formed without " + missing + " (see ShaftOptions) and is asked for it"));
+void refuse_unformed(std::size_t position) {
+  kernel::fail(InvalidArgument("shaft " + std::to_string(position) +
+                               " was never formed: a default CompiledShaft answers nothing; assign it what compile() "
+                               "returns, or pass it to compile_batch()"));
 }
 
 void refuse_kind(std::size_t position) {

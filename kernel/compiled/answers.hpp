@@ -8,32 +8,22 @@
 
 namespace shaftcull::kernel {
 
-[[noreturn]] void refuse_shaft(const ShaftData& shaft, bool outside, bool inside, std::size_t position);
-
+[[noreturn]] void refuse_unformed(std::size_t position);
 [[noreturn]] void refuse_kind(std::size_t position);
 
-/// Throws InvalidArgument unless the shaft was formed, for whatever answers, between two boxes: others have no two ends
-/// that a box could hide from each other.
-inline void require_two_ends(const ShaftData& shaft, std::size_t position) {
-  if (!shaft.is_formed()) [[unlikely]]
-    refuse_shaft(shaft, false, false, position);
-  if (shaft.kind != ShaftData::Kind::between) [[unlikely]]
-    refuse_kind(position);
-}
-
-/// Throws InvalidArgument unless the shaft was formed to answer `outside` and `inside`, where asked, for spheres or
-/// boxes. `position` is the shaft's index among many, for the message.
-inline void require_answers(const ShaftData& shaft, bool outside, bool inside, bool spheres, std::size_t position) {
-  if ((outside && !shaft.answers_outside) || (inside && !shaft.answers_inside) || (spheres && !shaft.answers_spheres))
-      [[unlikely]] {
-    refuse_shaft(shaft, outside, inside, position);
-  }
-}
-
-/// Throws InvalidArgument for a shaft that was never formed. `position` as above.
+/// Throws InvalidArgument for a shaft that was never formed. `position` is the shaft's index among many, for the
+/// message.
 inline void require_formed(const ShaftData& shaft, std::size_t position) {
   if (!shaft.is_formed()) [[unlikely]]
-    refuse_shaft(shaft, false, false, position);
+    refuse_unformed(position);
+}
+
+/// Throws InvalidArgument unless the shaft was formed between two boxes: others have no two ends that a box could hide
+/// from each other. `position` as above.
+inline void require_two_ends(const ShaftData& shaft, std::size_t position) {
+  require_formed(shaft, position);
+  if (shaft.kind != ShaftData::Kind::between) [[unlikely]]
+    refuse_kind(position);
 }
 
 [[noreturn]] void refuse_contact_of_hull(std::size_t position);

@@ -79,12 +79,12 @@ void add_joining_planes(ShaftData& shaft) noexcept {
         direction[f] = faces.is_purple(f) ? 0.0F : faces.is_blue(f) == is_hi(f) ? 1.0F : -1.0F;
       }
       const JoinedEdges& edges = table729_edges(Faces6{}, direction);
-      compile_joining_planes(edges, join(a, step, edges, ShaftOptions{}.spheres), shaft);
+      compile_joining_planes(edges, join(a, step, edges, true), shaft);
       return;
     }
     const Faces6 b = std::to_array(shaft.b);
     const JoinedEdges& edges = table729_edges(a, b);
-    compile_joining_planes(edges, join(a, b, edges, ShaftOptions{}.spheres), shaft);
+    compile_joining_planes(edges, join(a, b, edges, true), shaft);
   });
 }
 

@@ -11,6 +11,7 @@
 
 #include "compiled/hull_data.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/paper.hpp"
 #include "support/compiler.hpp"
 
 namespace shaftcull::kernel {
@@ -68,9 +69,7 @@ struct alignas(64) ShaftData {
   float b[6];  ///< faces of box b; of other kinds, where the box ends, rounded, or on its way if it never does
   std::uint8_t joining_count;  ///< planes_pending until completed
   std::uint8_t added_count;
-  bool answers_outside;
-  bool answers_inside;
-  bool answers_spheres;
+  bool formed;
   Kind kind;
   Contact contact : 4;
   Form form : 4;             ///< which decides *outside*
@@ -111,7 +110,7 @@ struct alignas(64) ShaftData {
   // Inlined wherever they are called: a unit of an instruction set must not leave a copy that the linker may keep.
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_hull() const noexcept { return slab_form == SlabForm::hull; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool has_planes() const noexcept { return joining_count != planes_pending; }
-  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_formed() const noexcept { return answers_outside || answers_inside; }
+  SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_formed() const noexcept { return formed; }
   SHAFTCULL_ALWAYS_INLINE [[nodiscard]] bool is_endless() const noexcept {
     return kind == Kind::swept_infinite || kind == Kind::shadow_without_end;
   }
@@ -124,7 +123,7 @@ enum class ShaftRow : std::size_t {
   shift = offsetof(ShaftData, slab_shift),  ///< and the selectors
   selectors = offsetof(ShaftData, slab_near),
   a = offsetof(ShaftData, a),  ///< and the first two faces of b, so it is written before the row of b
-  b = offsetof(ShaftData, b),  ///< and the counts and answers
+  b = offsetof(ShaftData, b),  ///< and the counts and what follows them
 };
 
 /// The bytes of a row.
@@ -173,9 +172,8 @@ namespace shaftcull {
 
 /// What the header of CompiledShaft says in numbers of the data in it.
 struct CompiledShaftLayout {
-  static_assert(offsetof(kernel::ShaftData, joining_count) == CompiledShaft::answers_at &&
-                    offsetof(kernel::ShaftData, answers_spheres) <
-                        CompiledShaft::answers_at + CompiledShaft::answers_size,
+  static_assert(offsetof(kernel::ShaftData, joining_count) == CompiledShaft::state_at &&
+                    offsetof(kernel::ShaftData, formed) < CompiledShaft::state_at + CompiledShaft::state_size,
                 "what its constructor writes");
 };
 

@@ -56,18 +56,18 @@ inline constexpr auto slab_orders = [] {
 struct BatchFlags {
   std::uint8_t joining_count = ShaftData::planes_pending;
   std::uint8_t added_count = 0;
-  bool answers[3] = {true, true, true};
+  bool formed = true;
   ShaftData::Kind kind = ShaftData::Kind::between;
   Contact contact = Contact::closed;
   std::uint8_t still_faces = 0;
+  std::uint8_t unused[2] = {};
 };
 struct TwoFloats {
   float of[2];
 };
 inline constexpr TwoFloats batch_flags = __builtin_bit_cast(TwoFloats, BatchFlags{});
 
-static_assert(offsetof(ShaftData, answers_outside) ==
-              offsetof(ShaftData, joining_count) + offsetof(BatchFlags, answers));
+static_assert(offsetof(ShaftData, formed) == offsetof(ShaftData, joining_count) + offsetof(BatchFlags, formed));
 static_assert(offsetof(ShaftData, kind) == offsetof(ShaftData, joining_count) + offsetof(BatchFlags, kind));
 static_assert(offsetof(ShaftData, still_faces) ==
               offsetof(ShaftData, joining_count) + offsetof(BatchFlags, still_faces));

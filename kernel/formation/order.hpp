@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::kernel {
 

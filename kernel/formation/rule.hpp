@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "shaftcull/bounds.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 #include "support/exact_floats.hpp"
 
 namespace shaftcull::kernel {

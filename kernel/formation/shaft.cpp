@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,15 +40,9 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
   kernel::in_float_environment([&] {
     kernel::require_finite(a, "a");
     kernel::require_finite(b, "b");
-    if (!options.outside && !options.inside) {
-      kernel::fail(InvalidArgument("a shaft must answer something: set ShaftOptions::outside, inside or both"));
-    }
     if (options.order > PlaneOrder::by_added_volume) {
       kernel::fail(InvalidArgument("ShaftOptions::order is none of unsorted, by_volume and by_added_volume"));
     }
-    if (options.contact > Contact::open)
-      kernel::fail(InvalidArgument("ShaftOptions::contact is neither closed nor open"));
-    if (options.form > Form::planes) kernel::fail(InvalidArgument("ShaftOptions::form is neither slab nor planes"));
     for (std::size_t k = 0; k < 3; ++k) {
       box_.lo[k] = std::min(a.lo[k], b.lo[k]);
       box_.hi[k] = std::max(a.hi[k], b.hi[k]);
@@ -57,7 +51,7 @@ Shaft::Shaft(const Box& a, const Box& b, const ShaftOptions& options) : a_(a), b
     const kernel::Faces6 a_faces = kernel::positions(a);
     const kernel::Faces6 b_faces = kernel::positions(b);
     const auto join_all = [&](const kernel::JoinedEdges& edges) {
-      const kernel::JoinedPlanes planes = kernel::join(a_faces, b_faces, edges, options.spheres);
+      const kernel::JoinedPlanes planes = kernel::join(a_faces, b_faces, edges, false);
       for (std::size_t i = 0; i < edges.count; ++i) {
         const auto [red, blue] = edges.edge[i];
         joining_[i] = {{{0.0F, 0.0F, 0.0F}, planes.offset[i]}, red, blue};

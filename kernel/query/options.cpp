@@ -27,7 +27,7 @@ void require_answers_of(std::span<const ShaftData> shafts, Question question, Bo
       require_two_ends(shafts[s], s);
       continue;
     }
-    require_answers(shafts[s], question != Question::inside, question != Question::kept, kind == BoundKind::spheres, s);
+    require_formed(shafts[s], s);
     if (kind == BoundKind::triangles && test == TriangleTest::exact) require_no_hull_for_exact_test(shafts[s], s);
   }
 }

@@ -10,30 +10,14 @@
 #include "kernels/forming/slab_constraints.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shaftcull/compiled.hpp"
+#include "shaftcull/paper.hpp"
+#include "shafts/planes_of_one.hpp"
 #include "simd/scalar.hpp"
 #include "support/arguments.hpp"
 #include "support/float_environment.hpp"
 
 namespace shaftcull {
 namespace {
-
-/// Joining planes in columns, with their edges.
-struct Joined {
-  kernel::JoinedEdges edges;
-  kernel::JoinedPlanes planes;
-};
-
-Joined columns(std::span<const JoiningPlane> planes) noexcept {
-  Joined joined{};
-  for (std::size_t i = 0; i != planes.size(); ++i) {
-    const auto& [plane, red, blue] = planes[i];
-    joined.edges.add({red, blue});
-    joined.planes.red_normal[i] = plane.normal[kernel::axis_of(red)];
-    joined.planes.blue_normal[i] = plane.normal[kernel::axis_of(blue)];
-    joined.planes.offset[i] = plane.offset;
-  }
-  return joined;
-}
 
 CompiledShaft compile_formed(const Shaft& shaft) noexcept {
   CompiledShaft formed;  // added planes stay unwritten past their count
@@ -47,16 +31,16 @@ CompiledShaft compile_formed(const Shaft& shaft) noexcept {
     b[k + 3] = &shaft.b().hi[k];
   }
   kernel::compile_slabs<kernel::scalar::Floats>(a, b, 1, &compiled);
-  const auto [edges, planes] = columns(shaft.joining_planes());
+  kernel::JoinedEdges edges;
+  for (const JoiningPlane& joining : shaft.joining_planes()) edges.add({joining.red, joining.blue});
+  constexpr bool unit = true;  // for spheres; those of a Shaft have any length
+  const kernel::JoinedPlanes planes =
+      kernel::join(kernel::positions(shaft.a()), kernel::positions(shaft.b()), edges, unit);
   kernel::compile_joining_planes(edges, planes, compiled);
   const std::span<const Plane> added = shaft.added_planes();
   const Plane* const first_added = added.data();
   kernel::add_planes<kernel::scalar::Floats>(a, b, &first_added, added.size(), 1, &compiled);
-  compiled.answers_outside = shaft.options().outside;
-  compiled.answers_inside = shaft.options().inside;
-  compiled.answers_spheres = shaft.options().spheres;
-  kernel::apply_contact(compiled, shaft.options().contact);
-  compiled.form = shaft.options().form;
+  compiled.formed = true;
   return formed;
 }
 
@@ -66,11 +50,16 @@ CompiledShaft compile(const Shaft& shaft) noexcept {
   return kernel::in_float_environment([&] { return compile_formed(shaft); });
 }
 
-CompiledShaft compile(const Box& a, const Box& b) {
+CompiledShaft compile(const Box& a, const Box& b, std::span<const Plane> planes) {
   CompiledShaft compiled;
+  kernel::ShaftData& shaft = kernel::data_of(compiled);
+  if (!planes.empty()) kernel::require_planes(planes);
   const bool is_formed = [&] {
     const kernel::FloatEnvironment environment;
-    return kernel::active_kernels().compile_pair(a, b, kernel::data_of(compiled));
+    const kernel::Kernels& kernels = kernel::active_kernels();
+    if (!kernels.compile_pair(a, b, shaft)) return false;
+    kernel::add_planes(kernels, planes, shaft.b, shaft);
+    return true;
   }();
   if (!is_formed) static_cast<void>(Shaft(a, b));  // throws, and says why
   return compiled;

@@ -84,7 +84,7 @@ CompiledShaft referring_to(const HullData& hull) noexcept {
   for (unsigned f = 0; f < 6; ++f) data.a[f] = data.b[f] = data.face[f] = hull.box[f];
   data.joining_count = 0;
   data.added_count = 0;
-  data.answers_outside = data.answers_inside = data.answers_spheres = true;
+  data.formed = true;
   data.contact = Contact::closed;
   data.still_faces = 0;
   return compiled;

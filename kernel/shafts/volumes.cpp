@@ -22,6 +22,7 @@
 #include "kernels/forming/slab_constraints.hpp"
 #include "kernels/kernel_table.hpp"
 #include "shafts/batch_arguments.hpp"
+#include "shafts/planes_of_one.hpp"
 #include "simd/scalar.hpp"
 #include "support/arguments.hpp"
 #include "support/fail.hpp"
@@ -164,35 +165,14 @@ void form(const kernel::Kernels& kernels, const Movement& movement, ShaftData& s
   shaft.largest_coordinate *= kernel::rounded_end_factor;
 }
 
-/// Adds planes to a shaft that was formed.
-void add_planes(const kernel::Kernels& kernels, std::span<const Plane> planes, ShaftData& shaft) noexcept {
-  if (planes.empty()) return;
-  const float* a[6];
-  const float* b[6];
-  for (unsigned f = 0; f < 6; ++f) {
-    a[f] = &shaft.a[f];
-    b[f] = &shaft.face[f];
-  }
-  const Plane* const first = planes.data();
-  kernels.add_planes(a, b, &first, planes.size(), 1, &shaft);
-}
-
 CompiledShaft form(const Movement& movement, std::span<const Plane> planes) noexcept {
   CompiledShaft formed;
   const kernel::FloatEnvironment environment;
   const kernel::Kernels& kernels = kernel::active_kernels();
-  form(kernels, movement, kernel::data_of(formed));
-  add_planes(kernels, planes, kernel::data_of(formed));
+  kernel::ShaftData& shaft = kernel::data_of(formed);
+  form(kernels, movement, shaft);
+  kernel::add_planes(kernels, planes, shaft.face, shaft);
   return formed;
-}
-
-void require_planes(std::span<const Plane> planes) {
-  kernel::require_memory("planes", planes, "planes");
-  if (planes.size() > max_added_planes) {
-    kernel::fail(InvalidArgument("a shaft has room for " + std::to_string(max_added_planes) +
-                                 " added planes only, not for " + std::to_string(planes.size())));
-  }
-  for (std::size_t i = 0; i != planes.size(); ++i) kernel::require_usable(planes[i], {"planes[", i, "]"});
 }
 
 void require_vector(const Vec3& vector, const char* name) {
@@ -258,7 +238,7 @@ template <class MovementOf>
 CompiledShaft one(std::span<const Plane> planes, const MovementOf& movement_of) {
   const Movement movement = kernel::in_float_environment([&] {
     const Movement checked = movement_of();
-    require_planes(planes);
+    kernel::require_planes(planes);
     return checked;
   });
   return form(movement, planes);
@@ -274,8 +254,8 @@ void many(std::span<CompiledShaft> out, const kernel::PlanesOfPairs& planes, con
   for (std::size_t i = 0; i != out.size(); ++i) {
     ShaftData& shaft = kernel::data_of(out[i]);
     form(kernels, movement_of(i), shaft);
-    add_planes(kernels, {planes.a.of(planes.a.each() == 0 ? 0 : a_of(i)), planes.a.each()}, shaft);
-    add_planes(kernels, {planes.b.of(planes.b.each() == 0 ? 0 : b_of(i)), planes.b.each()}, shaft);
+    kernel::add_planes(kernels, {planes.a.of(planes.a.each() == 0 ? 0 : a_of(i)), planes.a.each()}, shaft.face, shaft);
+    kernel::add_planes(kernels, {planes.b.of(planes.b.each() == 0 ? 0 : b_of(i)), planes.b.each()}, shaft.face, shaft);
   }
 }
 

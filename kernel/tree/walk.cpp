@@ -25,7 +25,7 @@ Walk<Bound>::Walk(const TreeLevels<Bound>& parts, const Kernels& kernels, const 
                                                         outside_needs_planes(shaft, std::is_same_v<Bound, Sphere>))),
       shaft_(with_planes_.shaft()),
       of_nodes_(shaft_),
-      tests_inside_(question != Question::blocking && shaft_.answers_inside && shaft_.has_planes()) {}
+      tests_inside_(question != Question::blocking && shaft_.has_planes()) {}
 
 template <class Bound>
 void Walk<Bound>::run() {

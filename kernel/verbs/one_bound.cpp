@@ -10,9 +10,6 @@
 namespace shaftcull {
 namespace {
 
-constexpr bool is_sphere(const BoxView& /*view*/) { return false; }
-constexpr bool is_sphere(const SphereView& /*view*/) { return true; }
-
 /// Streams of one.
 BoxView view_of(const Box& box) noexcept {
   return {{&box.lo[0], &box.lo[1], &box.lo[2], &box.hi[0], &box.hi[1], &box.hi[2]}, 1};
@@ -24,7 +21,7 @@ SphereView view_of(const Sphere& sphere) noexcept {
 template <class Bound>
 bool keeps_one(const kernel::ShaftData& shaft, const Bound& bound) {
   const auto view = view_of(bound);
-  kernel::require_answers(shaft, true, false, is_sphere(view), 0);
+  kernel::require_formed(shaft, 0);
   const kernel::FloatEnvironment environment;
   return kernel::active_kernels().keeps_one(view)(shaft, view.stream.data());
 }
@@ -32,7 +29,7 @@ bool keeps_one(const kernel::ShaftData& shaft, const Bound& bound) {
 template <class Bound>
 Answer classify_one(const kernel::ShaftData& shaft, const Bound& bound) {
   const auto view = view_of(bound);
-  kernel::require_answers(shaft, true, true, is_sphere(view), 0);
+  kernel::require_formed(shaft, 0);
   const kernel::FloatEnvironment environment;
   return kernel::active_kernels().classify_one(view)(shaft, view.stream.data());
 }
@@ -46,7 +43,7 @@ bool keeps(const CompiledShaft& shaft, const Sphere& sphere) { return keeps_one(
 bool keeps(const CompiledShaft& shaft, const Triangle& triangle, TriangleTest test) {
   const kernel::ShaftData& data = kernel::data_of(shaft);
   kernel::require_triangle_test("test", test);
-  kernel::require_answers(data, true, false, false, 0);
+  kernel::require_formed(data, 0);
   if (test == TriangleTest::exact) kernel::require_no_hull_for_exact_test(data, 0);
   const float* stream[9];
   for (std::size_t s = 0; s != 9; ++s) stream[s] = &triangle.vertex[s / 3][s % 3];

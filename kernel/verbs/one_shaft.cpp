@@ -85,7 +85,7 @@ SHAFTCULL_NOINLINE void classify_bounds(const CompiledShaft& shaft, const Bounds
 
 void cull(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::uint64_t> kept, const Query& query) {
   if (const BoxView* const boxes = plain_boxes(bounds, query)) [[likely]] {
-    kernel::require_answers(kernel::data_of(shaft), true, false, false, 0);
+    kernel::require_formed(kernel::data_of(shaft), 0);
     kernel::require_view(*boxes);
     kernel::require_words("kept", kept, boxes->count);
     return write_plain_bits(shaft, *boxes, kept.data(), nullptr);
@@ -97,7 +97,7 @@ void classify(const CompiledShaft& shaft, const Bounds& bounds, std::span<std::u
               std::span<std::uint64_t> inside, const Query& query) {
   const bool wants_kept = !kept.empty();
   if (const BoxView* const boxes = plain_boxes(bounds, query)) [[likely]] {
-    kernel::require_answers(kernel::data_of(shaft), wants_kept, true, false, 0);
+    kernel::require_formed(kernel::data_of(shaft), 0);
     kernel::require_view(*boxes);
     if (wants_kept) kernel::require_words("kept", kept, boxes->count);
     kernel::require_words("inside", inside, boxes->count);

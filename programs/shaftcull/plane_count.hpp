@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::cli {
 

@@ -25,7 +25,7 @@
 #include "plane_count.hpp"
 #include "random_shafts.hpp"
 #include "shaft_choice.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 #include "subcommand.hpp"
 #include "table.hpp"
 

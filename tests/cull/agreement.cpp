@@ -15,7 +15,7 @@
 #include "oracle/hull.hpp"
 #include "oracle/open_contact.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

@@ -23,7 +23,7 @@
 #include "oracle/cases/shafts.hpp"
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

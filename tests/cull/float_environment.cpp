@@ -15,7 +15,7 @@
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 #ifdef SHAFTCULL_HAS_FLOAT_MODES
 

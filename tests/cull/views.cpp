@@ -18,7 +18,7 @@
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/first_contact.hpp"
 #include "shaftcull/hull.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/volumes.hpp"
 
 namespace shaftcull {

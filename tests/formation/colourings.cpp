@@ -11,7 +11,7 @@
 #include "formation/rule.hpp"
 #include "formation/search.hpp"
 #include "formation/table.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oracle/random.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "golden.hpp"
 #include "oracle/random.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "caught.hpp"
 #include "message_of.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 namespace {

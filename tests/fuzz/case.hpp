@@ -13,7 +13,7 @@
 #include "oracle/moving_hull.hpp"
 #include "oracle/shaft_input.hpp"
 #include "shaftcull/bounds.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::fuzz {
 

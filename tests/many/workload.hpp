@@ -12,7 +12,7 @@
 #include "sanitizers.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 
 #if defined(SHAFTCULL_WITH_TBB) && SHAFTCULL_WITH_TBB
 #include <oneapi/tbb/global_control.h>

@@ -11,7 +11,7 @@
 
 #include "oracle/random.hpp"
 #include "shaftcull/compiled.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/streams.hpp"
 #include "shaftcull/volumes.hpp"
 

@@ -10,7 +10,7 @@
 #include "oracle/quick_hull.hpp"
 #include "oracle/random.hpp"
 #include "oracle/shaft_input.hpp"
-#include "shaftcull/shaft.hpp"
+#include "shaftcull/paper.hpp"
 #include "trial/seed.hpp"
 #include "trial/trial.hpp"
 
