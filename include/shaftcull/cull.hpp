@@ -12,7 +12,7 @@
 /// * With open contact, touching is outside, in the sense of relative interiors (set_contact() in compiled.hpp).
 /// * A bound with a NaN is never inside.
 ///
-/// Both forms of a shaft (Form in shaft.hpp) give the same answers.
+/// Both forms of a shaft (Form in compiled.hpp) give the same answers.
 ///
 /// Each verb has one meaning everywhere: cull() and classify() write bits, count() returns a number, list() lists
 /// indices, any() returns a bool. Each has a variant for many shafts (many.hpp). Bounds, options, errors and cost:

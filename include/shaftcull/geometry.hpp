@@ -23,7 +23,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 
 /// The box moved by a vector: the smallest box of floats that contains the exact result, so lo is rounded down and hi
 /// up. The empty box stays empty. Throws InvalidArgument if `by` is not finite. Coordinates must not be NaN. A face
-/// that would pass the largest float becomes infinite; Shaft rejects such a box.
+/// that would pass the largest float becomes infinite; no shaft takes such a box.
 ///
 /// swept() (volumes.hpp) makes the volume that a moving box sweeps over, and rounds nothing.
 [[nodiscard]] SHAFTCULL_EXPORT Box translated(const Box& box, const Vec3& by);

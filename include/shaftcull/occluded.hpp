@@ -13,8 +13,7 @@
 /// Answers are exact, as those of cull.hpp, for all finite floats, flat and point-like ends and boxes included. A box
 /// that is empty (lo > hi) or has a NaN blocks nothing, and an infinite box is unbounded. Several boxes that only
 /// together block every segment are not found. Planes added to a shaft are ignored: a box that blocks all segments also
-/// blocks those that the planes leave. Only the shaft's two boxes are read, so a shaft may have been formed for any
-/// answers and with any contact.
+/// blocks those that the planes leave. Only the shaft's two boxes are read, so contact does not matter.
 ///
 /// Solids are boxes; spheres, triangles and Query::only are refused. A shaft that is not between two boxes
 /// (volumes.hpp) is refused with InvalidArgument, by its position. Options, other errors, threads, stack and

@@ -15,7 +15,7 @@
 ///
 /// *Errors.* Before anything is written, a query throws NeedsRefit if a tree needs a refit, and InvalidArgument
 ///
-/// * for a shaft that was never formed, or formed without the requested answer, by its position among many;
+/// * for a shaft that was never formed, by its position among many;
 /// * for a null pointer or span that is not empty, and for bounds of a kind that the verb does not take;
 /// * for an option of the wrong size, an index that is not below the number of bounds, and an option without meaning
 ///   for the verb or the bounds;

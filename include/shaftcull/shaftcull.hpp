@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// All public headers: shafts and hulls; views, streams and trees of boxes, spheres and triangles; queries; visibility
-/// of patches.
+/// All public headers except paper.hpp: shafts and hulls; views, streams and trees of boxes, spheres and triangles;
+/// queries; visibility of patches.
 #pragma once
 
 #include "shaftcull/bounds.hpp"

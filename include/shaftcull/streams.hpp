@@ -24,7 +24,7 @@ namespace SHAFTCULL_INTERFACE shaftcull {
 ///
 /// Values are not checked. A NaN coordinate never makes a box outside, and a box with a NaN is never inside. A box with
 /// lo > hi, except the empty box, gets an unspecified answer: the same on every instruction set, but maybe not in both
-/// forms (Form in shaft.hpp).
+/// forms (Form in compiled.hpp).
 struct BoxView {
   std::array<const float*, 6> stream{};  ///< in the order above
   std::size_t count = 0;                 ///< number of boxes

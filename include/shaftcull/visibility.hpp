@@ -18,8 +18,8 @@
 /// A pair that faces away or is occluded is never reported as `clear`. A pair that both faces away and is occluded gets
 /// either answer, the same on every instruction set and for any number of threads.
 ///
-/// An occluder reaches into the shaft if cull() with open contact (Contact in shaft.hpp) keeps the box around it, and
-/// if neither plane has all corners of the occluder on it or behind it. The corners of a box, solid or not, are its
+/// An occluder reaches into the shaft if cull() with open contact (Contact in compiled.hpp) keeps the box around it,
+/// and if neither plane has all corners of the occluder on it or behind it. The corners of a box, solid or not, are its
 /// eight corners. The corners of a hull or a polygon are the given points, not the corners of the box around it. The
 /// corners of triangles are their vertices. A group of neighbouring triangles is one occluder: it lies behind a plane
 /// if all vertices of the group do.

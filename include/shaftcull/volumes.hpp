@@ -9,8 +9,8 @@
 /// A box with an infinite corner is never inside: a shaft without end that holds all of it overlaps it.
 ///
 /// All calls throw InvalidArgument for a box that is not finite or has lo > hi, for a plane that is not finite or has
-/// no normal, and for more than max_added_planes planes. Planes are added as by Shaft::add_plane(). A call takes about
-/// 0.5 µs, allocates nothing and is safe from many threads.
+/// no normal, and for more than max_added_planes planes. Planes are added as by compile(a, b, planes). A call takes
+/// about 0.5 µs, allocates nothing and is safe from many threads.
 #pragma once
 
 #include <span>

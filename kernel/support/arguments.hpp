@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What public calls check before they write anything: null and shared memory, sizes, indices and enumerators. What a
-/// shaft was formed for, compiled/answers.hpp checks.
+/// What public calls check before they write anything: null and shared memory, sizes, indices and enumerators. Whether
+/// a shaft was formed, compiled/answers.hpp checks.
 ///
 /// Every check throws InvalidArgument with a message that names the argument, its value and what would be right. The
 /// messages are made in arguments.cpp, so that a call pays for comparisons only.
