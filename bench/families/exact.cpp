@@ -42,7 +42,7 @@ std::shared_ptr<Setting> make(std::uint32_t seed, Bound bound, Pair pair) {
   setting->boxes = BoxStream(std::span<const Box>(boxes));
   for (std::size_t s = 0; s < shafts; ++s) {
     const auto [a, b] = pair(random);
-    setting->compiled.push_back(compile(Shaft(a, b)));
+    setting->compiled.push_back(compile(a, b));
   }
   return setting;
 }

@@ -17,8 +17,10 @@ namespace {
 /// The shafts, and the rows of bits that all benchmarks of this family write to in turn.
 struct Bench {
   explicit Bench(const Workload& workload) {
-    for (std::size_t i = 0; i < Workload::test_shafts; ++i)
-      shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
+    for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
+      shafts.push_back(compile(workload.a[i], workload.b[i]));
+      complete(shafts.back());
+    }
     const std::size_t words = Workload::test_shafts * bit_words(workload.boxes.size());
     kept.resize(words);
     inside.resize(words);

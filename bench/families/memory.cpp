@@ -46,7 +46,7 @@ void declare_pair(Suite& suite, const Workload& workload, const RooflineKernels&
 
   const auto shafts = std::make_shared<std::vector<CompiledShaft>>();
   for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
-    shafts->push_back(compile(Shaft(workload.a[i], workload.b[i])));
+    shafts->push_back(compile(workload.a[i], workload.b[i]));
   }
   const auto kept = std::make_shared<std::vector<std::uint64_t>>(bit_words(boxes.count));
   suite.add(

@@ -25,7 +25,7 @@ struct Outputs {
 void declare_outputs(Suite& suite, const Workload& workload) {
   const auto outputs = std::make_shared<Outputs>();
   for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
-    outputs->shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
+    outputs->shafts.push_back(compile(workload.a[i], workload.b[i]));
   }
   const BoxView boxes = workload.boxes.view();
   const auto items = static_cast<std::int64_t>(Workload::test_shafts * boxes.count);

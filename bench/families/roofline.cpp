@@ -20,6 +20,7 @@
 #include "harness/suite.hpp"
 #include "shaftcull/cull.hpp"
 #include "shaftcull/isa.hpp"
+#include "shaftcull/paper.hpp"
 
 namespace shaftcull::bench {
 

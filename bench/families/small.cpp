@@ -108,7 +108,8 @@ void declare_sizes(Suite& suite, const std::shared_ptr<Small>& small, Isa isa, c
 void declare_small(Suite& suite, const Workload& workload) {
   const auto small = std::make_shared<Small>();
   for (std::size_t i = 0; i < Workload::test_shafts; ++i) {
-    small->shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
+    small->shafts.push_back(compile(workload.a[i], workload.b[i]));
+    complete(small->shafts.back());
   }
   small->boxes = workload.boxes.view().slice(0, slices * word_boxes + most_boxes - word_boxes);
   small->candidates.resize(small->boxes.count);

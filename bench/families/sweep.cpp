@@ -52,8 +52,10 @@ class Curves {
         boxes_(workload.boxes.view()),
         spheres_(workload.spheres.view()),
         few_(std::max<std::size_t>(boxes_.count / 4, 1)) {
-    for (std::size_t i = 0; i < most_shafts; ++i)
-      sweep_->shafts.push_back(compile(Shaft(workload.a[i], workload.b[i])));
+    for (std::size_t i = 0; i < most_shafts; ++i) {
+      sweep_->shafts.push_back(compile(workload.a[i], workload.b[i]));
+      complete(sweep_->shafts.back());
+    }
     sweep_->kept.resize(std::max(most_shafts * bit_words(few_), Workload::test_shafts * bit_words(boxes_.count)));
     sweep_->inside.resize(Workload::test_shafts * bit_words(two_tiles));
   }

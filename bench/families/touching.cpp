@@ -92,7 +92,8 @@ struct Scene {
     Random random(seed);
     for (std::size_t s = 0; s < shafts; ++s) {
       const Moving moving(random);
-      compiled.push_back(compile(Shaft(moving.from, moving.to)));
+      compiled.push_back(compile(moving.from, moving.to));
+      complete(compiled.back());
       std::vector<Bound> found;
       while (found.size() < bounds) {
         std::vector<Bound> tried;

@@ -68,7 +68,7 @@ void require_same_hits(TreeScene& scene, const SweptBoxes& swept, const SweptSet
     return box;
   };
   const auto hits_of = [&](std::size_t i, float by) {
-    const CompiledShaft shaft = compile(Shaft(grown(swept.from[i], by), grown(swept.to[i], by)));
+    const CompiledShaft shaft = compile(grown(swept.from[i], by), grown(swept.to[i], by));
     std::vector<std::uint32_t> hits;
     list(shaft, scene.tree(), hits);
     std::sort(hits.begin(), hits.end());

@@ -8,6 +8,7 @@
 /// triangles/mesh/… asks a mesh how many of its triangles each shaft keeps; an item is a shaft. `chunks` asks a tree of
 /// triangles, exactly, `boxes` a tree of the boxes around single ones.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -44,19 +45,16 @@ std::unique_ptr<const Survivors> survivors_of(const Workload& workload) {
   for (std::size_t s = 0; s != shafts; ++s) {
     const Box& a = workload.a[s];
     const Box& b = workload.b[s];
-    Shaft shaft(a, b);
-    survivors->plain.push_back(compile(shaft));
-    Plane from_a{};
-    Plane from_b{};
+    survivors->plain.push_back(compile(a, b));
+    std::array<Plane, 2> planes{};
+    auto& [from_a, from_b] = planes;
     for (std::size_t k = 0; k != 3; ++k) {
       from_a.normal[k] = a.lo[k] + a.hi[k] - b.lo[k] - b.hi[k];
       from_b.normal[k] = -from_a.normal[k];
       from_a.offset += from_a.normal[k] * 0.5F * (a.lo[k] + a.hi[k]);
       from_b.offset += from_b.normal[k] * 0.5F * (b.lo[k] + b.hi[k]);
     }
-    shaft.add_plane(from_a);
-    shaft.add_plane(from_b);
-    survivors->with_planes.push_back(compile(shaft));
+    survivors->with_planes.push_back(compile(a, b, planes));
     std::vector<std::uint32_t> indices;
     list(survivors->plain[s], workload.boxes, indices, {.limit = most_kept});
     std::vector<Triangle> triangles;
