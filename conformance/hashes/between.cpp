@@ -12,7 +12,6 @@
 #include "hashes/hashes.hpp"
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/occluded.hpp"
-#include "shaftcull/paper.hpp"
 
 namespace shaftcull::hashes {
 namespace {
@@ -41,10 +40,10 @@ std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact, bool block
       b.hi[axis] = numbers.near(a.hi[axis]);
       b = sorted(b.lo, b.hi);
     }
-    Shaft shaft(a, b);
-    for (int planes = s % 8 < 4 ? 0 : 1 + numbers.below(2); planes != 0; --planes) {
+    std::vector<Plane> planes;
+    for (int left = s % 8 < 4 ? 0 : 1 + numbers.below(2); left != 0; --left) {
       const Vec3 normal = point(numbers, number);
-      if (normal != Vec3{}) shaft.add_plane({normal, (numbers.*number)()});
+      if (normal != Vec3{}) planes.push_back({normal, (numbers.*number)()});
     }
 
     std::vector<Box> boxes;
@@ -58,7 +57,8 @@ std::uint64_t answers(std::uint64_t scenes, Way way, Contact contact, bool block
     boxes[s % bounds_a_scene].hi[s % 3] = nan;
     spheres[s % bounds_a_scene].centre[s % 3] = nan;
 
-    CompiledShaft compiled = compile(shaft);
+    CompiledShaft compiled = compile(a, b, planes);
+    complete(compiled);
     set_contact(compiled, contact);
     if (blocking) {
       for (Box& box : boxes) {

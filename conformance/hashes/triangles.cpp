@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "columns.hpp"
@@ -27,9 +28,8 @@ std::uint64_t answers(std::uint64_t scenes, TriangleTest test) {
     const Vec3 movement = point(numbers, number);  // first: compilers may draw arguments in any order
     CompiledShaft shaft = moving_shaft(numbers.below(4), a, b, movement);
     if (s % 3 == 0) {
-      Shaft with_plane(a, b);
-      with_plane.add_plane({{1, -2, 3}, numbers.grid()});
-      shaft = compile(with_plane);
+      const Plane plane{{1, -2, 3}, numbers.grid()};
+      shaft = compile(a, b, std::span(&plane, 1));
     }
     std::vector<Triangle> triangles;
     for (std::size_t i = 0; i != bounds_a_scene; ++i) {

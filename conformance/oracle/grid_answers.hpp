@@ -12,7 +12,6 @@
 
 #include "shaftcull/compiled.hpp"
 #include "shaftcull/many.hpp"
-#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 
@@ -60,10 +59,9 @@ inline std::vector<std::uint64_t> every_bit(const std::vector<std::uint64_t>& ro
 }
 
 /// The grid's steps double with `doublings`. At most `bounds_on_grid` bounds, that many places `apart`, which decides
-/// how many share a word; the shaft must answer outside and, where asked, inside.
+/// how many share a word.
 template <class View>
-GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, std::size_t apart = 1,
-                         bool ask_inside = true) {
+GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned doublings, std::size_t apart = 1) {
   constexpr std::size_t streams = std::tuple_size_v<decltype(View::stream)>;
   constexpr bool boxes = streams == 6;
   std::vector<float> memory(streams * bounds_on_grid);
@@ -79,18 +77,14 @@ GridAnswers grid_answers(const CompiledShaft& shaft, const View& few, unsigned d
     tile.stream[s] = stream;
   }
   const Box frame = frame_around(shaft, doublings);
-  std::vector<CompiledShaft> group(shafts_on_grid, compile(Shaft(frame, frame)));
+  std::vector<CompiledShaft> group(shafts_on_grid, compile(frame, frame));
   group.front() = shaft;
   GridAnswers rows;
   rows.kept.resize(group.size() * bit_words(bounds_on_grid));
-  if (ask_inside) {
-    rows.inside.resize(rows.kept.size());
-    classify_many(group, tile, rows.kept, rows.inside);
-  } else {
-    cull_many(group, tile, rows.kept);
-  }
+  rows.inside.resize(rows.kept.size());
+  classify_many(group, tile, rows.kept, rows.inside);
   rows.kept = every_bit(rows.kept, apart, few.count);
-  if (ask_inside) rows.inside = every_bit(rows.inside, apart, few.count);
+  rows.inside = every_bit(rows.inside, apart, few.count);
   return rows;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
+#include "shaftcull/compiled.hpp"
 #include "shaftcull/cull.hpp"
-#include "shaftcull/paper.hpp"
 
 namespace shaftcull {
 
@@ -18,6 +18,14 @@ struct ShaftInput {
   std::vector<Plane> added{};
   Contact contact = Contact::closed;
 };
+
+/// The shaft that the input describes, with its joining planes.
+inline CompiledShaft shaft_of(const ShaftInput& input) {
+  CompiledShaft shaft = compile(input.a, input.b, input.added);
+  complete(shaft);
+  set_contact(shaft, input.contact);
+  return shaft;
+}
 
 /// C++ source text that makes the same values again, to the bit.
 std::string source_text(const Box& box);

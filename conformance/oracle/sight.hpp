@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "shaftcull/bounds.hpp"
-#include "shaftcull/paper.hpp"
+#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::oracle {
 

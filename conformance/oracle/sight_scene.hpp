@@ -10,7 +10,7 @@
 #include "oracle/random.hpp"
 #include "oracle/sight.hpp"
 #include "shaftcull/bounds.hpp"
-#include "shaftcull/paper.hpp"
+#include "shaftcull/compiled.hpp"
 #include "shaftcull/solids.hpp"
 #include "shaftcull/triangles.hpp"
 #include "shaftcull/visibility.hpp"

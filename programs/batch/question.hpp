@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "shaftcull/paper.hpp"
+#include "shaftcull/compiled.hpp"
 
 namespace shaftcull::batch {
 

@@ -20,6 +20,7 @@
 #include "instruction_set.hpp"
 #include "number.hpp"
 #include "shaft_choice.hpp"
+#include "shaftcull/paper.hpp"
 #include "shaftcull/shaftcull.hpp"
 #include "subcommand.hpp"
 

@@ -162,10 +162,12 @@ inline Sphere resting_sphere(Random& random, const ShaftInput& input, const orac
   if (planes.empty()) return touching_sphere(random, hull, centre);
   const JoiningPlane& joining = planes[random.below(static_cast<unsigned>(planes.size()))];
   const float t = random.uniform(0.0F, 1.0F);
-  const float distance = std::pow(10.0F, random.uniform(-2.0F, 4.0F));
+  const Vec3& normal = joining.plane.normal;
+  const double length = std::hypot(double{normal[0]}, double{normal[1]}, double{normal[2]});
+  const auto distance = static_cast<float>(std::pow(10.0F, random.uniform(-2.0F, 4.0F)) / length);
   for (const Face face : {joining.red, joining.blue}) {
     const auto on = [&](const Box& box) { return face < 3 ? box.lo[face] : box.hi[face - 3]; };
-    centre[face % 3] = on(input.a) + t * (on(input.b) - on(input.a)) + distance * joining.plane.normal[face % 3];
+    centre[face % 3] = on(input.a) + t * (on(input.b) - on(input.a)) + distance * normal[face % 3];
   }
   return touching_sphere(random, hull, centre);
 }

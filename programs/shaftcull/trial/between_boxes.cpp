@@ -23,14 +23,15 @@ constexpr unsigned second_opinion = 64;
 /// Of these trials, one in this many is about open contact: rationals work out all of its answers.
 constexpr unsigned open_trials = 32;
 
-Shaft formed(Random& random, const ShaftInput& input) {
+CompiledShaft formed(Random& random, const ShaftInput& input) {
   ShaftOptions options;
-  options.contact = input.contact;
   options.formation = static_cast<Formation>(random.below(3));
   options.order = static_cast<PlaneOrder>(random.below(3));
   Shaft shaft(input.a, input.b, options);
   for (const Plane& plane : input.added) shaft.add_plane(plane);
-  return shaft;
+  CompiledShaft compiled = compile(shaft);
+  set_contact(compiled, input.contact);
+  return compiled;
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ void Trial::make_between_boxes(Random& random, const Family& family, unsigned in
   ShaftInput input = family.shaft(random, index);
   if ((mixed(number_) >> 40U) % open_trials == 0) input.contact = Contact::open;
   input_ = input;
-  shaft_ = compile(formed(random, input));
+  shaft_ = formed(random, input);
   batched_ = input.added.empty() && random.one_in(2);
 
   const oracle::QuickHull quick(input);
